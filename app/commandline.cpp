@@ -35,23 +35,22 @@ void declareOptions(QCommandLineParser& parser) {
         CommandLine::tr("Control panel for Networked Modular Control motor modules."));
     QCommandLineOption benchmark(kQuitAfterFirstPaint);
     benchmark.setFlags(QCommandLineOption::HiddenFromHelp);
-    parser.addPositionalArgument(QStringLiteral("file"),
-                                 CommandLine::tr("A machine file, opened at the start."),
+    parser.addPositionalArgument(QStringLiteral("file"), CommandLine::tr("Machine file to open on start."),
                                  QStringLiteral("[FILE]"));
     parser.addOptions({
-        {kPort, CommandLine::tr("Connect to a serial port at once."), CommandLine::tr("NAME")},
-        {kBaud, CommandLine::tr("Rate to run the chain at: 9600, 19200 (default), 57600 or 115200."),
+        {kPort, CommandLine::tr("Connect to a serial port on start."), CommandLine::tr("NAME")},
+        {kBaud, CommandLine::tr("Baud rate of the chain: 9600, 19200 (default), 57600 or 115200."),
          CommandLine::tr("N")},
         {kSimulator,
          CommandLine::tr(
-             "Connect to the built-in simulator at once. CHAIN lists its modules, the one farthest from the host first; the default is %1.")
+             "Connect to the built-in simulator on start. CHAIN lists its modules, the one farthest from the host first; the default is %1.")
              .arg(QString::fromUtf8(sim::kDefaultChain)),
          CommandLine::tr("CHAIN")},
         {kReadOnly,
          CommandLine::tr(
-             "With --port or --simulator: only look. Nothing is sent but questions, and closing leaves motors as they are; STOP ALL acts.")},
-        {kEnableFaults, CommandLine::tr("Let control lines inject faults into the built-in simulator.")},
-        {kListPorts, CommandLine::tr("List the serial ports of this machine.")},
+             "With --port or --simulator: connect read-only. Only status requests are sent, and closing does not stop motors. STOP ALL still works.")},
+        {kEnableFaults, CommandLine::tr("Allow control lines to inject faults into the built-in simulator.")},
+        {kListPorts, CommandLine::tr("List the serial ports of this computer.")},
         {{QStringLiteral("h"), kHelp}, CommandLine::tr("Show this help.")},
         {{QStringLiteral("v"), kVersion}, CommandLine::tr("Show the version.")},
         benchmark,

@@ -4,36 +4,36 @@
 <context>
     <name>Chain</name>
     <message>
-        <source>Not connected, so nothing is known of the chain.</source>
+        <source>Not connected: the state of the chain is unknown.</source>
         <translation>Nicht verbunden, daher ist über die Kette nichts bekannt.</translation>
     </message>
     <message>
-        <source>All is well: %1.</source>
+        <source>Chain OK: %1.</source>
         <translation>Alles in Ordnung: %1.</translation>
     </message>
     <message>
-        <source>No module answers.</source>
-        <translation>Kein Modul antwortet.</translation>
+        <source>No module answered.</source>
+        <translation>Kein Modul hat geantwortet.</translation>
     </message>
     <message>
         <source>%1 of %2 modules answered.</source>
         <translation>%1 von %2 Modulen haben geantwortet.</translation>
     </message>
     <message>
-        <source>%1 of %2 modules answered, and the far end of the chain is not among them.</source>
+        <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
         <translation>%1 von %2 Modulen haben geantwortet, und das ferne Ende der Kette ist nicht darunter.</translation>
     </message>
     <message>
-        <source>%1 is another one than expected.</source>
+        <source>%1 is not the expected module.</source>
         <translation>%1 ist ein anderes als erwartet.</translation>
     </message>
     <message>
-        <source>There are more modules than expected: %1 instead of %2.</source>
+        <source>More modules than expected: %1 instead of %2.</source>
         <translation>Es sind mehr Module als erwartet: %1 statt %2.</translation>
     </message>
     <message>
-        <source>%1 does not answer any more. Its motor&apos;s state is unknown.</source>
-        <translation>%1 antwortet nicht mehr. Sein Motorzustand ist unbekannt.</translation>
+        <source>%1 stopped answering. Motor state unknown.</source>
+        <translation>%1 antwortet nicht mehr. Motorzustand unbekannt.</translation>
     </message>
     <message>
         <source>%1 restarted: its position and gains are lost.</source>
@@ -52,27 +52,27 @@
         <translation>Die Nummerierung beginnt am fernen Ende. Deshalb das nächste Modul in Richtung PC nach %1 prüfen: zuerst seine Versorgung, dann den Stecker dazwischen. Dann erneut suchen.</translation>
     </message>
     <message>
-        <source>What answers are the modules nearest the PC, with new numbers. Look at the cable to the module at the far end, and whether another ADDR_IN is grounded now. Their settings belong to other places until this is mended.</source>
-        <translation>Es antworten die Module, die dem PC am nächsten sind, mit neuen Nummern. Das Kabel zum Modul am fernen Ende prüfen, und ob jetzt ein anderes ADDR_IN auf Masse liegt. Bis das behoben ist, gehören ihre Einstellungen zu anderen Plätzen.</translation>
+        <source>Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.</source>
+        <translation>Nur die Module nahe am PC haben geantwortet, und ihre Nummern haben sich geändert. Das Kabel zum Modul am fernen Ende prüfen und ob ein anderer ADDR_IN auf Masse liegt. Bis das behoben ist, passen die Einstellungen nicht zu den Modulen.</translation>
     </message>
     <message>
-        <source>Settings that belong to the expected one are not applied here. If it was exchanged on purpose, take what is there as expected.</source>
-        <translation>Einstellungen, die zum erwarteten Modul gehören, werden hier nicht angewendet. Wurde es absichtlich getauscht, das Vorhandene als erwartet übernehmen.</translation>
+        <source>The expected module&apos;s settings are not applied to it. If you replaced the module on purpose, accept the chain as found.</source>
+        <translation>Die Einstellungen des erwarteten Moduls werden hier nicht angewendet. Wurde es absichtlich getauscht, die Kette so übernehmen, wie sie ist.</translation>
     </message>
     <message>
-        <source>From %1 on they are new. If they are meant to be there, take what is there as expected.</source>
-        <translation>Ab %1 sind sie neu. Gehören sie dorthin, das Vorhandene als erwartet übernehmen.</translation>
+        <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>
+        <translation>Ab %1 sind die Module neu. Gehören sie dorthin, die Kette so übernehmen, wie sie ist.</translation>
     </message>
     <message>
-        <source>Check its power and the cable towards it; use the hardware stop if its motor moves. It is asked again by itself, rarely.</source>
-        <translation>Seine Versorgung und das Kabel zu ihm prüfen; den Hardware-Stopp benutzen, wenn sein Motor sich bewegt. Es wird von selbst weiter abgefragt, aber selten.</translation>
+        <source>Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.</source>
+        <translation>Versorgung und Kabel prüfen; bewegt sich der Motor, den Hardware-Stopp benutzen. Das Programm fragt von Zeit zu Zeit wieder.</translation>
     </message>
     <message>
-        <source>Modules from it towards the PC may be deaf until it has its address again. When all motors may stand still and lose their positions, restart the network.</source>
+        <source>Modules between it and the PC may not answer until it has its address again. Restart the network once all motors can stop and lose their positions.</source>
         <translation>Module von ihm in Richtung PC sind möglicherweise nicht ansprechbar, bis es wieder seine Adresse hat. Wenn alle Motoren stillstehen und ihre Positionen verlieren dürfen, das Netzwerk neu starten.</translation>
     </message>
     <message>
-        <source>fine</source>
+        <source>OK</source>
         <translation>in Ordnung</translation>
     </message>
     <message>
@@ -80,8 +80,8 @@
         <translation>neu</translation>
     </message>
     <message>
-        <source>another one</source>
-        <translation>ein anderes</translation>
+        <source>different module</source>
+        <translation>anderes Modul</translation>
     </message>
     <message>
         <source>missing</source>
@@ -104,12 +104,12 @@
         <translation>Gruppe %1</translation>
     </message>
     <message>
-        <source>Nothing is known of this chain yet: it has %1.</source>
-        <translation>Von dieser Kette ist noch nichts bekannt: Sie hat %1.</translation>
+        <source>This chain is new: it has %1.</source>
+        <translation>Diese Kette ist neu: Sie hat %1.</translation>
     </message>
     <message>
-        <source>Compare them with the labels on the modules, the one farthest from the PC first. If all are there, take them as expected: whatever is missing or another one is noticed from then on.</source>
-        <translation>Mit den Aufschriften der Module vergleichen, das vom PC am weitesten entfernte zuerst. Sind alle da, sie als erwartet übernehmen: Von da an fällt auf, was fehlt oder ein anderes ist.</translation>
+        <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
+        <translation>Die Liste mit den Aufschriften der Module vergleichen, beginnend mit dem, das am weitesten vom PC entfernt ist. Stimmt sie, die Kette so übernehmen: Von da an werden fehlende und getauschte Module gemeldet.</translation>
     </message>
 </context>
 <context>
@@ -119,7 +119,7 @@
         <translation>Bedienprogramm für Motormodule nach Networked Modular Control (NMC).</translation>
     </message>
     <message>
-        <source>Connect to a serial port at once.</source>
+        <source>Connect to a serial port on start.</source>
         <translation>Sofort mit einer seriellen Schnittstelle verbinden.</translation>
     </message>
     <message>
@@ -127,7 +127,7 @@
         <translation>NAME</translation>
     </message>
     <message>
-        <source>Rate to run the chain at: 9600, 19200 (default), 57600 or 115200.</source>
+        <source>Baud rate of the chain: 9600, 19200 (default), 57600 or 115200.</source>
         <translation>Rate, mit der die Kette arbeitet: 9600, 19200 (Vorgabe), 57600 oder 115200.</translation>
     </message>
     <message>
@@ -135,7 +135,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <source>Connect to the built-in simulator at once. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
+        <source>Connect to the built-in simulator on start. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
         <translation>Sofort mit dem eingebauten Simulator verbinden. KETTE zählt seine Module auf, das vom Rechner am weitesten entfernte zuerst; Vorgabe ist %1.</translation>
     </message>
     <message>
@@ -143,7 +143,7 @@
         <translation>KETTE</translation>
     </message>
     <message>
-        <source>List the serial ports of this machine.</source>
+        <source>List the serial ports of this computer.</source>
         <translation>Die seriellen Schnittstellen dieses Rechners auflisten.</translation>
     </message>
     <message>
@@ -155,15 +155,15 @@
         <translation>Die Version anzeigen.</translation>
     </message>
     <message>
-        <source>Let control lines inject faults into the built-in simulator.</source>
+        <source>Allow control lines to inject faults into the built-in simulator.</source>
         <translation>Steuerzeilen dürfen Fehler in den eingebauten Simulator einstreuen.</translation>
     </message>
     <message>
-        <source>With --port or --simulator: only look. Nothing is sent but questions, and closing leaves motors as they are; STOP ALL acts.</source>
+        <source>With --port or --simulator: connect read-only. Only status requests are sent, and closing does not stop motors. STOP ALL still works.</source>
         <translation>Mit --port oder --simulator: nur ansehen. Außer Fragen wird nichts gesendet, und Schließen lässt Motoren, wie sie sind; ALLES STOPP wirkt.</translation>
     </message>
     <message>
-        <source>A machine file, opened at the start.</source>
+        <source>Machine file to open on start.</source>
         <translation>Eine Maschinendatei, die beim Start geöffnet wird.</translation>
     </message>
 </context>
@@ -206,39 +206,39 @@
         <translation>Totzonenkompensation</translation>
     </message>
     <message>
-        <source>Kp, position gain: output for each count of position error. After Kd, raise it with small, fast test moves until the motor starts to overshoot, then back off a little.</source>
+        <source>Kp, position gain: output per count of position error. Set Kd first; then raise Kp with small, fast test moves until the motor starts to overshoot, and back off a little.</source>
         <translation>Kp, Lageverstärkung: Ausgangswert je Inkrement Regelabweichung. Nach Kd in kleinen, schnellen Testfahrten erhöhen, bis der Motor überzuschwingen beginnt, dann etwas zurücknehmen.</translation>
     </message>
     <message>
-        <source>Kd, derivative gain: damping. Start here, with Kp and Ki 0: raise it until the motor starts to hum, then back off a little bit.</source>
+        <source>Kd, derivative gain: damping. Start here, with Kp and Ki at 0: raise Kd until the motor starts to hum, then back off a little.</source>
         <translation>Kd, Differentialverstärkung: Dämpfung. Hier beginnen, mit Kp und Ki auf 0: erhöhen, bis der Motor zu brummen beginnt, dann etwas zurücknehmen.</translation>
     </message>
     <message>
-        <source>Ki, integral gain: removes the steady error that Kp and Kd leave. Set IL to 16000 first, then raise Ki until the error is small enough soon enough. It adds some overshoot.</source>
+        <source>Ki, integral gain: removes the steady-state error that Kp and Kd leave. Set IL to 16000 first, then raise Ki until the error settles fast enough. Adds some overshoot.</source>
         <translation>Ki, Integralverstärkung: beseitigt die bleibende Regelabweichung, die Kp und Kd übrig lassen. Zuerst IL auf 16000 setzen, dann Ki erhöhen, bis die Abweichung schnell genug klein genug wird. Das Überschwingen nimmt etwas zu.</translation>
     </message>
     <message>
-        <source>IL, integration limit: bounds the running sum of the error. In the end lower it to the least value that still cancels the steady error. 0 clears the sum.</source>
+        <source>IL, integration limit: limits the integral of the error. Last, lower it to the smallest value that still removes the steady-state error. 0 clears the integral.</source>
         <translation>IL, Integralgrenze: begrenzt die laufende Summe der Abweichung. Am Ende auf den kleinsten Wert senken, der die bleibende Abweichung noch ausgleicht. 0 löscht die Summe.</translation>
     </message>
     <message>
-        <source>OL, output limit: the largest PWM value, 255 is 100 %. A 12 V motor on 24 V takes 127.</source>
+        <source>OL, output limit: the largest PWM value; 255 is 100 %. Use 127 for a 12 V motor on a 24 V supply.</source>
         <translation>OL, Ausgangsgrenze: größter PWM-Wert, 255 entspricht 100 %. Ein 12-V-Motor an 24 V verträgt 127.</translation>
     </message>
     <message>
-        <source>CL, current limit, compared with the A/D value. 0: off. Odd: limits when the A/D value is above CL. Even: limits when it is below CL.</source>
+        <source>CL, current limit, compared with the A/D value. 0: off. Odd: limits while the A/D value is above CL. Even: limits while it is below CL.</source>
         <translation>CL, Stromgrenze, wird mit dem A/D-Wert verglichen. 0: aus. Ungerade: begrenzt, wenn der A/D-Wert über CL liegt. Gerade: begrenzt, wenn er unter CL liegt.</translation>
     </message>
     <message>
-        <source>EL, position error limit in counts: beyond it the servo switches itself off, for example after a collision or a stall.</source>
+        <source>EL, position error limit in counts: the servo switches off when the error exceeds it, for example after a collision or a stall.</source>
         <translation>EL, Grenze der Regelabweichung in Inkrementen: darüber schaltet sich der Servo selbst ab, zum Beispiel nach einer Kollision oder Blockade.</translation>
     </message>
     <message>
-        <source>SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes what every velocity and acceleration means.</source>
+        <source>SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
         <translation>SR, Servotakt-Teiler: ein Servotakt dauert SR x 0,512 ms. Ein langsamerer Takt dämpft schwere Lasten mit weniger Kd. Mit SR ändert sich die Bedeutung jeder Geschwindigkeit und Beschleunigung.</translation>
     </message>
     <message>
-        <source>DB, deadband compensation: added to every PWM value but 0, for amplifiers that do nothing near zero. Version 4 and later.</source>
+        <source>DB, deadband compensation: added to every PWM value except 0, for amplifiers with a deadband near zero. Version 4 and later.</source>
         <translation>DB, Totzonenkompensation: wird zu jedem PWM-Wert außer 0 addiert, für Verstärker, die nahe null nichts tun. Ab Version 4.</translation>
     </message>
     <message>
@@ -289,12 +289,12 @@
         <translation>Referenz: %1</translation>
     </message>
     <message>
-        <source>Home: not known</source>
+        <source>Home: unknown</source>
         <translation>Referenz: unbekannt</translation>
     </message>
     <message>
-        <source>Where home is, is not known in this connection. A search finds it, Save as home sets it; a restart, and whatever else sets the position unseen, loses it.</source>
-        <translation>Wo die Referenz liegt, ist in dieser Verbindung nicht bekannt. Eine Suche findet sie, Als Referenz speichern setzt sie; ein Neustart, und was sonst die Position ungesehen setzt, verliert sie.</translation>
+        <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
+        <translation>Die Referenz ist unbekannt. Die Referenz suchen oder dorthin fahren und „Als Referenz speichern“ wählen. Ein Neustart des Moduls verliert sie wieder.</translation>
     </message>
     <message>
         <source>Home is at %1. A search found it %2 min ago.</source>
@@ -305,15 +305,15 @@
         <translation>Die Referenz liegt bei %1. Sie wurde vor %2 min gespeichert.</translation>
     </message>
     <message>
-        <source>Makes the present position 0. The motor does not move. Where 0 has been is lost: all positions are counted from here then.</source>
+        <source>Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.</source>
         <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht. Wo 0 bisher war, geht verloren: Alle Positionen zählen dann von hier.</translation>
     </message>
     <message>
-        <source>Home, now at %1, is at %2 then.</source>
-        <translation>Die Referenz, jetzt bei %1, liegt dann bei %2.</translation>
+        <source>This moves home from %1 to %2.</source>
+        <translation>Die Referenz geht damit von %1 auf %2.</translation>
     </message>
     <message>
-        <source>What the chip captured or saved last, as it counted then: a limit stop writes it as well, and Zero here leaves it as it is. Go home does not go by it.</source>
+        <source>The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.</source>
         <translation>Was der Chip zuletzt erfasst oder gespeichert hat, so wie er damals zählte: Auch ein Endschalter-Stopp schreibt es, und Hier nullen lässt es, wie es ist. Zur Referenz richtet sich nicht danach.</translation>
     </message>
     <message>
@@ -321,12 +321,12 @@
         <translation>Referenz: %1, nicht bestätigt</translation>
     </message>
     <message>
-        <source>Home is at %1, not verified: it was taken from where the axis was seen last, %2 min ago. A search verifies it.</source>
+        <source>Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.</source>
         <translation>Die Referenz ist bei %1, nicht bestätigt: Sie wurde vor %2 min daraus übernommen, wo die Achse zuletzt gesehen wurde. Eine Suche bestätigt sie.</translation>
     </message>
     <message>
-        <source>Home is at %1. The position was declared right %2 min ago.</source>
-        <translation>Die Referenz liegt bei %1. Die Position wurde vor %2 min für richtig erklärt.</translation>
+        <source>Home is at %1. You confirmed the position %2 min ago.</source>
+        <translation>Die Referenz liegt bei %1. Die Position wurde vor %2 min bestätigt.</translation>
     </message>
 </context>
 <context>
@@ -340,8 +340,8 @@
         <translation>Bandbreite (-3 dB) %1 Hz</translation>
     </message>
     <message>
-        <source>Bandwidth (-3 dB) beyond that</source>
-        <translation>Bandbreite (-3 dB) darüber</translation>
+        <source>Bandwidth (-3 dB) not reached</source>
+        <translation>Bandbreite (-3 dB) nicht erreicht</translation>
     </message>
     <message>
         <source>Resonance %1 dB</source>
@@ -441,16 +441,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 </context>
 <context>
     <name>MessageLines</name>
-    <message>
-        <source>%1 times</source>
-        <translation>%1-mal</translation>
+    <message numerus="yes">
+        <source>%n times</source>
+        <translation>
+            <numerusform>%n-mal</numerusform>
+            <numerusform>%n-mal</numerusform>
+        </translation>
     </message>
     <message>
-        <source>over at %1</source>
+        <source>ended at %1</source>
         <translation>vorbei um %1</translation>
     </message>
     <message>
-        <source>Over: %1</source>
+        <source>Ended: %1</source>
         <translation>Vorbei: %1</translation>
     </message>
 </context>
@@ -485,35 +488,35 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Last %1</translation>
     </message>
     <message>
-        <source>Off by %1 counts rms; encoder and times explain %2.</source>
+        <source>Model error %1 counts RMS; encoder and timing account for %2.</source>
         <translation>Abweichung %1 Ink. (RMS); Geber und Zeiten erklären %2.</translation>
     </message>
     <message>
-        <source>There are too few samples. Record for longer, or raise the baud rate.</source>
+        <source>Too few samples. Record for longer, or raise the baud rate.</source>
         <translation>Es gibt zu wenige Messwerte. Länger aufzeichnen oder die Baudrate erhöhen.</translation>
     </message>
     <message>
-        <source>The shaft did not move. Check motor power and brake, or make a longer step.</source>
+        <source>The shaft did not move. Check motor power and brake, or use a longer step.</source>
         <translation>Die Welle hat sich nicht bewegt. Motorspannung und Bremse prüfen oder einen größeren Sprung machen.</translation>
     </message>
     <message>
-        <source>The shaft starts away from its goal. Check the direction on the page Axis.</source>
+        <source>The shaft moved away from its goal. Check the direction on the Axis page.</source>
         <translation>Die Welle läuft von ihrem Ziel weg. Auf der Seite Achse die Richtung prüfen.</translation>
     </message>
     <message>
-        <source>The motor swings and does not calm down. Lower Kp or raise Kd, then step again.</source>
+        <source>The motor keeps oscillating. Lower Kp or raise Kd, then step again.</source>
         <translation>Der Motor schwingt und beruhigt sich nicht. Kp verringern oder Kd erhöhen, dann noch einmal springen.</translation>
     </message>
     <message>
-        <source>This model does not explain the step. Look for backlash, a belt, a stop that was hit, or a current limit.</source>
+        <source>The model does not fit the step. Check for backlash, an elastic belt, a hard stop or a current limit.</source>
         <translation>Dieses Modell erklärt den Sprung nicht. Auf Spiel, einen Riemen, einen Anschlag oder eine Stromgrenze prüfen.</translation>
     </message>
     <message>
-        <source>These steps leave the motor&apos;s gain open. Add a longer one, so that it comes near a steady speed.</source>
+        <source>These steps do not determine the motor gain. Add a longer step, so that the motor gets close to a steady speed.</source>
         <translation>Diese Sprünge lassen die Verstärkung des Motors offen. Einen größeren hinzufügen, damit er einer festen Geschwindigkeit nahe kommt.</translation>
     </message>
     <message>
-        <source>These steps leave the time constant open. Repeat the step, or raise the baud rate.</source>
+        <source>These steps do not determine the time constant. Repeat the step, or raise the baud rate.</source>
         <translation>Diese Sprünge lassen die Zeitkonstante offen. Den Sprung wiederholen oder die Baudrate erhöhen.</translation>
     </message>
     <message>
@@ -521,7 +524,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Überschwingen %1, Einschwingen %2</translation>
     </message>
     <message>
-        <source>Error at rest %1 counts</source>
+        <source>Steady-state error %1 counts</source>
         <translation>Bleibende Abweichung %1 Ink.</translation>
     </message>
     <message>
@@ -568,7 +571,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Reglereinstellung von %1</translation>
     </message>
     <message>
-        <source>simulated: no real motor moved</source>
+        <source>simulated; no real motor moved</source>
         <translation>simuliert: kein wirklicher Motor bewegt</translation>
     </message>
     <message>
@@ -615,7 +618,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Später</translation>
     </message>
     <message>
-        <source>To the present</source>
+        <source>Go to live</source>
         <translation>Zur Gegenwart</translation>
     </message>
     <message>
@@ -687,15 +690,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>von 255</translation>
     </message>
     <message>
-        <source>A row for each reply (*.csv)</source>
+        <source>One row per reply (*.csv)</source>
         <translation>Eine Zeile je Antwort (*.csv)</translation>
     </message>
     <message>
-        <source>A column for each signal (*.csv)</source>
+        <source>One column per signal (*.csv)</source>
         <translation>Eine Spalte je Signal (*.csv)</translation>
     </message>
     <message>
-        <source>A column for each signal, every millisecond (*.csv)</source>
+        <source>One column per signal, every millisecond (*.csv)</source>
         <translation>Eine Spalte je Signal, jede Millisekunde (*.csv)</translation>
     </message>
 </context>
@@ -730,39 +733,39 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>E-Stop-Eingang</translation>
     </message>
     <message>
-        <source>When one stops it</source>
-        <translation>Wenn einer ihn stoppt</translation>
+        <source>On limit or E-stop</source>
+        <translation>Bei Endschalter oder E-Stop</translation>
     </message>
     <message>
-        <source>The clock of the step timer. A faster one reaches higher speeds in coarser steps: take the slowest that is fast enough. The same speeds and ramps mean something else in another mode.</source>
+        <source>The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.</source>
         <translation>Der Takt des Schritt-Timers. Ein schnellerer erreicht höhere Geschwindigkeiten in gröberen Stufen: den langsamsten nehmen, der schnell genug ist. Dieselben Geschwindigkeiten und Rampen bedeuten in einem anderen Modus etwas anderes.</translation>
     </message>
     <message>
-        <source>Where ramps begin and end. The motor must start and stop at this speed at once without losing steps; runs and moves with a ramp go no slower.</source>
+        <source>The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.</source>
         <translation>Wo Rampen beginnen und enden. Der Motor muss mit dieser Geschwindigkeit ohne Schrittverlust sofort anfahren und anhalten können; Dauerlauf und Fahrten mit Rampe werden nicht langsamer.</translation>
     </message>
     <message>
-        <source>The current limit while the motor moves, as a part of 255 of what the driver can give. 0 is no current: the motor does not follow. Not more than motor and driver stand.</source>
+        <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
         <translation>Die Stromgrenze, während der Motor sich bewegt, als Teil von 255 dessen, was der Treiber liefern kann. 0 ist kein Strom: der Motor folgt nicht. Nicht mehr, als Motor und Treiber vertragen.</translation>
     </message>
     <message>
-        <source>The current limit at rest, from about 0.25 s after a motion. Usually lower than the run current, so that the motor stays cool. 0 is no current: nothing is held.</source>
+        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and the motor holds nothing.</source>
         <translation>Die Stromgrenze im Stillstand, ab etwa 0,25 s nach einer Bewegung. Meist kleiner als der Fahrstrom, damit der Motor kühl bleibt. 0 ist kein Strom: nichts wird gehalten.</translation>
     </message>
     <message>
-        <source>The module switches the motor off when the A/D value falls below this: the voltage of a thermistor bridge falls as the motor gets warmer. 0 turns this off. Watch the A/D value of a warm motor to find the right limit.</source>
+        <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
         <translation>Das Modul schaltet den Motor ab, wenn der A/D-Wert darunter fällt: die Spannung einer Thermistorbrücke sinkt, wenn der Motor wärmer wird. 0 schaltet das aus. Den A/D-Wert eines warmen Motors beobachten, um die richtige Grenze zu finden.</translation>
     </message>
     <message>
-        <source>As a rule the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. With this on the switches stop nothing, and the motor can run into its end.</source>
+        <source>Normally the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches stop nothing, and the motor can run into the end of its travel.</source>
         <translation>In der Regel stoppt der Chip vorwärts am Endschalter 1 und rückwärts am Endschalter 2. Ist dies ein, stoppen die Schalter nichts, und der Motor kann in sein Ende fahren.</translation>
     </message>
     <message>
-        <source>As a rule the chip stops the motor when its E-stop input goes high. With this on the input stops nothing.</source>
+        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input stops nothing.</source>
         <translation>In der Regel stoppt der Chip den Motor, wenn sein E-Stop-Eingang auf High geht. Ist dies ein, stoppt der Eingang nichts.</translation>
     </message>
     <message>
-        <source>A limit switch or the E-stop input switches the motor off too, not only stops it: it is then free to turn, and a load may fall.</source>
+        <source>A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.</source>
         <translation>Ein Endschalter oder der E-Stop-Eingang stoppt den Motor nicht nur, sondern schaltet ihn auch ab: er ist dann frei drehbar, eine Last kann absinken.</translation>
     </message>
     <message>
@@ -801,7 +804,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>90 % nicht erreicht</translation>
     </message>
     <message>
-        <source>not in this record</source>
+        <source>not recorded</source>
         <translation>nicht in dieser Aufzeichnung</translation>
     </message>
     <message>
@@ -813,12 +816,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Hier stoppen, am Ziel</translation>
     </message>
     <message>
-        <source>A move with so much velocity and acceleration that its profile is at the goal in one tick.</source>
+        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
         <translation>Eine Fahrt mit so viel Geschwindigkeit und Beschleunigung, dass ihr Profil in einem Takt am Ziel ist.</translation>
     </message>
     <message>
-        <source>The goal is made the position to hold, without a profile. Not with version 1.</source>
-        <translation>Das Ziel wird ohne Profil zur gehaltenen Position. Nicht mit Version 1.</translation>
+        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
+        <translation>Der Regler hält sofort das Ziel, ohne Profil. Nicht mit Version 1.</translation>
     </message>
     <message>
         <source>ms</source>
@@ -829,7 +832,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>s</translation>
     </message>
     <message>
-        <source>not known</source>
+        <source>unknown</source>
         <translation>nicht bekannt</translation>
     </message>
     <message>
@@ -876,15 +879,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 Schritte/s²</translation>
     </message>
     <message>
-        <source>The motor is there already.</source>
+        <source>The motor is already there.</source>
         <translation>Der Motor ist bereits dort.</translation>
     </message>
     <message>
-        <source>Takes %1 s. Too short for that speed: reaches %2.</source>
+        <source>Takes %1 s. Too short for that speed: peaks at %2.</source>
         <translation>Dauert %1 s. Zu kurz für diese Geschwindigkeit: erreicht %2.</translation>
     </message>
     <message>
-        <source>Takes %1 s, fastest %2.</source>
+        <source>Takes %1 s, peak speed %2.</source>
         <translation>Dauert %1 s, höchstens %2 schnell.</translation>
     </message>
     <message>
@@ -895,27 +898,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>Texts</name>
     <message>
-        <source>There is no port &quot;%1&quot;. Only the simulator is here: --simulator.</source>
+        <source>Port &quot;%1&quot; not found. Only the simulator is available: --simulator.</source>
         <translation>Es gibt keinen Port „%1“. Nur der Simulator ist vorhanden: --simulator.</translation>
     </message>
     <message>
-        <source>There is no port &quot;%1&quot;. These are here: %2.</source>
+        <source>Port &quot;%1&quot; not found. Available ports: %2.</source>
         <translation>Es gibt keinen Port „%1“. Vorhanden sind: %2.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a rate of these modules. They take %2.</source>
-        <translation>„%1“ ist keine Rate dieser Module. Möglich sind %2.</translation>
+        <source>These modules do not support the baud rate &quot;%1&quot;. Use %2.</source>
+        <translation>Diese Module unterstützen die Baudrate „%1“ nicht. Möglich sind: %2.</translation>
     </message>
     <message>
         <source>The simulator does not understand the chain &quot;%1&quot;: %2 An example: --simulator=servo,servo@1</source>
         <translation>Der Simulator versteht die Kette „%1“ nicht: %2 Ein Beispiel: --simulator=servo,servo@1</translation>
     </message>
     <message>
-        <source>There is no option &quot;%1&quot;. --help lists them.</source>
+        <source>Unknown option &quot;%1&quot;. Use --help for a list.</source>
         <translation>Es gibt keine Option „%1“. --help listet alle auf.</translation>
     </message>
     <message>
-        <source>There is no display to open a window on: neither DISPLAY nor WAYLAND_DISPLAY is set.</source>
+        <source>No display found: neither DISPLAY nor WAYLAND_DISPLAY is set.</source>
         <translation>Es gibt keine Anzeige für ein Fenster: weder DISPLAY noch WAYLAND_DISPLAY ist gesetzt.</translation>
     </message>
     <message>
@@ -935,7 +938,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Anderen Port wählen</translation>
     </message>
     <message>
-        <source>Motor state unknown; no motor was moving at the last word.</source>
+        <source>Motor state unknown; no motor was moving when last seen.</source>
         <translation>Motorzustand unbekannt; zuletzt bewegte sich kein Motor.</translation>
     </message>
     <message>
@@ -943,7 +946,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Ihr Benutzerkonto darf %1 nicht verwenden.</translation>
     </message>
     <message>
-        <source>Ask whoever looks after this computer for access to it.</source>
+        <source>Ask your system administrator for access.</source>
         <translation>Bitten Sie die Person, die diesen Rechner betreut, um Zugriff.</translation>
     </message>
     <message>
@@ -963,27 +966,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das andere Programm schließen und erneut versuchen.</translation>
     </message>
     <message>
-        <source>There is no %1.</source>
+        <source>%1 not found.</source>
         <translation>%1 ist nicht vorhanden.</translation>
     </message>
     <message>
-        <source>Most often the adapter is not plugged in, or it has another name now.</source>
-        <translation>Meist ist der Adapter nicht eingesteckt oder hat jetzt einen anderen Namen.</translation>
+        <source>Check that the adapter is plugged in. Its name may have changed.</source>
+        <translation>Prüfen, ob der Adapter eingesteckt ist. Sein Name kann sich geändert haben.</translation>
     </message>
     <message>
         <source>%1 is not a serial port.</source>
         <translation>%1 ist keine serielle Schnittstelle.</translation>
     </message>
     <message>
-        <source>Choose the port of the adapter, for example /dev/ttyUSB0.</source>
+        <source>Choose the adapter&apos;s port, for example /dev/ttyUSB0.</source>
         <translation>Den Port des Adapters wählen, zum Beispiel /dev/ttyUSB0.</translation>
     </message>
     <message>
-        <source>%1 cannot run at the chosen rate.</source>
-        <translation>%1 kann nicht mit der gewählten Rate arbeiten.</translation>
+        <source>%1 does not support the selected baud rate.</source>
+        <translation>%1 unterstützt die gewählte Baudrate nicht.</translation>
     </message>
     <message>
-        <source>Choose another rate; every adapter can do 19 200 Bd.</source>
+        <source>Choose another baud rate; every adapter supports 19 200 Bd.</source>
         <translation>Eine andere Rate wählen; 19 200 Bd beherrscht jeder Adapter.</translation>
     </message>
     <message>
@@ -991,16 +994,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Adapter an %1 wurde abgezogen. %2</translation>
     </message>
     <message>
-        <source>Use the hardware stop if needed, then plug it in again.</source>
+        <source>Use the hardware stop if needed, then plug the adapter in again.</source>
         <translation>Bei Bedarf den Hardware-Stopp benutzen, dann den Adapter wieder einstecken.</translation>
     </message>
     <message>
-        <source>%1 could not be opened.</source>
+        <source>Could not open %1.</source>
         <translation>%1 konnte nicht geöffnet werden.</translation>
     </message>
     <message>
-        <source>The system says: %1</source>
-        <translation>Das System meldet: %1</translation>
+        <source>System message: %1</source>
+        <translation>Meldung des Systems: %1</translation>
     </message>
     <message>
         <source>Not every module answered at %1 Bd, so the modules cannot be used yet.</source>
@@ -1011,15 +1014,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 hat bei %2 Bd nicht geantwortet; die Module sind daher noch nicht verwendbar.</translation>
     </message>
     <message>
-        <source>Usually the cable is too long for this rate, or termination is missing. Choose a lower rate for %1 and scan again.</source>
+        <source>Usually the cable is too long for this baud rate, or termination is missing. Choose a lower baud rate for %1 and scan again.</source>
         <translation>Meist ist das Kabel zu lang für diese Rate, oder der Abschluss fehlt. Eine niedrigere Rate für %1 wählen und erneut suchen.</translation>
     </message>
     <message>
-        <source>Modules answered at %1, but their answers could not be read.</source>
-        <translation>An %1 haben Module geantwortet, aber die Antworten waren nicht lesbar.</translation>
+        <source>Modules answered at %1, but their answers were garbled.</source>
+        <translation>Module haben an %1 geantwortet, aber ihre Antworten waren gestört.</translation>
     </message>
     <message>
-        <source>Usually noise on the cable, or two modules answer at once. Check the cable, its termination and the ADDR_IN jumpers.</source>
+        <source>Usually noise on the cable, or two modules answering at once. Check the cable, its termination and the ADDR_IN jumpers.</source>
         <translation>Meist Störungen auf dem Kabel, oder zwei Module antworten gleichzeitig. Kabel, Abschluss und ADDR_IN-Jumper prüfen.</translation>
     </message>
     <message>
@@ -1059,8 +1062,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Verbindung zu %1 getrennt.</translation>
     </message>
     <message>
-        <source>No module answers on %1 any more. %2</source>
-        <translation>An %1 antwortet kein Modul mehr. %2</translation>
+        <source>All modules on %1 stopped answering. %2</source>
+        <translation>Alle Module an %1 antworten nicht mehr. %2</translation>
     </message>
     <message>
         <source>Use the hardware stop if needed. Then check the power of the modules and the cable at the PC.</source>
@@ -1087,12 +1090,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 antwortet seit %2 s nicht. Motorzustand unbekannt: der Motor war in Bewegung.</translation>
     </message>
     <message>
-        <source>Module %1 has not answered for %2 s. Motor state unknown; it was stopped at the last word.</source>
+        <source>Module %1 has not answered for %2 s. Motor state unknown; it was stopped when last seen.</source>
         <translation>Modul %1 antwortet seit %2 s nicht. Motorzustand unbekannt; zuletzt stand der Motor.</translation>
     </message>
     <message>
-        <source>Use the hardware stop if needed. Usually its power or the plug next to it; it is asked again all the time.</source>
-        <translation>Bei Bedarf den Hardware-Stopp benutzen. Meist liegt es an der Versorgung oder am Stecker daneben; das Modul wird laufend weiter abgefragt.</translation>
+        <source>Use the hardware stop if needed. Check its power and the plug next to it; the panel keeps trying.</source>
+        <translation>Bei Bedarf den Hardware-Stopp benutzen. Versorgung und Stecker daneben prüfen; das Programm versucht es weiter.</translation>
     </message>
     <message>
         <source>Module %1 may not answer until module %2 has its address again.</source>
@@ -1107,11 +1110,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Netzwerk neu starten…</translation>
     </message>
     <message>
-        <source>Module %1 did not understand the last command, so it was not carried out.</source>
-        <translation>Modul %1 hat den letzten Befehl nicht verstanden; er wurde nicht ausgeführt.</translation>
+        <source>Module %1 received a garbled command and did not carry it out.</source>
+        <translation>Modul %1 hat einen gestörten Befehl empfangen und nicht ausgeführt.</translation>
     </message>
     <message>
-        <source>Sent again (%1 of 3). Usually noise on the cable.</source>
+        <source>Sending again (%1 of 3). Usually noise on the cable.</source>
         <translation>Erneut gesendet (%1 von 3). Meist Störungen auf dem Kabel.</translation>
     </message>
     <message>
@@ -1119,7 +1122,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Antwort von Modul %1 war verstümmelt.</translation>
     </message>
     <message>
-        <source>The command may or may not have been carried out; position is being read again.</source>
+        <source>The command may or may not have been carried out; the panel is reading the position again.</source>
         <translation>Ob der Befehl ausgeführt wurde, ist offen; die Position wird neu gelesen.</translation>
     </message>
     <message>
@@ -1131,11 +1134,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1: erledigt.</translation>
     </message>
     <message>
-        <source>Module %1 did not understand the command, so it was not carried out.</source>
-        <translation>Modul %1 hat den Befehl nicht verstanden; er wurde nicht ausgeführt.</translation>
+        <source>Module %1 received the command garbled and did not carry it out.</source>
+        <translation>Modul %1 hat den Befehl gestört empfangen und nicht ausgeführt.</translation>
     </message>
     <message>
-        <source>It was sent 3 times. Usually noise on the cable. Nothing after it was sent.</source>
+        <source>Sent 3 times; later commands were not sent. Usually noise on the cable.</source>
         <translation>Er wurde 3-mal gesendet. Meist Störungen auf dem Kabel. Danach wurde nichts mehr gesendet.</translation>
     </message>
     <message>
@@ -1143,11 +1146,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 hat auf den Befehl nicht geantwortet. Motorzustand unbekannt.</translation>
     </message>
     <message>
-        <source>The command may or may not have been carried out. Look at the motor; stop all if in doubt. Nothing after it was sent.</source>
+        <source>The command may or may not have been carried out; later commands were not sent. Look at the motor; stop all if in doubt.</source>
         <translation>Ob der Befehl ausgeführt wurde, ist offen. Den Motor ansehen; im Zweifel alles stoppen. Danach wurde nichts mehr gesendet.</translation>
     </message>
     <message>
-        <source>Module %1 does not allow this in its present state. Nothing was sent.</source>
+        <source>Module %1 cannot do this in its present state. Nothing was sent.</source>
         <translation>Modul %1 lässt das in seinem jetzigen Zustand nicht zu. Es wurde nichts gesendet.</translation>
     </message>
     <message>
@@ -1155,7 +1158,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Den Motor anhalten, dann erneut versuchen.</translation>
     </message>
     <message>
-        <source>The command for module %1 was dropped because a stop came first.</source>
+        <source>A stop replaced the command for module %1.</source>
         <translation>Der Befehl für Modul %1 wurde verworfen, weil ein Stopp dazwischenkam.</translation>
     </message>
     <message>
@@ -1183,7 +1186,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Rechner war länger als 250 ms beschäftigt. Erneut drücken und halten.</translation>
     </message>
     <message>
-        <source>Not possible for module %1 now; nothing was sent.</source>
+        <source>Module %1 cannot do this now; nothing was sent.</source>
         <translation>Für Modul %1 jetzt nicht möglich; es wurde nichts gesendet.</translation>
     </message>
     <message>
@@ -1198,13 +1201,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>reaches %1 of %2</source>
         <translation>erreicht %1 von %2</translation>
     </message>
-    <message>
-        <source>1 motor is moving. It will be stopped before the port closes.</source>
-        <translation>1 Motor ist in Bewegung. Er wird angehalten, bevor der Port geschlossen wird.</translation>
-    </message>
-    <message>
-        <source>%1 motors are moving. They will be stopped before the port closes.</source>
-        <translation>%1 Motoren sind in Bewegung. Sie werden angehalten, bevor der Port geschlossen wird.</translation>
+    <message numerus="yes">
+        <source>%n motors are moving. They will be stopped before the port closes.</source>
+        <translation>
+            <numerusform>%n Motor ist in Bewegung. Er wird angehalten, bevor der Port geschlossen wird.</numerusform>
+            <numerusform>%n Motoren sind in Bewegung. Sie werden angehalten, bevor der Port geschlossen wird.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Stopping the motors, then closing.</source>
@@ -1275,16 +1277,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Bremst</translation>
     </message>
     <message>
-        <source>No status has come from this module yet.</source>
+        <source>No status received from this module yet.</source>
         <translation>Von diesem Modul ist noch kein Status eingetroffen.</translation>
     </message>
     <message>
-        <source>The module does not answer: moving or stopped is unknown.</source>
-        <translation>Das Modul antwortet nicht: ob sich der Motor bewegt, ist unbekannt.</translation>
+        <source>The module does not answer. Motor state unknown.</source>
+        <translation>Das Modul antwortet nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
-        <source>The motor is free to turn. Nothing is wrong: the servo has not been switched on, or was switched off.</source>
-        <translation>Der Motor ist frei drehbar. Das ist kein Fehler: der Servo wurde noch nicht eingeschaltet oder wurde ausgeschaltet.</translation>
+        <source>The motor is free to turn. This is normal: the servo is switched off.</source>
+        <translation>Der Motor ist frei drehbar. Das ist normal: Die Regelung ist ausgeschaltet.</translation>
     </message>
     <message>
         <source>The servo switched itself off because the motor was too far from where it should be.</source>
@@ -1307,7 +1309,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Motor wird langsamer.</translation>
     </message>
     <message>
-        <source>Not connected: choose a port and connect first.</source>
+        <source>Not connected. Choose a port and connect first.</source>
         <translation>Nicht verbunden: zuerst einen Port wählen und verbinden.</translation>
     </message>
     <message>
@@ -1331,16 +1333,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Servo ist aus. Zuerst einschalten.</translation>
     </message>
     <message>
-        <source>The motor is moving. A move to a position starts from standstill: stop first.</source>
+        <source>The motor is moving. Stop it first: a move to a position starts from standstill.</source>
         <translation>Der Motor ist in Bewegung. Eine Position wird aus dem Stillstand angefahren: zuerst stoppen.</translation>
     </message>
     <message>
-        <source>The acceleration is 0: the motor could neither start nor stop.</source>
-        <translation>Die Beschleunigung ist 0: der Motor könnte weder anfahren noch anhalten.</translation>
+        <source>The acceleration is 0: the motor could not start or stop. Enter an acceleration.</source>
+        <translation>Die Beschleunigung ist 0: Der Motor könnte weder anlaufen noch anhalten. Eine Beschleunigung eingeben.</translation>
     </message>
     <message>
-        <source>The velocity is 0: the motor would not move.</source>
-        <translation>Die Geschwindigkeit ist 0: der Motor würde sich nicht bewegen.</translation>
+        <source>The velocity is 0: the motor would not move. Enter a velocity.</source>
+        <translation>Die Geschwindigkeit ist 0: Der Motor würde sich nicht bewegen. Eine Geschwindigkeit eingeben.</translation>
     </message>
     <message>
         <source>Note</source>
@@ -1359,19 +1361,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Module werden neu gestartet</translation>
     </message>
     <message>
-        <source>giving addresses</source>
+        <source>assigning addresses</source>
         <translation>Adressen werden vergeben</translation>
     </message>
     <message>
-        <source>asking for type and version</source>
+        <source>reading types and versions</source>
         <translation>Typ und Version werden abgefragt</translation>
     </message>
     <message>
-        <source>changing the rate</source>
+        <source>changing the baud rate</source>
         <translation>Rate wird geändert</translation>
     </message>
     <message>
-        <source>preparing the status reports</source>
+        <source>setting up status reports</source>
         <translation>Statusmeldungen werden vorbereitet</translation>
     </message>
     <message>
@@ -1399,20 +1401,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Verbunden mit %1 bei %2 Bd, %3</translation>
     </message>
     <message>
-        <source>%1 is open, but no module could be used</source>
+        <source>%1 is open, but no module is usable</source>
         <translation>%1 ist offen, aber kein Modul ist verwendbar</translation>
     </message>
     <message>
         <source>Connection to %1 lost, motor state unknown</source>
         <translation>Verbindung zu %1 verloren, Motorzustand unbekannt</translation>
     </message>
-    <message>
-        <source>1 module</source>
-        <translation>1 Modul</translation>
-    </message>
-    <message>
-        <source>%1 modules</source>
-        <translation>%1 Module</translation>
+    <message numerus="yes">
+        <source>%n modules</source>
+        <translation>
+            <numerusform>%n Modul</numerusform>
+            <numerusform>%n Module</numerusform>
+        </translation>
     </message>
     <message>
         <source> and </source>
@@ -1443,8 +1444,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Erledigt: %1</translation>
     </message>
     <message>
-        <source>Not done: %1</source>
-        <translation>Nicht ausgeführt: %1</translation>
+        <source>Failed: %1</source>
+        <translation>Fehlgeschlagen: %1</translation>
     </message>
     <message>
         <source>Answer to: %1</source>
@@ -1455,27 +1456,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Schritte</translation>
     </message>
     <message>
-        <source>Two modules answer at the same address on %1, so the modules cannot be used.</source>
+        <source>Two modules on %1 have the same address, so the modules cannot be used.</source>
         <translation>Zwei Module antworten an %1 unter derselben Adresse; die Module sind so nicht benutzbar.</translation>
     </message>
     <message>
-        <source>Nothing was moved. Usually two ADDR_IN inputs are grounded: only that of the module farthest from the PC may be.</source>
+        <source>No motor was moved. Usually two ADDR_IN inputs are grounded; ground only that of the module farthest from the PC.</source>
         <translation>Es wurde nichts bewegt. Meist liegen zwei ADDR_IN-Eingänge auf Masse: Nur der des vom PC am weitesten entfernten Moduls darf es.</translation>
     </message>
     <message>
-        <source>The line at %1 is held low: nothing but zero bytes comes in.</source>
+        <source>The line at %1 is held low: only zero bytes arrive.</source>
         <translation>Die Leitung an %1 wird auf Low gehalten: Es kommen nur Nullbytes an.</translation>
     </message>
     <message>
-        <source>Usually a short circuit, swapped wires of a pair, or a module without power. Motor state unknown; commands may not arrive either.</source>
+        <source>Motor state unknown; commands may not get through. Usually a short circuit, swapped wires of a pair, or a module without power.</source>
         <translation>Meist ein Kurzschluss, vertauschte Adern eines Paars oder ein Modul ohne Spannung. Zustand der Motoren unbekannt; auch Befehle kommen vielleicht nicht an.</translation>
     </message>
     <message>
-        <source>No module at %1 has an address yet.</source>
+        <source>The modules on %1 have no addresses yet.</source>
         <translation>Noch kein Modul an %1 hat eine Adresse.</translation>
     </message>
     <message>
-        <source>A read-only connection changes nothing, so it gives no addresses. Connect without read-only.</source>
+        <source>A read-only connection cannot assign addresses. Connect without read-only.</source>
         <translation>Eine Verbindung nur zum Lesen ändert nichts und vergibt daher keine Adressen. Ohne „nur lesen“ verbinden.</translation>
     </message>
     <message>
@@ -1483,7 +1484,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Verbindung ist zweifelhaft: %1 der letzten %2 Austausche gingen schief.</translation>
     </message>
     <message>
-        <source>Either the command was damaged on its way, or the gains let it overshoot by far. Read the position before the next move.</source>
+        <source>The command was damaged on its way, or the gains cause a large overshoot. Check the position before the next move.</source>
         <translation>Entweder wurde der Befehl unterwegs beschädigt, oder die Reglerwerte lassen es weit überschwingen. Vor der nächsten Fahrt die Position ablesen.</translation>
     </message>
     <message>
@@ -1503,39 +1504,38 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 h</translation>
     </message>
     <message>
-        <source>The panel was frozen for %1 while a motor was moving. It was not stopped.</source>
+        <source>The panel froze for %1 while a motor was moving. The motor was not stopped.</source>
         <translation>Das Programm reagierte %1 lang nicht, während sich ein Motor bewegte. Er wurde nicht gestoppt.</translation>
     </message>
     <message>
-        <source>Stop all could not be pressed meanwhile. The computer was busy, or the program hung.</source>
-        <translation>ALLES STOPP war währenddessen nicht möglich. Der Rechner war ausgelastet, oder das Programm hing.</translation>
+        <source>STOP ALL did not work during that time. The computer was busy, or the program hung.</source>
+        <translation>ALLES STOPP war in dieser Zeit ohne Wirkung. Der Rechner war beschäftigt, oder das Programm hing.</translation>
     </message>
     <message>
-        <source>Resumed after %1: all values are read again.</source>
+        <source>Resumed after %1: reading all values again.</source>
         <translation>Aufgewacht nach %1: alle Werte werden neu gelesen.</translation>
     </message>
     <message>
-        <source>Resumed after %1: motors were told to stop, and all values are read again.</source>
+        <source>Resumed after %1: motors were told to stop; reading all values again.</source>
         <translation>Aufgewacht nach %1: die Motoren haben den Stoppbefehl bekommen, und alle Werte werden neu gelesen.</translation>
     </message>
     <message>
-        <source>The computer was suspended. Motors that moved went on moving meanwhile; look at them before the next move.</source>
+        <source>The computer was suspended. Motors that were moving kept moving. Look at them before the next move.</source>
         <translation>Der Rechner war im Ruhezustand. Motoren, die sich bewegten, liefen währenddessen weiter; sehen Sie vor der nächsten Bewegung nach ihnen.</translation>
     </message>
-    <message>
-        <source>The last session ended while motor %1 was moving.</source>
-        <translation>Die letzte Sitzung endete, während sich Motor %1 bewegte.</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>The last session ended while motors %1 were moving.</source>
-        <translation>Die letzte Sitzung endete, während sich die Motoren %1 bewegten.</translation>
+        <translation>
+            <numerusform>Die letzte Sitzung endete, während sich Motor %1 bewegte.</numerusform>
+            <numerusform>Die letzte Sitzung endete, während sich die Motoren %1 bewegten.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Settings are not saved.</source>
+        <source>Settings cannot be saved.</source>
         <translation>Einstellungen werden nicht gespeichert.</translation>
     </message>
     <message>
-        <source>%1 cannot be written. Everything else works; only the layout of the window and the last port will not be remembered.</source>
+        <source>%1 is not writable. Everything else works; only the window layout and the last port are not remembered.</source>
         <translation>%1 lässt sich nicht schreiben. Alles andere funktioniert; nur die Anordnung des Fensters und der letzte Anschluss bleiben nicht erhalten.</translation>
     </message>
     <message>
@@ -1547,35 +1547,35 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 wird von %2 benutzt (PID %3).</translation>
     </message>
     <message>
-        <source>It looks for a modem for some seconds after an adapter was plugged in; wait, and try again. To keep it away from USB adapters: %1, then plug the adapter in again.</source>
+        <source>It probes a newly connected adapter for a modem for some seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.</source>
         <translation>Es sucht einige Sekunden lang nach einem Modem, wenn ein Adapter eingesteckt wurde; warten Sie und versuchen Sie es noch einmal. Um es von USB-Adaptern fernzuhalten: %1, dann den Adapter neu einstecken.</translation>
     </message>
     <message>
-        <source>It takes many serial adapters for a Braille display. If you use none: %1, then plug the adapter in again.</source>
+        <source>It mistakes many serial adapters for a Braille display. If you have none, run %1, then plug the adapter in again.</source>
         <translation>Es hält viele serielle Adapter für eine Braillezeile. Wenn Sie keine benutzen: %1, dann den Adapter neu einstecken.</translation>
     </message>
     <message>
-        <source>%1 is free, but a lock file says that it is in use.</source>
+        <source>%1 is free, but a stale lock file marks it as in use.</source>
         <translation>%1 ist frei, aber eine Sperrdatei sagt, dass es benutzt wird.</translation>
     </message>
     <message>
-        <source>The lock file %1 was left by %2, whose program has ended without removing it. Remove it with: %3, then try again.</source>
+        <source>%2 left the lock file %1 behind. Remove it with %3, then try again.</source>
         <translation>Die Sperrdatei %1 wurde von %2 hinterlassen; das Programm endete, ohne sie zu entfernen. Entfernen Sie sie mit: %3, und versuchen Sie es dann noch einmal.</translation>
     </message>
     <message>
-        <source>%1 cannot be opened because no lock file can be made for it.</source>
+        <source>Could not open %1: no lock file can be created for it.</source>
         <translation>%1 lässt sich nicht öffnen, weil dafür keine Sperrdatei angelegt werden kann.</translation>
     </message>
     <message>
-        <source>Your user account may not write to %1, nor to any other folder for such files. Ask whoever looks after this computer for access to it.</source>
+        <source>Your user account has no write access to %1 or any other folder for lock files. Ask your system administrator for access.</source>
         <translation>Ihr Benutzerkonto darf weder in %1 schreiben noch in einen anderen Ordner für solche Dateien. Bitten Sie die Person, die diesen Rechner betreut, um Zugriff.</translation>
     </message>
     <message>
-        <source>%1 could not be opened: this program has too many files open.</source>
+        <source>Could not open %1: this program has too many open files.</source>
         <translation>%1 ließ sich nicht öffnen: dieses Programm hat zu viele Dateien offen.</translation>
     </message>
     <message>
-        <source>Close what it does not need, or start it again.</source>
+        <source>Close files that you do not need, or restart the program.</source>
         <translation>Schließen Sie, was nicht gebraucht wird, oder starten Sie es neu.</translation>
     </message>
     <message>
@@ -1583,7 +1583,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Setzen Sie den Latenz-Timer des USB-Adapters auf 1 ms, dann verbinden Sie neu.</translation>
     </message>
     <message>
-        <source>Run %1. That lasts until it is unplugged; for good, also run %2.</source>
+        <source>Run %1. This lasts until the adapter is unplugged. To make it permanent, also run %2.</source>
         <translation>Führen Sie %1 aus. Das hält, bis er abgezogen wird; für immer zusätzlich %2.</translation>
     </message>
     <message>
@@ -1591,11 +1591,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Adapter ist wieder da, als %1 (gleiche Seriennummer). Neu verbinden?</translation>
     </message>
     <message>
-        <source>An adapter of the same kind is there as %1. Reconnect?</source>
+        <source>A similar adapter was found as %1. Reconnect?</source>
         <translation>Ein Adapter der gleichen Art ist da, als %1. Neu verbinden?</translation>
     </message>
     <message>
-        <source>Motors may still be moving. Reconnecting moves nothing, and nothing that was asked for before is sent again.</source>
+        <source>Motors may still be moving. Reconnecting moves nothing and repeats no earlier command.</source>
         <translation>Motoren können noch in Bewegung sein. Das Verbinden bewegt nichts, und nichts, was vorher verlangt wurde, wird noch einmal gesendet.</translation>
     </message>
     <message>
@@ -1603,23 +1603,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Port ist offen, aber kein Modul hat geantwortet (9600, 19 200, 57 600 und 115 200 Bd versucht).</translation>
     </message>
     <message>
-        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. A chain that another program left at a rate of its own can be restarted.</source>
+        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
         <translation>Prüfen Sie der Reihe nach: Spannung der Module; jedes Kabel der Kette, ein loses verbirgt alle Module; die ADDR_IN-Brücke des vom PC am weitesten entfernten Moduls; TX und RX nicht vertauscht; ein Vollduplex-Adapter (4 Drähte). Eine Kette, die ein anderes Programm bei einer eigenen Rate zurückließ, lässt sich neu starten.</translation>
     </message>
     <message>
-        <source>Attached to %1: %2 at %3 Bd, left as they were.</source>
+        <source>Connected to %1: %2 at %3 Bd, left running.</source>
         <translation>Verbunden mit %1: %2 bei %3 Bd, unverändert gelassen.</translation>
     </message>
     <message>
-        <source>What they were doing goes on. Gains are unknown until you apply them. Stop a motor before you move it: what it was told last cannot be asked.</source>
+        <source>The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
         <translation>Was sie gerade taten, läuft weiter. Die Reglerwerte sind unbekannt, bis Sie sie senden. Stoppen Sie einen Motor, bevor Sie ihn bewegen: Was ihm zuletzt gesagt wurde, lässt sich nicht abfragen.</translation>
     </message>
     <message>
-        <source>A module without an address answers, too, and cannot be used yet.</source>
+        <source>A module without an address also answered; it cannot be used yet.</source>
         <translation>Auch ein Modul ohne Adresse antwortet; es ist noch nicht benutzbar.</translation>
     </message>
     <message>
-        <source>Either one of the chain has restarted, or a new one was added. Its motor is off. A restart of the network gives it an address.</source>
+        <source>Its motor is off. Either a module has restarted, or a new one was added. Restart the network to give it an address.</source>
         <translation>Entweder ist eines der Kette neu gestartet, oder ein neues kam hinzu. Sein Motor ist aus. Ein Neustart des Netzwerks gibt ihm eine Adresse.</translation>
     </message>
     <message>
@@ -1635,7 +1635,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>An %1 ist ein anderer Adapter.</translation>
     </message>
     <message>
-        <source>It is not the one that this panel was connected to before. Nothing was sent.</source>
+        <source>The panel was connected to another adapter before. Nothing was sent.</source>
         <translation>Es ist nicht der, mit dem dieses Programm vorher verbunden war. Es wurde nichts gesendet.</translation>
     </message>
     <message>
@@ -1651,43 +1651,42 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Sein Motor ist aus.</translation>
     </message>
     <message>
-        <source>Every module forgets its position, its gains and its address, and lets go of its motor.</source>
+        <source>Every module loses its position, gains and address, and switches its motor off.</source>
         <translation>Jedes Modul vergisst seine Position, seine Reglerwerte und seine Adresse und lässt seinen Motor los.</translation>
     </message>
-    <message>
-        <source>1 motor is moving. It will be stopped first.</source>
-        <translation>1 Motor bewegt sich. Er wird zuerst gestoppt.</translation>
-    </message>
-    <message>
-        <source>%1 motors are moving. They will be stopped first.</source>
-        <translation>%1 Motoren bewegen sich. Sie werden zuerst gestoppt.</translation>
+    <message numerus="yes">
+        <source>%n motors are moving. They will be stopped first.</source>
+        <translation>
+            <numerusform>%n Motor bewegt sich. Er wird zuerst gestoppt.</numerusform>
+            <numerusform>%n Motoren bewegen sich. Sie werden zuerst gestoppt.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Restarted</source>
         <translation>Neu gestartet</translation>
     </message>
     <message>
-        <source>The module restarted by itself: its motor is off, and its position, gains and address are lost until the network is restarted.</source>
-        <translation>Das Modul ist von selbst neu gestartet: Sein Motor ist aus; Position, Reglerwerte und Adresse sind verloren, bis das Netzwerk neu gestartet wird.</translation>
+        <source>The module restarted: its motor is off, and its position, gains and address are lost. Restart the network.</source>
+        <translation>Das Modul ist neu gestartet: Sein Motor ist aus, Position, Reglerwerte und Adresse sind verloren. Das Netz neu starten.</translation>
     </message>
     <message>
         <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
         <translation>alle Bytes sind 00 oder alle FF, wie auf einer Leitung, die auf Low oder High gehalten wird</translation>
     </message>
     <message>
-        <source>more bytes than were asked for</source>
+        <source>more bytes than requested</source>
         <translation>mehr Bytes als angefordert</translation>
     </message>
     <message>
-        <source>type or version is not that of this module</source>
+        <source>type or version does not match this module</source>
         <translation>Typ oder Version sind nicht die dieses Moduls</translation>
     </message>
     <message>
-        <source>a bit that the data sheet leaves open has changed</source>
+        <source>an undefined status bit changed</source>
         <translation>ein Bit, das das Datenblatt offen lässt, hat sich geändert</translation>
     </message>
     <message>
-        <source>homing began without a command</source>
+        <source>homing started without a command</source>
         <translation>Referenzsuche begann ohne Befehl</translation>
     </message>
     <message>
@@ -1695,11 +1694,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Home-Register änderte sich ohne Befehl</translation>
     </message>
     <message>
-        <source>position is farther from the last one than the velocities allow</source>
+        <source>position jumped farther than the velocities allow</source>
         <translation>Position ist weiter von der vorigen entfernt, als die Geschwindigkeiten erlauben</translation>
     </message>
     <message>
-        <source>velocity changed faster than a motor can</source>
+        <source>velocity changed faster than any motor can</source>
         <translation>Geschwindigkeit änderte sich schneller, als ein Motor kann</translation>
     </message>
     <message>
@@ -1727,11 +1726,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Bewegung ohne Versorgung oder Verstärker</translation>
     </message>
     <message>
-        <source>position changed although the motor was stopped</source>
+        <source>position changed while the motor was stopped</source>
         <translation>Position änderte sich, obwohl der Motor stand</translation>
     </message>
     <message>
-        <source>timer count of a moving motor is outside 1 to 65 452</source>
+        <source>timer count of a moving motor is not 1 to 65 452</source>
         <translation>Timerwert eines laufenden Motors liegt außerhalb von 1 bis 65 452</translation>
     </message>
     <message>
@@ -1751,7 +1750,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>zu wenige Bytes</translation>
     </message>
     <message>
-        <source>wrong sum</source>
+        <source>wrong checksum</source>
         <translation>falsche Prüfsumme</translation>
     </message>
     <message>
@@ -1763,7 +1762,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>verworfen</translation>
     </message>
     <message>
-        <source>abandoned for a stop</source>
+        <source>dropped for a stop</source>
         <translation>für einen Stopp abgebrochen</translation>
     </message>
     <message>
@@ -1771,7 +1770,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>keine Antwort erwartet</translation>
     </message>
     <message>
-        <source>bytes although no answer was expected</source>
+        <source>bytes, but no answer was expected</source>
         <translation>Bytes, obwohl keine Antwort erwartet wurde</translation>
     </message>
     <message>
@@ -1791,7 +1790,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>held motion</source>
+        <source>jog</source>
         <translation>Tippen</translation>
     </message>
     <message>
@@ -1823,8 +1822,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Pakete von %1 an %2, Sekunden seit %3</translation>
     </message>
     <message>
-        <source>%1 older exchanges are not in this file.</source>
-        <translation>%1 ältere Übertragungen sind nicht in dieser Datei.</translation>
+        <source>Older exchanges left out of this file: %1.</source>
+        <translation>Ältere Telegramme, die in dieser Datei fehlen: %1.</translation>
     </message>
     <message>
         <source>Exchanges before this one were not recorded.</source>
@@ -1835,7 +1834,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>suche Module</translation>
     </message>
     <message>
-        <source>Usually encoder or motor wires are swapped, or the gains make it swing. Check both before the next move.</source>
+        <source>Usually encoder or motor wires are swapped, or the gains make it oscillate. Check both before the next move.</source>
         <translation>Meist sind Encoder- oder Motoradern vertauscht, oder die Reglerwerte lassen ihn schwingen. Vor der nächsten Fahrt beides prüfen.</translation>
     </message>
     <message>
@@ -1847,7 +1846,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Nicht ausgeführt von: %1.</translation>
     </message>
     <message>
-        <source>Cannot be told of: %1.</source>
+        <source>Unknown for: %1.</source>
         <translation>Ungewiss bei: %1.</translation>
     </message>
     <message>
@@ -1859,47 +1858,47 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 von %2 Modulen der Gruppe %3 sind gestartet. An alle ging ein Stoppbefehl.</translation>
     </message>
     <message>
-        <source>No module of group %1 started. Nothing moves because of it.</source>
+        <source>No module of group %1 started. Nothing was moved.</source>
         <translation>Kein Modul der Gruppe %1 ist gestartet. Dadurch bewegt sich nichts.</translation>
     </message>
     <message>
-        <source>Whether all modules of group %1 started is unknown.</source>
-        <translation>Ob alle Module der Gruppe %1 gestartet sind, ist unbekannt.</translation>
+        <source>Not all modules of group %1 confirmed their start.</source>
+        <translation>Nicht alle Module der Gruppe %1 haben ihren Start bestätigt.</translation>
     </message>
     <message>
-        <source>Usually noise on the cable. The start was sent once and is not repeated; look at the motors, load again, then start again.</source>
+        <source>Look at the motors. The start is never repeated: load again, then start again. Usually noise on the cable.</source>
         <translation>Meist Störungen auf dem Kabel. Der Start wurde einmal gesendet und wird nicht wiederholt; die Motoren ansehen, erneut laden, dann erneut starten.</translation>
     </message>
     <message>
-        <source>Group %1 has no members. Nothing was sent.</source>
+        <source>Group %1 is empty. Nothing was sent.</source>
         <translation>Gruppe %1 hat keine Mitglieder. Es wurde nichts gesendet.</translation>
     </message>
     <message>
-        <source>Put modules into the group first.</source>
+        <source>Add modules to the group first.</source>
         <translation>Zuerst Module in die Gruppe aufnehmen.</translation>
     </message>
     <message>
-        <source>The command to group %1 was withheld because of module %2. Nothing was sent.</source>
+        <source>Module %2 blocks the command to group %1. Nothing was sent.</source>
         <translation>Der Befehl an Gruppe %1 wurde wegen Modul %2 zurückgehalten. Es wurde nichts gesendet.</translation>
     </message>
     <message>
-        <source>A group starts only when every member has confirmed its load, answers, and may start; and only when the group of every module is known. Load this module again, or give it its group again.</source>
+        <source>A group starts only when every member answers, has confirmed its load and can start, and the group of every module is known. Load this module again, or set its group again.</source>
         <translation>Eine Gruppe startet nur, wenn jedes Mitglied das Laden bestätigt hat, antwortet und starten darf; und nur, wenn die Gruppe jedes Moduls bekannt ist. Dieses Modul erneut laden oder ihm seine Gruppe neu zuweisen.</translation>
     </message>
     <message>
-        <source>Module %1 did not answer the change of its group, so its group is unknown.</source>
+        <source>Module %1 did not confirm its new group, so its group is unknown.</source>
         <translation>Modul %1 hat auf den Wechsel seiner Gruppe nicht geantwortet, seine Gruppe ist daher unbekannt.</translation>
     </message>
     <message>
-        <source>The group of module %1 was not changed.</source>
+        <source>Could not change the group of module %1.</source>
         <translation>Die Gruppe von Modul %1 wurde nicht geändert.</translation>
     </message>
     <message>
-        <source>No motor moves by it. Group FF cannot have a leader, and a group only one; the groups of all modules must be known for that. Try again.</source>
+        <source>Nothing was moved. A group has at most one leader, group FF has none, and the groups of all modules must be known. Check this, then try again.</source>
         <translation>Dadurch bewegt sich kein Motor. Gruppe FF kann keinen Leiter haben und jede andere Gruppe nur einen; dafür müssen die Gruppen aller Module bekannt sein. Erneut versuchen.</translation>
     </message>
     <message>
-        <source>The command to group %1 was overtaken by a stop.</source>
+        <source>A stop replaced the command to group %1.</source>
         <translation>Dem Befehl an Gruppe %1 kam ein Stopp zuvor.</translation>
     </message>
     <message>
@@ -1907,43 +1906,43 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>An alle Motoren ging ein Stoppbefehl.</translation>
     </message>
     <message>
-        <source>Not every module of group %1 has certainly saved its position as home.</source>
-        <translation>Nicht jedes Modul der Gruppe %1 hat seine Position sicher als Referenzposition gespeichert.</translation>
+        <source>Not all modules of group %1 confirmed saving home.</source>
+        <translation>Nicht alle Module der Gruppe %1 haben das Speichern der Referenz bestätigt.</translation>
     </message>
     <message>
-        <source>No motor moved by it.</source>
+        <source>No motor was moved.</source>
         <translation>Dadurch hat sich kein Motor bewegt.</translation>
     </message>
     <message>
-        <source>All modules now talk at %1 Bd. Positions and gains are what they were.</source>
+        <source>All modules now run at %1 Bd. Positions and gains are unchanged.</source>
         <translation>Alle Module arbeiten jetzt mit %1 Bd. Positionen und Reglerwerte sind unverändert.</translation>
     </message>
     <message>
-        <source>The rate was not changed: the chain stays at %1 Bd. No motor moved by it.</source>
+        <source>Could not change the baud rate: the chain stays at %1 Bd. No motor was moved.</source>
         <translation>Die Rate wurde nicht geändert: die Kette bleibt bei %1 Bd. Dadurch hat sich kein Motor bewegt.</translation>
     </message>
     <message>
-        <source>The modules cannot make %1 Bd.</source>
-        <translation>Die Module beherrschen %1 Bd nicht.</translation>
+        <source>The modules do not support %1 Bd. Choose another baud rate.</source>
+        <translation>Die Module unterstützen %1 Bd nicht. Eine andere Baudrate wählen.</translation>
     </message>
     <message>
-        <source>Something moves, or is about to. Stop all motors, then try again.</source>
+        <source>A motor is moving, or about to move. Stop all motors, then try again.</source>
         <translation>Etwas bewegt sich oder ist im Begriff dazu. Alle Motoren stoppen, dann erneut versuchen.</translation>
     </message>
     <message>
-        <source>There is no answer from module %1, which would be left behind. Connect again first.</source>
+        <source>Module %1 does not answer and would be left behind. Connect again first.</source>
         <translation>Von Modul %1 kommt keine Antwort; es würde zurückgelassen. Zuerst neu verbinden.</translation>
     </message>
     <message>
-        <source>Another program may have changed the group of module %1, which would not hear the new rate. Set its group again, or restart the network.</source>
+        <source>Another program may have changed the group of module %1, which would then miss the new baud rate. Set its group again, or restart the network.</source>
         <translation>Ein anderes Programm hat möglicherweise die Gruppe von Modul %1 geändert; es würde die neue Rate nicht mitbekommen. Seine Gruppe neu zuweisen oder das Netzwerk neu starten.</translation>
     </message>
     <message>
-        <source>There is a group leader, module %1, whose answer would come at the new rate. Make it an ordinary member first.</source>
+        <source>Module %1 is a group leader and would answer at the new baud rate. Make it an ordinary member first.</source>
         <translation>Es gibt einen Gruppenleiter, Modul %1, dessen Antwort mit der neuen Rate käme. Zuerst ein gewöhnliches Mitglied daraus machen.</translation>
     </message>
     <message>
-        <source>There was no answer at %1 Bd from module %2, so all went back. Try another rate, a shorter cable, or termination at both ends.</source>
+        <source>Module %2 did not answer at %1 Bd, so all modules went back. Try another baud rate, a shorter cable, or termination at both ends.</source>
         <translation>Bei %1 Bd kam von Modul %2 keine Antwort, daher sind alle zurückgekehrt. Eine andere Rate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
     </message>
     <message>
@@ -1951,11 +1950,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Ein Stopp kam dazwischen.</translation>
     </message>
     <message>
-        <source>No answer from module %1 since the change of rate. Nothing was moving.</source>
+        <source>Module %1 has not answered since the baud rate changed. No motor was moving.</source>
         <translation>Keine Antwort von Modul %1 seit dem Wechsel der Rate. Es war nichts in Bewegung.</translation>
     </message>
     <message>
-        <source>It may still be at %1 Bd; the others are at %2 Bd. Scan again; if it is not found, restart the network: positions and gains are lost.</source>
+        <source>It may still be at %1 Bd; the others are at %2 Bd. Scan again. If the module is not found, restart the network: positions and gains are lost.</source>
         <translation>Es ist möglicherweise noch bei %1 Bd; die anderen sind bei %2 Bd. Erneut suchen; wird es nicht gefunden, das Netzwerk neu starten: Positionen und Reglerwerte gehen verloren.</translation>
     </message>
     <message>
@@ -1983,11 +1982,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>eine Liste in [ ]</translation>
     </message>
     <message>
-        <source>the file ends here, in the middle.</source>
+        <source>the file is incomplete.</source>
         <translation>die Datei endet hier, mittendrin.</translation>
     </message>
     <message>
-        <source>this text is not in UTF-8.</source>
+        <source>this text is not UTF-8.</source>
         <translation>dieser Text ist nicht in UTF-8.</translation>
     </message>
     <message>
@@ -1999,7 +1998,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 ist keine Zahl.</translation>
     </message>
     <message>
-        <source>this number is too big.</source>
+        <source>this number is too large.</source>
         <translation>diese Zahl ist zu groß.</translation>
     </message>
     <message>
@@ -2011,7 +2010,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>mehr als %1 Werte.</translation>
     </message>
     <message>
-        <source>%1 is there twice.</source>
+        <source>%1 appears twice.</source>
         <translation>%1 ist doppelt vorhanden.</translation>
     </message>
     <message>
@@ -2023,19 +2022,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 muss %2 sein.</translation>
     </message>
     <message>
-        <source>%1 is %2; the module takes %3 to %4.</source>
+        <source>%1 is %2; it must be %3 to %4.</source>
         <translation>%1 ist %2; beim Modul möglich ist %3 bis %4.</translation>
     </message>
     <message>
-        <source>%1 is %2; it can be %3 to %4.</source>
-        <translation>%1 ist %2; möglich ist %3 bis %4.</translation>
-    </message>
-    <message>
-        <source>%1 is &quot;%2&quot;, a word that is not known.</source>
+        <source>%1 has the unknown value &quot;%2&quot;.</source>
         <translation>%1 ist „%2“, ein unbekanntes Wort.</translation>
     </message>
     <message>
-        <source>%1 has a character that cannot be printed.</source>
+        <source>%1 has an unprintable character.</source>
         <translation>%1 enthält ein nicht druckbares Zeichen.</translation>
     </message>
     <message>
@@ -2043,15 +2038,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 hat mehr als %2 Einträge.</translation>
     </message>
     <message>
-        <source>%1 has a unit that the module of this axis does not count in.</source>
+        <source>%1 has a unit that does not fit the module of this axis.</source>
         <translation>%1 hat eine Einheit, in der das Modul dieser Achse nicht zählt.</translation>
     </message>
     <message>
-        <source>module %1 is in a group already.</source>
+        <source>module %1 is already in a group.</source>
         <translation>Modul %1 ist bereits in einer Gruppe.</translation>
     </message>
     <message>
-        <source>another group has address %1, too.</source>
+        <source>another group also has address %1.</source>
         <translation>auch eine andere Gruppe hat die Adresse %1.</translation>
     </message>
     <message>
@@ -2059,11 +2054,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>der Leiter ist keines der Module der Gruppe.</translation>
     </message>
     <message>
-        <source>It is not there any more. Was it moved, or is its disk not connected?</source>
-        <translation>Die Datei ist nicht mehr da. Wurde sie verschoben, oder ist ihr Datenträger nicht angeschlossen?</translation>
+        <source>The file no longer exists. Check whether it was moved, or its disk is disconnected.</source>
+        <translation>Die Datei ist nicht mehr da. Prüfen, ob sie verschoben wurde oder ihr Datenträger fehlt.</translation>
     </message>
     <message>
-        <source>The folder %1 is not there. Choose another one.</source>
+        <source>The folder %1 does not exist. Choose another one.</source>
         <translation>Den Ordner %1 gibt es nicht. Einen anderen wählen.</translation>
     </message>
     <message>
@@ -2071,24 +2066,24 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das ist ein Ordner oder ein Gerät. Eine Datei wählen.</translation>
     </message>
     <message>
-        <source>Your user account may not do that in %1. Choose another folder, or change the permissions.</source>
+        <source>Your user account has no permission for %1. Choose another folder, or change the permissions.</source>
         <translation>Ihr Benutzerkonto darf das in %1 nicht. Einen anderen Ordner wählen oder die Zugriffsrechte ändern.</translation>
     </message>
     <message>
-        <source>The disk of %1 can only be read. Choose another folder.</source>
+        <source>The disk of %1 is read-only. Choose another folder.</source>
         <translation>Der Datenträger von %1 ist nur lesbar. Einen anderen Ordner wählen.</translation>
     </message>
     <message>
-        <source>There is no room left on the disk of %1. Make room, or choose another folder.</source>
+        <source>The disk of %1 is full. Free some space, or choose another folder.</source>
         <translation>Auf dem Datenträger von %1 ist kein Platz mehr. Platz schaffen oder einen anderen Ordner wählen.</translation>
     </message>
     <message>
-        <source>It is larger than any machine file. Is it the right file?</source>
+        <source>It is larger than any machine file. Check that it is the right file.</source>
         <translation>Sie ist größer als jede Maschinendatei. Ist es die richtige Datei?</translation>
     </message>
     <message>
-        <source>The system says why under Details.</source>
-        <translation>Den Grund, den das System meldet, zeigen die Details.</translation>
+        <source>See Details for the system&apos;s message.</source>
+        <translation>Die Meldung des Systems steht unter „Details“.</translation>
     </message>
     <message>
         <source>counts (steps)</source>
@@ -2107,7 +2102,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Millimeter</translation>
     </message>
     <message>
-        <source>own unit</source>
+        <source>custom unit</source>
         <translation>eigene Einheit</translation>
     </message>
     <message>
@@ -2123,7 +2118,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Motor aus</translation>
     </message>
     <message>
-        <source>a machine without a name</source>
+        <source>an unnamed machine</source>
         <translation>Maschine ohne Namen</translation>
     </message>
     <message>
@@ -2139,7 +2134,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>„%1“ ist keine Maschinendatei von NMC Panel.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was written by a newer NMC Panel: its format is %2, and this program knows formats up to %3.</source>
+        <source>&quot;%1&quot; was written by a newer NMC Panel: its format is %2; this version reads formats up to %3.</source>
         <translation>„%1“ wurde von einem neueren NMC Panel geschrieben: das Format ist %2, dieses Programm kennt Formate bis %3.</translation>
     </message>
     <message>
@@ -2151,31 +2146,31 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Es wurde nichts geladen.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not opened.</source>
+        <source>Could not open &quot;%1&quot;.</source>
         <translation>„%1“ wurde nicht geöffnet.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not saved. What it held before is still there.</source>
+        <source>Could not save &quot;%1&quot;. Its previous content is kept.</source>
         <translation>„%1“ wurde nicht gespeichert. Der bisherige Inhalt ist noch vorhanden.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not saved: this machine could not be opened again.</source>
+        <source>Could not save &quot;%1&quot;: it could not be opened again afterwards.</source>
         <translation>„%1“ wurde nicht gespeichert: diese Maschine ließe sich nicht wieder öffnen.</translation>
     </message>
     <message>
-        <source>Nothing was sent to a module.</source>
-        <translation>An kein Modul wurde etwas gesendet.</translation>
+        <source>Nothing was sent.</source>
+        <translation>Es wurde nichts gesendet.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is open. It says what is there already.</source>
-        <translation>„%1“ ist offen. Die Datei enthält, was schon eingestellt ist.</translation>
+        <source>&quot;%1&quot; is open. No differences.</source>
+        <translation>„%1“ ist geöffnet. Keine Unterschiede.</translation>
     </message>
     <message>
-        <source>Unsaved work on %1 is there.</source>
-        <translation>Ungespeicherte Arbeit an %1 ist vorhanden.</translation>
+        <source>Unsaved changes to %1 were recovered.</source>
+        <translation>Ungespeicherte Änderungen an %1 wurden gerettet.</translation>
     </message>
     <message>
-        <source>An earlier session ended before it was saved. Restoring it sends nothing.</source>
+        <source>An earlier session ended before they were saved. Restoring them sends nothing.</source>
         <translation>Eine frühere Sitzung endete, bevor gespeichert wurde. Das Wiederherstellen sendet nichts.</translation>
     </message>
     <message>
@@ -2183,36 +2178,36 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Discard: the work is lost</source>
+        <source>Discard: the changes are lost</source>
         <translation>Verwerfen: die Arbeit geht verloren</translation>
     </message>
     <message>
-        <source>Unsaved work of an earlier session cannot be read.</source>
-        <translation>Ungespeicherte Arbeit einer früheren Sitzung ist nicht lesbar.</translation>
+        <source>Could not recover unsaved changes of an earlier session.</source>
+        <translation>Ungespeicherte Änderungen einer früheren Sitzung konnten nicht gerettet werden.</translation>
     </message>
     <message>
-        <source>unsaved work</source>
+        <source>unsaved changes</source>
         <translation>ungespeicherte Arbeit</translation>
     </message>
     <message>
-        <source>Changes to the machine are not kept until you save them yourself.</source>
+        <source>Changes to the machine are not backed up until you save them.</source>
         <translation>Änderungen an der Maschine bleiben erst erhalten, wenn Sie sie selbst speichern.</translation>
     </message>
     <message>
-        <source>%1 cannot be written.</source>
+        <source>%1 is not writable.</source>
         <translation>%1 lässt sich nicht schreiben.</translation>
     </message>
     <message>
-        <source>The changes to %1 are not saved.</source>
-        <translation>Die Änderungen an %1 sind nicht gespeichert.</translation>
+        <source>Save the changes to %1?</source>
+        <translation>Die Änderungen an %1 speichern?</translation>
     </message>
     <message>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
     <message>
-        <source>Rate</source>
-        <translation>Rate</translation>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
     </message>
     <message>
         <source>Groups</source>
@@ -2259,8 +2254,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Parameter</translation>
     </message>
     <message>
-        <source>Rate, Bd</source>
-        <translation>Rate, Bd</translation>
+        <source>Baud rate, Bd</source>
+        <translation>Baudrate, Bd</translation>
     </message>
     <message>
         <source>Type and version</source>
@@ -2287,23 +2282,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Geschwindigkeit des Dauerlaufs</translation>
     </message>
     <message>
-        <source>Hold-to-move velocity</source>
-        <translation>Geschwindigkeit beim Tippen</translation>
+        <source>Jog speed</source>
+        <translation>Tippgeschwindigkeit</translation>
     </message>
     <message>
-        <source>Hold-to-move cap</source>
-        <translation>Obergrenze beim Tippen</translation>
+        <source>Max jog speed</source>
+        <translation>Größte Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>Step</source>
         <translation>Schrittweite</translation>
     </message>
     <message>
-        <source>On limit 1</source>
+        <source>On limit switch 1</source>
         <translation>Bei Endschalter 1</translation>
     </message>
     <message>
-        <source>On limit 2</source>
+        <source>On limit switch 2</source>
         <translation>Bei Endschalter 2</translation>
     </message>
     <message>
@@ -2323,7 +2318,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Bei Referenzschalter</translation>
     </message>
     <message>
-        <source>Then the index</source>
+        <source>Then on index</source>
         <translation>Danach der Index</translation>
     </message>
     <message>
@@ -2339,8 +2334,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Travel limit</source>
-        <translation>Weggrenze</translation>
+        <source>Search distance</source>
+        <translation>Suchweg</translation>
     </message>
     <message>
         <source>Time limit</source>
@@ -2351,8 +2346,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Referenzposition anfahren</translation>
     </message>
     <message>
-        <source>Make it zero</source>
-        <translation>Auf null setzen</translation>
+        <source>Set position to 0</source>
+        <translation>Position auf 0 setzen</translation>
     </message>
     <message>
         <source>Per A/D count</source>
@@ -2407,7 +2402,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Temperaturgrenze</translation>
     </message>
     <message>
-        <source>Ignore limits</source>
+        <source>Ignore limit switches</source>
         <translation>Endschalter ignorieren</translation>
     </message>
     <message>
@@ -2435,39 +2430,38 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>nein</translation>
     </message>
     <message>
-        <source>Changes the panel only; nothing is sent.</source>
+        <source>Changes only the panel; nothing is sent.</source>
         <translation>Ändert nur das Programm; es wird nichts gesendet.</translation>
     </message>
     <message>
-        <source>Is sent to the module.</source>
+        <source>Sent to the module.</source>
         <translation>Wird an das Modul gesendet.</translation>
     </message>
     <message>
-        <source>Waits in the fields, not sent: %1</source>
+        <source>Filled in, not sent: %1</source>
         <translation>Wartet in den Feldern, nicht gesendet: %1</translation>
     </message>
     <message>
-        <source>Waits in the fields, not sent.</source>
+        <source>Filled in, not sent.</source>
         <translation>Wartet in den Feldern, nicht gesendet.</translation>
     </message>
     <message>
-        <source>Not in the file: it stays as it is.</source>
+        <source>Not in the file: stays as it is.</source>
         <translation>Nicht in der Datei: bleibt, wie es ist.</translation>
     </message>
-    <message>
-        <source>1 motor is moving: stop it before anything is sent.</source>
-        <translation>1 Motor ist in Bewegung: anhalten, bevor etwas gesendet wird.</translation>
+    <message numerus="yes">
+        <source>%n motors are moving: stop them before anything is sent.</source>
+        <translation>
+            <numerusform>%n Motor ist in Bewegung: anhalten, bevor etwas gesendet wird.</numerusform>
+            <numerusform>%n Motoren sind in Bewegung: anhalten, bevor etwas gesendet wird.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>%1 motors are moving: stop them before anything is sent.</source>
-        <translation>%1 Motoren sind in Bewegung: anhalten, bevor etwas gesendet wird.</translation>
-    </message>
-    <message>
-        <source>%1 was stopped: its switch stayed active while it backed off.</source>
+        <source>%1 was stopped: its switch stayed active while backing off.</source>
         <translation>%1 wurde gestoppt: der Schalter blieb beim Freifahren aktiv.</translation>
     </message>
     <message>
-        <source>The switch may be stuck, or the search goes the wrong way. Move the motor off the switch, or change the direction, then try again.</source>
+        <source>The switch may be stuck, or the search direction is wrong. Move the motor off the switch, or change the direction, then try again.</source>
         <translation>Vielleicht klemmt der Schalter, oder die Suche läuft in die falsche Richtung. Den Motor vom Schalter wegbewegen oder die Richtung ändern, dann erneut versuchen.</translation>
     </message>
     <message>
@@ -2475,31 +2469,31 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 blieb stehen, bevor die Referenzposition gefunden war.</translation>
     </message>
     <message>
-        <source>A limit or the E-stop input ended its motion. Check the direction of the search and the switches, then try again.</source>
+        <source>A limit switch or the E-stop input ended the motion. Check the search direction and the switches, then try again.</source>
         <translation>Ein Endschalter oder der E-Stop-Eingang hat die Bewegung beendet. Die Richtung der Suche und die Schalter prüfen, dann erneut versuchen.</translation>
     </message>
     <message>
-        <source>%1 was stopped: no home within the travel limit.</source>
-        <translation>%1 wurde gestoppt: keine Referenzposition innerhalb der Weggrenze.</translation>
+        <source>%1 was stopped: home not found within the search distance.</source>
+        <translation>%1 wurde gestoppt: keine Referenz innerhalb des Suchwegs.</translation>
     </message>
     <message>
-        <source>Check the switch and its cable, the direction of the search, and the limit.</source>
-        <translation>Den Schalter und sein Kabel, die Richtung der Suche und die Grenze prüfen.</translation>
+        <source>Check the switch and its cable, the search direction and the search distance.</source>
+        <translation>Schalter und Kabel, Suchrichtung und Suchweg prüfen.</translation>
     </message>
     <message>
-        <source>%1 was stopped: no home within the time limit.</source>
+        <source>%1 was stopped: home not found within the time limit.</source>
         <translation>%1 wurde gestoppt: keine Referenzposition innerhalb der Zeitgrenze.</translation>
     </message>
     <message>
-        <source>Check the switch and its cable, the direction and the speed of the search, and the limit.</source>
+        <source>Check the switch and its cable, the search direction and velocity, and the time limit.</source>
         <translation>Den Schalter und sein Kabel, die Richtung und die Geschwindigkeit der Suche und die Grenze prüfen.</translation>
     </message>
     <message>
-        <source>%1 is not homed and was told to stop: the link was in doubt meanwhile.</source>
+        <source>%1 is not homed and was told to stop: the link was unreliable.</source>
         <translation>%1 ist nicht referenziert, ein Stoppbefehl wurde gesendet: die Verbindung war währenddessen zweifelhaft.</translation>
     </message>
     <message>
-        <source>What was said of home then may be wrong. See to the link, then repeat the search.</source>
+        <source>The home position found may be wrong. Check the link, then repeat the search.</source>
         <translation>Was dabei über die Referenzposition gemeldet wurde, ist vielleicht falsch. Die Verbindung prüfen, dann die Suche wiederholen.</translation>
     </message>
     <message>
@@ -2511,15 +2505,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Ein Stoppbefehl wurde gesendet. Den Hardware-Stopp benutzen, wenn der Motor sich bewegt.</translation>
     </message>
     <message>
-        <source>%1 is not homed: its motor went off by itself, and is free to turn.</source>
+        <source>%1 is not homed: its motor switched itself off and is free to turn.</source>
         <translation>%1 ist nicht referenziert: der Motor hat sich von selbst abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
-        <source>The motor was too far from where it should be, or lost its power. Check for a jam, enable it, then repeat the search.</source>
+        <source>The position error was too large, or motor power failed. Check for a jam, enable the motor, then repeat the search.</source>
         <translation>Der Motor war zu weit von der Sollposition entfernt oder verlor seine Versorgung. Prüfen, ob etwas klemmt, den Motor einschalten, dann die Suche wiederholen.</translation>
     </message>
     <message>
-        <source>%1 is not homed and was told to stop: a command was not carried out, or its answer was lost.</source>
+        <source>%1 is not homed and was told to stop: a command failed, or its answer was lost.</source>
         <translation>%1 ist nicht referenziert, ein Stoppbefehl wurde gesendet: ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren.</translation>
     </message>
     <message>
@@ -2527,11 +2521,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Meist Störungen auf dem Kabel. Die Suche wiederholen.</translation>
     </message>
     <message>
-        <source>%1 stands still and is not homed: two readings of its home differ.</source>
+        <source>%1 is at rest but not homed: two readings of home differ.</source>
         <translation>%1 steht still und ist nicht referenziert: zwei Lesungen der Referenzposition weichen voneinander ab.</translation>
     </message>
     <message>
-        <source>%1 has found its home and holds close to it, but nothing was made zero.</source>
+        <source>%1 found home and holds close to it, but the position was not set to 0.</source>
         <translation>%1 hat die Referenzposition gefunden und hält nahe dabei, aber nichts wurde auf null gesetzt.</translation>
     </message>
     <message>
@@ -2547,7 +2541,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Sucht</translation>
     </message>
     <message>
-        <source>Searching the index</source>
+        <source>Searching for the index</source>
         <translation>Sucht den Index</translation>
     </message>
     <message>
@@ -2555,16 +2549,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Hält an</translation>
     </message>
     <message>
-        <source>Reading home twice</source>
-        <translation>Liest die Referenzposition zweimal</translation>
+        <source>Verifying home</source>
+        <translation>Referenz wird geprüft</translation>
     </message>
     <message>
         <source>Going to home</source>
         <translation>Fährt die Referenzposition an</translation>
     </message>
     <message>
-        <source>Making home zero</source>
-        <translation>Setzt die Referenzposition auf null</translation>
+        <source>Setting position to 0</source>
+        <translation>Position wird auf 0 gesetzt</translation>
     </message>
     <message>
         <source>Moving</source>
@@ -2587,11 +2581,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Abgebrochen</translation>
     </message>
     <message>
-        <source>%1 has not finished its moves.</source>
+        <source>%1 did not finish its moves.</source>
         <translation>%1 hat seine Fahrten nicht beendet.</translation>
     </message>
     <message>
-        <source>%1 has found its home: it was at %2.</source>
+        <source>%1 found home at %2.</source>
         <translation>%1 hat die Referenzposition gefunden: sie lag bei %2.</translation>
     </message>
     <message>
@@ -2603,35 +2597,31 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Schalter blieb aktiv, während der Motor freifuhr. Er wurde gestoppt.</translation>
     </message>
     <message>
-        <source>The motion ended before home was found.</source>
-        <translation>Die Bewegung endete, bevor die Referenzposition gefunden war.</translation>
+        <source>The motion ended before home was found. Check the search direction and the switches.</source>
+        <translation>Die Bewegung endete, bevor die Referenz gefunden war. Suchrichtung und Schalter prüfen.</translation>
     </message>
     <message>
-        <source>The travel limit was reached. The motor was stopped.</source>
-        <translation>Die Weggrenze wurde erreicht. Der Motor wurde gestoppt.</translation>
+        <source>No home within the search distance. The motor was stopped.</source>
+        <translation>Keine Referenz innerhalb des Suchwegs. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
-        <source>The time limit was reached. The motor was stopped.</source>
+        <source>No home within the time limit. The motor was stopped.</source>
         <translation>Die Zeitgrenze wurde erreicht. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
-        <source>The link was in doubt meanwhile. The motor was told to stop.</source>
+        <source>The link was unreliable. The motor was told to stop.</source>
         <translation>Die Verbindung war währenddessen zweifelhaft. An den Motor ging ein Stoppbefehl.</translation>
     </message>
     <message>
-        <source>The module does not answer. Motor state unknown.</source>
-        <translation>Das Modul antwortet nicht. Motorzustand unbekannt.</translation>
-    </message>
-    <message>
-        <source>The motor went off by itself, and is free to turn.</source>
+        <source>The motor switched itself off and is free to turn.</source>
         <translation>Der Motor hat sich von selbst abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
-        <source>A command was not carried out or not answered. The motor was told to stop.</source>
+        <source>A command failed or was not answered. The motor was told to stop.</source>
         <translation>Ein Befehl wurde nicht ausgeführt oder nicht beantwortet. An den Motor ging ein Stoppbefehl.</translation>
     </message>
     <message>
-        <source>Two readings of home differ. The motor stands still.</source>
+        <source>Two readings of home differ. The motor is at rest.</source>
         <translation>Zwei Lesungen der Referenzposition weichen voneinander ab. Der Motor steht still.</translation>
     </message>
     <message>
@@ -2639,11 +2629,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 hat keine Motorversorgung, daher ist sein Motor aus.</translation>
     </message>
     <message>
-        <source>Module %1 switched its motor off because it is too hot.</source>
+        <source>Module %1 is too hot and switched its motor off.</source>
         <translation>Modul %1 hat seinen Motor abgeschaltet, weil er zu heiß ist.</translation>
     </message>
     <message>
-        <source>The A/D value fell below the thermal limit. Let the motor cool down; then look at the currents and the limit on the Parameters page.</source>
+        <source>The A/D value fell below the thermal limit. Let the motor cool down; then check the currents and the limit on the Parameters page.</source>
         <translation>Der A/D-Wert ist unter die Temperaturgrenze gefallen. Den Motor abkühlen lassen; dann die Ströme und die Grenze auf der Seite Parameter prüfen.</translation>
     </message>
     <message>
@@ -2667,7 +2657,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 hat seinen Motor von selbst abgeschaltet.</translation>
     </message>
     <message>
-        <source>It does not say why. Check its power and its inputs, then enable it again.</source>
+        <source>The cause is unknown. Check its power and inputs, then enable it again.</source>
         <translation>Den Grund meldet es nicht. Versorgung und Eingänge prüfen, dann wieder einschalten.</translation>
     </message>
     <message>
@@ -2695,23 +2685,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das Modul hat keine Motorversorgung, daher ist sein Motor aus.</translation>
     </message>
     <message>
-        <source>The module switched its motor off when motor power went away. It stays off.</source>
+        <source>The module switched its motor off when motor power failed. It stays off.</source>
         <translation>Das Modul hat seinen Motor abgeschaltet, als die Motorversorgung ausfiel. Er bleibt aus.</translation>
     </message>
     <message>
-        <source>The motor is held where it is.</source>
+        <source>The motor holds its position.</source>
         <translation>Der Motor wird an seiner Position gehalten.</translation>
     </message>
     <message>
-        <source>The motor is free to turn. Nothing is wrong: the amplifier has not been switched on, or was switched off.</source>
-        <translation>Der Motor ist frei drehbar. Das ist kein Fehler: der Verstärker wurde noch nicht eingeschaltet oder wurde ausgeschaltet.</translation>
+        <source>The motor is free to turn. This is normal: the amplifier is switched off.</source>
+        <translation>Der Motor ist frei drehbar. Das ist normal: Die Endstufe ist ausgeschaltet.</translation>
     </message>
     <message>
         <source>A limit switch stopped the motor. It can move in the other direction.</source>
         <translation>Ein Endschalter hat den Motor gestoppt. Er kann in die andere Richtung fahren.</translation>
     </message>
     <message>
-        <source>The module&apos;s E-stop input stopped the motor, or keeps it from moving.</source>
+        <source>The module&apos;s E-stop input stopped the motor, or prevents it from moving.</source>
         <translation>Der E-Stop-Eingang des Moduls hat den Motor gestoppt oder hindert ihn an der Bewegung.</translation>
     </message>
     <message>
@@ -2719,15 +2709,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das Modul hat seinen Motor abgeschaltet, weil der A/D-Wert unter die Temperaturgrenze gefallen ist. Er bleibt aus.</translation>
     </message>
     <message>
-        <source>The module switched its motor off by itself, and does not say why.</source>
+        <source>The module switched its motor off; the cause is unknown.</source>
         <translation>Das Modul hat seinen Motor von selbst abgeschaltet und meldet den Grund nicht.</translation>
     </message>
     <message>
-        <source>Nothing is loaded that could be started.</source>
-        <translation>Es ist nichts geladen, was gestartet werden könnte.</translation>
+        <source>Load a move first.</source>
+        <translation>Zuerst eine Bewegung laden.</translation>
     </message>
     <message>
-        <source>The position is not known.</source>
+        <source>The position is unknown.</source>
         <translation>Die Position ist nicht bekannt.</translation>
     </message>
     <message>
@@ -2735,48 +2725,48 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Servo ist ein. Zuerst den Motor abschalten.</translation>
     </message>
     <message>
-        <source>This version of the chip cannot do it.</source>
+        <source>This chip version does not support it.</source>
         <translation>Diese Version des Chips kann das nicht.</translation>
     </message>
     <message>
-        <source>Nothing is chosen that home could be found by.</source>
-        <translation>Es ist nichts gewählt, woran die Referenz zu finden wäre.</translation>
+        <source>Select at least one home condition.</source>
+        <translation>Mindestens eine Bedingung für die Referenz wählen.</translation>
     </message>
     <message>
-        <source>A search needs a travel limit and a time limit above 0.</source>
-        <translation>Eine Suche braucht eine Weggrenze und eine Zeitgrenze über 0.</translation>
+        <source>Enter a search distance and a time limit above 0.</source>
+        <translation>Suchweg und Zeitgrenze größer als 0 eingeben.</translation>
     </message>
     <message>
-        <source>The limit is active now: it would stop the motor when it is left.</source>
-        <translation>Der Endschalter ist jetzt aktiv: beim Verlassen würde er den Motor stoppen.</translation>
+        <source>The limit switch is already active. Move the motor off it first.</source>
+        <translation>Der Endschalter ist schon aktiv. Den Motor zuerst von ihm wegbewegen.</translation>
     </message>
     <message>
-        <source>The limit&apos;s pin is an output, so it tells nothing.</source>
-        <translation>Der Pin des Endschalters ist ein Ausgang und meldet daher nichts.</translation>
+        <source>This limit pin is set as an output.</source>
+        <translation>Dieser Endschalter-Pin ist als Ausgang eingestellt.</translation>
     </message>
     <message>
-        <source>A move by 0 is none.</source>
-        <translation>Eine Fahrt um 0 ist keine.</translation>
+        <source>Enter a distance other than 0.</source>
+        <translation>Eine Strecke ungleich 0 eingeben.</translation>
     </message>
     <message>
         <source>This module is not a PIC-STEP.</source>
         <translation>Dieses Modul ist kein PIC-STEP.</translation>
     </message>
     <message>
-        <source>The module moves and holds nothing before it was given its parameters. Apply them first.</source>
-        <translation>Das Modul bewegt und hält nichts, bevor es seine Parameter bekommen hat. Zuerst die Parameter anwenden.</translation>
+        <source>Apply parameters first.</source>
+        <translation>Zuerst die Parameter anwenden.</translation>
     </message>
     <message>
         <source>The amplifier is off. Enable it first.</source>
         <translation>Der Verstärker ist aus. Zuerst einschalten.</translation>
     </message>
     <message>
-        <source>The motor is moving, and the chip does not allow this change in motion: stop first.</source>
+        <source>Stop the motor first: the chip cannot change this in motion.</source>
         <translation>Der Motor ist in Bewegung, und der Chip lässt diese Änderung während der Fahrt nicht zu: zuerst stoppen.</translation>
     </message>
     <message>
-        <source>The module&apos;s E-stop input is active and keeps the motor from moving.</source>
-        <translation>Der E-Stop-Eingang des Moduls ist aktiv und hindert den Motor an der Bewegung.</translation>
+        <source>The module&apos;s E-stop input is active. Release it first.</source>
+        <translation>Der E-Stop-Eingang des Moduls ist aktiv. Zuerst freigeben.</translation>
     </message>
     <message>
         <source>Limit switch 1 is active: the motor can move in reverse only.</source>
@@ -2787,19 +2777,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Endschalter 2 ist aktiv: der Motor kann nur vorwärts fahren.</translation>
     </message>
     <message>
-        <source>The A/D value is below the thermal limit: the module would switch the motor off at once.</source>
-        <translation>Der A/D-Wert liegt unter der Temperaturgrenze: das Modul würde den Motor sofort abschalten.</translation>
+        <source>The A/D value is below the thermal limit: let the motor cool down, or lower the limit.</source>
+        <translation>Der A/D-Wert liegt unter der Temperaturgrenze: Den Motor abkühlen lassen oder die Grenze senken.</translation>
     </message>
     <message>
-        <source>The goal is more than 2 147 483 647 steps away.</source>
+        <source>The goal is too far away: at most 2 147 483 647 steps.</source>
         <translation>Das Ziel ist mehr als 2 147 483 647 Schritte entfernt.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is open; settings taken from it: %2.</source>
+        <source>&quot;%1&quot; is open. Settings applied: %2.</source>
         <translation>„%1“ ist offen; daraus übernommene Einstellungen: %2.</translation>
     </message>
     <message>
-        <source>Commands sent, as chosen: %1. No motor was moved.</source>
+        <source>Commands sent: %1. No motor was moved.</source>
         <translation>Gesendete Befehle, wie gewählt: %1. Kein Motor wurde bewegt.</translation>
     </message>
     <message>
@@ -2811,19 +2801,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Kann nicht angewendet werden: die Datei ist für ein anderes Modul.</translation>
     </message>
     <message>
-        <source>Not there now; its settings are kept.</source>
+        <source>Not in the chain; its settings are kept.</source>
         <translation>Jetzt nicht da; seine Einstellungen werden behalten.</translation>
     </message>
     <message>
-        <source>%1 holds again: it went the wrong way, or farther than twice its step.</source>
+        <source>%1 holds again: it moved the wrong way, or more than twice the step.</source>
         <translation>%1 hält wieder: der Motor lief in die falsche Richtung oder weiter als die doppelte Sprungstrecke.</translation>
     </message>
     <message>
-        <source>The servo swings, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.</source>
+        <source>The servo oscillates, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.</source>
         <translation>Der Servo schwingt, oder etwas anderes dreht den Motor. Kp und Ki senken oder Kd erhöhen, dann den Sprung wiederholen.</translation>
     </message>
     <message>
-        <source>%1 was switched off and is free to turn: it did not calm down after its step.</source>
+        <source>%1 was switched off and is free to turn: it kept oscillating after its step.</source>
         <translation>%1 wurde abgeschaltet und ist frei drehbar: der Motor kam nach dem Sprung nicht zur Ruhe.</translation>
     </message>
     <message>
@@ -2831,23 +2821,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Servo ist mit diesen Reglerwerten nicht stabil. Kp und Ki senken oder Kd erhöhen, die Werte anwenden, dann einschalten.</translation>
     </message>
     <message>
-        <source>%1 does not stand still; its servo stays on.</source>
+        <source>%1 does not come to rest; its servo stays on.</source>
         <translation>%1 steht nicht still; der Servo bleibt ein.</translation>
     </message>
     <message>
-        <source>It swings, or is turned from outside. Lower Kp and Ki, or raise Kd; Motor off ends it at once.</source>
+        <source>It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd; Motor off ends it at once.</source>
         <translation>Der Motor schwingt oder wird von außen gedreht. Kp und Ki senken oder Kd erhöhen; „Motor aus“ beendet es sofort.</translation>
     </message>
     <message>
-        <source>%1 made no whole step: its motor went off by itself, and is free to turn.</source>
+        <source>%1 did not complete its step: its motor switched itself off and is free to turn.</source>
         <translation>%1 hat keinen ganzen Sprung gemacht: der Motor ging von selbst aus und ist frei drehbar.</translation>
     </message>
     <message>
-        <source>The motor was too far from where it should be, or lost its power. Check for a jam, raise EL or make the step shorter, then enable it.</source>
+        <source>The position error was too large, or motor power failed. Check for a jam, raise EL or shorten the step, then enable the motor.</source>
         <translation>Der Motor war zu weit von der Sollposition entfernt oder verlor seine Versorgung. Prüfen, ob etwas klemmt, EL erhöhen oder den Sprung verkleinern, dann einschalten.</translation>
     </message>
     <message>
-        <source>%1 does not answer, so its step is not recorded. Motor state unknown.</source>
+        <source>%1 does not answer, so its step was not recorded. Motor state unknown.</source>
         <translation>%1 antwortet nicht, der Sprung ist daher nicht aufgezeichnet. Motorzustand unbekannt.</translation>
     </message>
     <message>
@@ -2855,15 +2845,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Ein Haltebefehl wurde gesendet. Den Hardware-Stopp benutzen, wenn der Motor sich bewegt.</translation>
     </message>
     <message>
-        <source>%1 was told to hold, and its step is not recorded: the link was in doubt meanwhile.</source>
+        <source>%1 was told to hold, and its step was not recorded: the link was unreliable.</source>
         <translation>%1 bekam einen Haltebefehl, und der Sprung ist nicht aufgezeichnet: die Verbindung war währenddessen zweifelhaft.</translation>
     </message>
     <message>
-        <source>See to the link, then step again.</source>
+        <source>Check the link, then step again.</source>
         <translation>Die Verbindung prüfen, dann den Sprung wiederholen.</translation>
     </message>
     <message>
-        <source>%1 has no step recorded and was told to hold: a command was not carried out, or its answer was lost.</source>
+        <source>%1 was told to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
         <translation>%1 hat keinen Sprung aufgezeichnet und bekam einen Haltebefehl: ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren.</translation>
     </message>
     <message>
@@ -2871,15 +2861,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Meist Störungen auf dem Kabel. Den Sprung wiederholen.</translation>
     </message>
     <message>
-        <source>The motor does not stand still; its servo stays on. Lower the gains, or switch it off.</source>
+        <source>The motor does not come to rest; its servo stays on. Lower the gains, or switch the motor off.</source>
         <translation>Der Motor steht nicht still; sein Servo bleibt ein. Die Reglerwerte senken oder den Motor abschalten.</translation>
     </message>
     <message>
-        <source>The motor swung by more than the whole step and did not calm down, so it was switched off and is free to turn. Lower Kp and Ki, or raise Kd.</source>
+        <source>The motor kept oscillating by more than the whole step. It was switched off and is free to turn. Lower Kp and Ki, or raise Kd.</source>
         <translation>Der Motor schwang um mehr als den ganzen Sprung und kam nicht zur Ruhe; er wurde daher abgeschaltet und ist frei drehbar. Kp und Ki senken oder Kd erhöhen.</translation>
     </message>
     <message>
-        <source>its folder is not there.</source>
+        <source>its folder does not exist.</source>
         <translation>den Ordner gibt es nicht.</translation>
     </message>
     <message>
@@ -2887,11 +2877,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>das ist ein Ordner oder ein Gerät, keine Datei.</translation>
     </message>
     <message>
-        <source>your user account may not write there.</source>
+        <source>your user account has no write access.</source>
         <translation>Ihr Benutzerkonto darf dort nicht schreiben.</translation>
     </message>
     <message>
-        <source>the disk can only be read.</source>
+        <source>the disk is read-only.</source>
         <translation>der Datenträger ist nur lesbar.</translation>
     </message>
     <message>
@@ -2899,7 +2889,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>der Datenträger ist voll.</translation>
     </message>
     <message>
-        <source>the disk takes no larger file.</source>
+        <source>the file is too large for the disk.</source>
         <translation>der Datenträger nimmt keine größere Datei auf.</translation>
     </message>
     <message>
@@ -2911,27 +2901,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>der Datenträger ist zu langsam.</translation>
     </message>
     <message>
-        <source>the disk does not take it.</source>
-        <translation>der Datenträger nimmt sie nicht an.</translation>
+        <source>the disk reported a write error.</source>
+        <translation>der Datenträger meldet einen Schreibfehler.</translation>
     </message>
     <message>
-        <source>the file ends before the names of its columns.</source>
+        <source>the file ends before its column names.</source>
         <translation>die Datei endet vor den Namen ihrer Spalten.</translation>
     </message>
     <message>
-        <source>there is no column %1.</source>
+        <source>column %1 is missing.</source>
         <translation>die Spalte %1 fehlt.</translation>
     </message>
     <message>
-        <source>the line is longer than %1 bytes, as no line of a recording is.</source>
+        <source>the line is longer than %1 bytes, too long for a recording.</source>
         <translation>die Zeile ist länger als %1 Byte, wie keine Zeile einer Aufzeichnung.</translation>
     </message>
     <message>
-        <source>the file ends here, in the middle of the line.</source>
+        <source>the file ends in the middle of this line.</source>
         <translation>die Datei endet hier, mitten in der Zeile.</translation>
     </message>
     <message>
-        <source>there are %1 cells for %2 columns.</source>
+        <source>the line has %1 cells for %2 columns.</source>
         <translation>es sind %1 Zellen für %2 Spalten.</translation>
     </message>
     <message>
@@ -2943,31 +2933,31 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 ist „%2“, und das ist keine Zahl.</translation>
     </message>
     <message>
-        <source>%1 of module %2 goes back.</source>
+        <source>%1 of module %2 goes backwards.</source>
         <translation>%1 von Modul %2 läuft zurück.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is recorded: %2.</source>
+        <source>Recorded &quot;%1&quot;: %2.</source>
         <translation>„%1“ ist aufgezeichnet: %2.</translation>
     </message>
     <message>
-        <source>It is in %1.</source>
+        <source>Saved in %1.</source>
         <translation>Die Datei ist in %1.</translation>
     </message>
     <message>
-        <source>What was written before (%1) is kept.</source>
+        <source>The part written before (%1) is kept.</source>
         <translation>Das zuvor Geschriebene (%1) bleibt erhalten.</translation>
     </message>
     <message>
-        <source>Nothing is kept.</source>
+        <source>Nothing was kept.</source>
         <translation>Nichts bleibt erhalten.</translation>
     </message>
     <message>
-        <source>Recording to &quot;%1&quot; ended: %2</source>
+        <source>Recording to &quot;%1&quot; stopped: %2</source>
         <translation>Die Aufzeichnung in „%1“ ist beendet: %2</translation>
     </message>
     <message>
-        <source>%1 Control goes on. To go on recording, choose another file.</source>
+        <source>%1 Control continues. To continue recording, choose another file.</source>
         <translation>%1 Die Steuerung läuft weiter. Um weiter aufzuzeichnen, eine andere Datei wählen.</translation>
     </message>
     <message>
@@ -2975,23 +2965,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>„%1“ ist keine Aufzeichnung von NMC Panel.</translation>
     </message>
     <message>
-        <source>There is nothing to show of it.</source>
+        <source>It has nothing to show. Choose another file.</source>
         <translation>Davon lässt sich nichts zeigen.</translation>
     </message>
     <message>
-        <source>The scope shows what stands above that line: %1 samples.</source>
-        <translation>Das Oszilloskop zeigt, was über dieser Zeile steht: %1 Messwerte.</translation>
+        <source>The scope shows the samples above that line: %1.</source>
+        <translation>Das Oszilloskop zeigt die Messwerte oberhalb dieser Zeile: %1.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has no samples in it.</source>
+        <source>&quot;%1&quot; contains no samples.</source>
         <translation>„%1“ enthält keine Messwerte.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is saved.</source>
+        <source>Saved &quot;%1&quot;.</source>
         <translation>„%1“ ist gespeichert.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not saved.</source>
+        <source>Could not save &quot;%1&quot;.</source>
         <translation>„%1“ wurde nicht gespeichert.</translation>
     </message>
     <message>
@@ -3007,87 +2997,85 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Stopp aller Motoren</translation>
     </message>
     <message>
-        <source>A step response is for a small move: at most 2000 counts.</source>
+        <source>Too far for a step response: at most 2000 counts.</source>
         <translation>Eine Sprungantwort ist für eine kleine Bewegung: höchstens 2000 Inkremente.</translation>
     </message>
     <message>
-        <source>The step would switch the servo off: right after it the position error is the whole step, which is above the position error limit, or too close to it. Make the step shorter or raise EL.</source>
+        <source>The step is too close to the position error limit and would switch the servo off. Shorten the step or raise EL.</source>
         <translation>Der Sprung würde den Servo abschalten: gleich danach ist der Positionsfehler der ganze Sprung, und der liegt über der Grenze der Regelabweichung oder zu nahe an ihr. Den Sprung verkleinern oder EL erhöhen.</translation>
     </message>
     <message>
-        <source>The goal is beyond the positions the chip can count.</source>
+        <source>The goal is outside the chip&apos;s position range.</source>
         <translation>Das Ziel liegt außerhalb der Positionen, die der Chip zählen kann.</translation>
     </message>
     <message>
-        <source>A record takes from 0.02 s to 3 s.</source>
+        <source>A record must be 0.02 s to 3 s long.</source>
         <translation>Eine Aufzeichnung dauert 0,02 s bis 3 s.</translation>
     </message>
     <message>
-        <source>No motor moves any more. All are told to stop before the port closes.</source>
+        <source>No motor is moving. All are told to stop before the port closes.</source>
         <translation>Kein Motor bewegt sich mehr. Alle erhalten den Stoppbefehl, bevor der Anschluss geschlossen wird.</translation>
     </message>
     <message>
-        <source>Motors were told to stop. Try a lower rate, a shorter cable, or termination at both ends.</source>
+        <source>Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
         <translation>Die Motoren erhielten den Stoppbefehl. Eine niedrigere Rate, ein kürzeres Kabel oder Abschlusswiderstände an beiden Enden versuchen.</translation>
     </message>
     <message>
-        <source>Nothing was lost: wrong answers are recognised and asked for again. Motors are told to stop if it gets worse. Usually noise on the cable.</source>
+        <source>Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.</source>
         <translation>Nichts ging verloren: Falsche Antworten werden erkannt und noch einmal erfragt. Die Motoren erhalten den Stoppbefehl, wenn es schlimmer wird. Meist Störungen auf dem Kabel.</translation>
     </message>
     <message>
-        <source>It listens at 19 200 Bd, where the others&apos; traffic is noise to it: all motors were told to stop, and nothing is sent any more.</source>
-        <translation>Es hört mit 19 200 Bd, wo der Verkehr der anderen für es Rauschen ist: Alle Motoren erhielten den Stoppbefehl, und es wird nichts mehr gesendet.</translation>
+        <source>It listens at 19 200 Bd and may misread the other modules&apos; traffic: all motors were told to stop, and sending has stopped.</source>
+        <translation>Es hört mit 19 200 Bd zu und kann den Verkehr der anderen Module falsch lesen: Alle Motoren sollten anhalten, und es wird nichts mehr gesendet.</translation>
     </message>
     <message>
-        <source>The panel was frozen for %1; motors were told to stop after 2 s.</source>
+        <source>The panel froze for %1; motors were told to stop after 2 s.</source>
         <translation>Das Programm reagierte %1 lang nicht; die Motoren erhielten nach 2 s den Stoppbefehl.</translation>
     </message>
     <message>
-        <source>It was connected to %1, and was killed, or the computer failed. Motor state unknown: look at it before you connect; use the hardware stop if it moves. This is said until the motor was seen at rest.</source>
+        <source>It was connected to %1 and was killed, or the computer failed. Motor state unknown: look at the motor before you connect; use the hardware stop if it moves. This message stays until the motor is seen at rest.</source>
         <translation>Sie war mit %1 verbunden und wurde abgebrochen, oder der Rechner fiel aus. Zustand des Motors unbekannt: vor dem Verbinden nachsehen; den Hardware-Stopp benutzen, wenn er sich bewegt. Das steht hier, bis der Motor stillstehend gesehen wurde.</translation>
     </message>
     <message>
-        <source>I have looked: it stands still</source>
+        <source>I have checked: it is at rest</source>
         <translation>Ich habe nachgesehen: Er steht still</translation>
     </message>
-    <message>
-        <source>Module %1 does not answer</source>
-        <translation>Modul %1 antwortet nicht</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Modules %1 do not answer</source>
-        <translation>Die Module %1 antworten nicht</translation>
+        <translation>
+            <numerusform>Modul %1 antwortet nicht</numerusform>
+            <numerusform>Die Module %1 antworten nicht</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Module %1 was told to stop but was not seen at rest</source>
-        <translation>Modul %1 erhielt den Stoppbefehl, wurde aber nicht stillstehend gesehen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Modules %1 were told to stop but were not seen at rest</source>
-        <translation>Die Module %1 erhielten den Stoppbefehl, wurden aber nicht stillstehend gesehen</translation>
+        <translation>
+            <numerusform>Modul %1 erhielt den Stoppbefehl, wurde aber nicht stillstehend gesehen</numerusform>
+            <numerusform>Die Module %1 erhielten den Stoppbefehl, wurden aber nicht stillstehend gesehen</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The others keep their positions and gains when it is only given its address.</source>
+        <source>You can assign just its address: the other modules keep their positions and gains.</source>
         <translation>Die anderen behalten Position und Reglerwerte, wenn es nur seine Adresse erhält.</translation>
     </message>
     <message>
-        <source>Give module %1 its address</source>
+        <source>Assign the address of module %1</source>
         <translation>Modul %1 seine Adresse geben</translation>
     </message>
     <message>
-        <source>Module %1 has its address again. It is off, at position 0 and without gains.</source>
+        <source>Module %1 has its address again. Its motor is off, its position is 0, and it has no gains.</source>
         <translation>Modul %1 hat seine Adresse wieder. Es ist aus, auf Position 0 und ohne Reglerwerte.</translation>
     </message>
     <message>
-        <source>The other modules are as they were. Send its gains and home it before you use it.</source>
+        <source>The other modules are unchanged. Apply its gains and home it before you use it.</source>
         <translation>Die anderen Module sind, wie sie waren. Vor dem Benutzen seine Reglerwerte senden und die Referenzfahrt machen.</translation>
     </message>
     <message>
-        <source>Module %1 was not given its address. No motor moved by it.</source>
+        <source>Could not assign the address of module %1. No motor was moved.</source>
         <translation>Modul %1 erhielt seine Adresse nicht. Kein Motor bewegte sich dadurch.</translation>
     </message>
     <message>
-        <source>It does not answer. Scan again, or restart the network.</source>
+        <source>The module does not answer. Scan again, or restart the network.</source>
         <translation>Es antwortet nicht. Erneut suchen oder das Netz neu starten.</translation>
     </message>
     <message>
@@ -3099,7 +3087,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>: den Hardware-Stopp benutzen.</translation>
     </message>
     <message>
-        <source>No stop could be confirmed.</source>
+        <source>No stop was confirmed.</source>
         <translation>Kein Stopp konnte bestätigt werden.</translation>
     </message>
     <message>
@@ -3115,8 +3103,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Es steht jetzt.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: the button was held, but the panel was too slow to say so.</source>
-        <translation>Modul %1 erhielt den Stoppbefehl: Der Knopf war gedrückt, aber das Programm war zu langsam, es zu melden.</translation>
+        <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
+        <translation>Modul %1 sollte das Tippen beenden: Das Programm stockte länger als 250 ms.</translation>
     </message>
     <message>
         <source>Module %1 was told to switch off: it moved the wrong way, to %2 counts.</source>
@@ -3127,15 +3115,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 erhielt den Stoppbefehl: Es fuhr über sein Ziel hinaus, bis %2 Inkremente.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: it says that it moves, but reports %2 counts again and again.</source>
+        <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
         <translation>Modul %1 erhielt den Stoppbefehl: Es sagt, dass es sich bewegt, meldet aber immer wieder %2 Inkremente.</translation>
     </message>
     <message>
-        <source>Module %1 limits the current of its motor: overcurrent.</source>
+        <source>Overcurrent: module %1 limits its motor current.</source>
         <translation>Modul %1 begrenzt den Strom seines Motors: Überstrom.</translation>
     </message>
     <message>
-        <source>The motor may not reach its goal, or not hold its load. Check for a jam or too heavy a load, or raise the limit. It says so until the sticky bits are cleared.</source>
+        <source>The motor may fail to reach its goal or hold its load. Check for a jam or too heavy a load, or raise the limit. This message stays until you clear the sticky bits.</source>
         <translation>Vielleicht erreicht der Motor sein Ziel nicht oder hält seine Last nicht. Auf Klemmen oder zu große Last prüfen oder die Grenze erhöhen. Das Modul meldet es, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message>
@@ -3147,107 +3135,105 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Überstrom</translation>
     </message>
     <message>
-        <source>The shaft moves although the motor is off: a load turns it, or it is still running down. No stop holds it; use a brake, or enable the servo.</source>
+        <source>The shaft moves while the motor is off: a load turns it, or it is still coasting. A stop cannot hold it; use a brake, or enable the servo.</source>
         <translation>Die Welle bewegt sich, obwohl der Motor aus ist: Eine Last dreht sie, oder sie läuft noch aus. Kein Stopp hält sie; eine Bremse benutzen oder den Servo einschalten.</translation>
     </message>
     <message>
-        <source>The motor stands, but its current was limited: it may not hold its load. This stays until the sticky bits are cleared.</source>
+        <source>The motor is at rest, but its current was limited: it may not hold its load. This stays until you clear the sticky bits.</source>
         <translation>Der Motor steht, aber sein Strom wurde begrenzt: Vielleicht hält er seine Last nicht. Das bleibt so, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
-    <message>
-        <source>The panel ended without stopping its motors; its guardian told module %1 to stop.</source>
-        <translation>Das Panel endete, ohne seine Motoren anzuhalten; sein Wächter hat Modul %1 angewiesen, anzuhalten.</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>The panel ended without stopping its motors; its guardian told modules %1 to stop.</source>
-        <translation>Das Panel endete, ohne seine Motoren anzuhalten; sein Wächter hat die Module %1 angewiesen, anzuhalten.</translation>
+        <translation>
+            <numerusform>Das Panel endete, ohne seine Motoren anzuhalten; sein Wächter hat Modul %1 angewiesen, anzuhalten.</numerusform>
+            <numerusform>Das Panel endete, ohne seine Motoren anzuhalten; sein Wächter hat die Module %1 angewiesen, anzuhalten.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The program was killed, or it hung. The guardian cannot see whether a motor obeyed: look at it before you connect; use the hardware stop if it moves.</source>
+        <source>The program was killed, or it hung. The guardian cannot see whether a motor stopped: look at the motors before you connect; use the hardware stop if one moves.</source>
         <translation>Das Programm wurde beendet, oder es hing. Der Wächter kann nicht sehen, ob ein Motor gehorcht hat: vor dem Verbinden hinsehen; den Hardware-Stopp benutzen, wenn er sich bewegt.</translation>
     </message>
     <message>
-        <source>The panel stood still while a motor was moving; its guardian told the motors to stop.</source>
+        <source>The panel stalled while a motor was moving; its guardian told the motors to stop.</source>
         <translation>Das Panel stand still, während sich ein Motor bewegte; sein Wächter hat die Motoren angewiesen, anzuhalten.</translation>
     </message>
     <message>
-        <source>The program was halted, or the computer was too busy. Every value is being read again.</source>
+        <source>The program was halted, or the computer was too busy. The panel is reading all values again.</source>
         <translation>Das Programm war angehalten, oder der Rechner war zu beschäftigt. Alle Werte werden neu gelesen.</translation>
     </message>
     <message>
-        <source>Nobody stops the motors if this program is killed: it has no guardian.</source>
+        <source>No guardian: if this program is killed, nothing stops the motors.</source>
         <translation>Niemand hält die Motoren an, wenn dieses Programm abgeschossen wird: Es hat keinen Wächter.</translation>
     </message>
     <message>
-        <source>nmcguard belongs beside this program, and is not there. Install it again. Everything else works.</source>
+        <source>nmcguard is missing from this program&apos;s folder. Reinstall the program. Everything else works.</source>
         <translation>nmcguard gehört neben dieses Programm und ist nicht da. Neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
-        <source>This user may not start nmcguard, which lies beside this program. Everything else works.</source>
-        <translation>Dieser Benutzer darf nmcguard, das neben diesem Programm liegt, nicht starten. Alles andere funktioniert.</translation>
+        <source>Your user account may not start nmcguard in this program&apos;s folder. Reinstall the program. Everything else works.</source>
+        <translation>Das Benutzerkonto darf nmcguard im Ordner dieses Programms nicht starten. Das Programm neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
-        <source>The nmcguard beside this program is of another version. Install both again. Everything else works.</source>
+        <source>nmcguard and this program have different versions. Reinstall both. Everything else works.</source>
         <translation>Das nmcguard neben diesem Programm hat eine andere Version. Beide neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
-        <source>The computer has no memory or no file left for it. Close other programs, then connect again. Everything else works.</source>
+        <source>The computer ran out of memory or open files. Close other programs, then connect again. Everything else works.</source>
         <translation>Der Rechner hat keinen Speicher oder keine Datei mehr dafür frei. Andere Programme schließen, dann neu verbinden. Alles andere funktioniert.</translation>
     </message>
     <message>
-        <source>It has ended by itself. Connect again to start another one. Everything else works.</source>
+        <source>The guardian ended unexpectedly. Connect again to restart it. Everything else works.</source>
         <translation>Er hat sich von selbst beendet. Neu verbinden, um einen anderen zu starten. Alles andere funktioniert.</translation>
     </message>
     <message>
-        <source>These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses its power, a motor that runs keeps running, and no program can stop it. Stop all, and Esc, work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs.</source>
+        <source>These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses power, a running motor keeps running, and no program can stop it. STOP ALL and Esc work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs.</source>
         <translation>Diese Module überwachen die Verbindung nicht: Wenn das Kabel durchtrennt ist, der Adapter hängt oder dieser Rechner seinen Strom verliert, läuft ein laufender Motor weiter, und kein Programm kann ihn anhalten. ALLES STOPP und Esc wirken nur, solange die Verbindung besteht. Ein Wächter hält die Motoren an, wenn dieses Programm abgeschossen wird, abstürzt oder hängt.</translation>
     </message>
     <message>
-        <source>--read-only needs something to look at: --port or --simulator.</source>
+        <source>--read-only requires --port or --simulator.</source>
         <translation>--read-only braucht etwas zum Ansehen: --port oder --simulator.</translation>
     </message>
     <message>
-        <source>Module %1 of the chain known here does not answer. Motor state unknown.</source>
+        <source>Module %1 of this chain does not answer. Motor state unknown.</source>
         <translation>Modul %1 der hier bekannten Kette antwortet nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
-        <source>Its place is kept for it. Usually its power or the plug next to it; it is asked again all the time. If it was taken out on purpose, work with the others: then it is forgotten.</source>
-        <translation>Sein Platz bleibt ihm. Meist liegt es an seiner Versorgung oder am Stecker daneben; es wird laufend wieder gefragt. Wurde es absichtlich entfernt, mit den anderen arbeiten: Dann wird es vergessen.</translation>
+        <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it.</source>
+        <translation>Versorgung und Stecker daneben prüfen; das Programm versucht es weiter. Wurde es absichtlich entfernt, mit den anderen arbeiten: Dann wird es vergessen.</translation>
     </message>
     <message>
-        <source>A motor is moving, so the chain stays as it is known.</source>
+        <source>A motor is moving, so the chain was not changed.</source>
         <translation>Ein Motor ist in Bewegung, die Kette bleibt daher, wie sie bekannt ist.</translation>
     </message>
     <message>
-        <source>To forget a module, the chain is looked for anew. Stop all motors, then try again.</source>
+        <source>Forgetting a module rescans the chain. Stop all motors, then try again.</source>
         <translation>Um ein Modul zu vergessen, wird die Kette neu gesucht. Alle Motoren anhalten, dann noch einmal versuchen.</translation>
     </message>
     <message>
-        <source>Looking at %1 read-only: %2 at %3 Bd, left as they were.</source>
+        <source>Connected to %1 read-only: %2 at %3 Bd, left running.</source>
         <translation>Nur lesend an %1: %2 bei %3 Bd, unverändert gelassen.</translation>
     </message>
     <message>
-        <source>What they are doing goes on, also when this connection ends. Nothing is sent but questions; STOP ALL acts.</source>
+        <source>The modules carry on, even after you disconnect. Only status requests are sent. STOP ALL still works.</source>
         <translation>Was sie tun, geht weiter, auch wenn diese Verbindung endet. Außer Fragen wird nichts gesendet; ALLES STOPP wirkt.</translation>
     </message>
     <message>
-        <source>A port is open already.</source>
+        <source>A port is already open.</source>
         <translation>Ein Port ist schon offen.</translation>
     </message>
     <message>
-        <source>Disconnect first; closing it may stop motors. Then look again.</source>
+        <source>Disconnect first, then try again. Closing the port may stop motors.</source>
         <translation>Zuerst trennen; das Schließen hält Motoren unter Umständen an. Dann noch einmal ansehen.</translation>
     </message>
-    <message>
-        <source>Motor %1 was moving, at %2.</source>
-        <translation>Motor %1 war in Bewegung, an %2.</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Motors %1 were moving, at %2.</source>
-        <translation>Die Motoren %1 waren in Bewegung, an %2.</translation>
+        <translation>
+            <numerusform>Motor %1 war in Bewegung, an %2.</numerusform>
+            <numerusform>Die Motoren %1 waren in Bewegung, an %2.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>This is said until the motor was seen at rest.</source>
+        <source>This message stays until the motor is seen at rest.</source>
         <translation>Diese Meldung bleibt, bis der Motor im Stillstand gesehen wurde.</translation>
     </message>
     <message>
@@ -3259,55 +3245,54 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Erst ansehen (nur lesen)</translation>
     </message>
     <message>
-        <source>This connection is read-only: nothing is sent but questions. Connect fully first.</source>
-        <translation>Diese Verbindung ist nur zum Lesen: Außer Fragen wird nichts gesendet. Zuerst voll verbinden.</translation>
+        <source>This connection is read-only. Connect fully first.</source>
+        <translation>Diese Verbindung ist nur zum Lesen. Zuerst voll verbinden.</translation>
     </message>
     <message>
         <source>Connected to %1 at %2 Bd, %3, read-only</source>
         <translation>Verbunden mit %1 bei %2 Bd, %3, nur lesend</translation>
     </message>
     <message>
-        <source>Only the echo of the adapter at %1 came back: no module answered.</source>
+        <source>Only the adapter&apos;s echo came back from %1: no module answered.</source>
         <translation>Nur das Echo des Adapters an %1 kam zurück: kein Modul hat geantwortet.</translation>
     </message>
     <message>
-        <source>The echo itself does no harm. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; that the transmit pair of the modules is wired to the adapter, too.</source>
+        <source>The echo is harmless. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the modules&apos; transmit pair is wired to the adapter.</source>
         <translation>Das Echo selbst schadet nicht. In dieser Reihenfolge prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses verbirgt alle Module; ob auch das Sendepaar der Module am Adapter angeschlossen ist.</translation>
     </message>
     <message>
-        <source>The adapter at %1 returns what is sent to it. The panel ignores it.</source>
+        <source>The adapter at %1 echoes everything it sends. The panel ignores the echo.</source>
         <translation>Der Adapter an %1 gibt zurück, was ihm gesendet wird. Das Programm lässt das unbeachtet.</translation>
     </message>
     <message>
-        <source>That is how a 2-wire adapter works. Nothing needs to be done.</source>
+        <source>This is normal for a 2-wire adapter. No action needed.</source>
         <translation>So arbeitet ein Zweidraht-Adapter. Es ist nichts zu tun.</translation>
     </message>
     <message>
-        <source>not behind the exact echo of its command</source>
+        <source>no exact echo of the command before it</source>
         <translation>nicht hinter dem genauen Echo des Befehls</translation>
     </message>
     <message>
-        <source>Somebody else is sending on this line.</source>
+        <source>Another host is sending on this line.</source>
         <translation>Jemand anders sendet auf dieser Leitung.</translation>
     </message>
-    <message>
-        <source>Module %1 was told to stop.</source>
-        <translation>Modul %1 hat den Stoppbefehl bekommen.</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Modules %1 were told to stop.</source>
-        <translation>Die Module %1 haben den Stoppbefehl bekommen.</translation>
+        <translation>
+            <numerusform>Modul %1 hat den Stoppbefehl bekommen.</numerusform>
+            <numerusform>Die Module %1 haben den Stoppbefehl bekommen.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Modules answer commands that did not come from here; what was under way here was cancelled. End the other program, or take its computer off the line, before you go on.</source>
+        <source>Modules answer commands that this panel did not send; running tasks were cancelled. Close the other program, or disconnect its computer from the line, before you continue.</source>
         <translation>Module antworten auf Befehle, die nicht von hier kamen; was hier im Gang war, wurde abgebrochen. Das andere Programm beenden oder seinen Rechner von der Leitung nehmen, bevor es weitergeht.</translation>
     </message>
     <message>
-        <source>Module %1 moves, and not because of this panel.</source>
+        <source>Module %1 moves without a command from this panel.</source>
         <translation>Modul %1 bewegt sich, und nicht durch dieses Programm.</translation>
     </message>
     <message>
-        <source>Another host on this line has started it, or a load drives it. The panel leaves it alone unless you stop it; that host may start it again.</source>
+        <source>Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again.</source>
         <translation>Ein anderer Rechner auf dieser Leitung hat es gestartet, oder eine Last treibt es. Das Programm greift nicht ein, solange Sie es nicht stoppen; es kann von dort wieder gestartet werden.</translation>
     </message>
     <message>
@@ -3315,35 +3300,35 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>ALLES STOPP</translation>
     </message>
     <message>
-        <source>Where home is, is not known: search for it, or save it.</source>
+        <source>Home is unknown: search for it, or save it.</source>
         <translation>Wo die Referenz liegt, ist nicht bekannt: suchen oder speichern.</translation>
     </message>
     <message>
-        <source>It rests %1 off its home, and zero would be off by as much: friction keeps it there. Raise Ki and IL on the page Gains, or clear &quot;Make it zero&quot; on the page Homing. What is close enough follows from the unit on the page Axis.</source>
+        <source>Friction holds it %1 off home, too far to set the position to 0. Raise Ki and IL on the Gains page, or clear &quot;Set position to 0&quot; on the Homing page. The tolerance follows from the unit on the Axis page.</source>
         <translation>Der Motor ruht %1 neben seiner Referenz, und null läge ebenso weit daneben: Reibung hält ihn dort. Ki und IL auf der Seite Reglerwerte erhöhen oder „Auf null setzen“ auf der Seite Referenzsuche abwählen. Was nah genug ist, folgt aus der Einheit auf der Seite Achse.</translation>
     </message>
     <message>
-        <source>%1 has no verdict on its direction, and its motor is off.</source>
+        <source>Direction check of %1 inconclusive; its motor is off.</source>
         <translation>%1: kein Ergebnis zur Drehrichtung, und der Motor ist aus.</translation>
     </message>
     <message>
-        <source>%1 has no verdict on its direction, and its motor was told to switch off.</source>
+        <source>Direction check of %1 inconclusive; its motor was told to switch off.</source>
         <translation>%1: kein Ergebnis zur Drehrichtung, und der Motor wurde angewiesen, sich abzuschalten.</translation>
     </message>
     <message>
-        <source>It was turned farther than the check allows: something else turns it, or it runs on for long. See that it stands still, then check again.</source>
+        <source>It turned farther than the check allows: something else turns it, or it coasts for long. Wait until it is at rest, then check again.</source>
         <translation>Er wurde weiter gedreht, als die Prüfung erlaubt: Etwas anderes dreht ihn, oder er läuft lange nach. Dafür sorgen, dass er stillsteht, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>It does not stand still although nothing drives it. See what turns it, then check again.</source>
+        <source>It does not come to rest although nothing drives it. Find what turns it, then check again.</source>
         <translation>Er steht nicht still, obwohl ihn nichts antreibt. Nachsehen, was ihn dreht, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>The link was in doubt meanwhile. See to the link, then check again.</source>
+        <source>The link was unreliable. Check the link, then repeat the direction check.</source>
         <translation>Die Verbindung war unterdessen zweifelhaft. Die Verbindung in Ordnung bringen, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>%1 has no verdict on its direction and does not answer. Motor state unknown.</source>
+        <source>Direction check of %1 inconclusive: it does not answer. Motor state unknown.</source>
         <translation>%1: kein Ergebnis zur Drehrichtung, und das Modul antwortet nicht. Zustand des Motors unbekannt.</translation>
     </message>
     <message>
@@ -3351,11 +3336,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Er wurde angewiesen, sich abzuschalten. Den Hardware-Not-Halt benutzen, falls er sich bewegt.</translation>
     </message>
     <message>
-        <source>A command was not carried out, or its answer was lost. Check again.</source>
+        <source>A command failed, or its answer was lost. Repeat the direction check.</source>
         <translation>Ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren. Erneut prüfen.</translation>
     </message>
     <message>
-        <source>%1: motor and encoder go the same way.</source>
+        <source>%1: motor and encoder directions match.</source>
         <translation>%1: Motor und Encoder laufen in dieselbe Richtung.</translation>
     </message>
     <message>
@@ -3363,7 +3348,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1: Motor oder Encoder ist vertauscht. Nicht einschalten.</translation>
     </message>
     <message>
-        <source>%1 did not move when it was pushed.</source>
+        <source>%1 did not move when pushed.</source>
         <translation>%1 hat sich beim Anstoßen nicht bewegt.</translation>
     </message>
     <message>
@@ -3371,95 +3356,95 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 hat einen Endschalter geschlossen und wurde deshalb nicht weiter angestoßen.</translation>
     </message>
     <message>
-        <source>%1 lost its motor power while it was pushed.</source>
+        <source>%1 lost motor power while being pushed.</source>
         <translation>%1 hat beim Anstoßen die Motorversorgung verloren.</translation>
     </message>
     <message>
-        <source>%1 did not move one way and the other.</source>
+        <source>%1 did not move in both directions.</source>
         <translation>%1 hat sich nicht hin und her bewegt.</translation>
     </message>
     <message>
-        <source>It rests %1 off its home, and is zero there.</source>
+        <source>It rests %1 off home; its position is 0 there.</source>
         <translation>Der Motor ruht %1 neben seiner Referenz, und dort ist null.</translation>
     </message>
     <message>
-        <source>It rests too far from its home for a zero. See Ki and IL on the page Gains.</source>
+        <source>It rests too far from home to set the position to 0. Raise Ki and IL on the Gains page.</source>
         <translation>Der Motor ruht zu weit neben seiner Referenz für ein Nullsetzen. Siehe Ki und IL auf der Seite Reglerwerte.</translation>
     </message>
     <message>
-        <source>All right: driven forward it counts up, in reverse down. It can be enabled.</source>
+        <source>OK: it counts up when driven forward and down in reverse. You can enable it.</source>
         <translation>In Ordnung: Vorwärts angetrieben zählt er aufwärts, rückwärts abwärts. Er kann eingeschaltet werden.</translation>
     </message>
     <message>
-        <source>Reversed: driven forward it counts down. Enabled like this it would run away. Swap the motor&apos;s two leads, or the encoder&apos;s A and B, then check again.</source>
+        <source>Reversed: it counts down when driven forward and would run away when enabled. Swap the two motor leads, or encoder A and B, then check again.</source>
         <translation>Vertauscht: Vorwärts angetrieben zählt er abwärts. So eingeschaltet würde er davonlaufen. Die beiden Motorleitungen oder A und B des Encoders vertauschen, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>No movement with %1 % of the supply, and motor power is there: look for a jam or a brake, at the cables of motor and encoder, or for a load that is too heavy.</source>
+        <source>No movement at %1 % of the supply, with motor power present. Check for a jam, a brake or too heavy a load, and check the motor and encoder cables.</source>
         <translation>Keine Bewegung mit %1 % der Versorgung, und die Motorversorgung ist da: nach einer Blockade oder Bremse, nach den Kabeln von Motor und Encoder oder nach einer zu schweren Last sehen.</translation>
     </message>
     <message>
-        <source>A limit input is active: it may stand in a switch that takes its power away.</source>
-        <translation>Ein Endschaltereingang ist aktiv: Vielleicht steht er in einem Schalter, der ihm den Strom nimmt.</translation>
+        <source>A limit switch is active: it may cut the motor&apos;s power.</source>
+        <translation>Ein Endschalter ist aktiv: Er könnte dem Motor die Versorgung nehmen.</translation>
     </message>
     <message>
-        <source>Limit 1 closed on the way.</source>
+        <source>Limit switch 1 closed during the move.</source>
         <translation>Endschalter 1 hat unterwegs geschlossen.</translation>
     </message>
     <message>
-        <source>Limit 2 closed on the way.</source>
+        <source>Limit switch 2 closed during the move.</source>
         <translation>Endschalter 2 hat unterwegs geschlossen.</translation>
     </message>
     <message>
-        <source>Turn the motor away from its end by hand, then check again.</source>
+        <source>Turn the motor away from the end of its travel by hand, then check again.</source>
         <translation>Den Motor von Hand vom Ende wegdrehen, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>Motor power went away. Switch it on, then check again.</source>
+        <source>Motor power failed. Switch it on, then check again.</source>
         <translation>Die Motorversorgung ist ausgefallen. Einschalten, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>Not clear: it moved one way only, or the same way twice. Something blocks or turns it. Turn it away from its end by hand, take the load off, then check again.</source>
+        <source>Unclear: it moved in one direction only, or twice in the same direction. Something blocks or turns it. Remove the load, turn the motor away from the end of its travel by hand, then check again.</source>
         <translation>Nicht eindeutig: Er bewegte sich nur in eine Richtung oder zweimal in dieselbe. Etwas blockiert oder dreht ihn. Von Hand vom Ende wegdrehen, die Last abnehmen, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>Check for a jam, or raise EL on the page Gains.</source>
+        <source>Check for a jam, or raise EL on the Gains page.</source>
         <translation>Auf eine Blockade prüfen oder EL auf der Seite Reglerwerte erhöhen.</translation>
     </message>
     <message>
-        <source>It ran away from where it was told to be: motor or encoder is probably reversed. Make the direction check on the page Axis before you enable it again.</source>
+        <source>It ran away from its goal: motor or encoder is probably reversed. Run the direction check on the Axis page before you enable it again.</source>
         <translation>Er ist von seiner Sollposition davongelaufen: Motor oder Encoder ist wahrscheinlich vertauscht. Vor dem erneuten Einschalten die Richtungsprüfung auf der Seite Achse machen.</translation>
     </message>
     <message>
-        <source>It was driven and did not move: look for a jam, a brake or an end stop, and at the motor&apos;s cable. If it is only hard to turn, raise OL on the page Gains.</source>
+        <source>It was driven but did not move: check for a jam, a brake or a hard stop, and check the motor cable. If it is only hard to turn, raise OL on the Gains page.</source>
         <translation>Er wurde angetrieben und hat sich nicht bewegt: nach einer Blockade, einer Bremse, einem Anschlag und nach dem Motorkabel sehen. Ist er nur schwergängig, OL auf der Seite Reglerwerte erhöhen.</translation>
     </message>
     <message>
-        <source>Limit 1 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.</source>
+        <source>Limit switch 1 closed: it is probably at the end of its travel. Move it the other way. To stop in time, arm a limit stop on the Homing page.</source>
         <translation>Endschalter 1 hat unterwegs geschlossen: Er ist wahrscheinlich am Ende seines Wegs. In die andere Richtung fahren; ein Endschalter-Stopp auf der Seite Referenzsuche beendet eine Bewegung rechtzeitig.</translation>
     </message>
     <message>
-        <source>Limit 2 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.</source>
+        <source>Limit switch 2 closed: it is probably at the end of its travel. Move it the other way. To stop in time, arm a limit stop on the Homing page.</source>
         <translation>Endschalter 2 hat unterwegs geschlossen: Er ist wahrscheinlich am Ende seines Wegs. In die andere Richtung fahren; ein Endschalter-Stopp auf der Seite Referenzsuche beendet eine Bewegung rechtzeitig.</translation>
     </message>
     <message>
-        <source>It moved as it was told, and could not keep up: lower its velocity or acceleration, or raise OL and EL on the page Gains.</source>
+        <source>It moved correctly but could not keep up: lower its velocity or acceleration, or raise OL and EL on the Gains page.</source>
         <translation>Er bewegte sich wie verlangt und kam nicht nach: Geschwindigkeit oder Beschleunigung senken oder OL und EL auf der Seite Reglerwerte erhöhen.</translation>
     </message>
     <message>
-        <source>Limit %1 of module %2 closed while its motor was moving.</source>
+        <source>Limit switch %1 of module %2 closed while its motor was moving.</source>
         <translation>Endschalter %1 von Modul %2 hat geschlossen, während sich der Motor bewegte.</translation>
     </message>
     <message>
-        <source>The module lets its motor go no farther that way while the switch is closed. Move it the other way.</source>
+        <source>While the switch is closed, the module blocks this direction. Move the motor the other way.</source>
         <translation>Das Modul lässt den Motor in dieser Richtung nicht weiter, solange der Schalter geschlossen ist. In die andere Richtung fahren.</translation>
     </message>
     <message>
-        <source>Limit %1 of module %2 closed while its motor was moving, and does not stop it.</source>
+        <source>Limit switch %1 of module %2 closed while its motor was moving, but does not stop it.</source>
         <translation>Endschalter %1 von Modul %2 hat geschlossen, während sich der Motor bewegte, und stoppt ihn nicht.</translation>
     </message>
     <message>
-        <source>A PIC-SERVO stops at a limit by itself only where a limit stop is armed, and none was there. Stop it, then move it the other way; the page Homing arms a limit stop.</source>
+        <source>A PIC-SERVO stops at a limit switch only while a limit stop is armed. Stop the motor, then move it the other way. Arm a limit stop on the Homing page.</source>
         <translation>Ein PIC-SERVO stoppt an einem Endschalter nur dann von selbst, wenn ein Endschalter-Stopp scharf ist, und hier war keiner scharf. Motor stoppen, dann in die andere Richtung fahren; die Seite Referenzsuche schaltet einen Endschalter-Stopp scharf.</translation>
     </message>
     <message>
@@ -3471,11 +3456,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Endschalter-Stopp von Modul %1 hat den Motor gestoppt.</translation>
     </message>
     <message>
-        <source>It acts once, and is not armed any more. Move the motor off the switch, then arm it again on the page Homing, or disarm it there.</source>
+        <source>A limit stop acts once. Move the motor off the switch, then arm or disarm the limit stop on the Homing page.</source>
         <translation>Er wirkt einmal und ist nicht mehr scharf. Den Motor vom Schalter wegfahren, dann auf der Seite Referenzsuche wieder scharf schalten oder dort entschärfen.</translation>
     </message>
     <message>
-        <source>%1 is being saved. The window closes as soon as the disk has it.</source>
+        <source>Saving %1. The window closes when it is saved.</source>
         <translation>%1 wird gespeichert. Das Fenster schließt sich, sobald es auf dem Datenträger ist.</translation>
     </message>
     <message>
@@ -3487,7 +3472,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Motorzustand unbekannt: %1 waren in Bewegung.</translation>
     </message>
     <message>
-        <source>Left to the operator</source>
+        <source>Allowed to the operator</source>
         <translation>Dem Bediener überlassen</translation>
     </message>
     <message>
@@ -3511,79 +3496,79 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Ausgänge</translation>
     </message>
     <message>
-        <source>Module %1 stood %2 from home when it was seen last.</source>
+        <source>Module %1 was %2 from home when last seen.</source>
         <translation>Modul %1 stand %2 von der Referenz entfernt, als es zuletzt gesehen wurde.</translation>
     </message>
     <message>
-        <source>That was on %1; a search had found that home. If nothing has moved the axis since, home can be taken from that: not verified, until a search finds it.</source>
+        <source>That was on %1; a search had found home. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.</source>
         <translation>Das war am %1; die Referenz hatte eine Suche gefunden. Hat seither nichts die Achse bewegt, kann sie daraus übernommen werden: nicht bestätigt, bis eine Suche sie findet.</translation>
     </message>
     <message>
-        <source>That was on %1; that home had been saved. If nothing has moved the axis since, home can be taken from that: not verified, until a search finds it.</source>
+        <source>That was on %1; home had been saved. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.</source>
         <translation>Das war am %1; die Referenz war gespeichert worden. Hat seither nichts die Achse bewegt, kann sie daraus übernommen werden: nicht bestätigt, bis eine Suche sie findet.</translation>
     </message>
     <message>
-        <source>Take home from that</source>
-        <translation>Referenz daraus übernehmen</translation>
+        <source>Restore home</source>
+        <translation>Referenz wiederherstellen</translation>
     </message>
     <message>
-        <source>Forget it</source>
-        <translation>Vergessen</translation>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Messages are not kept beyond this session.</source>
+        <source>Messages are lost when this session ends.</source>
         <translation>Meldungen werden nicht über diese Sitzung hinaus aufbewahrt.</translation>
     </message>
     <message>
-        <source>%1 cannot be written. Everything else works; the list of messages has an export.</source>
+        <source>%1 is not writable. Everything else works. To keep messages, export the message list.</source>
         <translation>%1 kann nicht geschrieben werden. Alles andere geht; die Liste der Meldungen lässt sich exportieren.</translation>
     </message>
     <message>
-        <source>Limit %1 of module %2 stopped its motor.</source>
+        <source>Limit switch %1 of module %2 stopped its motor.</source>
         <translation>Endschalter %1 von Modul %2 hat seinen Motor angehalten.</translation>
     </message>
     <message>
-        <source>The E-stop input of module %1 is active: its motor is on, and does not move.</source>
+        <source>The E-stop input of module %1 is active: its motor is on but cannot move.</source>
         <translation>Der E-Stop-Eingang von Modul %1 ist aktiv: Sein Motor ist an und bewegt sich nicht.</translation>
     </message>
     <message>
-        <source>Release the input; nothing moves by that.</source>
+        <source>Release the input. This does not start a motion.</source>
         <translation>Geben Sie den Eingang frei; dadurch bewegt sich nichts.</translation>
     </message>
     <message>
-        <source>The panel is in operator mode, and this is not left to the operator.</source>
-        <translation>Das Programm ist im Bedienermodus, und dies ist dem Bediener nicht überlassen.</translation>
+        <source>Not allowed in operator mode. Leave operator mode first.</source>
+        <translation>Im Bedienermodus nicht erlaubt. Zuerst den Bedienermodus verlassen.</translation>
     </message>
     <message>
-        <source>A trapezoidal move is loaded first and then started by Start, so that a garbled load never moves anything.</source>
-        <translation>Eine Trapezfahrt wird zuerst geladen und dann mit „Starten“ gestartet, damit ein gestörter Ladebefehl nie etwas bewegt.</translation>
+        <source>Load a trapezoidal move first, then choose Start: this way a garbled load never moves the motor.</source>
+        <translation>Eine Trapezbewegung zuerst laden, dann „Starten“ wählen: So bewegt ein gestörter Ladebefehl nie den Motor.</translation>
     </message>
     <message>
         <source>it has no name.</source>
         <translation>der Name fehlt.</translation>
     </message>
     <message>
-        <source>the name &quot;%1&quot; is taken already.</source>
+        <source>the name &quot;%1&quot; is already used.</source>
         <translation>der Name „%1“ ist schon vergeben.</translation>
     </message>
     <message>
-        <source>module %1 is there twice.</source>
+        <source>module %1 appears twice.</source>
         <translation>Modul %1 kommt zweimal vor.</translation>
     </message>
     <message>
-        <source>there is no point &quot;%1&quot;.</source>
+        <source>point &quot;%1&quot; does not exist.</source>
         <translation>es gibt keinen Punkt „%1“.</translation>
     </message>
     <message>
-        <source>there is no sequence &quot;%1&quot;.</source>
+        <source>sequence &quot;%1&quot; does not exist.</source>
         <translation>es gibt keinen Ablauf „%1“.</translation>
     </message>
     <message>
-        <source>by this row the sequence &quot;%1&quot; would call itself and never end.</source>
+        <source>this row makes the sequence &quot;%1&quot; call itself endlessly.</source>
         <translation>mit dieser Zeile würde der Ablauf „%1“ sich selbst aufrufen und nie enden.</translation>
     </message>
     <message>
-        <source>a repeat goes back to a row above it.</source>
+        <source>a repeat must go back to an earlier row.</source>
         <translation>eine Wiederholung springt zu einer Zeile über ihr zurück.</translation>
     </message>
     <message>
@@ -3599,36 +3584,36 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Ablauf %1</translation>
     </message>
     <message>
-        <source>It has no name.</source>
-        <translation>Der Name fehlt.</translation>
+        <source>Enter a name.</source>
+        <translation>Einen Namen eingeben.</translation>
     </message>
     <message>
-        <source>The name &quot;%1&quot; is taken already.</source>
-        <translation>Der Name „%1“ ist schon vergeben.</translation>
+        <source>The name &quot;%1&quot; is already used. Choose another one.</source>
+        <translation>Der Name „%1“ ist schon vergeben. Einen anderen wählen.</translation>
     </message>
     <message>
-        <source>%1 is in point &quot;%2&quot; twice.</source>
+        <source>Point &quot;%2&quot; contains %1 twice.</source>
         <translation>%1 kommt im Punkt „%2“ zweimal vor.</translation>
     </message>
     <message>
-        <source>There is no point &quot;%1&quot;.</source>
+        <source>Point &quot;%1&quot; does not exist.</source>
         <translation>Es gibt keinen Punkt „%1“.</translation>
     </message>
     <message>
-        <source>There is no sequence &quot;%1&quot;.</source>
+        <source>Sequence &quot;%1&quot; does not exist.</source>
         <translation>Es gibt keinen Ablauf „%1“.</translation>
     </message>
     <message>
-        <source>The sequence &quot;%1&quot; would call itself and never end.</source>
+        <source>The sequence &quot;%1&quot; would call itself endlessly.</source>
         <translation>Der Ablauf „%1“ würde sich selbst aufrufen und nie enden.</translation>
     </message>
     <message>
-        <source>A repeat goes back to a row above it.</source>
+        <source>A repeat must go back to an earlier row.</source>
         <translation>Eine Wiederholung springt zu einer Zeile über ihr zurück.</translation>
     </message>
     <message>
-        <source>The sequence has no rows.</source>
-        <translation>Der Ablauf hat keine Zeilen.</translation>
+        <source>The sequence has no rows. Add a row first.</source>
+        <translation>Der Ablauf hat keine Zeilen. Zuerst eine Zeile hinzufügen.</translation>
     </message>
     <message>
         <source>Point &quot;%1&quot; has no axes. Teach it again.</source>
@@ -3643,47 +3628,47 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1 was taught in point &quot;%2&quot; before its home was known, so the place may be another one now. Teach it again.</source>
+        <source>Point &quot;%2&quot; was taught before home of %1 was known, so it may have shifted. Teach it again.</source>
         <translation>%1 wurde im Punkt „%2“ geteacht, bevor seine Referenz bekannt war; die Stelle kann jetzt eine andere sein. Den Punkt neu teachen.</translation>
     </message>
     <message>
-        <source>%1 has not been told how to find its home. See its page Homing.</source>
-        <translation>Für %1 ist nicht festgelegt, wie die Referenz gesucht wird. Siehe dort die Seite Referenzsuche.</translation>
+        <source>Homing of %1 is not set up. Set it up on its Homing page.</source>
+        <translation>Für %1 ist keine Referenzsuche eingerichtet. Auf der Seite Referenzsuche einrichten.</translation>
     </message>
     <message>
         <source>%1 does not have this input or output.</source>
         <translation>%1 hat diesen Ein- oder Ausgang nicht.</translation>
     </message>
     <message>
-        <source>This limit pin of %1 is an output, so it tells nothing.</source>
+        <source>This limit pin of %1 is set as an output.</source>
         <translation>Dieser Endschalteranschluss von %1 ist ein Ausgang und sagt daher nichts.</translation>
     </message>
     <message>
-        <source>This limit pin of %1 is not known to be an output. See its page I/O.</source>
+        <source>This limit pin of %1 is not set as an output. Set it on the I/O page.</source>
         <translation>Von diesem Endschalteranschluss von %1 ist nicht bekannt, dass er ein Ausgang ist. Siehe dort die Seite E/A.</translation>
     </message>
     <message>
-        <source>The outputs of %1 are not known. Set them once on its page I/O.</source>
+        <source>The outputs of %1 are unknown. Set them once on its I/O page.</source>
         <translation>Die Ausgänge von %1 sind nicht bekannt. Sie dort einmal auf der Seite E/A setzen.</translation>
     </message>
     <message>
-        <source>A run from the top never comes here: a repeat for ever stands above.</source>
+        <source>A run from the top never gets here: an earlier row repeats forever.</source>
         <translation>Ein Lauf von oben kommt nie hierher: darüber steht eine endlose Wiederholung.</translation>
     </message>
     <message>
-        <source>A run from the top would have %1 at its home here. Move it there first.</source>
+        <source>At this row, %1 must be at home. Move it there first.</source>
         <translation>Bei einem Lauf von oben stünde %1 hier an seiner Referenz. Erst dorthin fahren.</translation>
     </message>
     <message>
-        <source>A run from the top would have %1 at point &quot;%2&quot; here. Move it there first.</source>
+        <source>At this row, %1 must be at point &quot;%2&quot;. Move it there first.</source>
         <translation>Bei einem Lauf von oben stünde %1 hier am Punkt „%2“. Erst dorthin fahren.</translation>
     </message>
     <message>
-        <source>A run from the top would have set output %1 of %2 otherwise here. Set it first.</source>
-        <translation>Bei einem Lauf von oben wäre Ausgang %1 von %2 hier anders gesetzt. Ihn erst setzen.</translation>
+        <source>At this row, output %1 of %2 must be switched over. Set it first.</source>
+        <translation>In dieser Zeile muss Ausgang %1 von %2 umgeschaltet sein. Zuerst setzen.</translation>
     </message>
     <message>
-        <source>You have stopped it.</source>
+        <source>You stopped it.</source>
         <translation>Sie haben ihn gestoppt.</translation>
     </message>
     <message>
@@ -3691,31 +3676,31 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Alle Motoren wurden gestoppt.</translation>
     </message>
     <message>
-        <source>%1 was told something else, or was moved by somebody else.</source>
+        <source>%1 received another command, or something else moved it.</source>
         <translation>%1 bekam einen anderen Befehl oder wurde von anderer Seite bewegt.</translation>
     </message>
     <message>
-        <source>A limit switch of %1 closed on the way.</source>
+        <source>A limit switch of %1 closed during the move.</source>
         <translation>Ein Endschalter von %1 schloss unterwegs.</translation>
     </message>
     <message>
-        <source>%1 stopped before it was there.</source>
+        <source>%1 stopped before it reached its goal.</source>
         <translation>%1 blieb vor dem Ziel stehen.</translation>
     </message>
     <message>
-        <source>The motor of %1 went off.</source>
+        <source>The motor of %1 switched off.</source>
         <translation>Der Motor von %1 ging aus.</translation>
     </message>
     <message>
-        <source>The input of %1 that it waited for did not come in time.</source>
-        <translation>Der Eingang von %1, auf den gewartet wurde, kam nicht rechtzeitig.</translation>
+        <source>The input of %1 did not change in time.</source>
+        <translation>Der Eingang von %1 hat sich nicht rechtzeitig geändert.</translation>
     </message>
     <message>
-        <source>%1 has not found its home.</source>
+        <source>%1 did not find home.</source>
         <translation>%1 hat die Referenz nicht gefunden.</translation>
     </message>
     <message>
-        <source>The link was in doubt.</source>
+        <source>The link was unreliable.</source>
         <translation>Die Verbindung war zweifelhaft.</translation>
     </message>
     <message>
@@ -3723,7 +3708,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 antwortet nicht.</translation>
     </message>
     <message>
-        <source>A command to %1 was refused or not answered.</source>
+        <source>%1 refused or did not answer a command.</source>
         <translation>Ein Befehl an %1 wurde abgelehnt oder nicht beantwortet.</translation>
     </message>
     <message>
@@ -3799,7 +3784,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1: %2 von der Referenz</translation>
     </message>
     <message>
-        <source>%1: at %2, home not known</source>
+        <source>%1: at %2, home unknown</source>
         <translation>%1: bei %2, Referenz unbekannt</translation>
     </message>
     <message>
@@ -3807,11 +3792,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1, Zeile %2: %3</translation>
     </message>
     <message>
-        <source>Runs: %1</source>
+        <source>Running: %1</source>
         <translation>Läuft: %1</translation>
     </message>
     <message>
-        <source>Finishes its row, then pauses: %1</source>
+        <source>Finishing its row, then pausing: %1</source>
         <translation>Beendet die Zeile und pausiert dann: %1</translation>
     </message>
     <message>
@@ -3823,11 +3808,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Stoppt: %1</translation>
     </message>
     <message>
-        <source>Paused by a doubt, motors stopped: %1. %2</source>
+        <source>Paused on a fault, motors stopped: %1. %2</source>
         <translation>Aus Zweifel pausiert, Motoren gestoppt: %1. %2</translation>
     </message>
     <message>
-        <source>Over: %1. %2</source>
+        <source>Ended: %1. %2</source>
         <translation>Zu Ende: %1. %2</translation>
     </message>
     <message>
@@ -3839,11 +3824,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 pausiert; die Motoren bekamen den Stoppbefehl.</translation>
     </message>
     <message>
-        <source>%1 has ended, and its motors were told to stop.</source>
+        <source>%1 ended, and its motors were told to stop.</source>
         <translation>%1 wurde beendet; die Motoren bekamen den Stoppbefehl.</translation>
     </message>
     <message>
-        <source>It was at: %1. Nothing moves again by itself; choose the row to go on from, and run from there.</source>
+        <source>It was at: %1. To continue, select a row and choose Run from row. Nothing restarts on its own.</source>
         <translation>Stand: %1. Von selbst fährt nichts mehr; die Zeile wählen, bei der es weitergehen soll, und von dort starten.</translation>
     </message>
     <message>
@@ -3851,16 +3836,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Nichts wurde gestartet.</translation>
     </message>
     <message>
-        <source>Dry run: it would not be started.</source>
+        <source>Dry run: the sequence would not start.</source>
         <translation>Probelauf: er würde nicht gestartet.</translation>
     </message>
     <message>
-        <source>Dry run: the simulated copy was not ready. Try again.</source>
+        <source>Dry run: the simulation was not ready. Try again.</source>
         <translation>Probelauf: die simulierte Kopie war nicht bereit. Noch einmal versuchen.</translation>
     </message>
     <message>
-        <source>Dry run: it takes longer than %1 s and was not followed any farther.</source>
-        <translation>Probelauf: er dauert länger als %1 s und wurde nicht weiter verfolgt.</translation>
+        <source>Dry run: cut off after %1 s.</source>
+        <translation>Probelauf: nach %1 s abgebrochen.</translation>
     </message>
     <message>
         <source>Dry run: done after %1 s.</source>
@@ -3871,27 +3856,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Probelauf: er würde nach %1 s enden. %2</translation>
     </message>
     <message>
-        <source>Searches for home take longer than here: %1.</source>
+        <source>Homing takes longer in reality: %1.</source>
         <translation>Referenzsuchen dauern länger als hier: %1.</translation>
     </message>
     <message>
-        <source>Inputs came at once here.</source>
+        <source>Inputs were assumed to change at once.</source>
         <translation>Eingänge kamen hier sofort.</translation>
     </message>
     <message>
-        <source>A repeat for ever was done once.</source>
+        <source>An endless repeat ran once.</source>
         <translation>Eine endlose Wiederholung lief einmal.</translation>
     </message>
     <message>
-        <source>The motors were the simulator&apos;s; yours may take longer.</source>
+        <source>Simulated motors were used; real motors may take longer.</source>
         <translation>Die Motoren waren die des Simulators; Ihre können länger brauchen.</translation>
     </message>
     <message>
-        <source>the lowest position of travel is not below the highest.</source>
+        <source>the lowest position is not below the highest.</source>
         <translation>die tiefste Position des Fahrwegs liegt nicht unter der höchsten.</translation>
     </message>
     <message>
-        <source>Limits of travel and speed</source>
+        <source>Travel and speed limits</source>
         <translation>Grenzen von Fahrweg und Geschwindigkeit</translation>
     </message>
     <message>
@@ -3915,8 +3900,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Höchste Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Distance beyond the goal</source>
-        <translation>Weg über das Ziel hinaus</translation>
+        <source>Overtravel</source>
+        <translation>Überfahrstrecke</translation>
     </message>
     <message>
         <source>From above</source>
@@ -3927,11 +3912,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Für jede Bewegung scharf</translation>
     </message>
     <message>
-        <source>%1 was stopped: no home within its limits of travel, nor where home was.</source>
+        <source>%1 was stopped: home not found within its travel limits or at its last place.</source>
         <translation>%1 wurde angehalten: keine Referenz innerhalb der Fahrweggrenzen, auch nicht dort, wo sie war.</translation>
     </message>
     <message>
-        <source>Check the switch and its cable, and the direction of the search. If the position is wrong, say so on the page Axis (Position in doubt): the search then goes by its own travel limit.</source>
+        <source>Check the switch and its cable, and the search direction. If the position is wrong, choose Position in doubt on the Axis page: the next search then uses only its search distance.</source>
         <translation>Schalter, Kabel und Suchrichtung prüfen. Stimmt die Position nicht, das auf der Seite Achse angeben (Position zweifelhaft): Dann gilt für die Suche nur ihre eigene Weggrenze.</translation>
     </message>
     <message>
@@ -3939,59 +3924,59 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Spiel wird herausgefahren</translation>
     </message>
     <message>
-        <source>The way on leads beyond the limits of travel. The motor was stopped.</source>
+        <source>The next move would exceed the travel limits. The motor was stopped.</source>
         <translation>Der weitere Weg führt über die Fahrweggrenzen hinaus. Der Motor wurde angehalten.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: it was about to leave its limits of travel.</source>
+        <source>Module %1 was told to stop just before its travel limit.</source>
         <translation>Modul %1 wurde zum Anhalten aufgefordert: Es war im Begriff, seine Fahrweggrenzen zu verlassen.</translation>
     </message>
     <message>
-        <source>The chip does not end this kind of motion by itself, so the panel did. See where it stands before you go on.</source>
+        <source>The chip does not end this kind of motion by itself, so the panel did. Check the position before you continue.</source>
         <translation>Der Chip beendet diese Art von Bewegung nicht selbst, deshalb tat es das Panel. Vor dem Weiterfahren nachsehen, wo sie steht.</translation>
     </message>
     <message>
-        <source>That is beyond the limits of travel of this axis (page Axis).</source>
+        <source>That is beyond this axis&apos;s travel limits (Axis page).</source>
         <translation>Das liegt außerhalb der Fahrweggrenzen dieser Achse (Seite Achse).</translation>
     </message>
     <message>
-        <source>The limit of travel is reached: there is no way on in that direction.</source>
-        <translation>Die Fahrweggrenze ist erreicht: In dieser Richtung geht es nicht weiter.</translation>
+        <source>Travel limit reached. Move in the other direction.</source>
+        <translation>Fahrweggrenze erreicht. In die andere Richtung bewegen.</translation>
     </message>
     <message>
-        <source>That is faster than this axis may go (page Axis).</source>
+        <source>That exceeds this axis&apos;s highest velocity (Axis page).</source>
         <translation>Das ist schneller, als diese Achse fahren darf (Seite Achse).</translation>
     </message>
     <message>
-        <source>Towards a limit of travel a run starts from standstill, so that the chip ends it there: stop first.</source>
+        <source>Stop first: a run towards a travel limit must start from standstill, so that the chip can end it there.</source>
         <translation>Auf eine Fahrweggrenze zu beginnt ein Lauf im Stillstand, damit der Chip ihn dort beendet: zuerst anhalten.</translation>
     </message>
     <message>
-        <source>The limit stop of this axis is not armed yet; it is about to be.</source>
-        <translation>Der Endschalter-Stopp dieser Achse ist noch nicht scharf; er wird es gleich.</translation>
+        <source>Wait until the limit stop of this axis is armed.</source>
+        <translation>Warten, bis der Endschalter-Stopp dieser Achse scharf ist.</translation>
     </message>
     <message>
-        <source>The current limit CL is 0 or unknown, so the current would never stop the motor.</source>
-        <translation>Die Stromgrenze CL ist 0 oder unbekannt, der Strom würde den Motor also nie anhalten.</translation>
+        <source>The current limit CL is 0 or unknown, so current cannot stop the motor. Apply a CL first.</source>
+        <translation>Die Stromgrenze CL ist 0 oder unbekannt, der Strom kann den Motor nicht anhalten. Zuerst CL anwenden.</translation>
     </message>
     <message>
-        <source>A limit switch, heat or the E-stop input ended the move. The motor stands still.</source>
+        <source>A limit switch, overheating or the E-stop input ended the move. The motor is at rest.</source>
         <translation>Ein Endschalter, Hitze oder der Not-Halt-Eingang hat die Fahrt beendet. Der Motor steht.</translation>
     </message>
     <message>
-        <source>Not every module of group %1 has certainly set its position to 0.</source>
+        <source>Not all modules of group %1 confirmed setting their position to 0.</source>
         <translation>Nicht jedes Modul der Gruppe %1 hat seine Position sicher auf 0 gesetzt.</translation>
     </message>
     <message>
-        <source>Not every module of group %1 has certainly cleared its sticky bits: what lasts sets its bit again at once.</source>
+        <source>Not all modules of group %1 confirmed clearing their sticky bits. A persistent fault sets its bit again at once.</source>
         <translation>Nicht jedes Modul der Gruppe %1 hat seine Sticky-Bits sicher gelöscht: Was andauert, setzt sein Bit sofort wieder.</translation>
     </message>
     <message>
-        <source>Not every module of group %1 has certainly done it.</source>
+        <source>Not all modules of group %1 confirmed the command.</source>
         <translation>Nicht jedes Modul der Gruppe %1 hat es sicher ausgeführt.</translation>
     </message>
     <message>
-        <source>A group is told something only when every member answers and may be told that now, and when the group of every module is known. Ask the modules one by one, or give this module its group again.</source>
+        <source>A group command needs an answer from every member, a state in which each can carry it out, and a known group for every module. Command the modules one by one, or set this module&apos;s group again.</source>
         <translation>Einer Gruppe wird nur etwas gesagt, wenn jedes Mitglied antwortet und das jetzt darf und wenn die Gruppe jedes Moduls bekannt ist. Die Module einzeln ansprechen oder diesem Modul seine Gruppe erneut geben.</translation>
     </message>
     <message>
@@ -4003,23 +3988,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Gruppe %1 soll anhalten: Modul %2.</translation>
     </message>
     <message>
-        <source>The port of this computer cannot make %1 Bd. Choose another rate.</source>
+        <source>This computer&apos;s port does not support %1 Bd. Choose another baud rate.</source>
         <translation>Der Anschluss dieses Rechners kann %1 Bd nicht erzeugen. Eine andere Rate wählen.</translation>
     </message>
     <message>
-        <source>Module %1 has address %2 now. Position, gains and group are what they were.</source>
+        <source>Module %1 now has address %2. Position, gains and group are unchanged.</source>
         <translation>Modul %1 hat jetzt die Adresse %2. Position, Reglerwerte und Gruppe sind, was sie waren.</translation>
     </message>
     <message>
-        <source>Another module answers there, or no module may have that address. Choose one of 1 to 127 that is free.</source>
+        <source>The address is used by another module or not allowed. Choose a free address from 1 to 127.</source>
         <translation>Dort antwortet ein anderes Modul, oder kein Modul darf diese Adresse haben. Eine freie von 1 bis 127 wählen.</translation>
     </message>
     <message>
-        <source>Its group is not known here and would be changed with the address. Give it a group first, or none.</source>
+        <source>Its group is unknown and would change with the address. Set its group first, or none.</source>
         <translation>Seine Gruppe ist hier nicht bekannt und würde mit der Adresse geändert. Ihm zuerst eine Gruppe geben oder keine.</translation>
     </message>
     <message>
-        <source>Which position the servo holds is not known to the count. Hold it here first, or move it.</source>
+        <source>The exact position that the servo holds is unknown. Choose Hold here first, or move the motor.</source>
         <translation>Welche Position der Servo hält, ist nicht auf das Inkrement genau bekannt. Erst hier halten oder verfahren.</translation>
     </message>
     <message>
@@ -4035,11 +4020,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Motor aus</translation>
     </message>
     <message>
-        <source>Back to the gains before</source>
-        <translation>Zurück zu den Reglerwerten davor</translation>
+        <source>Restore previous gains</source>
+        <translation>Vorige Reglerwerte wiederherstellen</translation>
     </message>
     <message>
-        <source>%1 has the gains from before again: it began to swing.</source>
+        <source>%1 is back to its previous gains: it began to oscillate.</source>
         <translation>%1 hat wieder die Reglerwerte von vorher: Es begann zu schwingen.</translation>
     </message>
     <message>
@@ -4047,7 +4032,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Kp und Ki verringern oder Kd erhöhen, dann noch einmal probieren.</translation>
     </message>
     <message>
-        <source>%1 has the gains from before again: it left the place where it stood.</source>
+        <source>%1 is back to its previous gains: it left its position.</source>
         <translation>%1 hat wieder die Reglerwerte von vorher: Es hat seinen Platz verlassen.</translation>
     </message>
     <message>
@@ -4055,11 +4040,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Diese Reglerwerte halten seine Last nicht, oder etwas anderes hat es gedreht.</translation>
     </message>
     <message>
-        <source>%1 went off by itself while gains were tried, and is free to turn.</source>
+        <source>%1 switched itself off while gains were tried, and is free to turn.</source>
         <translation>%1 ist beim Probieren von Reglerwerten von selbst ausgegangen und ist frei drehbar.</translation>
     </message>
     <message>
-        <source>The gains from before were sent again. Check for a jam, then enable it.</source>
+        <source>Its previous gains were sent again. Check for a jam, then enable it.</source>
         <translation>Die Reglerwerte von vorher wurden wieder gesendet. Auf Klemmen prüfen, dann einschalten.</translation>
     </message>
     <message>
@@ -4067,19 +4052,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 antwortet beim Probieren von Reglerwerten nicht. Zustand des Motors unbekannt.</translation>
     </message>
     <message>
-        <source>The gains from before were sent. Use the hardware stop if it moves.</source>
+        <source>Its previous gains were sent. Use the hardware stop if it moves.</source>
         <translation>Die Reglerwerte von vorher wurden gesendet. Hardware-Not-Halt benutzen, wenn es sich bewegt.</translation>
     </message>
     <message>
-        <source>%1 was sent the gains from before: the link was in doubt meanwhile.</source>
+        <source>The previous gains of %1 were sent again: the link was unreliable.</source>
         <translation>%1 wurden die Reglerwerte von vorher gesendet: Die Verbindung war inzwischen zweifelhaft.</translation>
     </message>
     <message>
-        <source>See to the link, then try again.</source>
+        <source>Check the link, then try again.</source>
         <translation>Die Verbindung prüfen, dann noch einmal probieren.</translation>
     </message>
     <message>
-        <source>%1 was sent the gains from before: a command was not carried out, or its answer was lost.</source>
+        <source>The previous gains of %1 were sent again: a command failed, or its answer was lost.</source>
         <translation>%1 wurden die Reglerwerte von vorher gesendet: Ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren.</translation>
     </message>
     <message>
@@ -4091,39 +4076,39 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Probiert Reglerwerte</translation>
     </message>
     <message>
-        <source>%1 has the gains from before again: the try is over.</source>
+        <source>%1 is back to its previous gains: the trial has ended.</source>
         <translation>%1 hat wieder die Reglerwerte von vorher: Die Probe ist vorbei.</translation>
     </message>
     <message>
-        <source>The motor began to swing. The gains from before are back.</source>
+        <source>The motor began to oscillate. The previous gains are restored.</source>
         <translation>Der Motor begann zu schwingen. Die Reglerwerte von vorher gelten wieder.</translation>
     </message>
     <message>
-        <source>The page was not printed.</source>
+        <source>Could not print the page.</source>
         <translation>Die Seite wurde nicht gedruckt.</translation>
     </message>
     <message>
-        <source>%1 Export the page as a PDF file, and print that elsewhere.</source>
+        <source>%1 Export the page as a PDF file and print that file.</source>
         <translation>%1 Die Seite als PDF-Datei exportieren und anderswo drucken.</translation>
     </message>
     <message>
-        <source>The page is on its way to the printer.</source>
+        <source>The page was sent to the printer.</source>
         <translation>Die Seite ist auf dem Weg zum Drucker.</translation>
     </message>
     <message>
-        <source>It went to the printer that this computer uses unless told otherwise.</source>
+        <source>This computer&apos;s default printer is used.</source>
         <translation>Sie ging an den Standarddrucker dieses Rechners.</translation>
     </message>
     <message>
-        <source>The program %1 is not installed, which hands pages to the printer.</source>
+        <source>The program %1, which sends pages to the printer, is not installed.</source>
         <translation>Das Programm %1, das Seiten an den Drucker gibt, ist nicht installiert.</translation>
     </message>
     <message>
-        <source>The print system does not take it: see the details.</source>
+        <source>The print system refused it: see Details.</source>
         <translation>Das Drucksystem nimmt sie nicht an: siehe Einzelheiten.</translation>
     </message>
     <message>
-        <source>The step responses of this machine were not read.</source>
+        <source>Could not read the step responses of this machine.</source>
         <translation>Die Sprungantworten dieser Maschine wurden nicht gelesen.</translation>
     </message>
     <message>
@@ -4131,31 +4116,31 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>„%1“ ist keine Datei mit Sprungantworten.</translation>
     </message>
     <message>
-        <source>Nothing of it is lost: when new ones are kept, it is set aside in %1.</source>
+        <source>The file is kept: before new step responses are saved, it is moved to %1.</source>
         <translation>Davon geht nichts verloren: Wenn neue aufbewahrt werden, wird sie in %1 beiseitegelegt.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be read. When new ones are kept, it is set aside.</source>
+        <source>&quot;%1&quot; is not readable. It is moved aside before new step responses are saved.</source>
         <translation>„%1“ kann nicht gelesen werden. Wenn neue aufbewahrt werden, wird sie beiseitegelegt.</translation>
     </message>
     <message>
-        <source>The step responses of this session are not kept.</source>
+        <source>The step responses of this session are not saved.</source>
         <translation>Die Sprungantworten dieser Sitzung werden nicht aufbewahrt.</translation>
     </message>
     <message>
-        <source>%1 cannot be written. Export them before you close the panel.</source>
+        <source>%1 is not writable. Export them before you close the panel.</source>
         <translation>%1 kann nicht geschrieben werden. Exportieren Sie sie, bevor Sie das Panel schließen.</translation>
     </message>
     <message>
-        <source>%1: the test of its loop has ended early.</source>
+        <source>%1: its loop test ended early.</source>
         <translation>%1: Die Prüfung des Regelkreises endete vorzeitig.</translation>
     </message>
     <message>
-        <source>The motor went farther than the test allows, and was told to hold. Look for a load that pulls it, or choose gentler gains.</source>
+        <source>The motor moved farther than the test allows, and was told to hold. Check for a load that pulls it, or use lower gains.</source>
         <translation>Der Motor ging weiter, als die Prüfung erlaubt, und soll jetzt halten. Eine Last suchen, die an ihm zieht, oder sanftere Reglerwerte wählen.</translation>
     </message>
     <message>
-        <source>A value of this test is out of its range.</source>
+        <source>A value of this test is out of range.</source>
         <translation>Ein Wert dieser Prüfung liegt außerhalb seines Bereichs.</translation>
     </message>
     <message>
@@ -4163,7 +4148,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>Inputs and outputs answer. No motor is connected here.</source>
+        <source>The module answers. It has inputs and outputs, but no motor.</source>
         <translation>Ein- und Ausgänge antworten. Hier ist kein Motor angeschlossen.</translation>
     </message>
     <message>
@@ -4210,31 +4195,31 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>TravelTexts</name>
     <message>
-        <source>That is %1; this axis goes at most %2 (page Axis).</source>
+        <source>That is %1; the highest velocity of this axis is %2 (Axis page).</source>
         <translation>Das sind %1; diese Achse fährt höchstens %2 (Seite Achse).</translation>
     </message>
     <message>
-        <source>The lowest position of this axis is %1: there is no way on in reverse.</source>
-        <translation>Die tiefste Position dieser Achse ist %1: Rückwärts geht es nicht weiter.</translation>
+        <source>Lowest position reached: %1. Move forward.</source>
+        <translation>Tiefste Position erreicht: %1. Vorwärts bewegen.</translation>
     </message>
     <message>
-        <source>The highest position of this axis is %1: there is no way on forward.</source>
-        <translation>Die höchste Position dieser Achse ist %1: Vorwärts geht es nicht weiter.</translation>
+        <source>Highest position reached: %1. Move in reverse.</source>
+        <translation>Höchste Position erreicht: %1. Rückwärts bewegen.</translation>
     </message>
     <message>
-        <source>That is beyond the limits of travel: the lowest position to go to is %1.</source>
+        <source>That is beyond the travel limits: the lowest position is %1.</source>
         <translation>Das liegt außerhalb der Fahrweggrenzen: Die tiefste Position, die angefahren werden kann, ist %1.</translation>
     </message>
     <message>
-        <source>That is beyond the limits of travel: the highest position to go to is %1.</source>
+        <source>That is beyond the travel limits: the highest position is %1.</source>
         <translation>Das liegt außerhalb der Fahrweggrenzen: Die höchste Position, die angefahren werden kann, ist %1.</translation>
     </message>
     <message>
-        <source>No limits of travel are set.</source>
+        <source>No travel limits are set.</source>
         <translation>Keine Fahrweggrenzen gesetzt.</translation>
     </message>
     <message>
-        <source>Not in force: home is not known. Search for it, save it, or declare the position right.</source>
+        <source>Not in force: home is unknown. Search for it, save it, or confirm the position.</source>
         <translation>Nicht in Kraft: Die Referenz ist nicht bekannt. Suchen, speichern oder die Position für richtig erklären.</translation>
     </message>
     <message>
@@ -4250,7 +4235,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>In Kraft: von %1 bis %2.</translation>
     </message>
     <message>
-        <source>Limits of travel not in force</source>
+        <source>Travel limits not in force</source>
         <translation>Fahrweggrenzen nicht in Kraft</translation>
     </message>
     <message>
@@ -4270,7 +4255,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Über der höchsten Position</translation>
     </message>
     <message>
-        <source>Is %1 really at %2 now? Then home is where the position is 0, and the limits of travel are in force from there. If it is not, they protect the wrong places. Look at the axis itself first.</source>
+        <source>Look at the axis first: is %1 really at %2? If so, home is at position 0, and the travel limits apply from there. If not, they protect the wrong range.</source>
         <translation>Steht %1 jetzt wirklich bei %2? Dann liegt die Referenz, wo die Position 0 ist, und die Fahrweggrenzen gelten von dort aus. Wenn nicht, schützen sie die falschen Stellen. Zuerst die Achse selbst ansehen.</translation>
     </message>
 </context>
@@ -4348,15 +4333,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Schritt aller Achsen</translation>
     </message>
     <message>
-        <source>Each axis at its own velocity of hold to move.</source>
+        <source>Each axis at its own jog speed.</source>
         <translation>Jede Achse mit ihrer eigenen Tippgeschwindigkeit.</translation>
     </message>
     <message>
-        <source>Each axis at its own cap of hold to move, which is set on its page Axis.</source>
+        <source>Each axis at its own max jog speed, set on its Axis page.</source>
         <translation>Jede Achse mit ihrer eigenen Höchstgeschwindigkeit beim Tippen, die auf ihrer Seite Achse steht.</translation>
     </message>
     <message>
-        <source>How far one click on Step moves an axis, in its own unit.</source>
+        <source>Distance that one click on Step moves an axis, in its own unit.</source>
         <translation>Wie weit ein Klick auf Schritt eine Achse fährt, in ihrer eigenen Einheit.</translation>
     </message>
     <message>
@@ -4368,15 +4353,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Alle einschalten</translation>
     </message>
     <message>
-        <source>Enable all motors where they stand</source>
-        <translation>Alle Motoren einschalten, wo sie stehen</translation>
+        <source>Enable all motors</source>
+        <translation>Alle Motoren freigeben</translation>
     </message>
     <message>
         <source>Home all</source>
         <translation>Alle referenzieren</translation>
     </message>
     <message>
-        <source>Find the home of all axes, one after the other</source>
+        <source>Home all axes, one after the other</source>
         <translation>Die Referenz aller Achsen nacheinander suchen</translation>
     </message>
     <message>
@@ -4388,27 +4373,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Achsen</translation>
     </message>
     <message>
-        <source>No axis has a recipe for its home. See the page Homing of each.</source>
-        <translation>Für keine Achse ist festgelegt, wie die Referenz gesucht wird. Siehe jeweils die Seite Referenzsuche.</translation>
+        <source>Homing is not set up for any axis. Set it up on each Homing page.</source>
+        <translation>Für keine Achse ist eine Referenzsuche eingerichtet. Auf der Seite Referenzsuche jeder Achse einrichten.</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>No module.</source>
+        <source>No module</source>
         <translation>Kein Modul.</translation>
     </message>
     <message>
-        <source>All motors are enabled.</source>
+        <source>All motors are already enabled.</source>
         <translation>Alle Motoren sind eingeschaltet.</translation>
     </message>
     <message>
-        <source>Enables each motor that can be, where it stands.</source>
-        <translation>Schaltet jeden Motor ein, bei dem es möglich ist, wo er steht.</translation>
+        <source>Enables every motor at its present position.</source>
+        <translation>Gibt jeden Motor an seiner jetzigen Position frei.</translation>
     </message>
     <message>
-        <source>Finds the home of one axis after the other, in the order that stands in the table, by their recipes. Any stop ends it.</source>
+        <source>Homes one axis after the other, in the order of the table, with each axis&apos;s homing settings. Any stop ends it.</source>
         <translation>Sucht die Referenz einer Achse nach der anderen, in der Reihenfolge der Tabelle und wie jeweils festgelegt. Jeder Stopp beendet es.</translation>
     </message>
 </context>
@@ -4423,11 +4408,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Name der Achse</translation>
     </message>
     <message>
-        <source>for example Z axis</source>
+        <source>For example: Z axis</source>
         <translation>zum Beispiel Z-Achse</translation>
     </message>
     <message>
-        <source>What this axis is called, in the list, in messages and in files.</source>
+        <source>The name of this axis in the list, in messages and in files.</source>
         <translation>Wie diese Achse in der Liste, in Meldungen und in Dateien heißt.</translation>
     </message>
     <message>
@@ -4439,8 +4424,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Einheit der Achse</translation>
     </message>
     <message>
-        <source>the chip&apos;s own</source>
-        <translation>die des Chips</translation>
+        <source>native counts</source>
+        <translation>Zählwerte des Chips</translation>
     </message>
     <message>
         <source>turns</source>
@@ -4455,11 +4440,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Millimeter</translation>
     </message>
     <message>
-        <source>a unit of your own</source>
+        <source>custom unit</source>
         <translation>eine eigene Einheit</translation>
     </message>
     <message>
-        <source>What positions and speeds are shown in. Changing it keeps every amount and sends nothing.</source>
+        <source>The unit for positions and speeds. Changing it keeps every physical value and sends nothing.</source>
         <translation>Worin Positionen und Geschwindigkeiten angezeigt werden. Beim Wechsel bleibt jeder Betrag erhalten, und es wird nichts gesendet.</translation>
     </message>
     <message>
@@ -4471,7 +4456,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Inkremente in 1 Einheit</translation>
     </message>
     <message>
-        <source>How many counts or steps of the chip make one unit.</source>
+        <source>Counts or steps per unit.</source>
         <translation>Wie viele Inkremente oder Schritte des Chips eine Einheit ergeben.</translation>
     </message>
     <message>
@@ -4479,7 +4464,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zeichen der Einheit</translation>
     </message>
     <message>
-        <source>What stands behind the numbers, for example µl.</source>
+        <source>Shown after the numbers, for example µl.</source>
         <translation>Was hinter den Zahlen steht, zum Beispiel µl.</translation>
     </message>
     <message>
@@ -4487,27 +4472,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zeichen</translation>
     </message>
     <message>
-        <source>Cap of hold to move</source>
-        <translation>Höchstwert für Tippen</translation>
+        <source>Max jog speed</source>
+        <translation>Größte Tippgeschwindigkeit</translation>
     </message>
     <message>
-        <source>The cap of hold to move</source>
-        <translation>Der Höchstwert für Tippen</translation>
-    </message>
-    <message>
-        <source>Hold to move never goes faster than this.</source>
+        <source>Jog is never faster than this.</source>
         <translation>Beim Tippen wird nie schneller gefahren.</translation>
     </message>
     <message>
-        <source>&amp;Jog cap</source>
+        <source>Max &amp;jog speed</source>
         <translation>H&amp;öchstwert Tippen</translation>
     </message>
     <message>
-        <source>A/D, each step</source>
-        <translation>A/D, je Stufe</translation>
+        <source>A/D scale, per count</source>
+        <translation>A/D-Skala, je Zählwert</translation>
     </message>
     <message>
-        <source>What one of the 255 steps of the A/D value stands for, for example 5 V / 255, or amperes by the amplifier&apos;s current sense.</source>
+        <source>The value of one A/D count, for example 5 V / 255, or amperes from the amplifier&apos;s current sense.</source>
         <translation>Wofür eine der 255 Stufen des A/D-Werts steht, zum Beispiel 5 V / 255 oder Ampere nach der Strommessung des Verstärkers.</translation>
     </message>
     <message>
@@ -4515,7 +4496,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>A/D bei &amp;0</translation>
     </message>
     <message>
-        <source>What an A/D value of 0 stands for.</source>
+        <source>The value at an A/D reading of 0.</source>
         <translation>Wofür ein A/D-Wert von 0 steht.</translation>
     </message>
     <message>
@@ -4523,7 +4504,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Einheit des A/D-Werts</translation>
     </message>
     <message>
-        <source>A, V, or what the A/D input measures here.</source>
+        <source>A, V, or whatever the A/D input measures.</source>
         <translation>A, V oder was der A/D-Eingang hier misst.</translation>
     </message>
     <message>
@@ -4535,15 +4516,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 in 1 %2</translation>
     </message>
     <message>
-        <source>Work it out…</source>
+        <source>Calculate…</source>
         <translation>Berechnen…</translation>
     </message>
     <message>
-        <source>Work it out from encoder, gear and screw</source>
+        <source>Calculate the unit from encoder, gear and screw</source>
         <translation>Aus Encoder, Getriebe und Spindel berechnen</translation>
     </message>
     <message>
-        <source>Works the unit out from what stands on the labels of encoder, gear and screw. Sends nothing.</source>
+        <source>Calculates the unit from the data of encoder, gear and screw. Sends nothing.</source>
         <translation>Berechnet die Einheit aus den Angaben auf den Typenschildern von Encoder, Getriebe und Spindel. Sendet nichts.</translation>
     </message>
 </context>
@@ -4566,71 +4547,71 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>◂ Tippen</translation>
     </message>
     <message>
-        <source>Move %1 in reverse while held</source>
-        <translation>%1 rückwärts fahren, solange gedrückt</translation>
+        <source>Hold to move %1 in reverse</source>
+        <translation>Tippen: %1 rückwärts fahren, solange gedrückt</translation>
     </message>
     <message>
         <source>Hold ▸</source>
         <translation>Tippen ▸</translation>
     </message>
     <message>
-        <source>Move %1 forward while held</source>
-        <translation>%1 vorwärts fahren, solange gedrückt</translation>
+        <source>Hold to move %1 forward</source>
+        <translation>Tippen: %1 vorwärts fahren, solange gedrückt</translation>
     </message>
     <message>
         <source>◂| Step</source>
         <translation>◂| Schritt</translation>
     </message>
     <message>
-        <source>Move %1 one step in reverse</source>
-        <translation>%1 einen Schritt rückwärts fahren</translation>
+        <source>Step %1 in reverse</source>
+        <translation>Schritt: %1 einen Schritt rückwärts fahren</translation>
     </message>
     <message>
         <source>Step |▸</source>
         <translation>Schritt |▸</translation>
     </message>
     <message>
-        <source>Move %1 one step forward</source>
-        <translation>%1 einen Schritt vorwärts fahren</translation>
+        <source>Step %1 forward</source>
+        <translation>Schritt: %1 einen Schritt vorwärts fahren</translation>
     </message>
     <message>
         <source>Home earlier</source>
         <translation>Früher referenzieren</translation>
     </message>
     <message>
-        <source>Home all takes %1 one place earlier</source>
+        <source>Home %1 one place earlier</source>
         <translation>„Alle referenzieren“ nimmt %1 eine Stelle früher</translation>
     </message>
     <message>
-        <source>This step is less than one count of this axis, or more than it can go.</source>
+        <source>This step is less than one count of this axis, or beyond its range. Choose another step.</source>
         <translation>Dieser Schritt ist kleiner als ein Count dieser Achse oder größer, als sie fahren kann.</translation>
     </message>
     <message>
-        <source>Moves forward while it is held, then stops.</source>
+        <source>Moves forward while held, then stops.</source>
         <translation>Fährt vorwärts, solange sie gedrückt ist, und stoppt dann.</translation>
     </message>
     <message>
-        <source>Moves in reverse while it is held, then stops.</source>
+        <source>Moves in reverse while held, then stops.</source>
         <translation>Fährt rückwärts, solange sie gedrückt ist, und stoppt dann.</translation>
     </message>
     <message>
-        <source>Moves forward by the step above, and holds there.</source>
+        <source>Moves forward by the step above, then holds.</source>
         <translation>Fährt um den Schritt oben vorwärts und hält dort.</translation>
     </message>
     <message>
-        <source>Moves in reverse by the step above, and holds there.</source>
+        <source>Moves in reverse by the step above, then holds.</source>
         <translation>Fährt um den Schritt oben rückwärts und hält dort.</translation>
     </message>
     <message>
-        <source>This axis has no recipe for its home. See its page Homing.</source>
-        <translation>Für diese Achse ist nicht festgelegt, wie die Referenz gesucht wird. Siehe ihre Seite Referenzsuche.</translation>
+        <source>Homing is not set up for this axis. Set it up on its Homing page.</source>
+        <translation>Für diese Achse ist keine Referenzsuche eingerichtet. Auf ihrer Seite Referenzsuche einrichten.</translation>
     </message>
     <message>
-        <source>Home all begins with this axis.</source>
+        <source>Home all starts with this axis.</source>
         <translation>„Alle referenzieren“ beginnt mit dieser Achse.</translation>
     </message>
     <message>
-        <source>Home all finds the home of this axis as number %1; a click makes it one earlier. Nothing moves.</source>
+        <source>Home all homes this axis as number %1. Click to move it one place earlier. Nothing moves.</source>
         <translation>„Alle referenzieren“ sucht die Referenz dieser Achse als Nummer %1; ein Klick nimmt sie eine Stelle früher. Nichts fährt.</translation>
     </message>
     <message>
@@ -4649,7 +4630,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Wichtige Meldung</translation>
     </message>
     <message>
-        <source>Hide this message here. It stays in the list of messages.</source>
+        <source>Hides this message here. It stays in the message list.</source>
         <translation>Diese Meldung hier ausblenden. Sie bleibt in der Liste der Meldungen.</translation>
     </message>
     <message>
@@ -4657,11 +4638,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Diese Meldung ausblenden</translation>
     </message>
     <message>
-        <source>Shows the whole text, and all other messages, in the list of messages.</source>
+        <source>Shows the full text and all other messages in the message list.</source>
         <translation>Zeigt den ganzen Text und alle anderen Meldungen in der Liste der Meldungen.</translation>
     </message>
     <message>
-        <source>Show the list of messages</source>
+        <source>Show the message list</source>
         <translation>Die Liste der Meldungen zeigen</translation>
     </message>
     <message>
@@ -4680,14 +4661,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>&amp;Töne</translation>
     </message>
     <message>
-        <source>A sound at each fault, and at the end of a sequence, of a search for home or of moves by N.</source>
+        <source>Plays a sound on each fault, and when a sequence, homing or a series of steps ends.</source>
         <translation>Ein Ton bei jedem Fehler und am Ende eines Ablaufs, einer Referenzfahrt oder von Schritten um N.</translation>
     </message>
 </context>
 <context>
     <name>nmc::BenchTruth</name>
     <message>
-        <source>What the simulator knows of the module</source>
+        <source>Simulator values of the module</source>
         <translation>Was der Simulator vom Modul weiß</translation>
     </message>
     <message>
@@ -4695,7 +4676,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Welle</translation>
     </message>
     <message>
-        <source>Where the shaft really is, since the simulation began.</source>
+        <source>The true position of the shaft since the simulation started.</source>
         <translation>Wo die Welle wirklich steht, seit Beginn der Simulation.</translation>
     </message>
     <message>
@@ -4703,7 +4684,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Positionszähler</translation>
     </message>
     <message>
-        <source>What the module believes.</source>
+        <source>The position as the module counts it.</source>
         <translation>Was das Modul glaubt.</translation>
     </message>
     <message>
@@ -4767,8 +4748,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Verstöße</translation>
     </message>
     <message>
-        <source>What a real module would not have forgiven.</source>
-        <translation>Was ein echtes Modul nicht verziehen hätte.</translation>
+        <source>Protocol violations that would upset a real module.</source>
+        <translation>Protokollverstöße, die ein echtes Modul gestört hätten.</translation>
     </message>
     <message>
         <source>%1 s, module %2: %3, %4</source>
@@ -4782,7 +4763,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Frequenzgang</translation>
     </message>
     <message>
-        <source>Nothing is measured yet. Sines of the command show how the loop follows, from slow to fast.</source>
+        <source>No measurement yet. The motor follows sine waves from slow to fast, which shows the response of the loop.</source>
         <translation>Noch ist nichts gemessen. Sinusschwingungen des Sollwerts zeigen, wie der Kreis folgt, von langsam bis schnell.</translation>
     </message>
     <message>
@@ -4806,7 +4787,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>L, offen</translation>
     </message>
     <message>
-        <source>T: how the position follows the command. L: what the loop makes of its error; where it crosses 0 dB its phase above -180° is the phase margin. Behind the grey line the baud rate is too low to measure. Bars: two standard deviations of T.</source>
+        <source>T: closed loop, from command to position. L: open loop; its phase above -180° where it crosses 0 dB is the phase margin. Right of the grey line the baud rate is too low to measure. Bars: two standard deviations of T.</source>
         <translation>T: wie die Position der Sollposition folgt. L: was der Regelkreis aus seinem Fehler macht; wo L durch 0 dB geht, ist seine Phase über -180° die Phasenreserve. Hinter der grauen Linie ist die Baudrate zum Messen zu niedrig. Balken: zwei Standardabweichungen von T.</translation>
     </message>
 </context>
@@ -4817,7 +4798,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Kette</translation>
     </message>
     <message>
-        <source>Doctor, groups and rate</source>
+        <source>Doctor, groups and baud rate</source>
         <translation>Diagnose, Gruppen und Rate</translation>
     </message>
     <message>
@@ -4829,8 +4810,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Gruppen</translation>
     </message>
     <message>
-        <source>Rate</source>
-        <translation>Rate</translation>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
     </message>
 </context>
 <context>
@@ -4840,23 +4821,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Kettendia&amp;gnose…</translation>
     </message>
     <message>
-        <source>What is expected, what is there, and where the chain probably breaks.</source>
-        <translation>Was erwartet wird, was da ist und wo die Kette wahrscheinlich unterbrochen ist.</translation>
+        <source>Compares the expected modules with those found, and shows where the chain probably breaks.</source>
+        <translation>Vergleicht die erwarteten Module mit den gefundenen und zeigt, wo die Kette wahrscheinlich unterbrochen ist.</translation>
     </message>
     <message>
         <source>&amp;Groups…</source>
         <translation>&amp;Gruppen…</translation>
     </message>
     <message>
-        <source>Who listens to which group; starting loaded moves at once.</source>
-        <translation>Wer auf welche Gruppe hört; geladene Fahrten gleichzeitig starten.</translation>
+        <source>Assigns modules to groups, and starts their loaded moves together.</source>
+        <translation>Weist Module Gruppen zu und startet deren geladene Bewegungen gemeinsam.</translation>
     </message>
     <message>
-        <source>R&amp;ate of the chain…</source>
-        <translation>&amp;Rate der Kette…</translation>
+        <source>B&amp;aud rate of the chain…</source>
+        <translation>Baud&amp;rate der Kette…</translation>
     </message>
     <message>
-        <source>Takes the whole chain to another rate.</source>
+        <source>Changes the baud rate of the whole chain.</source>
         <translation>Stellt die ganze Kette auf eine andere Rate um.</translation>
     </message>
     <message>
@@ -4864,7 +4845,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Erneut &amp;suchen</translation>
     </message>
     <message>
-        <source>Looks for the chain again; nothing is reset.</source>
+        <source>Scans the chain again; nothing is reset.</source>
         <translation>Sucht die Kette neu; nichts wird zurückgesetzt.</translation>
     </message>
     <message>
@@ -4872,7 +4853,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
     </message>
     <message>
-        <source>Resets every module and gives addresses again. Asks first.</source>
+        <source>Resets every module and assigns new addresses. Asks first.</source>
         <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
     </message>
 </context>
@@ -4925,8 +4906,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Befehl finden</translation>
     </message>
     <message>
-        <source>Words of the command</source>
-        <translation>Wörter des Befehls</translation>
+        <source>Search commands</source>
+        <translation>Befehle suchen</translation>
     </message>
     <message>
         <source>Type what to do, for example: go home</source>
@@ -4949,11 +4930,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Taste</translation>
     </message>
     <message>
-        <source>What it does, or why it can&apos;t be done</source>
+        <source>What it does, or why it is unavailable</source>
         <translation>Was er tut, oder warum er nicht möglich ist</translation>
     </message>
     <message>
-        <source>No command has these words.</source>
+        <source>No matching command.</source>
         <translation>Kein Befehl enthält diese Wörter.</translation>
     </message>
 </context>
@@ -4976,8 +4957,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Port</translation>
     </message>
     <message>
-        <source>Rate in Bd</source>
-        <translation>Rate in Bd</translation>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -4988,11 +4969,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Trennen</translation>
     </message>
     <message>
-        <source>The serial port the modules are on, or the simulator.</source>
+        <source>The serial port of the modules, or the simulator.</source>
         <translation>Die serielle Schnittstelle, an der die Module hängen, oder der Simulator.</translation>
     </message>
     <message>
-        <source>The rate to work at. Connecting starts at 19 200 Bd, then changes to this one.</source>
+        <source>The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it.</source>
         <translation>Die Arbeitsrate. Der Verbindungsaufbau beginnt mit 19 200 Bd und wechselt dann zu dieser Rate.</translation>
     </message>
     <message>
@@ -5000,15 +4981,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>P&amp;ort</translation>
     </message>
     <message>
-        <source>Rate</source>
-        <translation>Rate</translation>
-    </message>
-    <message>
         <source>Bd</source>
         <translation>Bd</translation>
     </message>
     <message>
-        <source>not in the list of ports</source>
+        <source>not listed</source>
         <translation>nicht in der Liste der Ports</translation>
     </message>
     <message>
@@ -5052,8 +5029,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Andere Arten zu verbinden.</translation>
     </message>
     <message>
-        <source>Opens the port and only looks: nothing is sent but questions. STOP ALL acts.</source>
+        <source>Opens the port and only reads: only status requests are sent. STOP ALL still works.</source>
         <translation>Öffnet den Port und sieht nur zu: Außer Fragen wird nichts gesendet. ALLES STOPP wirkt.</translation>
+    </message>
+    <message>
+        <source>Baud</source>
+        <translation>Baud</translation>
     </message>
 </context>
 <context>
@@ -5063,7 +5044,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Steuerzeile</translation>
     </message>
     <message>
-        <source>A line as nmcsim takes it, then Enter: state, set, power-cycle, break, mend, stats, time, fault. Ctrl+L comes here.</source>
+        <source>Type an nmcsim command, then press Enter: state, set, power-cycle, break, mend, stats, time, fault. Shortcut: Ctrl+L.</source>
         <translation>Eine Zeile, wie nmcsim sie versteht, dann Eingabe: state, set, power-cycle, break, mend, stats, time, fault. Strg+L führt hierher.</translation>
     </message>
     <message>
@@ -5074,20 +5055,20 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::CounterBox</name>
     <message>
-        <source>Set, from 0</source>
-        <translation>Einstellen, ab 0</translation>
+        <source>Set and restart</source>
+        <translation>Setzen, ab 0</translation>
     </message>
     <message>
-        <source>Set the mode of timer and counter, and begin at 0</source>
-        <translation>Betriebsart von Zeitgeber und Zähler einstellen, ab 0</translation>
+        <source>Set and restart the timer or counter</source>
+        <translation>Setzen, ab 0: Betriebsart von Zeitgeber und Zähler einstellen, ab 0</translation>
     </message>
     <message>
         <source>Latch inputs</source>
         <translation>Eingänge festhalten</translation>
     </message>
     <message>
-        <source>Latch pins and counter at one moment</source>
-        <translation>Pins und Zähler im selben Augenblick festhalten</translation>
+        <source>Latch inputs and counter at the same time</source>
+        <translation>Pins und Zähler gleichzeitig erfassen</translation>
     </message>
     <message>
         <source>Store</source>
@@ -5102,7 +5083,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ausgeben</translation>
     </message>
     <message>
-        <source>Put out what was stored</source>
+        <source>Put out the stored outputs</source>
         <translation>Abgelegtes ausgeben</translation>
     </message>
     <message>
@@ -5110,8 +5091,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zähler und gleichzeitige Ein- und Ausgabe</translation>
     </message>
     <message>
-        <source>What counts</source>
-        <translation>Was gezählt wird</translation>
+        <source>Counter source</source>
+        <translation>Quelle des Zählers</translation>
     </message>
     <message>
         <source>off</source>
@@ -5130,20 +5111,20 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Vorteiler</translation>
     </message>
     <message>
-        <source>every one</source>
-        <translation>jede</translation>
+        <source>every edge</source>
+        <translation>jede Flanke</translation>
     </message>
     <message>
-        <source>every 2nd</source>
-        <translation>jede 2.</translation>
+        <source>every 2nd edge</source>
+        <translation>jede 2. Flanke</translation>
     </message>
     <message>
-        <source>every 4th</source>
-        <translation>jede 4.</translation>
+        <source>every 4th edge</source>
+        <translation>jede 4. Flanke</translation>
     </message>
     <message>
-        <source>every 8th</source>
-        <translation>jede 8.</translation>
+        <source>every 8th edge</source>
+        <translation>jede 8. Flanke</translation>
     </message>
     <message>
         <source>Count</source>
@@ -5154,23 +5135,19 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zählt</translation>
     </message>
     <message>
-        <source>What was latched</source>
-        <translation>Was festgehalten wurde</translation>
+        <source>Latched values</source>
+        <translation>Erfasste Werte</translation>
     </message>
     <message>
-        <source>At one moment</source>
-        <translation>Im selben Augenblick</translation>
+        <source>Latched</source>
+        <translation>Erfasst</translation>
     </message>
     <message>
         <source>Outputs to store</source>
         <translation>Abzulegende Ausgänge</translation>
     </message>
     <message>
-        <source>The outputs</source>
-        <translation>Die Ausgänge</translation>
-    </message>
-    <message>
-        <source>IO1 counts 1, IO2 2, IO3 4, and so on up to IO12, which counts 2048.</source>
+        <source>Add up the outputs: IO1 is 1, IO2 is 2, IO3 is 4, up to IO12, which is 2048.</source>
         <translation>IO1 zählt 1, IO2 2, IO3 4 und so weiter bis IO12, das 2048 zählt.</translation>
     </message>
     <message>
@@ -5182,7 +5159,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1 zum Ablegen</translation>
     </message>
     <message>
-        <source>What counts is unknown: another program has set it.</source>
+        <source>Counter source unknown: another program has set it.</source>
         <translation>Was zählt, ist unbekannt: Ein anderes Programm hat es eingestellt.</translation>
     </message>
     <message>
@@ -5198,23 +5175,23 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>IO12 bis IO1: %1, Zählerstand %2</translation>
     </message>
     <message>
-        <source>Sends what is chosen above. The count begins at 0.</source>
+        <source>Sends the settings above. The count restarts at 0.</source>
         <translation>Sendet, was oben gewählt ist. Die Zählung beginnt bei 0.</translation>
     </message>
     <message>
-        <source>Latches all pins and the count at one moment, and reads them.</source>
+        <source>Latches all pins and the count at the same moment, and reads them.</source>
         <translation>Hält alle Pins und den Zählerstand im selben Augenblick fest und liest sie.</translation>
     </message>
     <message>
-        <source>Sends these values to the module, which keeps them until they are put out.</source>
+        <source>Sends these values to the module, which keeps them until you put them out.</source>
         <translation>Sendet diese Werte an das Modul, das sie behält, bis sie ausgegeben werden.</translation>
     </message>
     <message>
-        <source>Store something first.</source>
+        <source>Store outputs first.</source>
         <translation>Zuerst etwas ablegen.</translation>
     </message>
     <message>
-        <source>Puts out what was stored, pins and PWM at one moment.</source>
+        <source>Puts out the stored pins and PWM values at the same moment.</source>
         <translation>Gibt Abgelegtes aus, Pins und PWM im selben Augenblick.</translation>
     </message>
     <message>
@@ -5241,11 +5218,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>gesendet: Befehle, die eine Antwort verlangten</translation>
     </message>
     <message>
-        <source>accepted: answers that were believed</source>
+        <source>accepted: answers that passed all checks</source>
         <translation>angenommen: Antworten, denen geglaubt wurde</translation>
     </message>
     <message>
-        <source>mean round trip, from sending a command to its whole answer</source>
+        <source>mean round trip, from sending a command to its complete answer</source>
         <translation>mittlere Antwortzeit, vom Senden eines Befehls bis zu seiner ganzen Antwort</translation>
     </message>
     <message>
@@ -5265,23 +5242,23 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>vom Modul abgewiesen: der Befehl erreichte es mit falscher Prüfsumme</translation>
     </message>
     <message>
-        <source>wrong sums: the answer was damaged on its way</source>
+        <source>wrong checksums: the answer was damaged on its way</source>
         <translation>falsche Prüfsummen: die Antwort wurde unterwegs beschädigt</translation>
     </message>
     <message>
-        <source>surplus bytes: nobody had asked for them</source>
+        <source>surplus bytes: received without a request</source>
         <translation>überzählige Bytes: niemand hatte sie angefordert</translation>
     </message>
     <message>
-        <source>of them stale: discarded while late answers were waited out</source>
-        <translation>davon veraltet: verworfen, während späte Antworten abgewartet wurden</translation>
+        <source>of them stale: late answers, discarded</source>
+        <translation>davon veraltet: späte Antworten, verworfen</translation>
     </message>
     <message>
-        <source>resyncs: the link had to prove itself again</source>
+        <source>resyncs: link checked again after errors</source>
         <translation>Neuabgleiche: die Verbindung musste sich neu beweisen</translation>
     </message>
     <message>
-        <source>rejected by a rule: the sum was right, but the answer was not believed</source>
+        <source>rejected by a rule: checksum right, but answer implausible</source>
         <translation>durch eine Regel verworfen: die Prüfsumme stimmte, aber der Antwort wurde nicht geglaubt</translation>
     </message>
     <message>
@@ -5296,11 +5273,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::CursorPanel</name>
     <message>
-        <source>Readings of the cursors</source>
+        <source>Cursor readings</source>
         <translation>Was die Cursor anzeigen</translation>
     </message>
     <message>
-        <source>Shows or hides what the cursors read.</source>
+        <source>Shows or hides the cursor readings.</source>
         <translation>Zeigt oder verbirgt, was die Cursor anzeigen.</translation>
     </message>
     <message>
@@ -5311,7 +5288,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::CursorTable</name>
     <message>
-        <source>What the cursors read</source>
+        <source>Cursor readings</source>
         <translation>Was die Cursor anzeigen</translation>
     </message>
     <message>
@@ -5374,11 +5351,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Fahrt ist beendet; im Geschwindigkeitsbetrieb ist die Zielgeschwindigkeit erreicht.</translation>
     </message>
     <message>
-        <source>The module could not read the last command; it was not carried out.</source>
+        <source>The module received a garbled command and did not carry it out.</source>
         <translation>Das Modul konnte den letzten Befehl nicht lesen; er wurde nicht ausgeführt.</translation>
     </message>
     <message>
-        <source>The current limit was reached. Stays until sticky bits are cleared.</source>
+        <source>The current limit was reached. Stays set until you clear the sticky bits.</source>
         <translation>Die Stromgrenze wurde erreicht. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message>
@@ -5386,15 +5363,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Motorversorgung ist vorhanden.</translation>
     </message>
     <message>
-        <source>The position error was beyond its limit, or the servo is off. Stays until sticky bits are cleared.</source>
+        <source>The position error exceeded its limit, or the servo is off. Stays set until you clear the sticky bits.</source>
         <translation>Die Regelabweichung lag über ihrer Grenze, oder der Servo ist aus. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message>
-        <source>Limit input 1.</source>
+        <source>Limit switch 1.</source>
         <translation>Endschaltereingang 1.</translation>
     </message>
     <message>
-        <source>Limit input 2.</source>
+        <source>Limit switch 2.</source>
         <translation>Endschaltereingang 2.</translation>
     </message>
     <message>
@@ -5406,7 +5383,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Das Komplement des Indexsignals des Encoders.</translation>
     </message>
     <message>
-        <source>The 32-bit position has wrapped. Stays until sticky bits are cleared.</source>
+        <source>The 32-bit position has wrapped. Stays set until you clear the sticky bits.</source>
         <translation>Die 32-Bit-Position ist übergelaufen. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message>
@@ -5422,7 +5399,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Konstantphase der Fahrt ist beendet.</translation>
     </message>
     <message>
-        <source>A servo tick took too long; typically not serious. Stays until sticky bits are cleared.</source>
+        <source>A servo tick took too long; typically not serious. Stays set until you clear the sticky bits.</source>
         <translation>Ein Servotakt hat zu lange gedauert; meist unbedenklich. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message>
@@ -5434,8 +5411,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Details</translation>
     </message>
     <message>
-        <source>Clear the sticky status bits</source>
-        <translation>Die Sticky-Statusbits löschen</translation>
+        <source>Clear sticky bits of the status</source>
+        <translation>Sticky-Bits löschen: Die Sticky-Statusbits löschen</translation>
     </message>
     <message>
         <source>Status byte</source>
@@ -5450,7 +5427,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>A/D (Motorstrom)</translation>
     </message>
     <message>
-        <source>Velocity, as the chip says</source>
+        <source>Velocity reported by the chip</source>
         <translation>Geschwindigkeit laut Chip</translation>
     </message>
     <message>
@@ -5474,11 +5451,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Als Referenz speichern</translation>
     </message>
     <message>
-        <source>Save the present position as home</source>
-        <translation>Die jetzige Position als Referenz speichern</translation>
+        <source>Save as home: the present position</source>
+        <translation>Als Referenz speichern: Die jetzige Position als Referenz speichern</translation>
     </message>
     <message>
-        <source>Keeps the present position as home. The motor does not move.</source>
+        <source>Saves the present position as home. The motor does not move.</source>
         <translation>Merkt sich die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
     </message>
     <message>
@@ -5489,12 +5466,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::DifferencesDialog</name>
     <message>
-        <source>&amp;Tick all</source>
-        <translation>A&amp;lle anhaken</translation>
+        <source>&amp;Select all</source>
+        <translation>A&amp;lle auswählen</translation>
     </message>
     <message>
-        <source>Tick &amp;none</source>
-        <translation>&amp;Keinen anhaken</translation>
+        <source>Clear a&amp;ll</source>
+        <translation>&amp;Keine auswählen</translation>
     </message>
     <message>
         <source>&amp;Apply</source>
@@ -5505,15 +5482,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>What the machine file would change</source>
-        <translation>Was die Maschinendatei ändern würde</translation>
+        <source>Changes from the machine file</source>
+        <translation>Änderungen aus der Maschinendatei</translation>
     </message>
     <message>
         <source>Open machine</source>
         <translation>Maschine öffnen</translation>
     </message>
     <message>
-        <source>Differences between the file and what is here</source>
+        <source>Differences between the file and the panel</source>
         <translation>Unterschiede zwischen der Datei und dem Stand hier</translation>
     </message>
     <message>
@@ -5525,28 +5502,28 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>In der Datei</translation>
     </message>
     <message>
-        <source>Here, or last sent</source>
+        <source>Here or last sent</source>
         <translation>Hier oder zuletzt gesendet</translation>
     </message>
     <message>
-        <source>Applying it</source>
+        <source>When applied</source>
         <translation>Beim Anwenden</translation>
     </message>
     <message>
-        <source>Tick all</source>
-        <translation>Alle anhaken</translation>
+        <source>Select all</source>
+        <translation>Alle auswählen</translation>
     </message>
     <message>
-        <source>Ticks everything that can be applied, also what is sent to modules that are on.</source>
-        <translation>Hakt alles an, was sich anwenden lässt, auch was an eingeschaltete Module gesendet wird.</translation>
+        <source>Selects all check boxes, including settings sent to modules that are on.</source>
+        <translation>Setzt alle Häkchen, auch bei Einstellungen für eingeschaltete Module.</translation>
     </message>
     <message>
-        <source>Tick none</source>
-        <translation>Keinen anhaken</translation>
+        <source>Clear all</source>
+        <translation>Keine auswählen</translation>
     </message>
     <message>
-        <source>Takes all ticks away.</source>
-        <translation>Nimmt alle Haken weg.</translation>
+        <source>Clears all check boxes.</source>
+        <translation>Entfernt alle Häkchen.</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -5557,11 +5534,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Leaves everything as it is.</source>
+        <source>Keeps everything as it is.</source>
         <translation>Lässt alles, wie es ist.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; differs from what is here. Nothing changes, and nothing is sent, before you apply it; no motor is moved by it. What was typed and not sent gives way to the file.</source>
+        <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those of the file.</source>
         <translation>„%1“ weicht vom Stand hier ab. Vor dem Anwenden ändert sich nichts, und es wird nichts gesendet; kein Motor bewegt sich dadurch. Was eingetippt und nicht gesendet ist, weicht der Datei.</translation>
     </message>
     <message>
@@ -5573,11 +5550,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1 Werte</translation>
     </message>
     <message>
-        <source>Takes over what is ticked, and sends what is said to be sent.</source>
+        <source>Applies the selected settings and sends those marked as sent.</source>
         <translation>Übernimmt, was angehakt ist, und sendet, was als zu senden angegeben ist.</translation>
     </message>
     <message>
-        <source>Chosen: %1 of %2. Sent to modules: %3.</source>
+        <source>Selected: %1 of %2. Sent to modules: %3.</source>
         <translation>Gewählt: %1 von %2. An Module gesendet: %3.</translation>
     </message>
 </context>
@@ -5592,7 +5569,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Was der Chip tun wird</translation>
     </message>
     <message>
-        <source>The command&apos;s bytes</source>
+        <source>Command bytes</source>
         <translation>Bytes des Befehls</translation>
     </message>
     <message>
@@ -5608,12 +5585,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Daten von %1: %2</translation>
     </message>
     <message>
-        <source>Load: %1</source>
-        <translation>Laden: %1</translation>
+        <source>%1: load</source>
+        <translation>%1: laden</translation>
     </message>
     <message>
-        <source>Without it the chip keeps the value that was loaded before.</source>
-        <translation>Ohne ihn behält der Chip den zuvor geladenen Wert.</translation>
+        <source>If cleared, the chip keeps the value loaded before.</source>
+        <translation>Ohne Häkchen behält der Chip den zuvor geladenen Wert.</translation>
     </message>
 </context>
 <context>
@@ -5635,27 +5612,27 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Drehrichtung von Motor und Encoder</translation>
     </message>
     <message>
-        <source>Check the direction of motor and encoder</source>
-        <translation>Drehrichtung von Motor und Encoder prüfen</translation>
+        <source>Direction check of motor and encoder</source>
+        <translation>Richtungsprüfung: Drehrichtung von Motor und Encoder prüfen</translation>
     </message>
     <message>
         <source>Cancel the direction check</source>
         <translation>Richtungsprüfung abbrechen</translation>
     </message>
     <message>
-        <source>What the direction check has found</source>
+        <source>Result of the direction check</source>
         <translation>Was die Richtungsprüfung ergeben hat</translation>
     </message>
     <message>
-        <source>A direction check is under way.</source>
+        <source>A direction check is running.</source>
         <translation>Eine Richtungsprüfung läuft.</translation>
     </message>
     <message>
-        <source>Something turns the motor. Wait until it stands still.</source>
+        <source>Something turns the motor. Wait until it is at rest.</source>
         <translation>Etwas dreht den Motor. Warten, bis er stillsteht.</translation>
     </message>
     <message>
-        <source>The motor of %1 will move a little, forward and in reverse. It is pushed for less than a tenth of a second at a time, a little stronger each time up to %2 % of its supply, until it has moved %3; a motor that runs freely may run on for some more. Farther than %4 ends the check. Keep clear of it.</source>
+        <source>The motor of %1 will move a little, forward and in reverse. It is pushed for less than 0.1 s at a time, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.</source>
         <translation>Der Motor von %1 wird sich ein wenig bewegen, vorwärts und rückwärts. Er wird jeweils weniger als eine Zehntelsekunde lang angestoßen, jedes Mal ein wenig stärker bis zu %2 % seiner Versorgung, bis er sich um %3 bewegt hat; ein frei drehender Motor kann noch etwas weiterlaufen. Mehr als %4 beendet die Prüfung. Abstand halten.</translation>
     </message>
     <message>
@@ -5679,23 +5656,23 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wird vorwärts angestoßen.</translation>
     </message>
     <message>
-        <source>No verdict: see the message.</source>
+        <source>Inconclusive: see the message.</source>
         <translation>Kein Ergebnis: siehe die Meldung.</translation>
     </message>
     <message>
-        <source>Not checked in this connection. Do it before you enable the servo for the first time: with motor or encoder reversed it runs away.</source>
+        <source>Not checked in this connection. Run the check before you enable the servo for the first time: with motor or encoder reversed, it runs away.</source>
         <translation>In dieser Verbindung nicht geprüft. Vor dem ersten Einschalten des Servos prüfen: Mit vertauschtem Motor oder Encoder läuft er davon.</translation>
     </message>
     <message>
-        <source>Moves the motor a little, without the servo, to see that it turns the way its encoder counts. Asks first.</source>
+        <source>Moves the motor a little, without the servo, to check that it turns the way its encoder counts. Asks first.</source>
         <translation>Bewegt den Motor ein wenig, ohne Servo, um zu sehen, ob er sich so dreht, wie sein Encoder zählt. Fragt vorher.</translation>
     </message>
     <message>
-        <source>No direction check is under way.</source>
+        <source>No direction check is running.</source>
         <translation>Es läuft keine Richtungsprüfung.</translation>
     </message>
     <message>
-        <source>Ends the check; the motor is off then.</source>
+        <source>Ends the check and switches the motor off.</source>
         <translation>Beendet die Prüfung; der Motor ist dann aus.</translation>
     </message>
 </context>
@@ -5734,16 +5711,16 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Erneut &amp;suchen</translation>
     </message>
     <message>
-        <source>Look for the chain again</source>
-        <translation>Die Kette neu suchen</translation>
+        <source>Scan again: look for modules</source>
+        <translation>Erneut suchen: Kette erneut suchen</translation>
     </message>
     <message>
-        <source>&amp;Take as expected</source>
-        <translation>Als er&amp;wartet übernehmen</translation>
+        <source>Accep&amp;t as found</source>
+        <translation>&amp;Wie gefunden übernehmen</translation>
     </message>
     <message>
-        <source>Take what is there as expected</source>
-        <translation>Das Vorhandene als erwartet übernehmen</translation>
+        <source>Accept as found</source>
+        <translation>Wie gefunden übernehmen</translation>
     </message>
     <message>
         <source>&amp;Restart the network…</source>
@@ -5754,19 +5731,19 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Netzwerk neu starten: Positionen und Reglerwerte gehen verloren</translation>
     </message>
     <message>
-        <source>Looks for the chain again with questions only: nothing is reset, nothing moves.</source>
+        <source>Scans the chain again with status requests only: nothing is reset, nothing moves.</source>
         <translation>Sucht die Kette nur mit Abfragen neu: nichts wird zurückgesetzt, nichts bewegt sich.</translation>
     </message>
     <message>
-        <source>Resets every module and gives addresses again. Asks first.</source>
+        <source>Resets every module and assigns new addresses. Asks first.</source>
         <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
     </message>
     <message>
-        <source>It is what is expected already.</source>
-        <translation>Das wird bereits erwartet.</translation>
+        <source>The chain already matches.</source>
+        <translation>Die Kette stimmt bereits.</translation>
     </message>
     <message>
-        <source>From now on the modules that are there are the expected ones.</source>
+        <source>From now on, the panel expects the modules found here.</source>
         <translation>Von nun an sind die vorhandenen Module die erwarteten.</translation>
     </message>
 </context>
@@ -5789,11 +5766,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Motor aus</translation>
     </message>
     <message>
-        <source>The chip no longer watches for home.</source>
+        <source>The chip stops watching for home.</source>
         <translation>Der Chip sucht keine Referenz mehr.</translation>
     </message>
     <message>
-        <source>At the first of these events the chip stores its position in the home register and stops by itself. Start the motion with your own command.</source>
+        <source>At the first of these events the chip stores its position in the home register and stops. Start the motion with a command of your own.</source>
         <translation>Beim ersten dieser Ereignisse speichert der Chip seine Position im Referenzregister und stoppt von selbst. Die Bewegung mit einem eigenen Befehl starten.</translation>
     </message>
     <message>
@@ -5881,7 +5858,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Verstärker ein</translation>
     </message>
     <message>
-        <source>Only AMP_EN is switched. The servo stays as it is.</source>
+        <source>Switches only AMP_EN. The servo stays as it is.</source>
         <translation>Nur AMP_EN wird geschaltet. Der Servo bleibt, wie er ist.</translation>
     </message>
     <message>
@@ -5937,7 +5914,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Dann</translation>
     </message>
     <message>
-        <source>Table 4 has no mode for this, from what the motor does now.</source>
+        <source>Table 4 has no such mode from the present state of the motor.</source>
         <translation>Tabelle 4 kennt dafür keinen Modus aus dem, was der Motor jetzt tut.</translation>
     </message>
     <message>
@@ -5965,7 +5942,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Rückwärts (ohne Position)</translation>
     </message>
     <message>
-        <source>Only AMP_EN is switched. A motion goes on counting.</source>
+        <source>Switches only AMP_EN. A motion in progress keeps counting.</source>
         <translation>Nur AMP_EN wird geschaltet. Eine Bewegung zählt weiter.</translation>
     </message>
     <message>
@@ -5981,11 +5958,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wechsel am Referenzschalter</translation>
     </message>
     <message>
-        <source>Commands as the data sheet has them</source>
+        <source>Commands as in the data sheet</source>
         <translation>Befehle, wie das Datenblatt sie hat</translation>
     </message>
     <message>
-        <source>Commands as the data sheet has them, in the chip&apos;s own numbers. STOP ALL and Esc act as ever.</source>
+        <source>Commands as in the data sheet, in native counts. STOP ALL and Esc work as usual.</source>
         <translation>Befehle, wie das Datenblatt sie hat, in den Zahlen des Chips. ALLES STOPP und Esc wirken wie immer.</translation>
     </message>
     <message>
@@ -5993,7 +5970,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1 Wartet auf Start Motion; der nächste Ladebefehl überschreibt es.</translation>
     </message>
     <message>
-        <source>The servo is off and the PWM value drives the motor. No limit applies.</source>
+        <source>The servo is off; the PWM value drives the motor. No limit applies.</source>
         <translation>Der Servo ist aus, und der PWM-Wert treibt den Motor. Keine Grenze gilt.</translation>
     </message>
     <message>
@@ -6001,7 +5978,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Der Motor läuft bis zum Stopp.</translation>
     </message>
     <message>
-        <source>A trapezoidal move to the position. Start it from standstill only.</source>
+        <source>A trapezoidal move to the position. Start it only from standstill.</source>
         <translation>Eine Trapezfahrt zur Position. Nur aus dem Stillstand starten.</translation>
     </message>
     <message>
@@ -6021,7 +5998,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Eine einzige Geschwindigkeit vom ersten Schritt an. Der Motor läuft bis zum Stopp.</translation>
     </message>
     <message>
-        <source>The move goes on to its position at this speed. Had it ended meanwhile, the motor would run until it is stopped.</source>
+        <source>The move continues to its position at this speed. If it has just ended, the motor runs until it is stopped.</source>
         <translation>Die Fahrt geht mit dieser Geschwindigkeit bis zu ihrer Position weiter. Wäre sie inzwischen beendet, liefe der Motor bis zum Stopp.</translation>
     </message>
     <message>
@@ -6029,11 +6006,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Modul zurücksetzen…</translation>
     </message>
     <message>
-        <source>Reset this module</source>
-        <translation>Dieses Modul zurücksetzen</translation>
+        <source>Reset module to its power-up state</source>
+        <translation>Modul zurücksetzen: Dieses Modul zurücksetzen</translation>
     </message>
     <message>
-        <source>Takes this module back to its power-up state, and gives it its address again. The others stay as they are.</source>
+        <source>Returns this module to its power-up state and assigns its address again. The other modules are unchanged.</source>
         <translation>Setzt dieses Modul in den Einschaltzustand zurück und gibt ihm seine Adresse wieder. Die anderen bleiben, wie sie sind.</translation>
     </message>
     <message>
@@ -6041,7 +6018,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Modul zurücksetzen</translation>
     </message>
     <message>
-        <source>Reset %1? Its motor goes off, and it forgets its position, its settings and its group. The other modules stay as they are.</source>
+        <source>Reset %1? Its motor switches off, and it loses its position, settings and group. The other modules are unchanged.</source>
         <translation>%1 zurücksetzen? Sein Motor geht aus, und es vergisst Position, Einstellungen und Gruppe. Die anderen Module bleiben, wie sie sind.</translation>
     </message>
     <message>
@@ -6064,7 +6041,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Messen</translation>
     </message>
     <message>
-        <source>The motor swings about where it is held, slowly at first, then faster. Everything that turns with it must be free to.</source>
+        <source>The motor swings around its position, slowly at first, then faster. Make sure that everything it drives can move freely.</source>
         <translation>Der Motor schwingt um die Stelle, an der er gehalten wird, erst langsam, dann schneller. Alles, was sich mitdreht, muss sich drehen können.</translation>
     </message>
     <message>
@@ -6076,7 +6053,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Amplitude</translation>
     </message>
     <message>
-        <source>How far the command swings to either side. The motor may swing four times as far before it is stopped.</source>
+        <source>How far the command swings to either side. The motor is stopped if it swings four times as far.</source>
         <translation>Wie weit der Sollwert nach jeder Seite schwingt. Der Motor darf viermal so weit schwingen, bevor er gestoppt wird.</translation>
     </message>
     <message>
@@ -6100,11 +6077,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die höchste Frequenz</translation>
     </message>
     <message>
-        <source>It ends before it where the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd.</source>
+        <source>The test ends earlier if the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd.</source>
         <translation>Es endet vorher, wo die Baudrate zu niedrig ist: bei etwa 40 Hz mit 115200 Bd und bei etwa 8 Hz mit 19200 Bd.</translation>
     </message>
     <message>
-        <source>What the frequency response comes to</source>
+        <source>Results of the frequency response</source>
         <translation>Was der Frequenzgang ergibt</translation>
     </message>
     <message>
@@ -6112,24 +6089,28 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>CSV exportieren…</translation>
     </message>
     <message>
-        <source>Export the frequency response</source>
-        <translation>Frequenzgang exportieren</translation>
+        <source>Export CSV of the frequency response</source>
+        <translation>CSV exportieren: Frequenzgang exportieren</translation>
     </message>
     <message>
         <source>The baud rate is too low for higher frequencies.</source>
         <translation>Für höhere Frequenzen ist die Baudrate zu niedrig.</translation>
     </message>
     <message>
-        <source>Nothing is measured yet.</source>
+        <source>No measurement yet.</source>
         <translation>Noch ist nichts gemessen.</translation>
     </message>
     <message>
-        <source>Saves frequency, magnitude and phase of both loops.</source>
+        <source>Saves frequency, magnitude and phase of the open and the closed loop.</source>
         <translation>Speichert Frequenz, Betrag und Phase von beiden.</translation>
     </message>
     <message>
         <source>CSV (*.csv)</source>
         <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export the frequency response</source>
+        <translation>Frequenzgang exportieren</translation>
     </message>
 </context>
 <context>
@@ -6151,19 +6132,19 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Reglerwerte</translation>
     </message>
     <message>
-        <source>Apply all gains</source>
-        <translation>Alle Reglerwerte anwenden</translation>
+        <source>Apply gains: all</source>
+        <translation>Alle anwenden: Alle Reglerwerte anwenden</translation>
     </message>
     <message>
-        <source>Revert the gains to what was sent</source>
+        <source>Revert the gains to those last sent</source>
         <translation>Reglerwerte auf die gesendeten zurücksetzen</translation>
     </message>
     <message>
-        <source>Fill in starting values</source>
+        <source>Starting values: fill in</source>
         <translation>Startwerte eintragen</translation>
     </message>
     <message>
-        <source>Fills the fields with values to begin tuning with. Sends nothing.</source>
+        <source>Fills in values to start tuning with. Sends nothing.</source>
         <translation>Füllt die Felder mit Werten für den Beginn der Abstimmung. Sendet nichts.</translation>
     </message>
     <message>
@@ -6183,11 +6164,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>● nicht gesendet</translation>
     </message>
     <message>
-        <source>Gains cannot be read back from the module. Until you apply them they are unknown.</source>
+        <source>Gains cannot be read back from the module. They are unknown until you apply them.</source>
         <translation>Reglerwerte sind aus dem Modul nicht lesbar. Bis zum Anwenden sind sie unbekannt.</translation>
     </message>
     <message>
-        <source>Sends all gains at once. The servo is on: they act immediately.</source>
+        <source>Sends all gains at once. The servo is on: they take effect immediately.</source>
         <translation>Sendet alle Reglerwerte auf einmal. Der Servo ist ein: sie wirken sofort.</translation>
     </message>
     <message>
@@ -6199,11 +6180,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>A&amp;lle anwenden, live</translation>
     </message>
     <message>
-        <source>Back to the gains that were sent. Sends nothing.</source>
+        <source>Restores the gains last sent. Sends nothing.</source>
         <translation>Zurück zu den gesendeten Reglerwerten. Sendet nichts.</translation>
     </message>
     <message>
-        <source>Empties the fields: no gains have been sent yet. Sends nothing.</source>
+        <source>Clears the fields: no gains have been sent yet. Sends nothing.</source>
         <translation>Leert die Felder: es wurden noch keine Reglerwerte gesendet. Sendet nichts.</translation>
     </message>
     <message>
@@ -6211,7 +6192,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wirkungssinn der Stromgrenze</translation>
     </message>
     <message>
-        <source>Whether a large or a small A/D value means too much current. The chip tells them apart by odd and even numbers.</source>
+        <source>Whether a high or a low A/D value means overcurrent. The chip tells them apart by odd and even numbers.</source>
         <translation>Ob ein großer oder ein kleiner A/D-Wert zu viel Strom bedeutet. Der Chip unterscheidet das an geraden und ungeraden Zahlen.</translation>
     </message>
     <message>
@@ -6235,19 +6216,19 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Alle null</translation>
     </message>
     <message>
-        <source>Fill in zero for all gains</source>
-        <translation>Für alle Reglerwerte null eintragen</translation>
+        <source>All zero: fill in 0 for all gains</source>
+        <translation>Alle null: Für alle Reglerwerte null eintragen</translation>
     </message>
     <message>
-        <source>SR %1 instead of %2 changes the servo tick: every velocity and acceleration in counts per tick means another speed then.</source>
-        <translation>SR %1 statt %2 ändert den Servotakt: jede Geschwindigkeit und Beschleunigung in Inkrementen je Takt bedeutet dann ein anderes Tempo.</translation>
+        <source>Changing SR from %2 to %1 changes the servo tick, and with it the meaning of every velocity and acceleration in counts per tick.</source>
+        <translation>SR von %2 auf %1 zu ändern ändert den Servotakt und damit die Bedeutung jeder Geschwindigkeit und Beschleunigung in Zählwerten je Takt.</translation>
     </message>
     <message>
         <source>Gains while the servo is on</source>
         <translation>Reglerwerte bei eingeschaltetem Servo</translation>
     </message>
     <message>
-        <source>The servo is on, and this is a large step: %1. The motor may jump or swing.</source>
+        <source>The servo is on, and this is a large change: %1. The motor may jump or oscillate.</source>
         <translation>Der Servo ist ein, und das ist ein großer Schritt: %1. Der Motor kann springen oder schwingen.</translation>
     </message>
     <message>
@@ -6263,43 +6244,43 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sprungantwort…</translation>
     </message>
     <message>
-        <source>Open the step response</source>
-        <translation>Die Sprungantwort öffnen</translation>
+        <source>Step response: open</source>
+        <translation>Sprungantwort: Die Sprungantwort öffnen</translation>
     </message>
     <message>
-        <source>Opens the place where a small step shows how the motor follows (F9).</source>
+        <source>Opens the step response, which shows how the motor follows a small step (F9).</source>
         <translation>Öffnet den Ort, an dem ein kleiner Sprung zeigt, wie der Motor folgt (F9).</translation>
     </message>
     <message>
-        <source>Fills the fields with 0, where tuning begins. Sends nothing; once applied, the motor does not hold any more.</source>
+        <source>Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds.</source>
         <translation>Füllt die Felder mit 0, dem Beginn der Abstimmung. Sendet nichts; nach dem Anwenden hält der Motor nicht mehr.</translation>
     </message>
     <message>
-        <source>There is nothing to undo.</source>
+        <source>Nothing to undo.</source>
         <translation>Es gibt nichts zurückzunehmen.</translation>
     </message>
     <message>
-        <source>Takes back the last edit in these fields. Sends nothing.</source>
+        <source>Undoes the last edit in these fields. Sends nothing.</source>
         <translation>Nimmt die letzte Änderung in diesen Feldern zurück. Sendet nichts.</translation>
     </message>
     <message>
-        <source>There is nothing to redo.</source>
+        <source>Nothing to redo.</source>
         <translation>Es gibt nichts zu wiederholen.</translation>
     </message>
     <message>
-        <source>Makes the edit again that was undone. Sends nothing.</source>
+        <source>Redoes the edit that was undone. Sends nothing.</source>
         <translation>Macht die Änderung noch einmal, die rückgängig gemacht wurde. Sendet nichts.</translation>
     </message>
     <message>
-        <source>Nothing was edited.</source>
-        <translation>Es wurde nichts geändert.</translation>
+        <source>No changes to apply.</source>
+        <translation>Keine Änderungen.</translation>
     </message>
     <message>
         <source>Try for %1 s</source>
         <translation>%1 s probieren</translation>
     </message>
     <message>
-        <source>Try these gains for %1 seconds</source>
+        <source>Try for %1 s: these gains</source>
         <translation>Diese Reglerwerte %1 Sekunden lang probieren</translation>
     </message>
     <message>
@@ -6307,19 +6288,19 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Behalten</translation>
     </message>
     <message>
-        <source>Keep the gains that are being tried</source>
-        <translation>Die Reglerwerte behalten, die probiert werden</translation>
+        <source>Keep them: the gains being tried</source>
+        <translation>Behalten: Die Reglerwerte behalten, die probiert werden</translation>
     </message>
     <message>
-        <source>They are being tried already.</source>
+        <source>These gains are already being tried.</source>
         <translation>Sie werden schon probiert.</translation>
     </message>
     <message>
-        <source>The module has these gains already.</source>
+        <source>The module already has these gains.</source>
         <translation>Das Modul hat diese Reglerwerte schon.</translation>
     </message>
     <message>
-        <source>Sends these gains and takes them back after %1 s, unless you keep them; at once when the motor begins to swing.</source>
+        <source>Sends these gains and restores the previous ones after %1 s unless you keep them, or at once if the motor starts to oscillate.</source>
         <translation>Sendet diese Reglerwerte und nimmt sie nach %1 s zurück, wenn sie nicht behalten werden; sofort, wenn der Motor zu schwingen beginnt.</translation>
     </message>
     <message>
@@ -6327,7 +6308,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Es werden keine Reglerwerte probiert.</translation>
     </message>
     <message>
-        <source>The gains that are being tried stay.</source>
+        <source>Keeps the gains that are being tried.</source>
         <translation>Die Reglerwerte, die probiert werden, bleiben.</translation>
     </message>
 </context>
@@ -6358,19 +6339,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Keine Antwort. </translation>
     </message>
     <message>
-        <source>Ask for its status</source>
+        <source>Request status</source>
         <translation>Status abfragen</translation>
     </message>
     <message>
-        <source>Ask this module for its status</source>
-        <translation>Den Status dieses Moduls abfragen</translation>
-    </message>
-    <message>
-        <source>Sends No Operation, which only asks for the status.</source>
+        <source>Sends No Operation, which only requests the status.</source>
         <translation>Sendet No Operation, das nur den Status abfragt.</translation>
     </message>
     <message>
-        <source>Its type and version are not among those whose data sheets this panel follows (PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so what a command would do to it is not known. It is only looked at; Stop all reaches it.</source>
+        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL reaches the module.</source>
         <translation>Typ und Version gehören nicht zu denen, deren Datenblättern dieses Programm folgt (PIC-SERVO v1 bis v5 und v10, PIC-STEP v1, PIC-I/O v1); was ein Befehl bei ihm bewirken würde, ist nicht bekannt. Es wird nur angesehen; ALLES STOPP erreicht es.</translation>
     </message>
 </context>
@@ -6385,7 +6362,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Noch keine Module: zuerst verbinden.</translation>
     </message>
     <message>
-        <source>Group to be commanded</source>
+        <source>Group to command</source>
         <translation>Gruppe für die Befehle</translation>
     </message>
     <message>
@@ -6409,7 +6386,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Gruppe von Modul %1</translation>
     </message>
     <message>
-        <source>The group this module listens to. Sent at once; nothing moves.</source>
+        <source>The group that this module listens to. Sent at once; nothing moves.</source>
         <translation>Die Gruppe, auf die dieses Modul hört. Wird sofort gesendet; nichts bewegt sich.</translation>
     </message>
     <message>
@@ -6429,7 +6406,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zuerst eine Gruppe wählen.</translation>
     </message>
     <message>
-        <source>This module answers for its group; a group has one leader at most.</source>
+        <source>This module answers for its group. A group has at most one leader.</source>
         <translation>Dieses Modul antwortet für seine Gruppe; eine Gruppe hat höchstens ein Leitmodul.</translation>
     </message>
     <message>
@@ -6441,15 +6418,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>No module is in a group yet.</source>
-        <translation>Noch ist kein Modul in einer Gruppe.</translation>
+        <source>No groups yet. Add modules to a group first.</source>
+        <translation>Noch keine Gruppen. Zuerst Module in eine Gruppe setzen.</translation>
     </message>
     <message>
-        <source>Starts the moves that all members have loaded, in the same tick. Withheld unless every member has confirmed its load.</source>
+        <source>Starts the loaded moves of all members in the same tick. Available once every member has confirmed its load.</source>
         <translation>Startet im selben Takt die Fahrten, die alle Mitglieder geladen haben. Wird zurückgehalten, solange nicht jedes Mitglied das Laden bestätigt hat.</translation>
     </message>
     <message>
-        <source>Each member captures its present position as home, in the same tick. Nothing moves.</source>
+        <source>Saves the present position of each member as home, in the same tick. Nothing moves.</source>
         <translation>Jedes Mitglied erfasst im selben Takt seine jetzige Position als Referenz. Nichts bewegt sich.</translation>
     </message>
     <message>
@@ -6461,15 +6438,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Name</translation>
     </message>
     <message>
-        <source>What you call this group. Kept with the machine; nothing is sent.</source>
+        <source>The name of this group. Saved with the machine; nothing is sent.</source>
         <translation>Wie Sie diese Gruppe nennen. Steht bei der Maschine; nichts wird gesendet.</translation>
     </message>
     <message>
-        <source>A module listens to one group besides its own address. A command to a group is carried out by all its members in the same tick; its leader, if it has one, answers for them; then each member is looked at by itself. Questions go to single modules: from a group only the leader would answer.</source>
+        <source>A module listens to one group besides its own address. All members carry out a group command in the same tick; the leader, if any, answers for them, and the panel then checks each member. Status requests go to single modules.</source>
         <translation>Ein Modul hört außer auf seine eigene Adresse auf eine Gruppe. Einen Befehl an eine Gruppe führen alle Mitglieder im selben Takt aus; ihr Leiter, wenn sie einen hat, antwortet für alle; dann wird jedes Mitglied einzeln angesehen. Fragen gehen an einzelne Module: von einer Gruppe würde nur der Leiter antworten.</translation>
     </message>
     <message>
-        <source>Which group the buttons are for.</source>
+        <source>The group that the buttons command.</source>
         <translation>Für welche Gruppe die Schaltflächen gelten.</translation>
     </message>
     <message>
@@ -6493,7 +6470,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Motoren aus</translation>
     </message>
     <message>
-        <source>Motors of this group off</source>
+        <source>Motors off in this group</source>
         <translation>Motoren dieser Gruppe aus</translation>
     </message>
     <message>
@@ -6509,8 +6486,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Position auf 0 setzen…</translation>
     </message>
     <message>
-        <source>Set the positions of this group to 0</source>
-        <translation>Die Positionen dieser Gruppe auf 0 setzen</translation>
+        <source>Set position to 0 for this group</source>
+        <translation>Position auf 0 setzen: Die Positionen dieser Gruppe auf 0 setzen</translation>
     </message>
     <message>
         <source>Address of module %1</source>
@@ -6521,31 +6498,31 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Adresse </translation>
     </message>
     <message>
-        <source>The address this module answers to, 1 to 127. Sent with Enter; it keeps its position, gains and group.</source>
+        <source>The address of this module, 1 to 127. Press Enter to send it. Position, gains and group are kept.</source>
         <translation>Die Adresse, auf die dieses Modul antwortet, 1 bis 127. Wird mit der Eingabetaste gesendet; Position, Reglerwerte und Gruppe bleiben.</translation>
     </message>
     <message>
-        <source>The place where each member stands becomes 0. Asks first.</source>
+        <source>Makes the present position of each member 0. Asks first.</source>
         <translation>Der Ort, an dem jedes Mitglied steht, wird 0. Fragt vorher.</translation>
     </message>
     <message>
-        <source>Takes back what each member has remembered of faults. PIC-SERVO only.</source>
+        <source>Clears the sticky fault bits of each member. PIC-SERVO only.</source>
         <translation>Nimmt zurück, was sich jedes Mitglied an Fehlern gemerkt hat. Nur PIC-SERVO.</translation>
     </message>
     <message>
-        <source>Each member that is on slows down, and holds. Repeated until each is seen at rest.</source>
+        <source>Every member that is on slows down and holds. Repeated until all are seen at rest.</source>
         <translation>Jedes eingeschaltete Mitglied bremst ab und hält. Wird wiederholt, bis jedes in Ruhe gesehen wurde.</translation>
     </message>
     <message>
-        <source>Each member that is on stops at once, and holds. Repeated until each is seen at rest.</source>
+        <source>Every member that is on stops at once and holds. Repeated until all are seen at rest.</source>
         <translation>Jedes eingeschaltete Mitglied hält sofort an und hält. Wird wiederholt, bis jedes in Ruhe gesehen wurde.</translation>
     </message>
     <message>
-        <source>Switches each member off: it coasts, and a load may drop. Repeated until each is seen at rest.</source>
+        <source>Switches every member off: motors coast, and loads may fall. Repeated until all are seen at rest.</source>
         <translation>Schaltet jedes Mitglied aus: Es läuft aus, und eine Last kann fallen. Wird wiederholt, bis jedes in Ruhe gesehen wurde.</translation>
     </message>
     <message>
-        <source>The place where each motor of %1 stands becomes position 0: module %2. Home, limits and taught points mean other places after that.</source>
+        <source>The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then mean other places.</source>
         <translation>Der Ort, an dem jeder Motor von %1 steht, wird Position 0: Modul %2. Referenz, Grenzen und gelernte Punkte bedeuten danach andere Orte.</translation>
     </message>
     <message>
@@ -6561,15 +6538,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Positionen auf 0 setzen</translation>
     </message>
     <message>
-        <source>Its group is not known here and would be changed with the address. Choose a group first, or none.</source>
+        <source>Its group is unknown and would change with the address. Choose a group first, or none.</source>
         <translation>Seine Gruppe ist hier nicht bekannt und würde mit der Adresse geändert. Zuerst eine Gruppe wählen oder keine.</translation>
     </message>
     <message>
-        <source>A motor is moving. Addresses change at standstill only.</source>
+        <source>A motor is moving. Stop all motors to change addresses.</source>
         <translation>Ein Motor bewegt sich. Adressen ändern sich nur im Stillstand.</translation>
     </message>
     <message>
-        <source>Address %1 is that of %2. Nothing was sent.</source>
+        <source>Address %1 is used by %2. Nothing was sent.</source>
         <translation>Adresse %1 ist die von %2. Nichts wurde gesendet.</translation>
     </message>
 </context>
@@ -6580,11 +6557,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Erst hier halten</translation>
     </message>
     <message>
-        <source>Hold the motor where it is, before a test</source>
-        <translation>Den Motor vor einer Prüfung halten, wo er steht</translation>
-    </message>
-    <message>
-        <source>Takes the position it has at this moment as the one to hold (Stop here).</source>
+        <source>Holds the motor at its present position (Stop here).</source>
         <translation>Nimmt die Position von diesem Augenblick als die, die zu halten ist (Hier stoppen).</translation>
     </message>
 </context>
@@ -6603,39 +6576,35 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Referenzsuche</translation>
     </message>
     <message>
-        <source>Search for home</source>
-        <translation>Die Referenz suchen</translation>
+        <source>Home: search for it</source>
+        <translation>Referenz suchen: Die Referenz suchen</translation>
     </message>
     <message>
-        <source>Cancel the search for home</source>
-        <translation>Die Referenzsuche abbrechen</translation>
+        <source>Cancel search for home</source>
+        <translation>Suche abbrechen: Die Referenzsuche abbrechen</translation>
     </message>
     <message>
-        <source>Stages of the search</source>
+        <source>Progress of the search</source>
         <translation>Abschnitte der Suche</translation>
     </message>
     <message>
-        <source>How the search goes</source>
-        <translation>Wie die Suche verläuft</translation>
-    </message>
-    <message>
-        <source>Settings of the search</source>
+        <source>Search settings</source>
         <translation>Einstellungen der Suche</translation>
     </message>
     <message>
-        <source>A search for home is under way.</source>
+        <source>A search for home is running.</source>
         <translation>Eine Referenzsuche läuft.</translation>
     </message>
     <message>
-        <source>Moves the motor: it searches for home as set above.</source>
+        <source>Moves the motor to search for home, as set above.</source>
         <translation>Bewegt den Motor: er sucht die Referenz, wie oben eingestellt.</translation>
     </message>
     <message>
-        <source>No search for home is under way.</source>
+        <source>No search for home is running.</source>
         <translation>Es läuft keine Referenzsuche.</translation>
     </message>
     <message>
-        <source>Stops the motor smoothly; it is not homed then.</source>
+        <source>Stops the motor smoothly, without homing it.</source>
         <translation>Stoppt den Motor sanft; er hat dann keine Referenz.</translation>
     </message>
     <message>
@@ -6654,7 +6623,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Referenz suchen</translation>
     </message>
     <message>
-        <source>Home is where this switch changes. When it is active at the start, the motor first backs off from it in the other direction.</source>
+        <source>Home is where this switch changes. If it is active at the start, the motor first backs off in the other direction.</source>
         <translation>Die Referenz liegt dort, wo sich dieser Schalter ändert. Ist er zu Beginn aktiv, fährt der Motor zuerst in die andere Richtung von ihm weg.</translation>
     </message>
     <message>
@@ -6686,7 +6655,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Index</translation>
     </message>
     <message>
-        <source>Home is at the encoder&apos;s index, which comes once in a turn.</source>
+        <source>Home is at the encoder&apos;s index, which comes once per turn.</source>
         <translation>Die Referenz liegt am Index des Encoders, der einmal je Umdrehung kommt.</translation>
     </message>
     <message>
@@ -6694,7 +6663,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Positionsfehler</translation>
     </message>
     <message>
-        <source>Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared before. The servo is switched on again only if it is to go on, to the index or to home.</source>
+        <source>Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared first. The servo is switched on again only to continue to the index or to home.</source>
         <translation>Die Referenz liegt an einem festen Anschlag: der Motor fährt dagegen, bis die Grenze der Regelabweichung den Servo abschaltet. Vorher werden die Sticky-Bits gelöscht. Der Servo wird nur wieder eingeschaltet, wenn es weitergehen soll, zum Index oder zur Referenz.</translation>
     </message>
     <message>
@@ -6702,7 +6671,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Stromgrenze</translation>
     </message>
     <message>
-        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. Alone it is looked for at full speed only; together with others from the start, whose current must stay below it then. Sticky bits are cleared before.</source>
+        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. Alone, it takes effect only at full speed; with other conditions from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
         <translation>Die Referenz liegt an einem festen Anschlag: der Motor fährt dagegen, bis die Stromgrenze erreicht ist. Allein wird sie nur bei voller Geschwindigkeit beachtet, zusammen mit anderen von Anfang an; der Anfahrstrom muss dann darunter bleiben. Vorher werden die Sticky-Bits gelöscht.</translation>
     </message>
     <message>
@@ -6710,7 +6679,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>danach am Index, auf dem Rückweg</translation>
     </message>
     <message>
-        <source>What is chosen above finds the neighbourhood; a second, slower search finds the index, which is more exact.</source>
+        <source>The conditions above find the approximate place; a second, slower search finds the index, which is more exact.</source>
         <translation>Das oben Gewählte findet die Umgebung; eine zweite, langsamere Suche findet den Index, der genauer ist.</translation>
     </message>
     <message>
@@ -6718,7 +6687,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Rückwärts</translation>
     </message>
     <message>
-        <source>Search in reverse</source>
+        <source>Reverse: search direction</source>
         <translation>Rückwärts suchen</translation>
     </message>
     <message>
@@ -6726,7 +6695,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Vorwärts</translation>
     </message>
     <message>
-        <source>Search forward</source>
+        <source>Forward: search direction</source>
         <translation>Vorwärts suchen</translation>
     </message>
     <message>
@@ -6738,7 +6707,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>How fast the motor searches, backs off and goes to home. It is never faster than this.</source>
+        <source>Maximum velocity for searching, backing off and going to home.</source>
         <translation>Wie schnell der Motor sucht, freifährt und zur Referenz fährt. Schneller wird er nie.</translation>
     </message>
     <message>
@@ -6746,7 +6715,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Indexgeschwindigkeit</translation>
     </message>
     <message>
-        <source>How fast the second search for the index is; slower is more exact.</source>
+        <source>Velocity of the second search, for the index. Slower is more exact.</source>
         <translation>Wie schnell die zweite Suche nach dem Index ist; langsamer ist genauer.</translation>
     </message>
     <message>
@@ -6754,15 +6723,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Beschleunigung</translation>
     </message>
     <message>
-        <source>How fast the velocity changes, smooth stops included.</source>
-        <translation>Wie schnell sich die Geschwindigkeit ändert, auch beim sanften Stoppen.</translation>
+        <source>Also used for smooth stops.</source>
+        <translation>Gilt auch für sanfte Stopps.</translation>
     </message>
     <message>
-        <source>Travel limit</source>
-        <translation>Weggrenze</translation>
+        <source>Search distance</source>
+        <translation>Suchweg</translation>
     </message>
     <message>
-        <source>A search, or backing off, that has gone so far is stopped, and has failed.</source>
+        <source>A search, or backing off, stops and fails after this distance.</source>
         <translation>Eine Suche oder ein Freifahren, das so weit gegangen ist, wird gestoppt und ist fehlgeschlagen.</translation>
     </message>
     <message>
@@ -6774,7 +6743,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zeitgrenze einer Suche</translation>
     </message>
     <message>
-        <source>A search that has taken so long is stopped, and has failed.</source>
+        <source>A search stops and fails after this time.</source>
         <translation>Eine Suche, die so lange gedauert hat, wird gestoppt und ist fehlgeschlagen.</translation>
     </message>
     <message>
@@ -6794,15 +6763,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Motor aus</translation>
     </message>
     <message>
-        <source>Stop abruptly at home</source>
+        <source>Abruptly: stop at home</source>
         <translation>An der Referenz sofort stoppen</translation>
     </message>
     <message>
-        <source>Stop smoothly at home</source>
+        <source>Smoothly: stop at home</source>
         <translation>An der Referenz sanft stoppen</translation>
     </message>
     <message>
-        <source>Switch the motor off at home</source>
+        <source>Motor off at home</source>
         <translation>An der Referenz den Motor abschalten</translation>
     </message>
     <message>
@@ -6810,7 +6779,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Dort stoppen</translation>
     </message>
     <message>
-        <source>And then</source>
+        <source>Then</source>
         <translation>Und dann</translation>
     </message>
     <message>
@@ -6818,35 +6787,35 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Referenzposition anfahren</translation>
     </message>
     <message>
-        <source>The motor stops behind home; this moves it back to it. A servo or amplifier that the search has switched off is switched on again for it.</source>
+        <source>The motor stops past home; this moves it back. If the search has switched the servo or amplifier off, it is switched on again.</source>
         <translation>Der Motor stoppt hinter der Referenz; dies fährt ihn zu ihr zurück. Ein Servo oder Verstärker, den die Suche abgeschaltet hat, wird dafür wieder eingeschaltet.</translation>
     </message>
     <message>
-        <source>Make it zero</source>
-        <translation>Auf null setzen</translation>
+        <source>Set position to 0</source>
+        <translation>Position auf 0 setzen</translation>
     </message>
     <message>
-        <source>A search for home is under way.</source>
+        <source>A search for home is running.</source>
         <translation>Eine Referenzsuche läuft.</translation>
     </message>
     <message>
-        <source>The first search finds the index already.</source>
+        <source>The first search already finds the index.</source>
         <translation>Schon die erste Suche findet den Index.</translation>
     </message>
     <message>
-        <source>The position where the motor stands becomes 0, so it has to go to home first.</source>
+        <source>Needs Go to home: the position where the motor is becomes 0.</source>
         <translation>Die Position, an der der Motor steht, wird 0; daher muss er zuerst zur Referenz fahren.</translation>
     </message>
     <message>
-        <source>The direction of the search, in which the switch closes.</source>
+        <source>The search direction, in which the switch closes.</source>
         <translation>Die Richtung der Suche, in der sich der Schalter schließt.</translation>
     </message>
     <message>
-        <source>A position error switches the servo off by itself.</source>
+        <source>A position error switches the servo off.</source>
         <translation>Ein Positionsfehler schaltet den Servo von selbst ab.</translation>
     </message>
     <message>
-        <source> This version of the chip does not stop by itself: the panel stops it, some hundredths of a second later.</source>
+        <source> This chip version does not stop on its own: the panel stops it, some hundredths of a second later.</source>
         <translation> Diese Version des Chips stoppt den Motor nicht von selbst: das Programm stoppt ihn, einige Hundertstelsekunden später.</translation>
     </message>
     <message>
@@ -6854,19 +6823,19 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation> Der Chip stoppt ihn von selbst.</translation>
     </message>
     <message>
-        <source>At home the motor stops at once, and holds.</source>
+        <source>At home the motor stops at once and holds.</source>
         <translation>An der Referenz stoppt der Motor sofort und hält dann die Position.</translation>
     </message>
     <message>
-        <source>At home the motor slows down, stops behind it, and holds.</source>
+        <source>At home the motor slows down, stops past it and holds.</source>
         <translation>An der Referenz bremst der Motor, stoppt hinter ihr und hält dann die Position.</translation>
     </message>
     <message>
-        <source>At home the motor is switched off, and is free to turn.</source>
+        <source>At home the motor is switched off and is free to turn.</source>
         <translation>An der Referenz wird der Motor abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
-        <source>Once the motor stands at home, its position becomes 0.</source>
+        <source>Once the motor is at home, its position becomes 0.</source>
         <translation>Sobald der Motor an der Referenz steht, wird seine Position 0.</translation>
     </message>
 </context>
@@ -6881,7 +6850,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Index</translation>
     </message>
     <message>
-        <source>The encoder&apos;s index pulse, once a turn with most encoders.</source>
+        <source>The encoder&apos;s index pulse, once per turn with most encoders.</source>
         <translation>Der Indexpuls des Encoders, bei den meisten Encodern einmal je Umdrehung.</translation>
     </message>
     <message>
@@ -6889,11 +6858,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Motorversorgung</translation>
     </message>
     <message>
-        <source>Without it the servo switches off, and stays off when power returns.</source>
+        <source>Without motor power the servo switches off, and stays off when power returns.</source>
         <translation>Ohne sie schaltet sich der Servo ab und bleibt aus, wenn die Versorgung wiederkehrt.</translation>
     </message>
     <message>
-        <source>The A/D input, by most amplifiers the motor current. Its scale is set on the page Axis.</source>
+        <source>The A/D input; with most amplifiers, the motor current. Set its scale on the Axis page.</source>
         <translation>Der A/D-Eingang, bei den meisten Verstärkern der Motorstrom. Seine Skala wird auf der Seite Achse eingestellt.</translation>
     </message>
     <message>
@@ -6905,11 +6874,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ve&amp;rstärker ein (AMP_EN)</translation>
     </message>
     <message>
-        <source>Amplifier enabled</source>
-        <translation>Verstärker eingeschaltet</translation>
+        <source>Amplifier enabled (AMP_EN)</source>
+        <translation>Verstärker ein (AMP_EN)</translation>
     </message>
     <message>
-        <source>A limit input does not stop the motor by itself on this chip: arm a limit stop on the page Homing.</source>
+        <source>On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page.</source>
         <translation>Ein Endschaltereingang stoppt den Motor bei diesem Chip nicht von selbst: auf der Seite Referenzsuche einen Endschalter-Stopp scharf schalten.</translation>
     </message>
     <message>
@@ -6921,8 +6890,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Endschalter &amp;2</translation>
     </message>
     <message>
-        <source>Use of the pin Limit %1</source>
-        <translation>Verwendung des Pins Limit %1</translation>
+        <source>Limit %1: input or output</source>
+        <translation>Endschalter %1: Eingang oder Ausgang</translation>
     </message>
     <message>
         <source>input</source>
@@ -6945,7 +6914,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Low</translation>
     </message>
     <message>
-        <source>Whether the pin is an input, or an output and its level. Sent at once.</source>
+        <source>Makes the pin an input, or an output with this level. Sent at once.</source>
         <translation>Ob der Pin ein Eingang ist oder ein Ausgang, und dessen Pegel. Wird sofort gesendet.</translation>
     </message>
     <message>
@@ -6965,7 +6934,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>Sets the amplifier&apos;s enable line alone; the servo stays as it is. Without it the motor gets no current, whatever the servo does.</source>
+        <source>Switches only the amplifier&apos;s enable line; the servo stays as it is. When off, the motor gets no current, whatever the servo does.</source>
         <translation>Stellt nur die Freigabeleitung des Verstärkers; der Servo bleibt, wie er ist. Ohne sie bekommt der Motor keinen Strom, was auch immer der Servo tut.</translation>
     </message>
 </context>
@@ -6980,16 +6949,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Name dieses Moduls</translation>
     </message>
     <message>
-        <source>name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>What it is on this machine. Sends nothing.</source>
-        <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Name</translation>
+    </message>
+    <message>
+        <source>Its name on this machine. Sends nothing.</source>
+        <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
     </message>
     <message>
         <source>%1, address %2</source>
@@ -7022,7 +6987,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>A/D und PWM</translation>
     </message>
     <message>
-        <source>What it is on this machine. Sends nothing.</source>
+        <source>Its name on this machine. Sends nothing.</source>
         <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
     </message>
     <message>
@@ -7058,7 +7023,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Name</translation>
     </message>
     <message>
-        <source>What %1 reads</source>
+        <source>Value of %1</source>
         <translation>Was %1 liest</translation>
     </message>
     <message>
@@ -7066,7 +7031,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1, je Stufe</translation>
     </message>
     <message>
-        <source>How much each of the 255 steps stands for.</source>
+        <source>The value of one A/D count.</source>
         <translation>Wofür jede der 255 Stufen steht.</translation>
     </message>
     <message>
@@ -7074,7 +7039,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1 bei 0</translation>
     </message>
     <message>
-        <source>What an A/D value of 0 stands for.</source>
+        <source>The value at an A/D reading of 0.</source>
         <translation>Wofür ein A/D-Wert von 0 steht.</translation>
     </message>
     <message>
@@ -7098,23 +7063,19 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Aus bei Stopp</translation>
     </message>
     <message>
-        <source>What %1 was told</source>
+        <source>Last value sent to %1</source>
         <translation>Was %1 gesagt wurde</translation>
     </message>
     <message>
-        <source>Value of %1</source>
-        <translation>Wert von %1</translation>
-    </message>
-    <message>
-        <source>255 is on all the time. Enter sends it.</source>
+        <source>255 is always on. Press Enter to send.</source>
         <translation>255 ist ständig an. Die Eingabetaste sendet es.</translation>
     </message>
     <message>
-        <source>STOP ALL switches %1 off</source>
+        <source>Switch %1 off on STOP ALL</source>
         <translation>ALLES STOPP schaltet %1 aus</translation>
     </message>
     <message>
-        <source>STOP ALL switches this output off. Without a tick it stays as it is.</source>
+        <source>STOP ALL switches this output off. If cleared, the output stays as it is.</source>
         <translation>ALLES STOPP schaltet diesen Ausgang aus. Ohne Haken bleibt er, wie er ist.</translation>
     </message>
     <message>
@@ -7133,43 +7094,39 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Tippbetrieb</translation>
     </message>
     <message>
-        <source>Velocity while held</source>
+        <source>Jog speed</source>
         <translation>Tippgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>The velocity while held</source>
-        <translation>Die Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>◂ Hold</source>
         <translation>◂ Tippen</translation>
     </message>
     <message>
-        <source>Move in reverse while held</source>
-        <translation>Rückwärts fahren, solange gedrückt</translation>
+        <source>Hold to move in reverse</source>
+        <translation>Tippen: Rückwärts fahren, solange gedrückt</translation>
     </message>
     <message>
         <source>Hold ▸</source>
         <translation>Tippen ▸</translation>
     </message>
     <message>
-        <source>Move forward while held</source>
-        <translation>Vorwärts fahren, solange gedrückt</translation>
+        <source>Hold to move forward</source>
+        <translation>Tippen: Vorwärts fahren, solange gedrückt</translation>
     </message>
     <message>
-        <source>Moves forward while it is held, then stops.</source>
+        <source>Moves forward while held, then stops.</source>
         <translation>Fährt vorwärts, solange sie gedrückt ist, und stoppt dann.</translation>
     </message>
     <message>
-        <source>Moves in reverse while it is held, then stops.</source>
+        <source>Moves in reverse while held, then stops.</source>
         <translation>Fährt rückwärts, solange sie gedrückt ist, und stoppt dann.</translation>
     </message>
     <message>
-        <source>How fast the motor turns while a button, or Space on it, is held. Low again after every connect; the cap is set on the page Axis.</source>
+        <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value on every connect; set the max jog speed on the Axis page.</source>
         <translation>Wie schnell sich der Motor dreht, solange eine Taste oder auf ihr die Leertaste gedrückt ist. Nach jedem Verbinden wieder niedrig; der Höchstwert wird auf der Seite Achse eingestellt.</translation>
     </message>
     <message>
-        <source>Jog at velocit&amp;y</source>
+        <source>J&amp;og speed</source>
         <translation>Tippgesch&amp;windigkeit</translation>
     </message>
 </context>
@@ -7180,7 +7137,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Bedienen</translation>
     </message>
     <message>
-        <source>Motions in the middle, everything else around them.</source>
+        <source>Motion in the middle, everything else around it.</source>
         <translation>Bewegungen in der Mitte, alles andere darum herum.</translation>
     </message>
     <message>
@@ -7188,7 +7145,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Einstellen</translation>
     </message>
     <message>
-        <source>Plots take most of the window, gains and step beside them.</source>
+        <source>Large plots, with gains and step response beside them.</source>
         <translation>Die Kurven nehmen den größten Teil des Fensters ein, Reglerwerte und Sprung daneben.</translation>
     </message>
     <message>
@@ -7231,20 +7188,16 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Entschärfen</translation>
     </message>
     <message>
-        <source>Stop at limit 1</source>
-        <translation>Bei Endschalter 1 stoppen</translation>
+        <source>Limit 1: stop there</source>
+        <translation>Endschalter 1: Bei Endschalter 1 stoppen</translation>
     </message>
     <message>
-        <source>Stop at limit 2</source>
-        <translation>Bei Endschalter 2 stoppen</translation>
+        <source>Limit 2: stop there</source>
+        <translation>Endschalter 2: Bei Endschalter 2 stoppen</translation>
     </message>
     <message>
-        <source>Arm the limit stop</source>
-        <translation>Den Endschalter-Stopp scharf schalten</translation>
-    </message>
-    <message>
-        <source>Disarm the limit stop</source>
-        <translation>Den Endschalter-Stopp entschärfen</translation>
+        <source>Disarm limit stop</source>
+        <translation>Entschärfen: Den Endschalter-Stopp entschärfen</translation>
     </message>
     <message>
         <source>State of the limit stop</source>
@@ -7263,15 +7216,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Motor aus</translation>
     </message>
     <message>
-        <source>Stop abruptly at the limit</source>
+        <source>Abruptly: stop at the limit</source>
         <translation>Am Endschalter sofort stoppen</translation>
     </message>
     <message>
-        <source>Stop smoothly at the limit</source>
+        <source>Smoothly: stop at the limit</source>
         <translation>Am Endschalter sanft stoppen</translation>
     </message>
     <message>
-        <source>Switch the motor off at the limit</source>
+        <source>Motor off at the limit</source>
         <translation>Am Endschalter den Motor abschalten</translation>
     </message>
     <message>
@@ -7283,51 +7236,51 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wie</translation>
     </message>
     <message>
-        <source>A search for home is under way; it uses the same watch of the chip.</source>
+        <source>A search for home is running and uses the same function of the chip.</source>
         <translation>Eine Referenzsuche läuft; sie benutzt dieselbe Überwachung des Chips.</translation>
     </message>
     <message>
-        <source>Choose a limit first.</source>
+        <source>Select a limit switch first.</source>
         <translation>Zuerst einen Endschalter wählen.</translation>
     </message>
     <message>
-        <source>The motor stops when limit 1 changes.</source>
+        <source>The motor stops when limit switch 1 changes.</source>
         <translation>Der Motor stoppt, wenn sich Endschalter 1 ändert.</translation>
     </message>
     <message>
-        <source>The motor stops when limit 2 changes.</source>
+        <source>The motor stops when limit switch 2 changes.</source>
         <translation>Der Motor stoppt, wenn sich Endschalter 2 ändert.</translation>
     </message>
     <message>
-        <source>At the limit the motor stops at once, and holds.</source>
+        <source>At the limit the motor stops at once and holds.</source>
         <translation>Am Endschalter stoppt der Motor sofort und hält dann die Position.</translation>
     </message>
     <message>
-        <source>At the limit the motor slows down, stops behind it, and holds.</source>
+        <source>At the limit the motor slows down, stops past it and holds.</source>
         <translation>Am Endschalter bremst der Motor, stoppt hinter ihm und hält dann die Position.</translation>
     </message>
     <message>
-        <source>At the limit the motor is switched off, and is free to turn.</source>
+        <source>At the limit the motor is switched off and is free to turn.</source>
         <translation>Am Endschalter wird der Motor abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
-        <source>The chip itself then stops the motor when a chosen limit changes, once; sooner than the panel could. A search for home replaces it.</source>
+        <source>The chip itself then stops the motor once when a selected limit switch changes, faster than the panel could. A search for home replaces it.</source>
         <translation>Der Chip selbst stoppt dann den Motor, wenn sich ein gewählter Endschalter ändert, einmal; früher, als das Programm es könnte. Eine Referenzsuche ersetzt es.</translation>
     </message>
     <message>
-        <source>It is not armed.</source>
+        <source>The limit stop is not armed.</source>
         <translation>Er ist nicht scharf.</translation>
     </message>
     <message>
-        <source>A limit no longer stops the motor.</source>
+        <source>A limit switch no longer stops the motor.</source>
         <translation>Ein Endschalter stoppt den Motor nicht mehr.</translation>
     </message>
     <message>
-        <source>○ Not armed: a limit input alone does not stop the motor.</source>
+        <source>○ Not armed: a limit switch alone does not stop the motor.</source>
         <translation>○ Nicht scharf: ein Endschaltereingang allein stoppt den Motor nicht.</translation>
     </message>
     <message>
-        <source>○ This version of the chip cannot stop at a limit by itself.</source>
+        <source>○ This chip version cannot stop at a limit switch.</source>
         <translation>○ Diese Version des Chips kann nicht von selbst an einem Endschalter stoppen.</translation>
     </message>
     <message>
@@ -7339,11 +7292,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>● Scharf: stoppt an %1, einmal.</translation>
     </message>
     <message>
-        <source>▲ Tripped: %1 has changed, and the motor was stopped. Not armed any more.</source>
+        <source>▲ Tripped: %1 has changed, and the motor was stopped. No longer armed.</source>
         <translation>▲ Ausgelöst: %1 hat sich geändert, und der Motor wurde gestoppt. Nicht mehr scharf.</translation>
     </message>
     <message>
-        <source>? The chip watches for something that was not asked for in this connection.</source>
+        <source>? The chip watches for an event that this connection did not request.</source>
         <translation>? Der Chip überwacht etwas, das in dieser Verbindung nicht angefordert wurde.</translation>
     </message>
     <message>
@@ -7371,23 +7324,23 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>für jede Bewegung dieser Achse</translation>
     </message>
     <message>
-        <source>Stop when the position error exceeds its limit</source>
-        <translation>Anhalten, wenn der Positionsfehler seine Grenze überschreitet</translation>
+        <source>Position error stops the motor</source>
+        <translation>Positionsfehler: Anhalten, wenn der Positionsfehler seine Grenze überschreitet</translation>
     </message>
     <message>
-        <source>Stop when the current exceeds its limit</source>
-        <translation>Anhalten, wenn der Strom seine Grenze überschreitet</translation>
+        <source>Current stops the motor</source>
+        <translation>Strom: Anhalten, wenn der Strom seine Grenze überschreitet</translation>
     </message>
     <message>
-        <source>Arm the limit stop for each motion of this axis</source>
-        <translation>Den Endschalter-Stopp für jede Bewegung dieser Achse scharf schalten</translation>
+        <source>For each motion of this axis, arm the limit stop</source>
+        <translation>für jede Bewegung dieser Achse: Den Endschalter-Stopp für jede Bewegung dieser Achse scharf schalten</translation>
     </message>
     <message>
         <source>Armed</source>
         <translation>Scharf</translation>
     </message>
     <message>
-        <source>The motor stops when it is farther from where it should be than EL allows; the servo goes off then in any case.</source>
+        <source>The motor stops when the position error exceeds EL; this always switches the servo off.</source>
         <translation>Der Motor hält an, wenn er weiter vom Sollort entfernt ist, als EL erlaubt; der Servo geht dann in jedem Fall aus.</translation>
     </message>
     <message>
@@ -7395,12 +7348,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Der Motor hält an, wenn sein Strom CL überschreitet.</translation>
     </message>
     <message>
-        <source>Whenever the motor stands with its servo on, the panel arms the limit stop, also after it has tripped; no motion begins before. Kept with the machine.</source>
+        <source>The panel arms the limit stop whenever the motor is at rest with its servo on, even after a trip, and before any motion starts. Saved with the machine.</source>
         <translation>Immer wenn der Motor mit eingeschaltetem Servo steht, schaltet das Panel den Endschalter-Stopp scharf, auch nachdem er ausgelöst hat; vorher beginnt keine Bewegung. Wird mit der Maschine gespeichert.</translation>
     </message>
     <message>
-        <source>The axis has it armed for each motion: it would be armed again at once.</source>
-        <translation>Die Achse hat ihn für jede Bewegung scharf: Er würde sofort wieder scharf geschaltet.</translation>
+        <source>The limit stop is armed for each motion. Clear that check box first.</source>
+        <translation>Der Endschalter-Stopp wird für jede Bewegung scharf geschaltet. Zuerst dieses Häkchen entfernen.</translation>
     </message>
 </context>
 <context>
@@ -7410,15 +7363,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zustand der Verbindung</translation>
     </message>
     <message>
-        <source>Exchanges per second, and what share that is of what a perfect line would carry.</source>
+        <source>Exchanges per second, and their share of the line&apos;s capacity.</source>
         <translation>Übertragungen pro Sekunde und deren Anteil an dem, was eine perfekte Leitung schaffen würde.</translation>
     </message>
     <message>
-        <source>Exchanges that went wrong: no answer, garbled, or refused for a bad checksum.</source>
+        <source>Failed exchanges: no answer, garbled, or refused for a bad checksum.</source>
         <translation>Misslungene Übertragungen: keine Antwort, verstümmelt oder wegen falscher Prüfsumme abgewiesen.</translation>
     </message>
     <message>
-        <source>Mean time from sending a command to its whole answer.</source>
+        <source>Mean time from sending a command to its complete answer.</source>
         <translation>Mittlere Zeit vom Senden eines Befehls bis zur vollständigen Antwort.</translation>
     </message>
     <message>
@@ -7437,17 +7390,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>%1 exchanges/s, %2 % of the wire</source>
         <translation>%1 Übertragungen/s, %2 % der Leitung</translation>
     </message>
-    <message>
-        <source>1 error</source>
-        <translation>1 Fehler</translation>
-    </message>
-    <message>
-        <source>%1 errors</source>
-        <translation>%1 Fehler</translation>
-    </message>
-    <message>
-        <source>%1, %2/s</source>
-        <translation>%1, %2/s</translation>
+    <message numerus="yes">
+        <source>%1 errors, %2/s</source>
+        <translation>
+            <numerusform>%1 Fehler, %2/s</numerusform>
+            <numerusform>%1 Fehler, %2/s</numerusform>
+        </translation>
     </message>
     <message>
         <source>round trip %1 ms</source>
@@ -7459,10 +7407,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Loop tests</source>
         <translation>Regelkreis</translation>
-    </message>
-    <message>
-        <source>Tests of the loop</source>
-        <translation>Prüfungen des Regelkreises</translation>
     </message>
     <message>
         <source>Square wave</source>
@@ -7477,7 +7421,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Bericht…</translation>
     </message>
     <message>
-        <source>Save a report of the tuning</source>
+        <source>Report: save the tuning</source>
         <translation>Bericht über die Einstellung speichern</translation>
     </message>
     <message>
@@ -7485,7 +7429,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zuerst einen PIC-SERVO wählen.</translation>
     </message>
     <message>
-        <source>One page, as PDF or HTML: gains, the last step response, the motor that was found and the frequency response.</source>
+        <source>Saves one page as PDF or HTML: gains, last step response, motor model and frequency response.</source>
         <translation>Eine Seite, als PDF oder HTML: Reglerwerte, die letzte Sprungantwort, der gefundene Motor und der Frequenzgang.</translation>
     </message>
 </context>
@@ -7496,7 +7440,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Neue Maschine</translation>
     </message>
     <message>
-        <source>Forgets names, units and settings of all axes; nothing is sent.</source>
+        <source>Discards names, units and settings of all axes; nothing is sent.</source>
         <translation>Vergisst Namen, Einheiten und Einstellungen aller Achsen; es wird nichts gesendet.</translation>
     </message>
     <message>
@@ -7504,7 +7448,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Maschine ö&amp;ffnen…</translation>
     </message>
     <message>
-        <source>Shows what a machine file would change; nothing is sent before you apply it.</source>
+        <source>Shows what a machine file would change. Nothing is sent until you apply it.</source>
         <translation>Zeigt, was eine Maschinendatei ändern würde; vor dem Anwenden wird nichts gesendet.</translation>
     </message>
     <message>
@@ -7512,7 +7456,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Maschine &amp;speichern</translation>
     </message>
     <message>
-        <source>Writes names, units, gains, limits, homing and groups into the machine&apos;s file.</source>
+        <source>Saves names, units, gains, limits, homing and groups to the machine file.</source>
         <translation>Schreibt Namen, Einheiten, Reglerwerte, Grenzen, Referenzsuche und Gruppen in die Datei der Maschine.</translation>
     </message>
     <message>
@@ -7520,7 +7464,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Maschine speichern &amp;unter…</translation>
     </message>
     <message>
-        <source>Writes the machine into a file of another name.</source>
+        <source>Saves the machine under another file name.</source>
         <translation>Schreibt die Maschine in eine Datei mit anderem Namen.</translation>
     </message>
     <message>
@@ -7560,15 +7504,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Speichern und schließen</translation>
     </message>
     <message>
-        <source>&amp;Close: the next start offers them again</source>
+        <source>&amp;Close: the next start offers to restore them</source>
         <translation>S&amp;chließen: der nächste Start bietet sie wieder an</translation>
     </message>
     <message>
-        <source>&amp;Save them</source>
+        <source>&amp;Save changes</source>
         <translation>&amp;Speichern</translation>
     </message>
     <message>
-        <source>&amp;Drop them: the changes are lost</source>
+        <source>&amp;Discard: the changes are lost</source>
         <translation>&amp;Verwerfen: die Änderungen gehen verloren</translation>
     </message>
     <message>
@@ -7599,7 +7543,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Menüs</translation>
     </message>
     <message>
-        <source>SIMULATOR — no hardware is connected; every value comes from the program itself</source>
+        <source>SIMULATOR — no hardware connected; all values are simulated</source>
         <translation>SIMULATOR — keine Hardware angeschlossen; alle Werte stammen aus dem Programm selbst</translation>
     </message>
     <message>
@@ -7633,7 +7577,7 @@ Without hardware, choose the simulator.</source>
 Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
-        <source>No module.</source>
+        <source>No module</source>
         <translation>Kein Modul.</translation>
     </message>
     <message>
@@ -7669,7 +7613,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Sitzung nur zum Lesen</translation>
     </message>
     <message>
-        <source>READ-ONLY — nothing is sent but questions. STOP ALL acts.</source>
+        <source>READ-ONLY — only status requests are sent. STOP ALL still works.</source>
         <translation>NUR LESEN — außer Fragen wird nichts gesendet. ALLES STOPP wirkt.</translation>
     </message>
     <message>
@@ -7677,7 +7621,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Voll verbinden</translation>
     </message>
     <message>
-        <source>Connects to the same port so that commands can be sent. Nothing moves by it.</source>
+        <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
         <translation>Verbindet mit demselben Port so, dass Befehle gesendet werden können. Dadurch bewegt sich nichts.</translation>
     </message>
     <message>
@@ -7685,23 +7629,19 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>%1 (nur lesend)</translation>
     </message>
     <message>
-        <source>It is not possible now.</source>
+        <source>Not possible now.</source>
         <translation>Das ist jetzt nicht möglich.</translation>
     </message>
     <message>
-        <source>Enter does it.</source>
+        <source>Press Enter to run it.</source>
         <translation>Eingabe führt ihn aus.</translation>
     </message>
     <message>
-        <source>No module</source>
-        <translation>Kein Modul</translation>
-    </message>
-    <message>
-        <source>Its module is gone.</source>
+        <source>Its module is no longer connected.</source>
         <translation>Das Modul gibt es nicht mehr.</translation>
     </message>
     <message>
-        <source>Enter shows it on the page of its module; nothing is sent.</source>
+        <source>Press Enter to show it on the module&apos;s page. Nothing is sent.</source>
         <translation>Eingabe zeigt ihn auf der Seite seines Moduls; es wird nichts gesendet.</translation>
     </message>
     <message>
@@ -7709,11 +7649,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Bedienermodus</translation>
     </message>
     <message>
-        <source>OPERATOR MODE — only what is left to the operator can be done. STOP ALL acts.</source>
+        <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
         <translation>BEDIENERMODUS — es geht nur, was dem Bediener überlassen ist. ALLES STOPP wirkt.</translation>
     </message>
     <message>
-        <source>Leave it…</source>
+        <source>Leave…</source>
         <translation>Verlassen…</translation>
     </message>
     <message>
@@ -7725,11 +7665,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>There is no module that could be moved.</source>
-        <translation>Es gibt kein Modul, das bewegt werden könnte.</translation>
+        <source>No module can be moved. Connect a motor module first.</source>
+        <translation>Kein Modul lässt sich bewegen. Zuerst ein Motormodul verbinden.</translation>
     </message>
     <message>
-        <source>Shift with ◂ or ▸ moves it while both are held. Esc ends this.</source>
+        <source>Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.</source>
         <translation>Umschalt mit ◂ oder ▸ bewegt ihn, solange beide gehalten werden. Esc beendet das.</translation>
     </message>
     <message>
@@ -7749,11 +7689,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Handgerät</translation>
     </message>
     <message>
-        <source>Arrow keys and gamepad move nothing any more.</source>
+        <source>Ends pendant mode: arrow keys and gamepad no longer move anything.</source>
         <translation>Pfeiltasten und Gamepad bewegen nichts mehr.</translation>
     </message>
     <message>
-        <source>Shift with ◂ or ▸ moves it while both are held; so does a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends this.</source>
+        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends pendant mode.</source>
         <translation>Umschalt mit ◂ oder ▸ bewegt ihn, solange beide gehalten werden; ebenso eine Schultertaste des Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) ist ALLES STOPP. Esc beendet das.</translation>
     </message>
     <message>
@@ -7788,11 +7728,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Meldungen</translation>
     </message>
     <message>
-        <source>No messages. What goes wrong, and when it is over, is told here.</source>
+        <source>No messages. Problems appear here, and when they end.</source>
         <translation>Keine Meldungen. Was misslingt und wann es vorbei ist, steht hier.</translation>
     </message>
     <message>
-        <source>None of the messages passes the filter above.</source>
+        <source>No message matches the filter above.</source>
         <translation>Der Filter oben lässt keine der Meldungen durch.</translation>
     </message>
 </context>
@@ -7807,7 +7747,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Art der gezeigten Meldungen</translation>
     </message>
     <message>
-        <source>Which kind of messages is shown.</source>
+        <source>Filters the messages by kind.</source>
         <translation>Welche Art von Meldungen gezeigt wird.</translation>
     </message>
     <message>
@@ -7815,15 +7755,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Alle Arten</translation>
     </message>
     <message>
-        <source>News</source>
-        <translation>Neuigkeiten</translation>
+        <source>Notes</source>
+        <translation>Hinweise</translation>
     </message>
     <message>
         <source>Module whose messages are shown</source>
         <translation>Modul, dessen Meldungen gezeigt werden</translation>
     </message>
     <message>
-        <source>Of which module messages are shown.</source>
+        <source>Filters the messages by module.</source>
         <translation>Von welchem Modul Meldungen gezeigt werden.</translation>
     </message>
     <message>
@@ -7831,27 +7771,23 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Alle Module</translation>
     </message>
     <message>
-        <source>Not over</source>
-        <translation>Nicht vorbei</translation>
+        <source>Active only</source>
+        <translation>Nur aktive</translation>
     </message>
     <message>
-        <source>Only messages that are not over</source>
-        <translation>Nur Meldungen, die nicht vorbei sind</translation>
-    </message>
-    <message>
-        <source>Shows only what is not over.</source>
+        <source>Shows only messages whose cause persists.</source>
         <translation>Zeigt nur, was nicht vorbei ist.</translation>
     </message>
     <message>
-        <source>Words of the messages shown</source>
-        <translation>Wörter der gezeigten Meldungen</translation>
+        <source>Search messages</source>
+        <translation>Meldungen durchsuchen</translation>
     </message>
     <message>
-        <source>Words</source>
-        <translation>Wörter</translation>
+        <source>Search</source>
+        <translation>Suchen</translation>
     </message>
     <message>
-        <source>Shows only messages with these words.</source>
+        <source>Shows only messages that contain these words.</source>
         <translation>Zeigt nur Meldungen mit diesen Wörtern.</translation>
     </message>
     <message>
@@ -7863,7 +7799,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die gezeigten Meldungen exportieren</translation>
     </message>
     <message>
-        <source>Writes the messages that are shown to a text file.</source>
+        <source>Saves the messages shown to a text file.</source>
         <translation>Schreibt die gezeigten Meldungen in eine Textdatei.</translation>
     </message>
     <message>
@@ -7885,12 +7821,15 @@ Ohne Hardware den Simulator wählen.</translation>
 </context>
 <context>
     <name>nmc::MessageRow</name>
-    <message>
-        <source>%1 times</source>
-        <translation>%1-mal</translation>
+    <message numerus="yes">
+        <source>%n times</source>
+        <translation>
+            <numerusform>%n-mal</numerusform>
+            <numerusform>%n-mal</numerusform>
+        </translation>
     </message>
     <message>
-        <source>over at %1</source>
+        <source>ended at %1</source>
         <translation>vorbei um %1</translation>
     </message>
 </context>
@@ -7905,11 +7844,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Motor bestimmen</translation>
     </message>
     <message>
-        <source>Find the motor that explains the steps</source>
-        <translation>Motor bestimmen, der die Sprünge erklärt</translation>
+        <source>Find the motor model from the steps</source>
+        <translation>Motormodell aus den Sprüngen bestimmen</translation>
     </message>
     <message>
-        <source>The motor that was found</source>
+        <source>Motor model found</source>
         <translation>Der bestimmte Motor</translation>
     </message>
     <message>
@@ -7917,7 +7856,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Eintragen</translation>
     </message>
     <message>
-        <source>Fill the suggested gains into the fields</source>
+        <source>Fill in the suggested gains</source>
         <translation>Eintragen der vorgeschlagenen Reglerwerte in die Felder</translation>
     </message>
     <message>
@@ -7929,7 +7868,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Steif</translation>
     </message>
     <message>
-        <source>How fast it follows: at the right as fast as noise, output limit and stability permit.</source>
+        <source>How fast the motor follows. Far right: as fast as noise, output limit and stability permit.</source>
         <translation>Wie schnell er folgt: rechts so schnell, wie Geräusch, Ausgangsgrenze und Stabilität erlauben.</translation>
     </message>
     <message>
@@ -7937,7 +7876,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Gedämpft</translation>
     </message>
     <message>
-        <source>At the right it does not overshoot.</source>
+        <source>Damping. Far right: no overshoot.</source>
         <translation>Rechts schwingt er nicht über.</translation>
     </message>
     <message>
@@ -7945,47 +7884,47 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Laut</translation>
     </message>
     <message>
-        <source>How much a count of the encoder may shake the motor by way of Kd.</source>
-        <translation>Wie sehr ein Inkrement des Gebers den Motor über Kd rütteln darf.</translation>
+        <source>How much encoder noise may drive the motor through Kd.</source>
+        <translation>Wie stark das Encoderrauschen über Kd auf den Motor wirken darf.</translation>
     </message>
     <message>
-        <source>It is being looked for.</source>
-        <translation>Er wird gerade bestimmt.</translation>
+        <source>The motor model is being calculated.</source>
+        <translation>Das Motormodell wird berechnet.</translation>
     </message>
     <message>
-        <source>Make a step with this module first.</source>
+        <source>Record a step with this module first.</source>
         <translation>Zuerst einen Sprung mit diesem Modul machen.</translation>
     </message>
     <message>
-        <source>Finds the motor that explains the last steps of this module, up to %1 of them. Sends nothing.</source>
+        <source>Calculates the motor model from up to %1 recent steps of this module. Sends nothing.</source>
         <translation>Bestimmt den Motor, der die letzten Sprünge dieses Moduls erklärt, bis zu %1 davon. Sendet nichts.</translation>
     </message>
     <message>
-        <source>No gains are suggested.</source>
-        <translation>Es sind keine Reglerwerte vorgeschlagen.</translation>
+        <source>No suggested gains. Find the motor first.</source>
+        <translation>Keine Vorschläge. Zuerst den Motor bestimmen.</translation>
     </message>
     <message>
-        <source>Puts the suggested gains into the fields of the Gains page. Sends nothing.</source>
+        <source>Copies the suggested gains to the Gains page. Sends nothing.</source>
         <translation>Trägt die vorgeschlagenen Werte in die Felder der Seite Reglerwerte ein. Sendet nichts.</translation>
     </message>
     <message>
-        <source>Looking for the motor…</source>
+        <source>Calculating the motor model…</source>
         <translation>Motor wird bestimmt …</translation>
     </message>
     <message>
-        <source>The run that it was found from is gone. Find it again.</source>
+        <source>The run behind this model was removed. Find the motor again.</source>
         <translation>Der Lauf, aus dem er bestimmt wurde, ist fort. Neu bestimmen.</translation>
     </message>
     <message>
-        <source>No gains make this motor stable and still.</source>
+        <source>No gains keep this motor stable and quiet.</source>
         <translation>Mit keinen Reglerwerten ist dieser Motor stabil und ruhig.</translation>
     </message>
 </context>
 <context>
     <name>nmc::ModuleBench</name>
     <message>
-        <source>What can be done to the simulated module</source>
-        <translation>Was sich am simulierten Modul einstellen lässt</translation>
+        <source>Simulated module controls</source>
+        <translation>Bedienung des simulierten Moduls</translation>
     </message>
     <message>
         <source>Pages of the simulated module</source>
@@ -8004,7 +7943,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Motorversorgung</translation>
     </message>
     <message>
-        <source>The supply of the motor, not of the module.</source>
+        <source>The motor&apos;s supply, not the module&apos;s.</source>
         <translation>Die Versorgung des Motors, nicht die des Moduls.</translation>
     </message>
     <message>
@@ -8040,7 +7979,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>von 255</translation>
     </message>
     <message>
-        <source>What the converter reads at the temperature sensor.</source>
+        <source>The A/D reading of the temperature sensor.</source>
         <translation>Was der Wandler am Temperatursensor liest.</translation>
     </message>
     <message>
@@ -8056,15 +7995,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Geberindex</translation>
     </message>
     <message>
-        <source>Lasts until the shaft moves on.</source>
+        <source>Stays until the shaft moves.</source>
         <translation>Gilt, bis sich die Welle weiterbewegt.</translation>
     </message>
     <message>
-        <source>A/D input by hand</source>
-        <translation>A/D von Hand</translation>
+        <source>Set the A/D input by hand</source>
+        <translation>A/D-Eingang von Hand</translation>
     </message>
     <message>
-        <source>Unchecked, the converter reads the motor&apos;s current.</source>
+        <source>If cleared, the A/D input reads the motor current.</source>
         <translation>Ohne Haken liest der Wandler den Motorstrom.</translation>
     </message>
     <message>
@@ -8072,11 +8011,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>ADDR zum Rechner unterbrochen</translation>
     </message>
     <message>
-        <source>Broken between this module and the next towards the host</source>
-        <translation>Zwischen diesem Modul und dem nächsten zum Rechner hin unterbrochen</translation>
-    </message>
-    <message>
-        <source>Broken between this module and the next towards the host: that one does not get an address.</source>
+        <source>The line is broken between this module and the next one towards the host, which then gets no address.</source>
         <translation>Zwischen diesem Modul und dem nächsten zum Rechner hin unterbrochen: jenes bekommt keine Adresse.</translation>
     </message>
     <message>
@@ -8084,7 +8019,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Aus und ein</translation>
     </message>
     <message>
-        <source>Switches this module off and on: it forgets its address and its gains.</source>
+        <source>Switches this module off and on: it loses its address and gains.</source>
         <translation>Schaltet dieses Modul aus und ein: es vergisst Adresse und Reglerwerte.</translation>
     </message>
     <message>
@@ -8092,7 +8027,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Alle aus und ein</translation>
     </message>
     <message>
-        <source>Switches all modules off and on: they forget their addresses and gains.</source>
+        <source>Switches all modules off and on: they lose their addresses and gains.</source>
         <translation>Schaltet alle Module aus und ein: sie vergessen Adressen und Reglerwerte.</translation>
     </message>
     <message>
@@ -8100,7 +8035,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Später Takt</translation>
     </message>
     <message>
-        <source>Lets one servo tick take too long: servo_overrun.</source>
+        <source>Makes one servo tick take too long: servo_overrun.</source>
         <translation>Lässt einen Servotakt zu lange dauern: servo_overrun.</translation>
     </message>
     <message>
@@ -8116,7 +8051,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>N·m</translation>
     </message>
     <message>
-        <source>External torque; positive pulls the shaft backwards.</source>
+        <source>External torque; positive values turn the shaft in reverse.</source>
         <translation>Äußeres Moment; positiv zieht die Welle rückwärts.</translation>
     </message>
     <message>
@@ -8136,7 +8071,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Reibung</translation>
     </message>
     <message>
-        <source>Dry friction, which also holds the shaft at rest.</source>
+        <source>Dry friction; it also holds the shaft at rest.</source>
         <translation>Trockene Reibung, die die Welle auch im Stillstand hält.</translation>
     </message>
     <message>
@@ -8144,7 +8079,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Anschlag rückw.</translation>
     </message>
     <message>
-        <source>A hard stop at the reverse end of the travel. It cannot be put beyond the place where the shaft is.</source>
+        <source>A hard stop at the reverse end of travel. It cannot be set past the present shaft position.</source>
         <translation>Ein fester Anschlag am rückwärtigen Ende des Wegs. Er kann nicht jenseits der Welle liegen.</translation>
     </message>
     <message>
@@ -8152,7 +8087,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Anschlag vorw.</translation>
     </message>
     <message>
-        <source>A hard stop at the forward end of the travel. It cannot be put beyond the place where the shaft is.</source>
+        <source>A hard stop at the forward end of travel. It cannot be set past the present shaft position.</source>
         <translation>Ein fester Anschlag am vorderen Ende des Wegs. Er kann nicht jenseits der Welle liegen.</translation>
     </message>
     <message>
@@ -8160,11 +8095,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Endschalter an den Anschlägen</translation>
     </message>
     <message>
-        <source>Limit switches at the travel&apos;s ends</source>
-        <translation>Endschalter an den Enden des Wegs</translation>
-    </message>
-    <message>
-        <source>The limit switches close at the travel&apos;s ends; they cannot be set by hand then.</source>
+        <source>The limit switches close at the ends of travel and cannot be set by hand.</source>
         <translation>Die Endschalter schließen an den Enden des Wegs; von Hand sind sie dann nicht stellbar.</translation>
     </message>
     <message>
@@ -8176,7 +8107,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Folgt der Position des Motors: siehe Mechanik.</translation>
     </message>
     <message>
-        <source>The home switch is closed from there on, forward. Unchecked, it is set by hand.</source>
+        <source>The home switch is closed forward of this position. If cleared, set it by hand.</source>
         <translation>Der Referenzschalter ist von dort an vorwärts geschlossen. Ohne Haken wird er von Hand gestellt.</translation>
     </message>
 </context>
@@ -8252,8 +8183,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Rüc&amp;kwärts</translation>
     </message>
     <message>
-        <source>Run in reverse until stopped</source>
-        <translation>Dauerlauf rückwärts bis zum Stopp</translation>
+        <source>Run reverse until stopped</source>
+        <translation>Rückwärts: Dauerlauf rückwärts bis zum Stopp</translation>
     </message>
     <message>
         <source>R&amp;un forward</source>
@@ -8264,19 +8195,19 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Dauerlauf vorwärts bis zum Stopp</translation>
     </message>
     <message>
-        <source>Starts the move to the position, and holds there.</source>
+        <source>Moves to the position, then holds.</source>
         <translation>Startet die Fahrt zur Position und hält dort.</translation>
     </message>
     <message>
-        <source>Runs forward until it is stopped.</source>
+        <source>Runs forward until stopped.</source>
         <translation>Läuft vorwärts bis zum Stopp.</translation>
     </message>
     <message>
-        <source>Runs in reverse until it is stopped.</source>
+        <source>Runs in reverse until stopped.</source>
         <translation>Läuft rückwärts bis zum Stopp.</translation>
     </message>
     <message>
-        <source>How fast the velocity changes. Used by every kind of motion here, and by a smooth stop.</source>
+        <source>Used by every motion here, and by a smooth stop.</source>
         <translation>Wie schnell sich die Geschwindigkeit ändert. Gilt hier für jede Art von Bewegung und für den sanften Stopp.</translation>
     </message>
     <message>
@@ -8292,11 +8223,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Position</translation>
     </message>
     <message>
-        <source>distance from here</source>
-        <translation>Strecke von hier</translation>
+        <source>distance</source>
+        <translation>Strecke</translation>
     </message>
     <message>
-        <source>Whether the number is a position, or a distance from where the motor is now.</source>
+        <source>Whether the number is a position, or a distance from the present position.</source>
         <translation>Ob die Zahl eine Position ist oder eine Strecke von dort, wo der Motor jetzt steht.</translation>
     </message>
     <message>
@@ -8304,16 +8235,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Hier n&amp;ullen</translation>
     </message>
     <message>
-        <source>Make the present position zero</source>
-        <translation>Die jetzige Position zu null machen</translation>
+        <source>Zero here: set the present position to 0</source>
+        <translation>Hier nullen: Die jetzige Position zu null machen</translation>
     </message>
     <message>
         <source>Go home</source>
         <translation>Zur Referenz</translation>
-    </message>
-    <message>
-        <source>Go to the home position</source>
-        <translation>Die Referenzposition anfahren</translation>
     </message>
     <message>
         <source>Load</source>
@@ -8344,15 +8271,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Dauert %1, Spitze %2</translation>
     </message>
     <message>
-        <source>It is there already</source>
+        <source>Already there</source>
         <translation>Der Motor ist bereits dort</translation>
     </message>
     <message>
-        <source>The goal is beyond the range of positions.</source>
+        <source>The goal is outside the position range.</source>
         <translation>Das Ziel liegt außerhalb des Positionsbereichs.</translation>
     </message>
     <message>
-        <source>Where to go from standstill, with a trapezoidal profile. Enter starts the move.</source>
+        <source>The goal of a trapezoidal move from standstill. Press Enter to start.</source>
         <translation>Wohin aus dem Stillstand mit Trapezprofil gefahren wird. Eingabe startet die Fahrt.</translation>
     </message>
     <message>
@@ -8360,70 +8287,70 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Position anfahren</translation>
     </message>
     <message>
-        <source>Run at vel&amp;ocity</source>
+        <source>Run at velocit&amp;y</source>
         <translation>Laufges&amp;chwindigkeit</translation>
     </message>
     <message>
-        <source>How fast the motor turns until it is stopped. Enter runs, and changes the velocity on the way.</source>
+        <source>The velocity of a run. Press Enter to run, or to change the velocity during a run.</source>
         <translation>Wie schnell sich der Motor bis zum Stopp dreht. Eingabe startet den Lauf und ändert unterwegs die Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Loads the move and does not start it: Start does, or the start of the module&apos;s group.</source>
+        <source>Loads the move without starting it. Choose Start, or start the module&apos;s group.</source>
         <translation>Lädt die Fahrt und startet sie nicht: das tut „Starten“ oder der Start der Gruppe des Moduls.</translation>
     </message>
     <message>
-        <source>Starts the move that was loaded.</source>
+        <source>Starts the loaded move.</source>
         <translation>Startet die geladene Fahrt.</translation>
     </message>
     <message>
-        <source>Goes to home.</source>
+        <source>Moves to home.</source>
         <translation>Fährt zur Referenz.</translation>
     </message>
     <message>
-        <source>Take the nearest</source>
-        <translation>Nächste nehmen</translation>
+        <source>Use nearest</source>
+        <translation>Nächstes nehmen</translation>
     </message>
     <message>
-        <source>Put the nearest position that is allowed into the goal</source>
-        <translation>Die nächste erlaubte Position als Ziel eintragen</translation>
+        <source>Use nearest allowed position</source>
+        <translation>Nächstes nehmen: Die nächste erlaubte Position als Ziel eintragen</translation>
     </message>
     <message>
-        <source>Take %1</source>
+        <source>Use %1</source>
         <translation>%1 nehmen</translation>
     </message>
     <message>
-        <source>Puts the nearest position that is allowed into the goal. Nothing moves.</source>
+        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
         <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
     </message>
     <message>
-        <source>Runs forward until it is stopped, or to its highest position.</source>
+        <source>Runs forward until stopped, or to its highest position.</source>
         <translation>Läuft vorwärts, bis angehalten wird, oder bis zur höchsten Position.</translation>
     </message>
     <message>
-        <source>Runs in reverse until it is stopped, or to its lowest position.</source>
+        <source>Runs in reverse until stopped, or to its lowest position.</source>
         <translation>Läuft rückwärts, bis angehalten wird, oder bis zur tiefsten Position.</translation>
     </message>
 </context>
 <context>
     <name>nmc::NumberField</name>
     <message>
-        <source>%1 takes %2 to %3%4.</source>
+        <source>%1 must be %2 to %3%4.</source>
         <translation>%1: möglich ist %2 bis %3%4.</translation>
     </message>
     <message>
-        <source>%1 is still empty.</source>
-        <translation>%1 ist noch leer.</translation>
+        <source>Enter a value for %1.</source>
+        <translation>Einen Wert für %1 eingeben.</translation>
     </message>
     <message>
-        <source>%1 needs a number.</source>
+        <source>%1 must be a number.</source>
         <translation>%1 braucht eine Zahl.</translation>
     </message>
     <message>
-        <source>%1 has two decimal marks. Both , and . are the decimal mark here.</source>
+        <source>%1 has two decimal marks. Both , and . count as decimal marks.</source>
         <translation>%1 hat zwei Dezimalzeichen. Sowohl , als auch . ist hier Dezimalzeichen.</translation>
     </message>
     <message>
-        <source>%1 needs a whole number.</source>
+        <source>%1 must be a whole number.</source>
         <translation>%1 braucht eine ganze Zahl.</translation>
     </message>
 </context>
@@ -8434,7 +8361,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Bedienermodus</translation>
     </message>
     <message>
-        <source>Choose what is left to the operator. STOP ALL, Esc, each motor&apos;s stops and disconnecting always work. This keeps hands off by mistake; it is no security: who gets at the files of this computer gets around it.</source>
+        <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is no security: anyone with access to this computer&apos;s files can bypass it.</source>
         <translation>Wählen Sie, was dem Bediener überlassen bleibt. ALLES STOPP, Esc, die Stopps jedes Motors und Trennen gehen immer. Das schützt vor Versehen; es ist keine Sicherheit: Wer an die Dateien dieses Rechners kommt, kommt daran vorbei.</translation>
     </message>
     <message>
@@ -8462,15 +8389,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Aus&amp;gänge</translation>
     </message>
     <message>
-        <source>P&amp;IN to leave it, 4 characters at least</source>
+        <source>P&amp;IN to leave operator mode, at least 4 characters</source>
         <translation>P&amp;IN zum Verlassen, mindestens 4 Zeichen</translation>
     </message>
     <message>
-        <source>The same &amp;again</source>
+        <source>PIN &amp;again</source>
         <translation>Die&amp;selbe noch einmal</translation>
     </message>
     <message>
-        <source>&amp;Begin operator mode</source>
+        <source>&amp;Enter operator mode</source>
         <translation>Bedienermodus be&amp;ginnen</translation>
     </message>
     <message>
@@ -8486,26 +8413,26 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
-        <translation>Lassen, wie es ist</translation>
+        <source>Cancel: keep the mode unchanged</source>
+        <translation>Abbrechen: Modus unverändert lassen</translation>
     </message>
     <message>
-        <source>The PIN is too short: it needs 4 characters.</source>
+        <source>The PIN is too short: use at least 4 characters.</source>
         <translation>Die PIN ist zu kurz: Sie braucht 4 Zeichen.</translation>
     </message>
     <message>
-        <source>The two PINs differ. Type the same one twice.</source>
+        <source>The two PINs differ. Type the same PIN twice.</source>
         <translation>Die beiden PINs sind verschieden. Tippen Sie zweimal dieselbe.</translation>
     </message>
     <message>
-        <source>That is not the PIN. %1</source>
+        <source>Wrong PIN. %1</source>
         <translation>Das ist nicht die PIN. %1</translation>
     </message>
 </context>
 <context>
     <name>nmc::OperatorLock</name>
     <message>
-        <source>If it is forgotten, close the panel and remove the part &quot;operator&quot; from %1.</source>
+        <source>If you forgot it, close the panel and remove the &quot;operator&quot; section from %1.</source>
         <translation>Ist sie vergessen, schließen Sie das Programm und entfernen Sie den Abschnitt „operator“ aus %1.</translation>
     </message>
     <message>
@@ -8521,7 +8448,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Fragt nach der PIN.</translation>
     </message>
     <message>
-        <source>Leaves to an operator only what you choose, until somebody has the PIN.</source>
+        <source>Limits the panel to the actions that you select, until someone enters the PIN.</source>
         <translation>Überlässt einem Bediener nur, was Sie wählen, bis jemand die PIN hat.</translation>
     </message>
 </context>
@@ -8563,11 +8490,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Paketmonitor</translation>
     </message>
     <message>
-        <source>Packets of which module</source>
+        <source>Filter packets by module</source>
         <translation>Pakete welches Moduls</translation>
     </message>
     <message>
-        <source>Shows the packets of one module only (Ctrl+M).</source>
+        <source>Shows only packets of one module (Ctrl+M).</source>
         <translation>Zeigt nur die Pakete eines Moduls (Strg+M).</translation>
     </message>
     <message>
@@ -8575,11 +8502,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Alle Module</translation>
     </message>
     <message>
-        <source>Packets of which kind</source>
+        <source>Filter packets by kind</source>
         <translation>Pakete welcher Art</translation>
     </message>
     <message>
-        <source>Shows packets of one kind only (Ctrl+T).</source>
+        <source>Shows only packets of one kind (Ctrl+T).</source>
         <translation>Zeigt nur Pakete einer Art (Strg+T).</translation>
     </message>
     <message>
@@ -8611,7 +8538,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Stops recording; what is shown stays (%1).</source>
+        <source>Stops recording; packets shown stay (%1).</source>
         <translation>Hält die Aufzeichnung an; das Gezeigte bleibt (%1).</translation>
     </message>
     <message>
@@ -8619,7 +8546,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Leeren</translation>
     </message>
     <message>
-        <source>Forgets the packets shown so far (%1).</source>
+        <source>Clears the packets shown (%1).</source>
         <translation>Vergisst die bisher gezeigten Pakete (%1).</translation>
     </message>
     <message>
@@ -8627,7 +8554,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Copies the selected rows as text, or all when none is selected (%1).</source>
+        <source>Copies the selected rows as text, or all rows if none is selected (%1).</source>
         <translation>Kopiert die gewählten Zeilen als Text, oder alle, wenn keine gewählt ist (%1).</translation>
     </message>
     <message>
@@ -8635,7 +8562,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Speichern unter…</translation>
     </message>
     <message>
-        <source>Saves everything recorded as a text, or as a log that can be replayed (%1).</source>
+        <source>Saves all recorded packets as text, or as a log that can be replayed (%1).</source>
         <translation>Speichert alles Aufgezeichnete als Text oder als Protokoll, das wieder abgespielt werden kann (%1).</translation>
     </message>
     <message>
@@ -8682,15 +8609,15 @@ Ohne Hardware den Simulator wählen.</translation>
 <context>
     <name>nmc::PacketView</name>
     <message>
-        <source>Packets, the newest last</source>
+        <source>Packets, newest last</source>
         <translation>Pakete, die neuesten zuletzt</translation>
     </message>
     <message>
-        <source>No packets. Every exchange is recorded while this can be seen.</source>
+        <source>No packets. Exchanges are recorded while this view is visible.</source>
         <translation>Keine Pakete. Jede Übertragung wird aufgezeichnet, solange dies zu sehen ist.</translation>
     </message>
     <message>
-        <source>No packet of this module and kind has been recorded.</source>
+        <source>No packets match the filter.</source>
         <translation>Kein Paket dieses Moduls und dieser Art wurde aufgezeichnet.</translation>
     </message>
 </context>
@@ -8701,7 +8628,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Servo &amp;einschalten</translation>
     </message>
     <message>
-        <source>Enable the servo of this module</source>
+        <source>Enable servo of this module</source>
         <translation>Den Servo dieses Moduls einschalten</translation>
     </message>
     <message>
@@ -8717,16 +8644,16 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>So&amp;fort-Stopp</translation>
     </message>
     <message>
-        <source>Stop this module abruptly</source>
-        <translation>Dieses Modul sofort stoppen</translation>
+        <source>Stop abruptly: this module</source>
+        <translation>Abrupt stoppen: dieses Modul</translation>
     </message>
     <message>
         <source>&amp;Motor off</source>
         <translation>&amp;Motor aus</translation>
     </message>
     <message>
-        <source>Switch this motor off</source>
-        <translation>Diesen Motor abschalten</translation>
+        <source>Motor off: this module</source>
+        <translation>Motor aus: dieses Modul</translation>
     </message>
     <message>
         <source>State of the selected module</source>
@@ -8749,15 +8676,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>%1, Adresse %2</translation>
     </message>
     <message>
-        <source>The servo is on already.</source>
+        <source>The servo is already on.</source>
         <translation>Der Servo ist bereits ein.</translation>
     </message>
     <message>
-        <source>Switches the amplifier on and holds the motor where it is.</source>
+        <source>Switches the amplifier on and holds the motor in place.</source>
         <translation>Schaltet den Verstärker ein und hält den Motor an seiner Position.</translation>
     </message>
     <message>
-        <source>Slows down at the acceleration in force, then holds.</source>
+        <source>Slows down with the present acceleration, then holds.</source>
         <translation>Bremst mit der geltenden Beschleunigung, hält dann die Position.</translation>
     </message>
     <message>
@@ -8773,7 +8700,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Verstärker &amp;einschalten</translation>
     </message>
     <message>
-        <source>Enable the amplifier of this module</source>
+        <source>Enable amplifier of this module</source>
         <translation>Den Verstärker dieses Moduls einschalten</translation>
     </message>
     <message>
@@ -8781,7 +8708,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Hier stoppen</translation>
     </message>
     <message>
-        <source>Stop this module at its present position</source>
+        <source>Stop here: hold this module at its present position</source>
         <translation>Dieses Modul an seiner jetzigen Position stoppen</translation>
     </message>
     <message>
@@ -8789,7 +8716,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Position %1 %2</translation>
     </message>
     <message>
-        <source>The amplifier is on already.</source>
+        <source>The amplifier is already on.</source>
         <translation>Der Verstärker ist bereits ein.</translation>
     </message>
     <message>
@@ -8797,7 +8724,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Stoppt sofort und schaltet den Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
     </message>
     <message>
-        <source>What runs with this module</source>
+        <source>Task running on this module</source>
         <translation>Was mit diesem Modul läuft</translation>
     </message>
     <message>
@@ -8805,7 +8732,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Gemessene Geschwindigkeit</translation>
     </message>
     <message>
-        <source>How fast it turns, measured from its positions over a fifth of a second.</source>
+        <source>Velocity measured from positions over 0.2 s.</source>
         <translation>Wie schnell er sich dreht, gemessen an den Positionen einer Fünftelsekunde.</translation>
     </message>
     <message>
@@ -8817,23 +8744,23 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>A/D-Eingang</translation>
     </message>
     <message>
-        <source>Limit input 1.</source>
+        <source>Limit switch 1.</source>
         <translation>Endschaltereingang 1.</translation>
     </message>
     <message>
-        <source>Limit input 1: high blocks forward.</source>
+        <source>Limit switch 1: high blocks forward.</source>
         <translation>Endschaltereingang 1: high sperrt vorwärts.</translation>
     </message>
     <message>
-        <source>Limit input 2.</source>
+        <source>Limit switch 2.</source>
         <translation>Endschaltereingang 2.</translation>
     </message>
     <message>
-        <source>Limit input 2: high blocks reverse.</source>
+        <source>Limit switch 2: high blocks reverse.</source>
         <translation>Endschaltereingang 2: high sperrt rückwärts.</translation>
     </message>
     <message>
-        <source>Motor power, as the module senses it.</source>
+        <source>Motor power as sensed by the module.</source>
         <translation>Motorspannung, wie das Modul sie erkennt.</translation>
     </message>
     <message>
@@ -8885,19 +8812,19 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>▲ Endschalter-Stopp ausgelöst</translation>
     </message>
     <message>
-        <source>Jumps without a profile to the position it has at this moment, then holds there.</source>
-        <translation>Springt ohne Profil an die Position, die er in diesem Augenblick hat, und hält dort.</translation>
+        <source>Holds the position that the motor has at this moment, without a profile.</source>
+        <translation>Hält ohne Profil die Position, die der Motor in diesem Moment hat.</translation>
     </message>
     <message>
-        <source>Limits of travel</source>
+        <source>Travel limits</source>
         <translation>Fahrweggrenzen</translation>
     </message>
     <message>
-        <source>Kp is 0: the servo brakes the motor, and holds no position.</source>
+        <source>Kp is 0: the servo brakes the motor but holds no position.</source>
         <translation>Kp ist 0: Der Servo bremst den Motor und hält keine Position.</translation>
     </message>
     <message>
-        <source>Switches the amplifier on, holds the motor where it is, and clears the sticky bits: that of the position error is set while the servo is off.</source>
+        <source>Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.</source>
         <translation>Schaltet den Verstärker ein, hält den Motor, wo er steht, und löscht die Sticky-Bits: Das der Regelabweichung ist gesetzt, solange der Servo aus ist.</translation>
     </message>
 </context>
@@ -8908,7 +8835,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Handgerät: &amp;Tastatur oder Gamepad</translation>
     </message>
     <message>
-        <source>Shift with an arrow key moves the motor while both are held; so does a shoulder button of a gamepad with its left stick or cross. B (○) of the gamepad is STOP ALL. (F12)</source>
+        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or cross. B (○) of the gamepad is STOP ALL. (F12)</source>
         <translation>Umschalt mit einer Pfeiltaste bewegt den Motor, solange beide gehalten werden; ebenso eine Schultertaste eines Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) des Gamepads ist ALLES STOPP. (F12)</translation>
     </message>
 </context>
@@ -8917,10 +8844,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Make all pins inputs</source>
         <translation>Alle Pins zu Eingängen machen</translation>
-    </message>
-    <message>
-        <source>Make all twelve pins inputs</source>
-        <translation>Alle zwölf Pins zu Eingängen machen</translation>
     </message>
     <message>
         <source>Pins</source>
@@ -8987,23 +8910,23 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>What it is on this machine. Sends nothing.</source>
+        <source>Its name on this machine. Sends nothing.</source>
         <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
     </message>
     <message>
-        <source>Ask before %1 changes</source>
+        <source>Ask first before %1 changes</source>
         <translation>Fragen, bevor sich %1 ändert</translation>
     </message>
     <message>
-        <source>The panel asks before it switches this output.</source>
+        <source>Asks before the panel switches this output.</source>
         <translation>Das Programm fragt, bevor es diesen Ausgang schaltet.</translation>
     </message>
     <message>
-        <source>STOP ALL takes %1 low</source>
+        <source>Take %1 low on STOP ALL</source>
         <translation>ALLES STOPP nimmt %1 auf Low</translation>
     </message>
     <message>
-        <source>STOP ALL takes this output low. Without a tick it stays as it is.</source>
+        <source>STOP ALL takes this output low. If cleared, the output stays as it is.</source>
         <translation>ALLES STOPP nimmt diesen Ausgang auf Low. Ohne Haken bleibt er, wie er ist.</translation>
     </message>
     <message>
@@ -9031,28 +8954,28 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Ausschalten</translation>
     </message>
     <message>
-        <source>Makes all twelve pins inputs: outputs let go of what they drive.</source>
+        <source>Makes all twelve pins inputs: outputs release what they drive.</source>
         <translation>Macht alle zwölf Pins zu Eingängen: Ausgänge lassen los, was sie treiben.</translation>
     </message>
     <message>
-        <source>Another program has left this module, and it does not tell which pins are outputs. Make all pins inputs to begin anew.</source>
+        <source>Another program set up this module, so its pin directions are unknown. Make all pins inputs to start over.</source>
         <translation>Ein anderes Programm hat dieses Modul hinterlassen, und es sagt nicht, welche Pins Ausgänge sind. Alle Pins zu Eingängen machen, um neu zu beginnen.</translation>
     </message>
     <message>
-        <source>The directions are unknown. Make all pins inputs first.</source>
+        <source>Pin directions unknown. Make all pins inputs first.</source>
         <translation>Die Richtungen sind unbekannt. Zuerst alle Pins zu Eingängen machen.</translation>
     </message>
     <message>
-        <source>Whether the module reads this pin or drives it.</source>
+        <source>Input: the module reads this pin. Output: it drives this pin.</source>
         <translation>Ob das Modul diesen Pin liest oder treibt.</translation>
     </message>
     <message>
-        <source>high, told low</source>
-        <translation>High, soll Low sein</translation>
+        <source>high, set low</source>
+        <translation>High, gesetzt: Low</translation>
     </message>
     <message>
-        <source>low, told high</source>
-        <translation>Low, soll High sein</translation>
+        <source>low, set high</source>
+        <translation>Low, gesetzt: High</translation>
     </message>
     <message>
         <source>low</source>
@@ -9063,7 +8986,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Dieser Pin ist ein Eingang.</translation>
     </message>
     <message>
-        <source>The directions are unknown.</source>
+        <source>Pin directions unknown.</source>
         <translation>Die Richtungen sind unbekannt.</translation>
     </message>
     <message>
@@ -9109,23 +9032,23 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Der PWM-Wert</translation>
     </message>
     <message>
-        <source>How much of the supply drives the motor: 255 is all of it.</source>
+        <source>The share of the supply that drives the motor; 255 is full power.</source>
         <translation>Welcher Anteil der Versorgung den Motor treibt: 255 ist die ganze.</translation>
     </message>
     <message>
-        <source>Drive the motor in reverse with this PWM value</source>
-        <translation>Den Motor mit diesem PWM-Wert rückwärts treiben</translation>
+        <source>Drive reverse with this PWM value</source>
+        <translation>Rückwärts treiben: Den Motor mit diesem PWM-Wert rückwärts treiben</translation>
     </message>
     <message>
-        <source>Drive the motor forward with this PWM value</source>
-        <translation>Den Motor mit diesem PWM-Wert vorwärts treiben</translation>
+        <source>Drive forward with this PWM value</source>
+        <translation>Vorwärts treiben: Den Motor mit diesem PWM-Wert vorwärts treiben</translation>
     </message>
     <message>
-        <source>Switch this motor off</source>
-        <translation>Diesen Motor abschalten</translation>
+        <source>Motor off: this module</source>
+        <translation>Motor aus: dieses Modul</translation>
     </message>
     <message>
-        <source>The motor is driven directly, without the servo: no position limit, no position error limit and no output limit protects it, and it runs until it is switched off.</source>
+        <source>PWM drives the motor directly, without the servo. No position, position error or output limit protects it, and it runs until you switch it off.</source>
         <translation>Der Motor wird direkt getrieben, ohne den Servo: keine Positionsgrenze, keine Grenze der Regelabweichung und keine Ausgangsgrenze schützt ihn, und er läuft, bis er abgeschaltet wird.</translation>
     </message>
     <message>
@@ -9133,11 +9056,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>= %1 %</translation>
     </message>
     <message>
-        <source>Drives the motor in reverse until it is switched off.</source>
+        <source>Drives the motor in reverse until you switch it off.</source>
         <translation>Treibt den Motor rückwärts, bis er abgeschaltet wird.</translation>
     </message>
     <message>
-        <source>Drives the motor forward until it is switched off.</source>
+        <source>Drives the motor forward until you switch it off.</source>
         <translation>Treibt den Motor vorwärts, bis er abgeschaltet wird.</translation>
     </message>
     <message>
@@ -9148,23 +9071,23 @@ Ohne Hardware den Simulator wählen.</translation>
 <context>
     <name>nmc::RatePage</name>
     <message>
-        <source>&amp;Change the rate</source>
-        <translation>&amp;Rate ändern</translation>
+        <source>&amp;Change baud rate</source>
+        <translation>Baud&amp;rate ändern</translation>
     </message>
     <message>
-        <source>Rate</source>
-        <translation>Rate</translation>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
     </message>
     <message>
-        <source>New rate of the chain</source>
+        <source>New baud rate of the chain</source>
         <translation>Neue Rate der Kette</translation>
     </message>
     <message>
-        <source>The rate that the whole chain shall run at.</source>
+        <source>The new baud rate of the whole chain.</source>
         <translation>Die Rate, mit der die ganze Kette arbeiten soll.</translation>
     </message>
     <message>
-        <source>Change the rate of the whole chain</source>
+        <source>Change baud rate of the whole chain</source>
         <translation>Die Rate der ganzen Kette ändern</translation>
     </message>
     <message>
@@ -9172,7 +9095,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>%1 Bd</translation>
     </message>
     <message>
-        <source>Positions, gains and groups stay. Every module is asked at the new rate; when one does not answer there, all go back to the old one.</source>
+        <source>Positions, gains and groups are kept. The panel checks every module at the new baud rate; if one does not answer, all modules go back to the old rate.</source>
         <translation>Positionen, Reglerwerte und Gruppen bleiben. Jedes Modul wird bei der neuen Rate abgefragt; antwortet eines dort nicht, kehren alle zur alten zurück.</translation>
     </message>
     <message>
@@ -9180,27 +9103,27 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die Kette arbeitet mit %1 Bd.</translation>
     </message>
     <message>
-        <source>A motor is moving. The rate changes at standstill only.</source>
+        <source>A motor is moving. Stop all motors to change the baud rate.</source>
         <translation>Ein Motor ist in Bewegung. Die Rate wird nur im Stillstand geändert.</translation>
     </message>
     <message>
-        <source>The chain runs at this rate already.</source>
+        <source>The chain already runs at this baud rate.</source>
         <translation>Die Kette arbeitet bereits mit dieser Rate.</translation>
     </message>
     <message>
-        <source>Tells every module the new rate, and asks each there.</source>
+        <source>Sends the new baud rate to every module, then checks each one.</source>
         <translation>Teilt jedem Modul die neue Rate mit und fragt jedes dort ab.</translation>
     </message>
     <message>
-        <source>Some modules do not answer, and would be left behind at the old rate: %1.</source>
+        <source>Modules that do not answer would stay at the old baud rate: %1.</source>
         <translation>Einige Module antworten nicht und blieben bei der alten Rate zurück: %1.</translation>
     </message>
     <message>
-        <source>The groups of some modules are not known, so they might not hear it: %1. Choose a group for them on the page Groups, or none.</source>
+        <source>Modules with an unknown group may miss the change: %1. Set their group on the Groups page, or none.</source>
         <translation>Die Gruppen einiger Module sind nicht bekannt, sie würden es also vielleicht nicht hören: %1. Wählen Sie auf der Seite Gruppen eine für sie, oder keine.</translation>
     </message>
     <message>
-        <source>A leader of a group would answer while the rate changes. Take that from these on the page Groups: %1.</source>
+        <source>Group leaders would answer during the change. Make these ordinary members on the Groups page: %1.</source>
         <translation>Ein Gruppenleiter würde antworten, während die Rate wechselt. Nehmen Sie das auf der Seite Gruppen diesen ab: %1.</translation>
     </message>
     <message>
@@ -9212,7 +9135,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Teiler von Set Baud Rate</translation>
     </message>
     <message>
-        <source>The rate is 1 250 000 Bd / (divisor + 1). Whether the port of this computer makes it to within 2 % is tried before any module is told.</source>
+        <source>The baud rate is 1 250 000 Bd / (divisor + 1). The panel first checks that this computer&apos;s port supports it to within 2 %.</source>
         <translation>Die Rate ist 1 250 000 Bd / (Teiler + 1). Ob der Anschluss dieses Rechners sie auf 2 % genau erzeugt, wird geprüft, bevor ein Modul davon erfährt.</translation>
     </message>
     <message>
@@ -9286,12 +9209,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>binnen %1 s</translation>
     </message>
     <message>
-        <source>for ever</source>
+        <source>forever</source>
         <translation>endlos</translation>
     </message>
-    <message>
-        <source>%1 times in all</source>
-        <translation>insgesamt %1-mal</translation>
+    <message numerus="yes">
+        <source>%n times in all</source>
+        <translation>
+            <numerusform>insgesamt %n-mal</numerusform>
+            <numerusform>insgesamt %n-mal</numerusform>
+        </translation>
     </message>
     <message>
         <source>Do</source>
@@ -9317,7 +9243,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Holds the picture still (Ctrl+P). Samples are still recorded.</source>
+        <source>Freezes the display (Ctrl+P). Recording of samples continues.</source>
         <translation>Hält das Bild an (Strg+P). Messwerte werden weiter erfasst.</translation>
     </message>
     <message>
@@ -9325,7 +9251,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Cursor</translation>
     </message>
     <message>
-        <source>Two cursors to measure with: drag them (C).</source>
+        <source>Shows two cursors to measure with: drag them (C).</source>
         <translation>Zwei Cursor zum Messen, die sich ziehen lassen (C).</translation>
     </message>
     <message>
@@ -9333,7 +9259,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Statusbits</translation>
     </message>
     <message>
-        <source>The status bits of the selected module over time (B).</source>
+        <source>Shows the status bits of the selected module over time (B).</source>
         <translation>Die Statusbits des gewählten Moduls über der Zeit (B).</translation>
     </message>
     <message>
@@ -9349,7 +9275,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Dargestellte Zeit des Oszilloskops</translation>
     </message>
     <message>
-        <source>How much time the scope shows.</source>
+        <source>Sets how much time the scope shows.</source>
         <translation>Wie viel Zeit das Oszilloskop darstellt.</translation>
     </message>
     <message>
@@ -9361,15 +9287,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Signale…</translation>
     </message>
     <message>
-        <source>Which signals of which modules stand in which strip (S).</source>
-        <translation>Welche Signale welcher Module in welchem Streifen stehen (S).</translation>
+        <source>Selects signals for the strips (S).</source>
+        <translation>Wählt die Signale der Streifen (S).</translation>
     </message>
     <message>
         <source>Trigger</source>
         <translation>Trigger</translation>
     </message>
     <message>
-        <source>Waits for a signal or a status bit, and holds what was around it (T).</source>
+        <source>Waits for a signal or a status bit, and holds the picture around it (T).</source>
         <translation>Wartet auf ein Signal oder ein Statusbit und hält fest, was darum herum war (T).</translation>
     </message>
     <message>
@@ -9377,12 +9303,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Zurück zu live</translation>
     </message>
     <message>
-        <source>Shows what the modules say now.</source>
+        <source>Returns to the live display.</source>
         <translation>Zeigt, was die Module jetzt melden.</translation>
     </message>
     <message>
-        <source>What is shown instead of the present</source>
-        <translation>Was statt der Gegenwart gezeigt wird</translation>
+        <source>Source of the picture</source>
+        <translation>Quelle des Bilds</translation>
     </message>
 </context>
 <context>
@@ -9396,7 +9322,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Messwerte (CSV)…</translation>
     </message>
     <message>
-        <source>Every sample of all modules in the time that is seen, to be opened here again.</source>
+        <source>All samples of all modules in the visible time. Can be reopened here.</source>
         <translation>Jeder Messwert aller Module in der sichtbaren Zeit; lässt sich hier wieder öffnen.</translation>
     </message>
     <message>
@@ -9404,7 +9330,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Bild (PNG)…</translation>
     </message>
     <message>
-        <source>What is seen, as an image.</source>
+        <source>The visible plot as an image.</source>
         <translation>Das Sichtbare als Bild.</translation>
     </message>
     <message>
@@ -9412,7 +9338,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Vektorbild (SVG)…</translation>
     </message>
     <message>
-        <source>What is seen, in lines that stay sharp at any size.</source>
+        <source>The visible plot as lines that stay sharp at any size.</source>
         <translation>Das Sichtbare in Linien, die in jeder Größe scharf bleiben.</translation>
     </message>
     <message>
@@ -9420,7 +9346,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>What is seen, onto the clipboard; with its samples where these are few.</source>
+        <source>Copies the visible plot to the clipboard, with its samples if these are few.</source>
         <translation>Das Sichtbare in die Zwischenablage; mit seinen Messwerten, wenn es wenige sind.</translation>
     </message>
     <message>
@@ -9444,7 +9370,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Seite (PDF)…</translation>
     </message>
     <message>
-        <source>What is seen, on a page for a printer or a report.</source>
+        <source>The visible plot on a page for printing or a report.</source>
         <translation>Was zu sehen ist, auf einer Seite für einen Drucker oder einen Bericht.</translation>
     </message>
     <message>
@@ -9452,7 +9378,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Drucken</translation>
     </message>
     <message>
-        <source>What is seen, on a page of the printer that this computer uses unless told otherwise.</source>
+        <source>Prints the visible plot on this computer&apos;s default printer.</source>
         <translation>Was zu sehen ist, auf einer Seite des Standarddruckers dieses Rechners.</translation>
     </message>
 </context>
@@ -9487,15 +9413,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Leaves the file alone; the scope stays as it is.</source>
+        <source>Cancels opening; the scope stays as it is.</source>
         <translation>Lässt die Datei, wie sie ist; das Oszilloskop bleibt, wie es ist.</translation>
     </message>
     <message>
-        <source>Shows a recording in the scope. Control of the motors goes on.</source>
+        <source>Shows a recording in the scope. Control of the motors continues.</source>
         <translation>Zeigt eine Aufzeichnung im Oszilloskop. Die Steuerung der Motoren läuft weiter.</translation>
     </message>
     <message>
-        <source>Writes every sample of all modules to a file from now on (Ctrl+Shift+R).</source>
+        <source>Saves every sample of all modules to a file from now on (Ctrl+Shift+R).</source>
         <translation>Schreibt ab jetzt jeden Messwert aller Module in eine Datei (Strg+Umschalt+R).</translation>
     </message>
     <message>
@@ -9503,7 +9429,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Aufzeichnen…</translation>
     </message>
     <message>
-        <source>There is nothing to record: no module is connected.</source>
+        <source>Nothing to record: connect a module first.</source>
         <translation>Es gibt nichts aufzuzeichnen: kein Modul ist verbunden.</translation>
     </message>
     <message>
@@ -9535,11 +9461,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>&amp;Lay a recording under the live traces…</source>
-        <translation>Aufzeichnung unter die laufenden Kurven &amp;legen …</translation>
+        <source>Over&amp;lay a recording…</source>
+        <translation>Aufzeichnung unter&amp;legen…</translation>
     </message>
     <message>
-        <source>Under the live traces</source>
+        <source>Overlay</source>
         <translation>Unter den laufenden Kurven</translation>
     </message>
     <message>
@@ -9547,7 +9473,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Takes the recording out of the plots. Its file stays as it is.</source>
+        <source>Removes the recording from the plots. Its file is kept.</source>
         <translation>Nimmt die Aufzeichnung aus den Kurven. Ihre Datei bleibt, wie sie ist.</translation>
     </message>
     <message>
@@ -9567,15 +9493,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Verschiebt die Aufzeichnung nach rechts.</translation>
     </message>
     <message>
-        <source>Draws a recording pale below what is live, its first motion where the last one here began.</source>
+        <source>Draws a recording in pale lines below the live traces, aligned to the start of the last motion.</source>
         <translation>Zeichnet eine Aufzeichnung blass unter das Laufende, ihre erste Bewegung dort, wo hier die letzte begann.</translation>
     </message>
     <message>
-        <source>Lay a recording under the live traces</source>
-        <translation>Aufzeichnung unter die laufenden Kurven legen</translation>
+        <source>Overlay a recording</source>
+        <translation>Aufzeichnung unterlegen</translation>
     </message>
     <message>
-        <source>Pale below the live traces: %1</source>
+        <source>Overlay: %1</source>
         <translation>Blass unter den laufenden Kurven: %1</translation>
     </message>
 </context>
@@ -9586,7 +9512,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Oszilloskop</translation>
     </message>
     <message>
-        <source>Takes what is seen out of the scope: samples or a picture.</source>
+        <source>Exports the visible samples or a picture.</source>
         <translation>Holt das Sichtbare aus dem Oszilloskop: Messwerte oder ein Bild.</translation>
     </message>
     <message>
@@ -9598,14 +9524,14 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>%1 (Simulator)</translation>
     </message>
     <message>
-        <source>Pale below: %1</source>
+        <source>Overlay: %1</source>
         <translation>Blass darunter: %1</translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopePlot</name>
     <message>
-        <source>%1 · not known now</source>
+        <source>%1 · unknown</source>
         <translation>%1 · jetzt nicht bekannt</translation>
     </message>
     <message>
@@ -9613,7 +9539,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>%1 · %2/s</translation>
     </message>
     <message>
-        <source>The band is wider than the strip: %1 to %2</source>
+        <source>The band exceeds the strip: %1 to %2</source>
         <translation>Das Band ist breiter als der Streifen: %1 bis %2</translation>
     </message>
 </context>
@@ -9675,7 +9601,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Achsen, die geteacht werden</translation>
     </message>
     <message>
-        <source>The ticked axes become part of the point.</source>
+        <source>The selected axes become part of the point.</source>
         <translation>Die angekreuzten Achsen werden Teil des Punkts.</translation>
     </message>
     <message>
@@ -9683,7 +9609,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Teachen</translation>
     </message>
     <message>
-        <source>Teach a point: keep where the ticked axes stand</source>
+        <source>Teach a point: store the positions of the selected axes</source>
         <translation>Einen Punkt teachen: behalten, wo die angekreuzten Achsen stehen</translation>
     </message>
     <message>
@@ -9691,7 +9617,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Zum Punkt</translation>
     </message>
     <message>
-        <source>Move to the chosen point</source>
+        <source>Go to point: the selected one</source>
         <translation>Zum gewählten Punkt fahren</translation>
     </message>
     <message>
@@ -9699,7 +9625,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Punkt entfernen</translation>
     </message>
     <message>
-        <source>Remove the chosen point</source>
+        <source>Remove point: the selected one</source>
         <translation>Den gewählten Punkt entfernen</translation>
     </message>
     <message>
@@ -9715,7 +9641,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Name des Ablaufs</translation>
     </message>
     <message>
-        <source>Another name for this sequence; Enter takes it.</source>
+        <source>Type a new name for this sequence, then press Enter.</source>
         <translation>Ein anderer Name für diesen Ablauf; die Eingabetaste übernimmt ihn.</translation>
     </message>
     <message>
@@ -9723,15 +9649,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Neuer Ablauf</translation>
     </message>
     <message>
-        <source>Add an empty sequence</source>
-        <translation>Einen leeren Ablauf hinzufügen</translation>
-    </message>
-    <message>
         <source>Remove sequence</source>
         <translation>Ablauf entfernen</translation>
     </message>
     <message>
-        <source>Remove this sequence with its rows</source>
+        <source>Remove sequence with its rows</source>
         <translation>Diesen Ablauf mit seinen Zeilen entfernen</translation>
     </message>
     <message>
@@ -9739,7 +9661,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Zeilen des Ablaufs</translation>
     </message>
     <message>
-        <source>A double click or F2 changes what stands in a cell.</source>
+        <source>Double-click a cell or press F2 to edit it.</source>
         <translation>Ein Doppelklick oder F2 ändert, was in einer Zelle steht.</translation>
     </message>
     <message>
@@ -9755,7 +9677,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Zeile hinzufügen</translation>
     </message>
     <message>
-        <source>Add a row behind the chosen one</source>
+        <source>Add row after the selected one</source>
         <translation>Eine Zeile hinter der gewählten hinzufügen</translation>
     </message>
     <message>
@@ -9763,7 +9685,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Duplizieren</translation>
     </message>
     <message>
-        <source>Duplicate the chosen row</source>
+        <source>Duplicate the selected row</source>
         <translation>Die gewählte Zeile duplizieren</translation>
     </message>
     <message>
@@ -9775,24 +9697,24 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Zeile entfernen</translation>
     </message>
     <message>
-        <source>Remove the chosen row</source>
-        <translation>Die gewählte Zeile entfernen</translation>
+        <source>Remove row that is selected</source>
+        <translation>Zeile entfernen: Die gewählte Zeile entfernen</translation>
     </message>
     <message>
         <source>Up</source>
         <translation>Hinauf</translation>
     </message>
     <message>
-        <source>Move the chosen row up</source>
-        <translation>Die gewählte Zeile hinauf schieben</translation>
+        <source>Up: move the selected row</source>
+        <translation>Die gewählte Zeile nach oben</translation>
     </message>
     <message>
         <source>Down</source>
         <translation>Hinunter</translation>
     </message>
     <message>
-        <source>Move the chosen row down</source>
-        <translation>Die gewählte Zeile hinunter schieben</translation>
+        <source>Down: move the selected row</source>
+        <translation>Die gewählte Zeile nach unten</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -9807,7 +9729,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Redo what was undone of points and sequences</source>
+        <source>Redo the last undone change of points and sequences</source>
         <translation>Wiederherstellen, was an Punkten und Abläufen rückgängig gemacht wurde</translation>
     </message>
     <message>
@@ -9815,7 +9737,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Probelauf</translation>
     </message>
     <message>
-        <source>Foresee the sequence on a simulated copy; nothing moves</source>
+        <source>Dry run: simulate the sequence; nothing moves</source>
         <translation>Den Ablauf an einer simulierten Kopie voraussehen; nichts fährt</translation>
     </message>
     <message>
@@ -9835,7 +9757,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Ab Zeile starten</translation>
     </message>
     <message>
-        <source>Run the sequence from the chosen row on</source>
+        <source>Run from row: start at the selected row</source>
         <translation>Den Ablauf ab der gewählten Zeile starten</translation>
     </message>
     <message>
@@ -9843,7 +9765,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Pause the sequence behind its row</source>
+        <source>Pause the sequence after its row</source>
         <translation>Den Ablauf hinter seiner Zeile pausieren</translation>
     </message>
     <message>
@@ -9851,7 +9773,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Einzelschritt</translation>
     </message>
     <message>
-        <source>Run one row of the sequence</source>
+        <source>Single step: run one row of the sequence</source>
         <translation>Eine Zeile des Ablaufs ausführen</translation>
     </message>
     <message>
@@ -9859,7 +9781,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Ablauf stoppen</translation>
     </message>
     <message>
-        <source>Stop the sequence and its motors</source>
+        <source>Stop sequence and its motors</source>
         <translation>Den Ablauf und seine Motoren stoppen</translation>
     </message>
     <message>
@@ -9871,11 +9793,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Zeile schieben</translation>
     </message>
     <message>
-        <source>Give the point a name first.</source>
+        <source>Enter a name for the point first.</source>
         <translation>Dem Punkt erst einen Namen geben.</translation>
     </message>
     <message>
-        <source>Tick at least one axis.</source>
+        <source>Select at least one axis.</source>
         <translation>Mindestens eine Achse ankreuzen.</translation>
     </message>
     <message>
@@ -9883,19 +9805,19 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Keeps where the ticked axes stand now under this name; nothing moves. A point that has the name already gets the new places.</source>
+        <source>Stores the present positions of the selected axes under this name, replacing any point of that name. Nothing moves.</source>
         <translation>Behält unter diesem Namen, wo die angekreuzten Achsen jetzt stehen; nichts fährt. Ein Punkt, der schon so heißt, bekommt die neuen Stellen.</translation>
     </message>
     <message>
-        <source>Choose a point in the table.</source>
+        <source>Select a point in the table.</source>
         <translation>Einen Punkt in der Tabelle wählen.</translation>
     </message>
     <message>
-        <source>Row %1 of &quot;%2&quot; moves to it.</source>
-        <translation>Zeile %1 von „%2“ fährt dorthin.</translation>
+        <source>Row %1 of &quot;%2&quot; uses this point. Change that row first.</source>
+        <translation>Zeile %1 von „%2“ benutzt diesen Punkt. Zuerst diese Zeile ändern.</translation>
     </message>
     <message>
-        <source>Moves all axes of this point there at once, each at its own velocity.</source>
+        <source>Moves all axes of this point there together, each at its own velocity.</source>
         <translation>Fährt alle Achsen dieses Punkts zugleich dorthin, jede mit ihrer eigenen Geschwindigkeit.</translation>
     </message>
     <message>
@@ -9903,11 +9825,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Entfernt diesen Punkt; nichts fährt.</translation>
     </message>
     <message>
-        <source>There is no sequence yet.</source>
-        <translation>Es gibt noch keinen Ablauf.</translation>
+        <source>No sequence yet. Add one first.</source>
+        <translation>Noch kein Ablauf. Zuerst einen hinzufügen.</translation>
     </message>
     <message>
-        <source>Choose a row in the table.</source>
+        <source>Select a row in the table.</source>
         <translation>Eine Zeile in der Tabelle wählen.</translation>
     </message>
     <message>
@@ -9915,19 +9837,19 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Fügt einen leeren Ablauf hinzu.</translation>
     </message>
     <message>
-        <source>Row %1 of &quot;%2&quot; calls it.</source>
-        <translation>Zeile %1 von „%2“ ruft ihn auf.</translation>
+        <source>Row %1 of &quot;%2&quot; calls this sequence. Change that row first.</source>
+        <translation>Zeile %1 von „%2“ ruft diesen Ablauf. Zuerst diese Zeile ändern.</translation>
     </message>
     <message>
         <source>Removes this sequence with its rows.</source>
         <translation>Entfernt diesen Ablauf mit seinen Zeilen.</translation>
     </message>
     <message>
-        <source>Adds a row behind the chosen one, or at the end.</source>
+        <source>Adds a row after the selected one, or at the end.</source>
         <translation>Fügt eine Zeile hinter der gewählten oder am Ende hinzu.</translation>
     </message>
     <message>
-        <source>Adds the same row again behind it.</source>
+        <source>Adds a copy of the row after it.</source>
         <translation>Fügt dieselbe Zeile dahinter noch einmal ein.</translation>
     </message>
     <message>
@@ -9935,7 +9857,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Entfernt diese Zeile.</translation>
     </message>
     <message>
-        <source>It cannot go any farther: a repeat stays below the row that it goes back to.</source>
+        <source>The row cannot move farther: a repeat must stay below the row it goes back to.</source>
         <translation>Weiter geht es nicht: eine Wiederholung bleibt unter der Zeile, zu der sie zurückspringt.</translation>
     </message>
     <message>
@@ -9947,23 +9869,23 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Schiebt diese Zeile hinunter.</translation>
     </message>
     <message>
-        <source>There is nothing to undo.</source>
+        <source>Nothing to undo.</source>
         <translation>Es gibt nichts rückgängig zu machen.</translation>
     </message>
     <message>
-        <source>Undoes: %1</source>
+        <source>Undo: %1</source>
         <translation>Macht rückgängig: %1</translation>
     </message>
     <message>
-        <source>There is nothing to redo.</source>
+        <source>Nothing to redo.</source>
         <translation>Es gibt nichts wiederherzustellen.</translation>
     </message>
     <message>
-        <source>Does again: %1</source>
+        <source>Redo: %1</source>
         <translation>Stellt wieder her: %1</translation>
     </message>
     <message>
-        <source>A sequence runs already.</source>
+        <source>A sequence is already running.</source>
         <translation>Ein Ablauf läuft schon.</translation>
     </message>
     <message>
@@ -9971,31 +9893,31 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Startet „%1“ bei der ersten Zeile.</translation>
     </message>
     <message>
-        <source>Runs &quot;%1&quot; from the chosen row on. Possible where the axes stand as the rows above leave them.</source>
+        <source>Runs &quot;%1&quot; from the selected row on. The axes must be where the rows above leave them.</source>
         <translation>Startet „%1“ ab der gewählten Zeile. Möglich, wenn die Achsen so stehen, wie die Zeilen darüber sie verlassen.</translation>
     </message>
     <message>
-        <source>No sequence runs.</source>
+        <source>No sequence is running.</source>
         <translation>Kein Ablauf läuft.</translation>
     </message>
     <message>
-        <source>Go on</source>
+        <source>Continue</source>
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Goes on where it has paused.</source>
+        <source>Continues from where it paused.</source>
         <translation>Macht weiter, wo er pausiert hat.</translation>
     </message>
     <message>
-        <source>Finishes the row that is under way, then waits.</source>
+        <source>Finishes the current row, then waits.</source>
         <translation>Beendet die laufende Zeile und wartet dann.</translation>
     </message>
     <message>
-        <source>It runs. Pause it first.</source>
+        <source>The sequence is running. Pause it first.</source>
         <translation>Er läuft. Ihn erst pausieren.</translation>
     </message>
     <message>
-        <source>Runs one row, then waits. The first one is the chosen row.</source>
+        <source>Runs one row, then waits. Starts with the selected row.</source>
         <translation>Führt eine Zeile aus und wartet dann. Die erste ist die gewählte.</translation>
     </message>
     <message>
@@ -10007,7 +9929,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Probelauf beenden</translation>
     </message>
     <message>
-        <source>Shows how long the sequence takes, where each axis goes and what would be refused, on a simulated copy. Nothing moves.</source>
+        <source>Simulates the sequence: shows how long it takes, where each axis goes and what would be refused. Nothing moves.</source>
         <translation>Zeigt an einer simulierten Kopie, wie lange der Ablauf dauert, wohin jede Achse fährt und was abgelehnt würde. Nichts fährt.</translation>
     </message>
 </context>
@@ -10057,7 +9979,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Signale des Oszilloskops</translation>
     </message>
     <message>
-        <source>Signals, and the strips they stand in</source>
+        <source>Signals and their strips</source>
         <translation>Signale und die Streifen, in denen sie stehen</translation>
     </message>
     <message>
@@ -10069,8 +9991,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Streifen %1</translation>
     </message>
     <message>
-        <source>A tick puts the signal into that strip. A strip without a tick is not shown.</source>
-        <translation>Ein Haken setzt das Signal in diesen Streifen. Ein Streifen ohne Haken wird nicht gezeigt.</translation>
+        <source>Select the strips of each signal. Empty strips are hidden.</source>
+        <translation>Die Streifen jedes Signals wählen. Leere Streifen werden ausgeblendet.</translation>
     </message>
     <message>
         <source>The selected module</source>
@@ -10093,11 +10015,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Filter</translation>
     </message>
     <message>
-        <source>Filter: a module, a signal, or words of both</source>
+        <source>Filter by module or signal</source>
         <translation>Filter: ein Modul, ein Signal oder Wörter von beiden</translation>
     </message>
     <message>
-        <source>Position with its command position, below them the error and the motor current.</source>
+        <source>Position and command position, with the error and the motor current below.</source>
         <translation>Die Position mit ihrer Sollposition, darunter Positionsfehler und Motorstrom.</translation>
     </message>
 </context>
@@ -10112,7 +10034,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Simuliertes Modul</translation>
     </message>
     <message>
-        <source>Follows the list of modules. Has those too that the panel does not find.</source>
+        <source>Follows the module list, and includes modules that the panel did not find.</source>
         <translation>Folgt der Modulliste. Enthält auch Module, die das Programm nicht findet.</translation>
     </message>
 </context>
@@ -10123,7 +10045,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Rechteck, eine Periode</translation>
     </message>
     <message>
-        <source>All edges with the present gains laid over one another: their median, and shaded where eight of ten samples are. Pale: with the gains before.</source>
+        <source>All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains.</source>
         <translation>Alle Flanken mit den jetzigen Reglerwerten übereinander: ihr Median, und schattiert, wo acht von zehn Messwerten liegen. Blass: mit den Reglerwerten davor.</translation>
     </message>
     <message>
@@ -10135,7 +10057,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Sollposition</translation>
     </message>
     <message>
-        <source>No edge is recorded yet. A square wave lays many steps over one another, while gains are changed.</source>
+        <source>No edge recorded yet. A square wave overlays many steps while you change gains.</source>
         <translation>Noch ist keine Flanke aufgezeichnet. Ein Rechteck legt viele Sprünge übereinander, während Reglerwerte geändert werden.</translation>
     </message>
 </context>
@@ -10150,7 +10072,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Beginnen</translation>
     </message>
     <message>
-        <source>The motor jumps to and fro about where it is held. Everything that turns with it must be free to.</source>
+        <source>The motor jumps back and forth around its position. Make sure that everything it drives can move freely.</source>
         <translation>Der Motor springt um die Stelle, an der er gehalten wird, hin und her. Alles, was sich mitdreht, muss sich drehen können.</translation>
     </message>
     <message>
@@ -10162,7 +10084,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die Strecke</translation>
     </message>
     <message>
-        <source>From side to side, half of it to either side of where the motor is held.</source>
+        <source>From side to side: half to either side of the present position.</source>
         <translation>Von Seite zu Seite, je die Hälfte zu beiden Seiten der Stelle, an der der Motor gehalten wird.</translation>
     </message>
     <message>
@@ -10182,7 +10104,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Perioden</translation>
     </message>
     <message>
-        <source>The number of periods</source>
+        <source>Periods to run</source>
         <translation>Die Zahl der Perioden</translation>
     </message>
     <message>
@@ -10190,23 +10112,19 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Auslenkung</translation>
     </message>
     <message>
-        <source>The excursion</source>
-        <translation>Die Auslenkung</translation>
-    </message>
-    <message>
-        <source>How far the motor may go beyond either side. Farther than that it is held.</source>
+        <source>How far the motor may move past either side. Beyond that, the test stops and the motor holds.</source>
         <translation>Wie weit der Motor über jede Seite hinaus gehen darf. Darüber hinaus wird er gehalten.</translation>
     </message>
     <message>
-        <source>How the command is made to jump</source>
-        <translation>Wie die Sollposition zum Springen gebracht wird</translation>
+        <source>Way: how the command jumps</source>
+        <translation>Wie die Vorgabe springt</translation>
     </message>
     <message>
         <source>Way</source>
         <translation>Art</translation>
     </message>
     <message>
-        <source>What the edges come to</source>
+        <source>Results of the edges</source>
         <translation>Was die Flanken ergeben</translation>
     </message>
     <message>
@@ -10214,8 +10132,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Als Lauf behalten</translation>
     </message>
     <message>
-        <source>Keep the folded edge as a step response</source>
-        <translation>Die Flanken als Sprungantwort behalten</translation>
+        <source>Keep as a run: the median edge</source>
+        <translation>Den Median der Flanken als Sprungantwort behalten</translation>
     </message>
     <message>
         <source>Rise %1</source>
@@ -10234,11 +10152,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Bleibende Abweichung %1</translation>
     </message>
     <message>
-        <source>No edge is recorded yet.</source>
+        <source>No edge recorded yet.</source>
         <translation>Noch ist keine Flanke aufgezeichnet.</translation>
     </message>
     <message>
-        <source>Puts the median of the edges towards higher counts into the list of step responses.</source>
+        <source>Adds the median of the rising edges to the list of step responses.</source>
         <translation>Nimmt den Median der Flanken vorwärts in die Liste der Sprungantworten auf.</translation>
     </message>
     <message>
@@ -10287,23 +10205,23 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>◂| Schritt</translation>
     </message>
     <message>
-        <source>One step in reverse</source>
-        <translation>Ein Schritt rückwärts</translation>
+        <source>Step in reverse</source>
+        <translation>Schritt: Ein Schritt rückwärts</translation>
     </message>
     <message>
         <source>Step |▸</source>
         <translation>Schritt |▸</translation>
     </message>
     <message>
-        <source>One step forward</source>
-        <translation>Ein Schritt vorwärts</translation>
+        <source>Step forward</source>
+        <translation>Schritt: Ein Schritt vorwärts</translation>
     </message>
     <message>
         <source>The number of steps</source>
         <translation>Die Zahl der Schritte</translation>
     </message>
     <message>
-        <source>How many steps one click makes.</source>
+        <source>Number of steps per click.</source>
         <translation>Wie viele Schritte ein Klick auslöst.</translation>
     </message>
     <message>
@@ -10311,7 +10229,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die Pause zwischen den Schritten</translation>
     </message>
     <message>
-        <source>Seconds to wait after each move.</source>
+        <source>Time to wait after each move, in seconds.</source>
         <translation>Wartezeit nach jeder Fahrt in Sekunden.</translation>
     </message>
     <message>
@@ -10319,11 +10237,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>hin und zurück</translation>
     </message>
     <message>
-        <source>Each step there and back</source>
-        <translation>Jeder Schritt hin und zurück</translation>
+        <source>There and back with each step</source>
+        <translation>hin und zurück: Jeder Schritt hin und zurück</translation>
     </message>
     <message>
-        <source>Each step goes there and back again.</source>
+        <source>Each step goes there and back.</source>
         <translation>Jeder Schritt geht hin und wieder zurück.</translation>
     </message>
     <message>
@@ -10331,7 +10249,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Schritte beenden</translation>
     </message>
     <message>
-        <source>End the steps and stop</source>
+        <source>End steps and stop</source>
         <translation>Die Schritte beenden und stoppen</translation>
     </message>
     <message>
@@ -10347,23 +10265,23 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Steps are being made already.</source>
+        <source>A series of steps is already running.</source>
         <translation>Es werden bereits Schritte gefahren.</translation>
     </message>
     <message>
-        <source>Moves forward by this distance, and holds there.</source>
+        <source>Moves forward by this distance, then holds.</source>
         <translation>Fährt um diese Strecke vorwärts und hält dort.</translation>
     </message>
     <message>
-        <source>Moves in reverse by this distance, and holds there.</source>
+        <source>Moves in reverse by this distance, then holds.</source>
         <translation>Fährt um diese Strecke rückwärts und hält dort.</translation>
     </message>
     <message>
-        <source>No steps are being made.</source>
+        <source>No series of steps is running.</source>
         <translation>Es werden keine Schritte gefahren.</translation>
     </message>
     <message>
-        <source>Makes no more steps, and stops the motor smoothly.</source>
+        <source>Ends the series of steps and stops the motor smoothly.</source>
         <translation>Fährt keine weiteren Schritte und stoppt den Motor sanft.</translation>
     </message>
     <message>
@@ -10371,7 +10289,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>How far one click moves the motor, at the velocity of Go to.</source>
+        <source>Distance per click, at the velocity of Go to.</source>
         <translation>Wie weit ein Klick den Motor bewegt, mit der Geschwindigkeit von „Position anfahren“.</translation>
     </message>
 </context>
@@ -10382,7 +10300,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Schrittimpulse kommen.</translation>
     </message>
     <message>
-        <source>The module could not read the last command; it was not carried out.</source>
+        <source>The module received a garbled command and did not carry it out.</source>
         <translation>Das Modul konnte den letzten Befehl nicht lesen; er wurde nicht ausgeführt.</translation>
     </message>
     <message>
@@ -10394,7 +10312,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die Motorversorgung ist vorhanden (PWR_SENSE ist High).</translation>
     </message>
     <message>
-        <source>The motor has the speed that was asked for.</source>
+        <source>The motor has reached its commanded speed.</source>
         <translation>Der Motor hat die verlangte Geschwindigkeit.</translation>
     </message>
     <message>
@@ -10450,7 +10368,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>ohne Profil, ohne Stopp</translation>
     </message>
     <message>
-        <source>moving as another program told it to</source>
+        <source>moving, commanded by another program</source>
         <translation>bewegt sich nach dem Befehl eines anderen Programms</translation>
     </message>
     <message>
@@ -10466,12 +10384,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Details</translation>
     </message>
     <message>
-        <source>Make the present position zero</source>
-        <translation>Die jetzige Position zu null machen</translation>
+        <source>Zero here: set the present position to 0</source>
+        <translation>Hier nullen: Die jetzige Position zu null machen</translation>
     </message>
     <message>
-        <source>Save the present position as home</source>
-        <translation>Die jetzige Position als Referenz speichern</translation>
+        <source>Save as home: the present position</source>
+        <translation>Als Referenz speichern: Die jetzige Position als Referenz speichern</translation>
     </message>
     <message>
         <source>Status byte</source>
@@ -10498,8 +10416,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Rohdaten</translation>
     </message>
     <message>
-        <source>%1, stands for %2</source>
-        <translation>%1, entspricht %2</translation>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
     </message>
     <message>
         <source>status %1</source>
@@ -10510,7 +10428,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>, Eingänge %1</translation>
     </message>
     <message>
-        <source>Keeps the present position as home. The motor does not move.</source>
+        <source>Saves the present position as home. The motor does not move.</source>
         <translation>Merkt sich die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
     </message>
     <message>
@@ -10521,7 +10439,7 @@ Ohne Hardware den Simulator wählen.</translation>
 <context>
     <name>nmc::StepForm</name>
     <message>
-        <source>How the next step is made</source>
+        <source>Settings of the next step</source>
         <translation>Wie der nächste Sprung gemacht wird</translation>
     </message>
     <message>
@@ -10533,12 +10451,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die Strecke des Sprungs</translation>
     </message>
     <message>
-        <source>How far the command jumps; below 0 in reverse. Small steps show how the servo is tuned, large ones what the amplifier can do.</source>
+        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
         <translation>Wie weit die Sollposition springt; unter 0 rückwärts. Kleine Sprünge zeigen, wie der Servo abgestimmt ist, große, was der Verstärker kann.</translation>
     </message>
     <message>
-        <source>How the command is made to jump</source>
-        <translation>Wie die Sollposition zum Springen gebracht wird</translation>
+        <source>Way: how the command jumps</source>
+        <translation>Wie die Vorgabe springt</translation>
     </message>
     <message>
         <source>The record</source>
@@ -10549,7 +10467,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>s</translation>
     </message>
     <message>
-        <source>How long the motor is watched after the step. Then it is told to hold.</source>
+        <source>How long to record after the step. Then the motor is told to hold.</source>
         <translation>Wie lange der Motor nach dem Sprung beobachtet wird. Dann bekommt er einen Haltebefehl.</translation>
     </message>
     <message>
@@ -10561,7 +10479,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>% des Sprungs</translation>
     </message>
     <message>
-        <source>The motor has settled when it stays this close to its goal, and is never judged by less than a count. All runs are judged by it.</source>
+        <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
         <translation>Der Motor ist eingeschwungen, wenn er so nahe am Ziel bleibt; strenger als auf ein Inkrement wird nie geprüft. Gilt für alle Läufe.</translation>
     </message>
     <message>
@@ -10585,15 +10503,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Sprung</translation>
     </message>
     <message>
-        <source>Make a step and record it</source>
-        <translation>Einen Sprung machen und aufzeichnen</translation>
+        <source>Step and record</source>
+        <translation>Einen Sprung ausführen und aufzeichnen</translation>
     </message>
     <message>
-        <source>A step is being made already.</source>
+        <source>A step is already running.</source>
         <translation>Es läuft bereits ein Sprung.</translation>
     </message>
     <message>
-        <source>The motor jumps by this distance, and holds there. Everything that turns with it must be free to (Shift+F9).</source>
+        <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
         <translation>Der Motor springt um diese Strecke und hält dort. Alles, was sich mitdreht, muss frei beweglich sein (Umschalt+F9).</translation>
     </message>
     <message>
@@ -10601,7 +10519,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>%1 %2 statt %3</translation>
     </message>
     <message>
-        <source>Some gains in the fields were not sent: %1. With which is the step to be made?</source>
+        <source>Some gains in the fields were not sent: %1. Which gains should the step use?</source>
         <translation>Einige Reglerwerte in den Feldern wurden nicht gesendet: %1. Mit welchen soll der Sprung gemacht werden?</translation>
     </message>
     <message>
@@ -10613,62 +10531,58 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Abbre&amp;chen</translation>
     </message>
     <message>
-        <source>&amp;Apply them and step</source>
+        <source>&amp;Apply and step</source>
         <translation>&amp;Anwenden und springen</translation>
     </message>
     <message>
-        <source>Step with those that it &amp;has</source>
+        <source>Step with &amp;present gains</source>
         <translation>&amp;Mit denen des Moduls springen</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepHoldBox</name>
     <message>
-        <source>Speed whe&amp;n held</source>
+        <source>J&amp;og speed</source>
         <translation>Tippges&amp;chwindigkeit</translation>
     </message>
     <message>
-        <source>Speed while held</source>
+        <source>Jog speed</source>
         <translation>Tippgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>The speed while held</source>
-        <translation>Die Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>◂ Hold</source>
         <translation>◂ Tippen</translation>
     </message>
     <message>
-        <source>Move in reverse while held</source>
-        <translation>Rückwärts fahren, solange gedrückt</translation>
+        <source>Hold to move in reverse</source>
+        <translation>Tippen: Rückwärts fahren, solange gedrückt</translation>
     </message>
     <message>
         <source>Hold ▸</source>
         <translation>Tippen ▸</translation>
     </message>
     <message>
-        <source>Move forward while held</source>
-        <translation>Vorwärts fahren, solange gedrückt</translation>
+        <source>Hold to move forward</source>
+        <translation>Tippen: Vorwärts fahren, solange gedrückt</translation>
     </message>
     <message>
-        <source>Hold to move</source>
+        <source>Jog</source>
         <translation>Tippen</translation>
     </message>
     <message>
-        <source>moves only while a button, or Space on it, is held</source>
+        <source>Moves only while you hold a button, or Space on it</source>
         <translation>bewegt nur, solange eine Taste, oder die Leertaste auf ihr, gedrückt ist</translation>
     </message>
     <message>
-        <source>How fast the motor turns while a button is held: %1 to %2. The most is set on the Parameters page.</source>
+        <source>How fast the motor turns while you hold a button: %1 to %2. Set the max jog speed on the Parameters page.</source>
         <translation>Wie schnell sich der Motor dreht, solange eine Taste gehalten wird: %1 bis %2. Das Höchste wird auf der Seite Parameter eingestellt.</translation>
     </message>
     <message>
-        <source>Moves forward while it is held, then stops.</source>
+        <source>Moves forward while held, then stops.</source>
         <translation>Fährt vorwärts, solange sie gedrückt ist, und stoppt dann.</translation>
     </message>
     <message>
-        <source>Moves in reverse while it is held, then stops.</source>
+        <source>Moves in reverse while held, then stops.</source>
         <translation>Fährt rückwärts, solange sie gedrückt ist, und stoppt dann.</translation>
     </message>
 </context>
@@ -10683,15 +10597,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Eingänge und Ausgänge</translation>
     </message>
     <message>
-        <source>Set all five outputs</source>
-        <translation>Alle fünf Ausgänge setzen</translation>
-    </message>
-    <message>
         <source>name</source>
         <translation>Name</translation>
     </message>
     <message>
-        <source>What it is on this machine. Sends nothing.</source>
+        <source>Its name on this machine. Sends nothing.</source>
         <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
     </message>
     <message>
@@ -10699,8 +10609,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Ausgänge</translation>
     </message>
     <message>
-        <source>Output %1</source>
-        <translation>Ausgang %1</translation>
+        <source>OUT%1</source>
+        <translation>OUT%1</translation>
     </message>
     <message>
         <source>Name of output %1</source>
@@ -10771,19 +10681,19 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Schaltet diesen Ausgang sofort.</translation>
     </message>
     <message>
-        <source>Chooses what it shall be. Set all outputs sends the five of them.</source>
+        <source>Selects the level. Choose Set all outputs to send all five.</source>
         <translation>Wählt, was er werden soll. „Alle Ausgänge setzen“ sendet alle fünf.</translation>
     </message>
     <message>
-        <source>Choose all five outputs first.</source>
+        <source>Select a level for all five outputs first.</source>
         <translation>Zuerst alle fünf Ausgänge wählen.</translation>
     </message>
     <message>
-        <source>Sends all five outputs as chosen above.</source>
+        <source>Sends all five outputs as selected above.</source>
         <translation>Sendet alle fünf Ausgänge wie oben gewählt.</translation>
     </message>
     <message>
-        <source>The outputs are unknown: the module cannot be asked. Choose all five, then set them.</source>
+        <source>Outputs unknown: they cannot be read back. Select all five levels, then set them.</source>
         <translation>Die Ausgänge sind unbekannt: das Modul lässt sich nicht danach fragen. Alle fünf wählen, dann setzen.</translation>
     </message>
 </context>
@@ -10794,15 +10704,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Fahrt</translation>
     </message>
     <message>
-        <source>Goes to a position: speeds up, runs, slows down and stops there (trapezoidal profile mode).</source>
-        <translation>Fährt zu einer Position: beschleunigt, läuft, bremst und stoppt dort (Trapezprofil).</translation>
+        <source>Moves to a position with ramps (trapezoidal profile mode).</source>
+        <translation>Fährt mit Rampen zu einer Position (Modus Trapezprofil).</translation>
     </message>
     <message>
         <source>Run</source>
         <translation>Dauerlauf</translation>
     </message>
     <message>
-        <source>Ramps to a speed and keeps it until it is stopped (velocity profile mode).</source>
+        <source>Ramps to a speed and keeps it until stopped (velocity profile mode).</source>
         <translation>Fährt über eine Rampe auf eine Geschwindigkeit und behält sie bis zum Stopp (Geschwindigkeitsprofil).</translation>
     </message>
     <message>
@@ -10810,7 +10720,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Fahrt ohne Rampe</translation>
     </message>
     <message>
-        <source>Goes to a position at one speed from the first step on, and stops there at once. Too fast, and the motor loses steps (unprofiled, with stop).</source>
+        <source>Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).</source>
         <translation>Fährt vom ersten Schritt an mit einer einzigen Geschwindigkeit zu einer Position und stoppt dort sofort. Ist sie zu hoch, verliert der Motor Schritte (ohne Profil, mit Stopp).</translation>
     </message>
     <message>
@@ -10818,11 +10728,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Dauerlauf ohne Rampe</translation>
     </message>
     <message>
-        <source>Runs at one speed from the first step on until it is stopped. Too fast, and the motor loses steps (unprofiled, without stop).</source>
+        <source>Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).</source>
         <translation>Läuft vom ersten Schritt an mit einer einzigen Geschwindigkeit bis zum Stopp. Ist sie zu hoch, verliert der Motor Schritte (ohne Profil, ohne Stopp).</translation>
     </message>
     <message>
-        <source>How to move</source>
+        <source>Kind of motion</source>
         <translation>Art der Bewegung</translation>
     </message>
 </context>
@@ -10841,12 +10751,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die Zielposition</translation>
     </message>
     <message>
-        <source>b&amp;y that much from here</source>
-        <translation>&amp;um so viel von hier aus</translation>
+        <source>b&amp;y this distance</source>
+        <translation>&amp;um diese Strecke</translation>
     </message>
     <message>
-        <source>Move by that much from where the motor stands</source>
-        <translation>Um so viel von dort, wo der Motor steht</translation>
+        <source>By this distance from the present position</source>
+        <translation>Um diese Strecke ab der jetzigen Position</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -10877,8 +10787,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Rüc&amp;kwärts</translation>
     </message>
     <message>
-        <source>Run in reverse until stopped</source>
-        <translation>Dauerlauf rückwärts bis zum Stopp</translation>
+        <source>Run reverse until stopped</source>
+        <translation>Rückwärts: Dauerlauf rückwärts bis zum Stopp</translation>
     </message>
     <message>
         <source>R&amp;un forward</source>
@@ -10889,31 +10799,31 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Dauerlauf vorwärts bis zum Stopp</translation>
     </message>
     <message>
-        <source>L&amp;oad only</source>
+        <source>Load o&amp;nly</source>
         <translation>Nur &amp;laden</translation>
     </message>
     <message>
-        <source>Load the motion, start it later</source>
-        <translation>Die Bewegung laden, später starten</translation>
+        <source>Load only, start later</source>
+        <translation>Nur laden: Die Bewegung laden, später starten</translation>
     </message>
     <message>
         <source>Start loaded</source>
         <translation>Geladenes starten</translation>
     </message>
     <message>
-        <source>Start the motion that was loaded</source>
-        <translation>Die geladene Bewegung starten</translation>
+        <source>Start loaded motion</source>
+        <translation>Geladenes starten: Die geladene Bewegung starten</translation>
     </message>
     <message>
-        <source>How fast the motor turns: %1 to %2 in this speed mode. The chip takes the nearest that it can do.</source>
+        <source>How fast the motor turns: %1 to %2 in this speed mode. The chip uses the nearest speed available.</source>
         <translation>Wie schnell sich der Motor dreht: %1 bis %2 in diesem Geschwindigkeitsmodus. Der Chip nimmt den nächstliegenden Wert, den er kann.</translation>
     </message>
     <message>
-        <source>At that speed from the first step on.</source>
+        <source>At constant speed, without a ramp.</source>
         <translation>Vom ersten Schritt an mit dieser Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Gets there in %1 s from standstill.</source>
+        <source>Takes %1 s from standstill.</source>
         <translation>Ist aus dem Stillstand in %1 s dort.</translation>
     </message>
     <message>
@@ -10921,7 +10831,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Stopp, warten: %1</translation>
     </message>
     <message>
-        <source>Sends the motion without starting it.</source>
+        <source>Loads the motion without starting it.</source>
         <translation>Sendet die Bewegung, ohne sie zu starten.</translation>
     </message>
     <message>
@@ -10929,7 +10839,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Laden</translation>
     </message>
     <message>
-        <source>Starts the move to the position, and holds there.</source>
+        <source>Moves to the position, then holds.</source>
         <translation>Startet die Fahrt zur Position und hält dort.</translation>
     </message>
     <message>
@@ -10937,7 +10847,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Rüc&amp;kwärts laden</translation>
     </message>
     <message>
-        <source>Runs in reverse until it is stopped.</source>
+        <source>Runs in reverse until stopped.</source>
         <translation>Läuft rückwärts bis zum Stopp.</translation>
     </message>
     <message>
@@ -10945,11 +10855,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Vorwärts laden</translation>
     </message>
     <message>
-        <source>Runs forward until it is stopped.</source>
+        <source>Runs forward until stopped.</source>
         <translation>Läuft vorwärts bis zum Stopp.</translation>
     </message>
     <message>
-        <source>Starts the motion that was loaded last.</source>
+        <source>Starts the loaded motion.</source>
         <translation>Startet die zuletzt geladene Bewegung.</translation>
     </message>
     <message>
@@ -10957,15 +10867,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Ein Dauerlauf hat kein Ziel.</translation>
     </message>
     <message>
-        <source>Where to go. Enter starts the move.</source>
+        <source>The goal of the move. Press Enter to start.</source>
         <translation>Wohin gefahren wird. Eingabe startet die Fahrt.</translation>
     </message>
     <message>
-        <source>The position counts from where the motor stands at the start.</source>
+        <source>The distance counts from where the motor is at the start.</source>
         <translation>Die Position zählt von dort, wo der Motor beim Start steht.</translation>
     </message>
     <message>
-        <source>The buttons send the motion without starting it; Start loaded does, or its group.</source>
+        <source>The buttons only load the motion. Choose Start loaded, or start the module&apos;s group.</source>
         <translation>Die Tasten senden die Bewegung, ohne sie zu starten; das tut „Geladenes starten“ oder die Gruppe.</translation>
     </message>
     <message>
@@ -10973,23 +10883,23 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Keine Rampe.</translation>
     </message>
     <message>
-        <source>Stops smoothly, waits until the motor stands, then: %1</source>
+        <source>Stops smoothly, waits until the motor is at rest, then: %1</source>
         <translation>Stoppt sanft, wartet, bis der Motor steht, dann: %1</translation>
     </message>
     <message>
-        <source>Take the nearest</source>
-        <translation>Nächste nehmen</translation>
+        <source>Use nearest</source>
+        <translation>Nächstes nehmen</translation>
     </message>
     <message>
-        <source>Put the nearest position that is allowed into the goal</source>
-        <translation>Die nächste erlaubte Position als Ziel eintragen</translation>
+        <source>Use nearest allowed position</source>
+        <translation>Nächstes nehmen: Die nächste erlaubte Position als Ziel eintragen</translation>
     </message>
     <message>
-        <source>Take %1</source>
+        <source>Use %1</source>
         <translation>%1 nehmen</translation>
     </message>
     <message>
-        <source>Puts the nearest position that is allowed into the goal. Nothing moves.</source>
+        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
         <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
     </message>
     <message>
@@ -10997,11 +10907,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Zur Referenz</translation>
     </message>
     <message>
-        <source>Go to the home position</source>
-        <translation>Die Referenzposition anfahren</translation>
-    </message>
-    <message>
-        <source>Goes to home with a ramp, at the speed of moves to a position.</source>
+        <source>Moves to home with a ramp, at the travel speed.</source>
         <translation>Fährt mit Rampe zur Referenz, mit der Geschwindigkeit der Fahrten zu einer Position.</translation>
     </message>
 </context>
@@ -11075,19 +10981,19 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>Fill in starting values</source>
+        <source>Starting values: fill in</source>
         <translation>Startwerte eintragen</translation>
     </message>
     <message>
-        <source>Revert the parameters to what was sent</source>
+        <source>Revert the parameters to those last sent</source>
         <translation>Parameter auf die gesendeten zurücksetzen</translation>
     </message>
     <message>
-        <source>Apply all parameters</source>
-        <translation>Alle Parameter anwenden</translation>
+        <source>Apply parameters: all</source>
+        <translation>Alle anwenden: Alle Parameter anwenden</translation>
     </message>
     <message>
-        <source>Fills the fields with slow speeds and low currents to begin with. Sends nothing.</source>
+        <source>Fills in low speeds and currents to start with. Sends nothing.</source>
         <translation>Füllt die Felder mit kleinen Geschwindigkeiten und Strömen für den Anfang. Sendet nichts.</translation>
     </message>
     <message>
@@ -11107,19 +11013,19 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>✓ gesendet</translation>
     </message>
     <message>
-        <source>Parameters cannot be read back from the module, and nothing moves before they are applied.</source>
+        <source>Parameters cannot be read back from the module. The motor moves only after you apply them.</source>
         <translation>Parameter sind aus dem Modul nicht lesbar, und vor dem Anwenden bewegt sich nichts.</translation>
     </message>
     <message>
-        <source>With this the module&apos;s E-stop input does not stop the motor.</source>
+        <source>If checked, the E-stop input does not stop the motor.</source>
         <translation>Damit stoppt der E-Stop-Eingang des Moduls den Motor nicht.</translation>
     </message>
     <message>
-        <source>With this the limit switches do not stop the motor.</source>
+        <source>If checked, the limit switches do not stop the motor.</source>
         <translation>Damit stoppen die Endschalter den Motor nicht.</translation>
     </message>
     <message>
-        <source>Sends all parameters at once. The amplifier is on: currents and limits act immediately.</source>
+        <source>Sends all parameters at once. The amplifier is on: currents and limits take effect immediately.</source>
         <translation>Sendet alle Parameter auf einmal. Der Verstärker ist ein: Ströme und Grenzen wirken sofort.</translation>
     </message>
     <message>
@@ -11127,15 +11033,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Sendet alle Parameter auf einmal. Der Motor bewegt sich nicht.</translation>
     </message>
     <message>
-        <source>Nothing was edited.</source>
-        <translation>Es wurde nichts geändert.</translation>
+        <source>No changes to apply.</source>
+        <translation>Keine Änderungen.</translation>
     </message>
     <message>
-        <source>Back to the parameters that were sent. Sends nothing.</source>
+        <source>Restores the parameters last sent. Sends nothing.</source>
         <translation>Zurück zu den gesendeten Parametern. Sendet nichts.</translation>
     </message>
     <message>
-        <source>Empties the fields: no parameters have been sent yet. Sends nothing.</source>
+        <source>Clears the fields: no parameters have been sent yet. Sends nothing.</source>
         <translation>Leert die Felder: es wurden noch keine Parameter gesendet. Sendet nichts.</translation>
     </message>
 </context>
@@ -11162,7 +11068,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>No run is shown. A step shows how the motor follows when its command jumps.</source>
+        <source>No run selected. A step response shows how the motor follows a jump of its command.</source>
         <translation>Kein Lauf gezeigt. Ein Sprung zeigt, wie der Motor folgt, wenn seine Sollposition springt.</translation>
     </message>
     <message>
@@ -11174,7 +11080,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>vorhergesagt</translation>
     </message>
     <message>
-        <source>Positions since the step, counted from where it began. The shaded band is the settling band around the goal. A double click shows the whole record, or only as long as it moves. The wheel zooms (with Ctrl the positions), a drag moves, a drag with Shift chooses a time.</source>
+        <source>Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
         <translation>Positionen seit dem Sprung, gezählt von dort, wo er begann. Das schattierte Band ist das Einschwingband um das Ziel. Ein Doppelklick zeigt die ganze Aufzeichnung oder nur die Zeit der Bewegung. Das Mausrad zoomt (mit Strg die Positionen), Ziehen verschiebt, Ziehen mit Umschalt wählt eine Zeit.</translation>
     </message>
     <message>
@@ -11217,28 +11123,20 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die Beschleunigungszeit</translation>
     </message>
     <message>
-        <source>How long a ramp stays at each speed, in 0.25 ms: the smaller, the steeper. Sent with the next motion that has a ramp, and used by a smooth stop after it.</source>
+        <source>How long a ramp stays at each speed, in units of 0.25 ms; smaller is steeper. Sent with the next motion that has a ramp, and used by smooth stops after it.</source>
         <translation>Wie lange eine Rampe bei jeder Geschwindigkeit bleibt, in 0,25 ms: je kleiner, desto steiler. Wird mit der nächsten Bewegung mit Rampe gesendet und gilt für einen sanften Stopp danach.</translation>
     </message>
     <message>
-        <source>Fastest speed of hold to move</source>
-        <translation>Höchste Tippgeschwindigkeit</translation>
+        <source>Max jog speed</source>
+        <translation>Größte Tippgeschwindigkeit</translation>
     </message>
     <message>
-        <source>The fastest speed of hold to move</source>
-        <translation>Die höchste Tippgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Hold to move goes no faster than this. Set it so that a hand can still follow.</source>
-        <translation>Der Tippbetrieb wird nicht schneller als dies. So einstellen, dass eine Hand noch folgen kann.</translation>
+        <source>Jog is never faster than this. Set a speed that you can react to.</source>
+        <translation>Tippen ist nie schneller. So einstellen, dass man noch reagieren kann.</translation>
     </message>
     <message>
         <source>With every motion</source>
         <translation>Mit jeder Bewegung</translation>
-    </message>
-    <message>
-        <source>Hold to move, at most</source>
-        <translation>Tippbetrieb, höchstens</translation>
     </message>
     <message>
         <source>× 0.25 ms</source>
@@ -11276,27 +11174,27 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>CSV exportieren…</translation>
     </message>
     <message>
-        <source>Choose a run in the list first.</source>
+        <source>Select a run in the list first.</source>
         <translation>Zuerst einen Lauf in der Liste wählen.</translation>
     </message>
     <message>
-        <source>This run is of %1. Select that module first.</source>
+        <source>This run belongs to %1. Select that module first.</source>
         <translation>Dieser Lauf ist von %1. Zuerst dieses Modul wählen.</translation>
     </message>
     <message>
-        <source>Puts the gains of this run into the fields of the Gains page. Sends nothing (Ctrl+Shift+U).</source>
+        <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
         <translation>Trägt die Reglerwerte dieses Laufs in die Felder der Seite Reglerwerte ein. Sendet nichts (Strg+Umschalt+U).</translation>
     </message>
     <message>
-        <source>Takes this run off the list (Ctrl+Del).</source>
+        <source>Removes this run from the list (Ctrl+Del).</source>
         <translation>Nimmt diesen Lauf aus der Liste (Strg+Entf).</translation>
     </message>
     <message>
-        <source>There is no run yet.</source>
-        <translation>Es gibt noch keinen Lauf.</translation>
+        <source>No run yet. Record a step first.</source>
+        <translation>Noch kein Lauf. Zuerst einen Sprung aufzeichnen.</translation>
     </message>
     <message>
-        <source>Saves all runs of the list, with their gains and results (Ctrl+Shift+X).</source>
+        <source>Saves all runs in the list with their gains and results (Ctrl+Shift+X).</source>
         <translation>Speichert alle Läufe der Liste mit ihren Reglerwerten und Ergebnissen (Strg+Umschalt+X).</translation>
     </message>
     <message>
@@ -11312,8 +11210,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Sprung</translation>
     </message>
     <message>
-        <source>What the steps tell</source>
-        <translation>Was die Sprünge sagen</translation>
+        <source>Step results</source>
+        <translation>Ergebnisse der Sprünge</translation>
     </message>
     <message>
         <source>Results</source>
@@ -11332,26 +11230,26 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Alle Läufe dieses Moduls in der Kurve</translation>
     </message>
     <message>
-        <source>Draws the other runs of this module as well, the older the paler.</source>
+        <source>Shows the other runs of this module, older runs paler.</source>
         <translation>Zeichnet auch die anderen Läufe dieses Moduls, ältere blasser.</translation>
     </message>
     <message>
-        <source>Put back</source>
-        <translation>Zurückholen</translation>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>No run was removed.</source>
         <translation>Es wurde kein Lauf entfernt.</translation>
     </message>
     <message>
-        <source>Brings the run back that was removed last (Ctrl+Shift+Del).</source>
+        <source>Restores the run removed last (Ctrl+Shift+Del).</source>
         <translation>Holt den zuletzt entfernten Lauf zurück (Strg+Umschalt+Entf).</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepResults</name>
     <message>
-        <source>What the runs that are shown come to</source>
+        <source>Results of the runs shown</source>
         <translation>Was die gezeigten Läufe ergeben</translation>
     </message>
     <message>
@@ -11391,20 +11289,20 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Zeit von 10 % bis 90 % des Sprungs.</translation>
     </message>
     <message>
-        <source>How far it went beyond its goal, in % of the step.</source>
+        <source>How far the motor went past its goal, in % of the step.</source>
         <translation>Wie weit es über das Ziel hinausging, in % des Sprungs.</translation>
     </message>
     <message>
-        <source>Goal less the mean position of the last fifth of the record.</source>
+        <source>Goal minus the mean position over the last fifth of the record.</source>
         <translation>Ziel minus mittlere Position im letzten Fünftel der Aufzeichnung.</translation>
     </message>
     <message>
-        <source>What the servo asks of the amplifier when the command jumps, from the gains. A later tick may ask for more, so below the output limit OL it is only a lower bound.</source>
+        <source>PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound.</source>
         <translation>Was der Servo vom Verstärker verlangt, wenn die Sollposition springt, aus den Reglerwerten. Ein späterer Takt kann mehr verlangen; unter der Ausgangsgrenze OL ist es daher nur eine untere Schranke.</translation>
     </message>
     <message>
-        <source>The mean time between two positions of the record. The doubts come from it.</source>
-        <translation>Die mittlere Zeit zwischen zwei Positionen der Aufzeichnung. Aus ihr ergeben sich die Unsicherheiten.</translation>
+        <source>Mean time between two positions of the record. It sets the accuracy of the results.</source>
+        <translation>Mittlere Zeit zwischen zwei Positionen der Aufzeichnung. Von ihr hängt die Genauigkeit der Ergebnisse ab.</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -11415,15 +11313,15 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Einschwingen aufs Ziel</translation>
     </message>
     <message>
-        <source>Settling where it stays</source>
+        <source>Settling to rest position</source>
         <translation>Einschwingen zur Ruhe</translation>
     </message>
     <message>
-        <source>Time until it stays within the settling band around the goal. Nothing if that is not before the last fifth of the record.</source>
+        <source>Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record.</source>
         <translation>Zeit, bis er im Einschwingband um das Ziel bleibt. Nichts, wenn das nicht vor dem letzten Fünftel der Aufzeichnung ist.</translation>
     </message>
     <message>
-        <source>The same around the mean position of the last fifth of the record. Friction holds a motor beside its goal unless there is an integral (Ki, IL).</source>
+        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
         <translation>Dasselbe um die mittlere Position des letzten Fünftels der Aufzeichnung. Reibung hält einen Motor neben seinem Ziel, wenn es keinen Integralanteil (Ki, IL) gibt.</translation>
     </message>
 </context>
@@ -11478,7 +11376,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Zeichnet diesen Lauf als B, mit gestrichelter Linie.</translation>
     </message>
     <message>
-        <source>The step responses so far, newest first. Tick two of them to compare their curves. The last %1 are kept with the machine, those with a name or a note longest.</source>
+        <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
         <translation>Die bisherigen Sprungantworten, die neueste zuerst. Haken Sie zwei an, um ihre Kurven zu vergleichen. Die letzten %1 werden bei der Maschine aufbewahrt, am längsten die mit einem Namen oder einer Notiz.</translation>
     </message>
     <message>
@@ -11490,11 +11388,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Notiz</translation>
     </message>
     <message>
-        <source>What the run is called. Double-click it, or press F2, to write.</source>
+        <source>Name of the run. Double-click or press F2 to edit.</source>
         <translation>Wie der Lauf heißt. Zum Schreiben doppelklicken oder F2 drücken.</translation>
     </message>
     <message>
-        <source>What is to be known of the run. Double-click it, or press F2.</source>
+        <source>Note on the run. Double-click or press F2 to edit.</source>
         <translation>Was man von dem Lauf wissen sollte. Doppelklicken oder F2 drücken.</translation>
     </message>
     <message>
@@ -11505,7 +11403,7 @@ Ohne Hardware den Simulator wählen.</translation>
 <context>
     <name>nmc::StepView</name>
     <message>
-        <source>What the cursors read</source>
+        <source>Cursor readings</source>
         <translation>Was die Cursor anzeigen</translation>
     </message>
     <message>
@@ -11529,7 +11427,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Einpassen</translation>
     </message>
     <message>
-        <source>As long as the motor moves, and all positions (A, in the plot).</source>
+        <source>Fits the view to the motion and all positions (A, in the plot).</source>
         <translation>Solange der Motor sich bewegt, und alle Positionen (A, im Diagramm).</translation>
     </message>
     <message>
@@ -11537,7 +11435,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Cursor</translation>
     </message>
     <message>
-        <source>Two cursors to measure with: drag them (C, in the plot).</source>
+        <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
         <translation>Zwei Cursor zum Messen: ziehen Sie sie (C, im Diagramm).</translation>
     </message>
     <message>
@@ -11549,7 +11447,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Bild (PNG)…</translation>
     </message>
     <message>
-        <source>What is seen, as an image.</source>
+        <source>The visible plot as an image.</source>
         <translation>Das Sichtbare als Bild.</translation>
     </message>
     <message>
@@ -11557,7 +11455,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Vektorbild (SVG)…</translation>
     </message>
     <message>
-        <source>What is seen, in lines that stay sharp at any size.</source>
+        <source>The visible plot as lines that stay sharp at any size.</source>
         <translation>Das Sichtbare in Linien, die in jeder Größe scharf bleiben.</translation>
     </message>
     <message>
@@ -11565,7 +11463,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Seite (PDF)…</translation>
     </message>
     <message>
-        <source>What is seen, on a page for a printer or a report.</source>
+        <source>The visible plot on a page for printing or a report.</source>
         <translation>Das Sichtbare auf einer Seite für einen Drucker oder einen Bericht.</translation>
     </message>
     <message>
@@ -11573,11 +11471,11 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>What is seen, onto the clipboard.</source>
+        <source>Copies the visible plot to the clipboard.</source>
         <translation>Das Sichtbare in die Zwischenablage.</translation>
     </message>
     <message>
-        <source>Takes what is seen out of the panel, with the runs in words.</source>
+        <source>Exports the visible plot, with a description of the runs.</source>
         <translation>Holt das Sichtbare aus dem Panel heraus, mit den Läufen in Worten.</translation>
     </message>
     <message>
@@ -11621,7 +11519,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>&amp;Drucken</translation>
     </message>
     <message>
-        <source>What is seen, on a page of the printer that this computer uses unless told otherwise.</source>
+        <source>Prints the visible plot on this computer&apos;s default printer.</source>
         <translation>Was zu sehen ist, auf einer Seite des Standarddruckers dieses Rechners.</translation>
     </message>
 </context>
@@ -11632,12 +11530,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>ALLES STOPP  Esc</translation>
     </message>
     <message>
-        <source>Stop all motors, key Esc</source>
+        <source>STOP ALL  Esc: stop all motors</source>
         <translation>Alle Motoren stoppen, Taste Esc</translation>
     </message>
     <message>
-        <source>Stops every motor. No port is open.</source>
-        <translation>Stoppt jeden Motor. Es ist kein Port offen.</translation>
+        <source>Stops every motor. Unavailable: no port is open.</source>
+        <translation>Stoppt jeden Motor. Nicht verfügbar: Kein Port ist offen.</translation>
     </message>
     <message>
         <source>Stops every motor on this line at once; Esc does the same from anywhere. It %1.
@@ -11661,38 +11559,34 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
 <context>
     <name>nmc::TestForm</name>
     <message>
-        <source>End it</source>
-        <translation>Beenden</translation>
+        <source>End test</source>
+        <translation>Beenden: Prüfung beenden</translation>
     </message>
     <message>
-        <source>End the test</source>
-        <translation>Prüfung beenden</translation>
-    </message>
-    <message>
-        <source>How the test goes</source>
+        <source>Progress of the test</source>
         <translation>Wie die Prüfung läuft</translation>
     </message>
     <message>
-        <source>It runs already.</source>
+        <source>The test is already running.</source>
         <translation>Sie läuft schon.</translation>
     </message>
     <message>
-        <source>It does not run.</source>
+        <source>The test is not running.</source>
         <translation>Sie läuft nicht.</translation>
     </message>
     <message>
-        <source>The motor is held where it is.</source>
+        <source>The motor holds its position.</source>
         <translation>Der Motor wird an seiner Position gehalten.</translation>
     </message>
 </context>
 <context>
     <name>nmc::TravelBox</name>
     <message>
-        <source>Limits of travel and speed</source>
+        <source>Travel and speed limits</source>
         <translation>Grenzen von Fahrweg und Geschwindigkeit</translation>
     </message>
     <message>
-        <source>State of the limits of travel</source>
+        <source>State of the travel limits</source>
         <translation>Zustand der Fahrweggrenzen</translation>
     </message>
     <message>
@@ -11704,15 +11598,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Höchste Position</translation>
     </message>
     <message>
-        <source>The lowest position</source>
-        <translation>Die tiefste Position</translation>
-    </message>
-    <message>
-        <source>The highest position</source>
-        <translation>Die höchste Position</translation>
-    </message>
-    <message>
-        <source>Counted from home. No motion goes beyond it while home is known. Empty: no limit.</source>
+        <source>Counted from home. No motion passes it while home is known. Empty: no limit.</source>
         <translation>Ab der Referenz gezählt. Solange die Referenz bekannt ist, geht keine Bewegung darüber hinaus. Leer: keine Grenze.</translation>
     </message>
     <message>
@@ -11720,23 +11606,19 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Hier</translation>
     </message>
     <message>
-        <source>Make the present position the lowest</source>
-        <translation>Die jetzige Position zur tiefsten machen</translation>
+        <source>Here: make the present position the lowest</source>
+        <translation>Hier: die jetzige Position als tiefste setzen</translation>
     </message>
     <message>
-        <source>Make the present position the highest</source>
-        <translation>Die jetzige Position zur höchsten machen</translation>
+        <source>Here: make the present position the highest</source>
+        <translation>Hier: die jetzige Position als höchste setzen</translation>
     </message>
     <message>
         <source>Highest velocity</source>
         <translation>Höchste Geschwindigkeit</translation>
     </message>
     <message>
-        <source>The highest velocity</source>
-        <translation>Die höchste Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Nothing moves this axis faster: no move, run, step, jog or search for home. Empty: as fast as the module can.</source>
+        <source>Limits moves, runs, steps, jog and homing. Empty: the module&apos;s maximum.</source>
         <translation>Nichts bewegt diese Achse schneller: keine Fahrt, kein Lauf, kein Schritt, kein Tippen, keine Referenzsuche. Leer: so schnell das Modul kann.</translation>
     </message>
     <message>
@@ -11744,15 +11626,11 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Spiel</translation>
     </message>
     <message>
-        <source>The backlash</source>
-        <translation>Das Spiel</translation>
-    </message>
-    <message>
-        <source>Somewhat more than the play between motor and load. A move from the wrong side then goes beyond its goal by as much first, and comes back. Empty: none.</source>
+        <source>Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none.</source>
         <translation>Etwas mehr als das Spiel zwischen Motor und Last. Eine Fahrt von der falschen Seite geht dann zuerst um so viel über ihr Ziel hinaus und kommt zurück. Leer: keines.</translation>
     </message>
     <message>
-        <source>Side from which every goal is come to</source>
+        <source>Approach direction of every goal</source>
         <translation>Seite, von der jedes Ziel angefahren wird</translation>
     </message>
     <message>
@@ -11764,56 +11642,56 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>von oben</translation>
     </message>
     <message>
-        <source>Go to, Go home and Step come to their goal from this side. A loaded move goes straight.</source>
+        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight.</source>
         <translation>Fahrt, Referenzfahrt und Schritt kommen von dieser Seite an ihr Ziel. Eine geladene Fahrt geht geradewegs.</translation>
     </message>
     <message>
-        <source>Declare position right…</source>
-        <translation>Position für richtig erklären…</translation>
+        <source>Confirm position…</source>
+        <translation>Position bestätigen…</translation>
     </message>
     <message>
-        <source>Declare that the position is right</source>
-        <translation>Die Position für richtig erklären</translation>
+        <source>Confirm position as correct</source>
+        <translation>Position als richtig bestätigen</translation>
     </message>
     <message>
         <source>Position in doubt</source>
         <translation>Position zweifelhaft</translation>
     </message>
     <message>
-        <source>Say that the position may be wrong</source>
+        <source>Position in doubt: it may be wrong</source>
         <translation>Angeben, dass die Position falsch sein kann</translation>
     </message>
     <message>
-        <source>Declare the position right</source>
-        <translation>Die Position für richtig erklären</translation>
+        <source>Confirm the position</source>
+        <translation>Position bestätigen</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>It &amp;is right</source>
-        <translation>Sie &amp;stimmt</translation>
+        <source>Position &amp;is right</source>
+        <translation>Position &amp;stimmt</translation>
     </message>
     <message>
-        <source>The lowest position has to be below the highest. What was set before stays.</source>
+        <source>The lowest position must be below the highest. The old value is kept.</source>
         <translation>Die tiefste Position muss unter der höchsten liegen. Was vorher gesetzt war, bleibt.</translation>
     </message>
     <message>
-        <source>The axis goes no lower than where it is now.</source>
-        <translation>Die Achse fährt nicht tiefer, als sie jetzt steht.</translation>
+        <source>Sets the lowest position to the present position.</source>
+        <translation>Setzt die tiefste Position auf die jetzige.</translation>
     </message>
     <message>
-        <source>The axis goes no higher than where it is now.</source>
-        <translation>Die Achse fährt nicht höher, als sie jetzt steht.</translation>
+        <source>Sets the highest position to the present position.</source>
+        <translation>Setzt die höchste Position auf die jetzige.</translation>
     </message>
     <message>
-        <source>Takes your word that the position is right: home is where it is 0. Asks first.</source>
+        <source>Confirms that the position is right: home is at position 0. Asks first.</source>
         <translation>Nimmt Ihr Wort dafür, dass die Position stimmt: Die Referenz liegt, wo sie 0 ist. Fragt zuerst.</translation>
     </message>
     <message>
-        <source>Home is not known any more, and the limits of travel are not in force until it is.</source>
-        <translation>Die Referenz ist dann nicht mehr bekannt, und die Fahrweggrenzen gelten erst wieder, wenn sie es ist.</translation>
+        <source>Marks home as unknown. The travel limits are not in force until home is known again.</source>
+        <translation>Markiert die Referenz als unbekannt. Bis sie wieder bekannt ist, gelten die Fahrweggrenzen nicht.</translation>
     </message>
 </context>
 <context>
@@ -11831,16 +11709,16 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Bedingung</translation>
     </message>
     <message>
-        <source>What it has to do.</source>
-        <translation>Was es tun muss.</translation>
+        <source>The event to wait for.</source>
+        <translation>Das Ereignis, auf das gewartet wird.</translation>
     </message>
     <message>
         <source>Level</source>
         <translation>Schwelle</translation>
     </message>
     <message>
-        <source>Where it has to do that.</source>
-        <translation>Wo es das tun muss.</translation>
+        <source>The level for the event.</source>
+        <translation>Die Schwelle für das Ereignis.</translation>
     </message>
     <message>
         <source>Mode</source>
@@ -11855,7 +11733,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Davor</translation>
     </message>
     <message>
-        <source>How much of the picture is from before the trigger, in percent.</source>
+        <source>Share of the picture before the trigger, in percent.</source>
         <translation>Wie viel des Bildes aus der Zeit vor dem Trigger ist, in Prozent.</translation>
     </message>
     <message>
@@ -11923,15 +11801,15 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>ist 0</translation>
     </message>
     <message>
-        <source>No module is there.</source>
-        <translation>Kein Modul ist da.</translation>
+        <source>No module connected.</source>
+        <translation>Kein Modul verbunden.</translation>
     </message>
     <message>
         <source>Choose a mode first.</source>
         <translation>Zuerst einen Modus wählen.</translation>
     </message>
     <message>
-        <source>Waits for the next trigger from now on.</source>
+        <source>Waits for the next trigger.</source>
         <translation>Wartet ab jetzt auf den nächsten Trigger.</translation>
     </message>
 </context>
@@ -11953,27 +11831,27 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
 <context>
     <name>nmc::UnitDialog</name>
     <message>
-        <source>Work out the unit</source>
+        <source>Calculate the unit</source>
         <translation>Einheit berechnen</translation>
     </message>
     <message>
-        <source>What the axis does</source>
-        <translation>Was die Achse tut</translation>
+        <source>Type of axis</source>
+        <translation>Art der Achse</translation>
     </message>
     <message>
-        <source>turns, in turns</source>
-        <translation>dreht sich, in Umdrehungen</translation>
+        <source>rotary, in turns</source>
+        <translation>drehend, in Umdrehungen</translation>
     </message>
     <message>
-        <source>turns, in degrees</source>
-        <translation>dreht sich, in Grad</translation>
+        <source>rotary, in degrees</source>
+        <translation>drehend, in Grad</translation>
     </message>
     <message>
-        <source>moves along a line, in millimetres</source>
-        <translation>fährt geradeaus, in Millimetern</translation>
+        <source>linear, in millimetres</source>
+        <translation>linear, in Millimetern</translation>
     </message>
     <message>
-        <source>What you want to read this axis in.</source>
+        <source>The unit to display for this axis.</source>
         <translation>Worin diese Achse abgelesen werden soll.</translation>
     </message>
     <message>
@@ -11981,55 +11859,55 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Die Achse</translation>
     </message>
     <message>
-        <source>Full steps of the motor for one turn</source>
+        <source>Full steps per motor turn</source>
         <translation>Vollschritte des Motors je Umdrehung</translation>
     </message>
     <message>
-        <source>200 for a motor with 1.8 degrees a step.</source>
+        <source>200 for a motor with 1.8 degrees per step.</source>
         <translation>200 bei einem Motor mit 1,8 Grad je Schritt.</translation>
     </message>
     <message>
-        <source>Microsteps for each full step</source>
+        <source>Microsteps per full step</source>
         <translation>Mikroschritte je Vollschritt</translation>
     </message>
     <message>
-        <source>As the driver is set; 1 for none, 2 for half steps.</source>
+        <source>As set on the driver; 1 for full steps, 2 for half steps.</source>
         <translation>Wie am Treiber eingestellt; 1 für keine, 2 für Halbschritte.</translation>
     </message>
     <message>
-        <source>Lines of the encoder for one turn</source>
+        <source>Encoder lines per turn</source>
         <translation>Striche des Encoders je Umdrehung</translation>
     </message>
     <message>
-        <source>As its label says: lines, CPR or PPR. The chip counts four for each line.</source>
+        <source>As on its label: lines, CPR or PPR. The chip counts four per line.</source>
         <translation>Wie auf seinem Typenschild: Striche, CPR oder PPR. Der Chip zählt vier je Strich.</translation>
     </message>
     <message>
-        <source>Gear: turns of the motor</source>
+        <source>Gear: motor turns</source>
         <translation>Getriebe: Umdrehungen des Motors</translation>
     </message>
     <message>
-        <source>For a gear of 50 : 1 enter 50 here; without a gear 1.</source>
+        <source>For a 50 : 1 gear, enter 50; without a gear, 1.</source>
         <translation>Bei einem Getriebe 50 : 1 hier 50 eingeben; ohne Getriebe 1.</translation>
     </message>
     <message>
-        <source>Gear: make turns of the output</source>
+        <source>Gear: output turns</source>
         <translation>Getriebe: ergeben Umdrehungen am Abtrieb</translation>
     </message>
     <message>
-        <source>For a gear of 50 : 1 enter 1 here.</source>
+        <source>For a 50 : 1 gear, enter 1.</source>
         <translation>Bei einem Getriebe 50 : 1 hier 1 eingeben.</translation>
     </message>
     <message>
-        <source>Travel for one turn of the output (mm)</source>
+        <source>Travel per output turn (mm)</source>
         <translation>Weg je Umdrehung am Abtrieb (mm)</translation>
     </message>
     <message>
-        <source>Lead screw: its pitch times its starts. Belt: teeth of the pulley times the pitch of the belt. Rack: teeth of the pinion times the pitch of the rack.</source>
+        <source>Lead screw: pitch times starts. Belt: pulley teeth times belt pitch. Rack: pinion teeth times rack pitch.</source>
         <translation>Spindel: Steigung mal Gangzahl. Riemen: Zähne der Scheibe mal Teilung des Riemens. Zahnstange: Zähne des Ritzels mal Teilung der Zahnstange.</translation>
     </message>
     <message>
-        <source>The unit that follows</source>
+        <source>Calculated unit</source>
         <translation>Die Einheit, die sich ergibt</translation>
     </message>
     <message>
@@ -12057,7 +11935,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>1 %1 sind %2 %3. Der kleinste Schritt ist %4 %1.</translation>
     </message>
     <message>
-        <source>Takes it as the unit of this axis. Keeps every amount, and sends nothing.</source>
+        <source>Sets this unit for the axis. Keeps every physical value and sends nothing.</source>
         <translation>Übernimmt sie als Einheit dieser Achse. Behält jeden Betrag und sendet nichts.</translation>
     </message>
 </context>

@@ -46,8 +46,7 @@ tl::expected<ModuleIdentity, std::string> parseItem(std::string_view item) {
     const std::string_view version = item.substr(at + 1);
     module.version = number<std::uint8_t>(version).value_or(0);
     if (std::to_string(module.version) != version || !isKnown(module))
-        return tl::unexpected("There is no such version as in item " + quoted(item) + "; " +
-                              std::string(kAllowed) + ".");
+        return tl::unexpected("Unknown version in item " + quoted(item) + "; " + std::string(kAllowed) + ".");
     return module;
 }
 

@@ -225,18 +225,16 @@ struct Verb {
 
 constexpr std::size_t kMany = SIZE_MAX;
 constexpr std::array kVerbs{
-    Verb{"state", 2, 2, state, "state N", "the truth about module N"},
-    Verb{"set", 4, 5, set, "set N NAME VALUE", "a pin, the load or the surroundings of module N"},
-    Verb{"power-cycle", 2, 2, powerCycle, "power-cycle N|all", "the supply of the chip off and on"},
-    Verb{"break", 2, 2, breakLine, "break N", "the ADDR line from module N towards the host"},
-    Verb{"mend", 2, 2, mendLine, "mend N", "that line again"},
-    Verb{"fault", 1, kMany, inject, "fault ..., fault clear",
-         "makes something go wrong, or ends all that does"},
-    Verb{"faults", 1, 1, faults, "faults", "those that were made, and how often each has struck"},
+    Verb{"state", 2, 2, state, "state N", "the true state of module N"},
+    Verb{"set", 4, 5, set, "set N NAME VALUE", "sets a pin, the load or the environment of module N"},
+    Verb{"power-cycle", 2, 2, powerCycle, "power-cycle N|all", "switches the chip's supply off and on"},
+    Verb{"break", 2, 2, breakLine, "break N", "breaks the ADDR line from module N towards the host"},
+    Verb{"mend", 2, 2, mendLine, "mend N", "restores that line"},
+    Verb{"fault", 1, kMany, inject, "fault ..., fault clear", "injects a fault, or clears all faults"},
+    Verb{"faults", 1, 1, faults, "faults", "the faults injected, and how often each occurred"},
     Verb{"foreign", 1, kMany, foreign, "foreign BYTES",
-         "another host on the line sends these, such as AA 02 0E 10"},
-    Verb{"stats", 1, 2, stats, "stats, stats clear",
-         "what has been counted, and the violations; counts anew"},
+         "sends bytes as another host on the line, such as AA 02 0E 10"},
+    Verb{"stats", 1, 2, stats, "stats, stats clear", "counters and violations; clear resets the counters"},
     Verb{"time", 1, 1, time, "time", "simulated time, and how late it is"},
     Verb{"help", 1, 1, help, "help", "these lines, the names of set, and the kinds of violations"},
 };

@@ -69,7 +69,7 @@ constexpr std::array kInputs{
              100,
              false,
              {},
-             "torque on the shaft; a positive one pulls it backwards"},
+             "torque on the shaft; positive turns it in reverse"},
     InputRow{"inertia",
              Input::Inertia,
              Chips::Servo,
@@ -100,7 +100,7 @@ constexpr std::array kInputs{
              1,
              true,
              {},
-             "as if a servo tick had taken too long"},
+             "makes one servo tick take too long"},
     pin("estop", Input::Estop, Chips::Step, "E-stop, 1 is high: stops"),
     pin("in1", Input::In1, Chips::Step, "pin IN1, 1 is high"),
     pin("in2", Input::In2, Chips::Step, "pin IN2, 1 is high"),
@@ -115,7 +115,7 @@ constexpr std::array kInputs{
              32767,
              true,
              {},
-             "so many pulses come at its step input, negative ones in reverse"},
+             "number of pulses at the step input; negative: reverse"},
     InputRow{"vsense",
              Input::VoltSense,
              Chips::Sc,
@@ -166,11 +166,11 @@ Surroundings surroundings(const ModuleSnapshot& s) {
 
 /// What the module's present state forbids although the value is in range; empty when nothing does.
 std::string conflict(const Surroundings& now, Input input, std::optional<double> value) {
-    const auto shaft = [&now] { return "the shaft stands at " + std::to_string(now.shaft) + " counts"; };
+    const auto shaft = [&now] { return "the shaft is at " + std::to_string(now.shaft) + " counts"; };
     if ((input == Input::Limit1 || input == Input::Limit2) && now.limitsAutomatic)
-        return "the limits follow the travel; allowed after limits manual";
+        return "the limit switches follow the travel; use limits manual first";
     if (input == Input::HomeSwitch && now.homeSwitchAutomatic)
-        return "the home switch follows the shaft; allowed after home_switch_at none";
+        return "the home switch follows the shaft; use home_switch_at none first";
     if (input == Input::TravelMin && value && *value > now.shaft)
         return shaft() + "; allowed is up to that, or none";
     if (input == Input::TravelMax && value && *value < now.shaft)

@@ -73,8 +73,8 @@ TEST_F(AmplifierPage, AClosedLimitStopsTheMotorAndItIsShownAtRest) {
     (void)sim.control(u"set 1 limit1 1"_s);
     ASSERT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
     EXPECT_EQ(panel.module().activity(), Activity::Holding);
-    EXPECT_TRUE(
-        panel.waitFor([&] { return headlines().contains(u"Limit 1 of module 1 stopped its motor."_s); }));
+    EXPECT_TRUE(panel.waitFor(
+        [&] { return headlines().contains(u"Limit switch 1 of module 1 stopped its motor."_s); }));
     // Forward is refused before anything is sent; back is not.
     const auto forward = plan(
         intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}, panel.module());
@@ -91,8 +91,9 @@ TEST_F(AmplifierPage, ALimitThatSwitchesOffIsToldAsTheCause) {
     ASSERT_NO_FATAL_FAILURE(enableAndRun());
     (void)sim.control(u"set 1 limit1 1"_s);
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().switchedItselfOff; }));
-    EXPECT_TRUE(panel.waitFor(
-        [&] { return headlines().contains(u"Limit 1 closed, and module 1 switched its motor off."_s); }));
+    EXPECT_TRUE(panel.waitFor([&] {
+        return headlines().contains(u"Limit switch 1 closed, and module 1 switched its motor off."_s);
+    }));
 }
 
 TEST_F(AmplifierPage, NothingIsSentWithoutAYes) {

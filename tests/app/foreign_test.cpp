@@ -48,7 +48,7 @@ TEST_F(AnotherHost, ThatStartsAModuleIsToldOfAtOnceAndItsMotionEndsByTheButtonIn
         otherHostSends(sim, "02 94 B6 00 00 04 00 8F 02 00 00");  // velocity 4 counts/tick, now
         return commandVelocity(sim) > 0;
     }));
-    const QString told = QStringLiteral("Module 2 moves, and not because of this panel.");
+    const QString told = QStringLiteral("Module 2 moves without a command from this panel.");
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(told) != nullptr; }))
         << panel.headlines().join(QLatin1Char('\n')).toStdString();
     EXPECT_GT(commandVelocity(sim), 0) << "it is left alone";
@@ -63,7 +63,7 @@ TEST_F(AnotherHost, ThatStartsAModuleIsToldOfAtOnceAndItsMotionEndsByTheButtonIn
 TEST_F(AnotherHost, ThatAsksQuestionsIsToldOfAndEndsTheMotionOfThisPanel) {
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     (void)sim.control(QStringLiteral("fault bus foreign on=nop t=10ms..40ms"));
-    const QString told = QStringLiteral("Somebody else is sending on this line. Module 1 was told to stop.");
+    const QString told = QStringLiteral("Another host is sending on this line. Module 1 was told to stop.");
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(told) > 0; }))
         << panel.headlines().join(QLatin1Char('\n')).toStdString();
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
@@ -75,7 +75,7 @@ TEST(AnAdapterThatEchoes, IsToldOfOnceAndDoesNoHarm) {
     (void)sim.control(QStringLiteral("fault bus echo"));
     IntentPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    EXPECT_EQ(panel.count(QStringLiteral("returns what is sent to it. The panel ignores it.")), 1);
+    EXPECT_EQ(panel.count(QStringLiteral("echoes everything it sends. The panel ignores the echo.")), 1);
     QTest::keyClick(panel.window().windowHandle(), Qt::Key_Escape);
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("2 of 2 stopped")) == 1; }));
     EXPECT_FALSE(moves(sim));
@@ -88,8 +88,7 @@ TEST(AnAdapterThatEchoes, IsNoModule) {
     (void)sim.control(QStringLiteral("fault bus silent"));
     IntentPanel panel;
     panel.composition().show({sim.terminal(), 115'200, false});
-    EXPECT_TRUE(
-        panel.waitFor([&] { return panel.count(QStringLiteral("Only the echo of the adapter")) == 1; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Only the adapter's echo")) == 1; }));
 }
 
 }  // namespace

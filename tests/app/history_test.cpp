@@ -57,7 +57,7 @@ protected:
 
 TEST_F(HistoryKept, HeatLimitAndEstopAreThreeEntriesThatEndAndTheLogHasThem) {
     const QTemporaryDir folder;
-    const QStringList causes{u"because it is too hot"_s, u"because a limit switch is active"_s,
+    const QStringList causes{u"is too hot"_s, u"because a limit switch is active"_s,
                              u"because its E-stop input is active"_s};
     {
         IntentPanel panel({}, {}, folder.path());
@@ -92,11 +92,11 @@ TEST_F(HistoryKept, ALogThatCannotBeWrittenIsSaidOnceAndEverythingElseWorks) {
     IntentPanel panel({}, {}, folder.path());
     panel.start();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
-    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"not kept beyond this session"_s) == 1; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"lost when this session ends"_s) == 1; }));
     ASSERT_NO_FATAL_FAILURE(run(panel));
     panel.pressStopAll();
     EXPECT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
-    EXPECT_EQ(panel.count(u"not kept beyond this session"_s), 1);
+    EXPECT_EQ(panel.count(u"lost when this session ends"_s), 1);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST_F(HomingPage, FindsTheLimitGoesThereAndMakesItZero) {
     EXPECT_NEAR(truth[u"position"_s].toInt(), 0, 2);
     EXPECT_TRUE(truth[u"limit1"_s].toBool()) << "0 is where the switch closes";
     EXPECT_TRUE(truth[u"servo_on"_s].toBool());
-    EXPECT_EQ(panel.count(u"has found its home"_s), 1);
+    EXPECT_EQ(panel.count(u"found home"_s), 1);
     EXPECT_EQ(panel.count(u"imit"_s), 0) << "the switch was to be found: no limit that closed, no limit stop";
     EXPECT_TRUE(panel.waitFor([&] { return button("homeButton")->isEnabled(); }));
     EXPECT_EQ(sim.violations(), "");
@@ -97,7 +97,7 @@ TEST_F(HomingPage, GoHomeAfterAZeroGoesWhereHomeIs) {
     ASSERT_NO_FATAL_FAILURE(begin(sim));
     const auto shaft = [&] { return sim.state(1)[u"shaft"_s].toDouble(); };
     EXPECT_FALSE(button("goHomeButton")->isEnabled()) << "nobody has searched for it";
-    EXPECT_EQ(text("homeState"), u"Home: not known"_s);
+    EXPECT_EQ(text("homeState"), u"Home: unknown"_s);
     type("homingVelocityField", u"1,5"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Done: home was at"_s));
@@ -142,7 +142,7 @@ TEST_F(HomingPage, TheIndexBehindTheLimit) {
     type("homingIndexVelocityField", u"0.3"_s);
     click("thenIndexBox");
     click("makeZeroBox");
-    EXPECT_TRUE(text("homingStagesLabel").contains(u"Searching\u00A0the\u00A0index"_s));
+    EXPECT_TRUE(text("homingStagesLabel").contains(u"Searching\u00A0for\u00A0the\u00A0index"_s));
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Done"_s));
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 2)
@@ -181,7 +181,7 @@ TEST_F(HomingPage, M15_AModuleThatFallsSilentIsNotHomedAndToldToStop) {
     EXPECT_FALSE(sim.control(u"fault module 1 drop status for=4s"_s).contains(u"error"_s));
     ASSERT_TRUE(waitForResult(u"Failed"_s));
     EXPECT_EQ(panel.count(u"is not homed"_s), 1) << panel.headlines().join(u'\n').toStdString();
-    EXPECT_EQ(panel.count(u"has found its home"_s), 0);
+    EXPECT_EQ(panel.count(u"found home"_s), 0);
     EXPECT_FALSE(testing_support::moves(sim));
     EXPECT_GT(sim.state(1)[u"position"_s].toInt(), -690);
     EXPECT_EQ(sim.violations(), "");
@@ -201,7 +201,7 @@ TEST_F(HomingPage, AStepperFindsItsHomeSwitchToo) {
     HomingRecipe recipe = firstRecipe({ModuleType::Step, 1});
     recipe.reverse = false;
     panel.ask(intent::Home{recipe});
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"has found its home"_s) == 1; }))
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"found home"_s) == 1; }))
         << panel.headlines().join(u'\n').toStdString();
     EXPECT_EQ(sim.state(1)[u"position"_s].toInt(), 0);
     EXPECT_NEAR(sim.state(1)[u"home"_s].toInt(), 600, 1);
@@ -301,7 +301,7 @@ TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
     panel.ask(intent::StepBy{{-250, 30, 0.0, false}, CountsPerTick(1 << 14), CountsPerTickSquared(1'311)});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     panel.ask(intent::Home{});
-    EXPECT_EQ(panel.count(u"Not possible for module 1 now"_s), 1) << "not in a queue either";
+    EXPECT_EQ(panel.count(u"Module 1 cannot do this now"_s), 1) << "not in a queue either";
     EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning() && !testing_support::moves(sim); }));
     ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
     panel.ask(intent::StepBy{{-250, 30, 0.0, false}, CountsPerTick(1 << 14), CountsPerTickSquared(1'311)});

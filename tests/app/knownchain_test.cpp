@@ -50,7 +50,7 @@ TEST_F(KnownChain, AModuleThatWasPowerCycledMeanwhileIsNamedAndNoneTakesItsPlace
 }
 
 TEST_F(KnownChain, AModuleThatWasTakenOutOnPurposeIsForgotten) {
-    const QString missing = QStringLiteral("Module 2 of the chain known here does not answer");
+    const QString missing = QStringLiteral("Module 2 of this chain does not answer");
     NmcsimProcess sim(QStringLiteral("servo,servo,step"), {QStringLiteral("--enable-faults")});
     ASSERT_NO_FATAL_FAILURE(run(sim.terminal()));
     end();

@@ -171,7 +171,7 @@ TEST_F(MachineFiles, OpeningSendsNothingAndCancellingChangesNothing) {
     QStringList rows;
     for (int i = 0; i < table(panel)->topLevelItemCount(); ++i)
         rows << table(panel)->topLevelItem(i)->text(0);
-    EXPECT_EQ(rows, (QStringList{QStringLiteral("Machine"), QStringLiteral("Rate"),
+    EXPECT_EQ(rows, (QStringList{QStringLiteral("Machine"), QStringLiteral("Baud rate"),
                                  QStringLiteral("Module 1: Name"), QStringLiteral("Module 1: Gains"),
                                  QStringLiteral("Module 1: Limit pins"), QStringLiteral("Module 2: Name"),
                                  QStringLiteral("Module 2: Gains")}));
@@ -220,15 +220,14 @@ TEST_F(MachineFiles, ApplyingAllOfItMakesItTheOpenFile) {
     EXPECT_EQ(executed(sim, 1, "set_gain"), 1);
     EXPECT_FALSE(panel.window().isWindowModified());
     EXPECT_TRUE(panel.window().windowTitle().endsWith(QStringLiteral(" - mill[*]")));
-    EXPECT_EQ(panel.headlines().first(), QStringLiteral("\"mill.json\" is open; settings taken from it: 7."));
+    EXPECT_EQ(panel.headlines().first(), QStringLiteral("\"mill.json\" is open. Settings applied: 7."));
     // Opened again, there is nothing to do.
     ASSERT_TRUE(panel.waitFor([&] {
         const auto& modules = panel.composition().store().link().modules;
         return modules[1].gains && modules[0].io;
     }));
     open(panel, file);
-    EXPECT_EQ(panel.headlines().first(),
-              QStringLiteral("\"mill.json\" is open. It says what is there already."));
+    EXPECT_EQ(panel.headlines().first(), QStringLiteral("\"mill.json\" is open. No differences."));
     EXPECT_EQ(sim.violations(), "");
 }
 
@@ -329,11 +328,11 @@ TEST_F(MachineFiles, ABadFileNamesLineAndFieldAndNothingChanges) {
     panel.start();
     open(panel, path);
     EXPECT_EQ(panel.headlines().first(),
-              QStringLiteral("\"bad.json\" line %1: Kp is 40000; the module takes 0 to 32767.").arg(line));
+              QStringLiteral("\"bad.json\" line %1: Kp is 40000; it must be 0 to 32767.").arg(line));
     EXPECT_EQ(table(panel), nullptr);
     EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel"));
     open(panel, directory.filePath(QStringLiteral("none.json")));
-    EXPECT_EQ(panel.headlines().first(), QStringLiteral("\"none.json\" was not opened."));
+    EXPECT_EQ(panel.headlines().first(), QStringLiteral("Could not open \"none.json\"."));
 }
 
 TEST_F(MachineFiles, AFolderThatIsNotThereLosesNothing) {
@@ -341,7 +340,7 @@ TEST_F(MachineFiles, AFolderThatIsNotThereLosesNothing) {
     panel.start();
     rename(panel, "Z");
     saveAs(panel, directory.filePath(QStringLiteral("none/mill.json")));
-    EXPECT_EQ(panel.count(QStringLiteral("was not saved")), 1);
+    EXPECT_EQ(panel.count(QStringLiteral("Could not save")), 1);
     EXPECT_TRUE(panel.window().isWindowModified());
     EXPECT_TRUE(menu(panel).file().path.isEmpty());
     saveAs(panel, directory.path());
@@ -383,9 +382,9 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
     {
         IntentPanel panel(settings);
         panel.start();
-        EXPECT_EQ(panel.headlines().first(), QStringLiteral("Unsaved work on \"mill\" is there."));
+        EXPECT_EQ(panel.headlines().first(), QStringLiteral("Unsaved changes to \"mill\" were recovered."));
         EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel")) << "not before it is asked for";
-        ASSERT_TRUE(panel.press(QStringLiteral("Unsaved work"), QStringLiteral("Restore")));
+        ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Restore")));
         EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel - mill[*]"));
         EXPECT_TRUE(panel.window().isWindowModified());
         EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"Unsaved\""));
@@ -395,7 +394,7 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
     }
     IntentPanel panel(settings);
     panel.start();
-    EXPECT_EQ(panel.count(QStringLiteral("Unsaved work")), 0) << "it is saved";
+    EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), 0) << "it is saved";
 }
 
 TEST_F(MachineFiles, UnsavedWorkThatIsDiscardedIsGone) {
@@ -403,15 +402,15 @@ TEST_F(MachineFiles, UnsavedWorkThatIsDiscardedIsGone) {
     for (const int starts : {1, 2}) {
         IntentPanel panel(settings);
         panel.start();
-        EXPECT_EQ(panel.count(QStringLiteral("Unsaved work")), starts - 1);
+        EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), starts - 1);
         if (starts == 1)
             rename(panel, "Z");
         else
-            EXPECT_TRUE(panel.press(QStringLiteral("Unsaved work"), QStringLiteral("Discard")));
+            EXPECT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Discard")));
     }
     IntentPanel panel(settings);
     panel.start();
-    EXPECT_EQ(panel.count(QStringLiteral("Unsaved work")), 0);
+    EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), 0);
 }
 
 TEST_F(MachineFiles, UnsavedWorkIsKeptAFewSecondsAfterTheChange) {
@@ -441,7 +440,7 @@ TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothin
     IntentPanel panel(settings);
     connectTo(panel, sim);
     const std::string before = told(sim);
-    ASSERT_TRUE(panel.press(QStringLiteral("Unsaved work"), QStringLiteral("Restore")));
+    ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Restore")));
     ASSERT_NE(table(panel), nullptr);
     tickOnly(panel, {QStringLiteral("Module 1: Name")});
     click(panel, "applyDifferencesButton");
@@ -457,9 +456,9 @@ TEST_F(MachineFiles, TheTableFollowsTheChainThatIsConnected) {
     open(panel, file);
     const auto gains = [&] { return table(panel)->topLevelItem(3)->text(3); };
     ASSERT_EQ(table(panel)->topLevelItem(3)->text(0), QStringLiteral("Module 1: Gains"));
-    EXPECT_EQ(gains(), QStringLiteral("Waits in the fields, not sent."));
+    EXPECT_EQ(gains(), QStringLiteral("Filled in, not sent."));
     panel.connectTo(sim.terminal());
-    EXPECT_TRUE(panel.waitFor([&] { return gains() == QStringLiteral("Is sent to the module."); }));
+    EXPECT_TRUE(panel.waitFor([&] { return gains() == QStringLiteral("Sent to the module."); }));
     EXPECT_EQ(executed(sim, 1, "set_gain"), 0);
 }
 

@@ -3,6 +3,8 @@
 
 #include <QApplication>
 
+#include "app/translations.h"
+
 int main(int argc, char** argv) {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -10,6 +12,8 @@ int main(int argc, char** argv) {
     qputenv("DBUS_SYSTEM_BUS_ADDRESS", "unix:path=/nowhere");
     testing::InitGoogleTest(&argc, argv);
     const QApplication application(argc, argv);
+    nmc::Translations english;
+    nmc::installTranslations(english, QLocale::c());
     // Here a window that closes is one test's end, not the program's.
     QApplication::setQuitOnLastWindowClosed(false);
     return RUN_ALL_TESTS();

@@ -157,9 +157,9 @@ TEST_F(H02_Killed, WhatItsGuardianDidIsToldInTheSameMessageAndCanBeLookedAt) {
     ASSERT_TRUE(next.answersFor(2.0));
     EXPECT_NE(next.standing(told), nullptr) << "to look on is not to settle it";
     ASSERT_TRUE(next.press(told, QStringLiteral("Look first")));
-    EXPECT_NE(next.standing(QStringLiteral("A port is open already")), nullptr);
+    EXPECT_NE(next.standing(QStringLiteral("A port is already open")), nullptr);
     EXPECT_TRUE(next.connected()) << "to close it for that might stop motors";
-    ASSERT_TRUE(next.press(told, QStringLiteral("I have looked")));
+    ASSERT_TRUE(next.press(told, QStringLiteral("I have checked")));
     EXPECT_EQ(next.standing(told), nullptr);
 }
 

@@ -136,7 +136,7 @@ TEST(TypedPort, ThatIsNoneSaysWhatToDo) {
     QFile file(directory.filePath(QStringLiteral("mill.json")));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     panel.askFor(QStringLiteral("/dev/ttyNone"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("There is no /dev/ttyNone.")); }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("/dev/ttyNone not found.")); }));
     panel.askFor(QStringLiteral("simulator=servo,nothing"));
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("There is no simulator=")); }));
     panel.askFor(file.fileName());
@@ -234,7 +234,7 @@ TEST(F34_Text, SaysThatALockFileCannotBeMade) {
     error.problem = PortProblem::NoLockFolder;
     error.lockFile = "/var/lock";
     const Message m = texts::portProblem(error);
-    EXPECT_TRUE(m.headline.contains(QLatin1String("no lock file can be made")));
+    EXPECT_TRUE(m.headline.contains(QLatin1String("no lock file can be created")));
     EXPECT_TRUE(m.body.contains(QLatin1String("/var/lock")));
 }
 
@@ -251,7 +251,7 @@ TEST(H16_Text, SaysTooManyFiles) {
     PortError error = busy("", 0);
     error.problem = PortProblem::TooManyFiles;
     EXPECT_EQ(texts::portProblem(error).headline,
-              QStringLiteral("/dev/ttyUSB0 could not be opened: this program has too many files open."));
+              QStringLiteral("Could not open /dev/ttyUSB0: this program has too many open files."));
 }
 
 TEST(SlowAdapter, HasItsCommandAndTheRuleForGood) {

@@ -40,7 +40,7 @@ protected:
     }
     NmcsimProcess sim{u"servo,servo"_s};
     QTemporaryDir folder;
-    const QString offer = u"from home when it was seen last"_s;
+    const QString offer = u"from home when last seen"_s;
 };
 
 TEST_F(PositionKept, IsOfferedAfterAPowerOffAndIsNotVerifiedUntilHomeIsSavedAgain) {
@@ -57,8 +57,8 @@ TEST_F(PositionKept, IsOfferedAfterAPowerOffAndIsNotVerifiedUntilHomeIsSavedAgai
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }))
         << panel.headlines().join(u" | "_s).toStdString();
     EXPECT_FALSE(panel.module().home.place().has_value()) << "never by itself";
-    EXPECT_EQ(head(panel), u"Home: not known"_s);
-    ASSERT_TRUE(panel.press(offer, u"Take home from that"_s));
+    EXPECT_EQ(head(panel), u"Home: unknown"_s);
+    ASSERT_TRUE(panel.press(offer, u"Restore home"_s));
     ASSERT_TRUE(panel.module().home.place().has_value());
     // It stood at 5 000, within 4 counts, and is kept anew from 5 counts on; its counter began at 0 there.
     EXPECT_NEAR(panel.module().home.place()->counts, -5'000, 4 + 5);
@@ -84,7 +84,7 @@ TEST_F(PositionKept, WhatIsForgottenIsNotOfferedAgain) {
         panel.start();
         ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
         ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
-        ASSERT_TRUE(panel.press(offer, u"Forget it"_s));
+        ASSERT_TRUE(panel.press(offer, u"Discard"_s));
         EXPECT_EQ(panel.standing(offer), nullptr);
         ASSERT_TRUE(panel.answersFor(1.0));
     }

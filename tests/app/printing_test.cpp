@@ -44,7 +44,7 @@ TEST_F(PrintingProgram, ThePrinterGetsThePage) {
     const QString page = directory.filePath(QStringLiteral("page.pdf"));
     install("cat > " + page.toLocal8Bit());
     print();
-    ASSERT_TRUE(told("The page is on its way to the printer."));
+    ASSERT_TRUE(told("The page was sent to the printer."));
     QFile file(page);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     const QByteArray content = file.readAll();
@@ -59,7 +59,7 @@ TEST_F(PrintingProgram, AStepPlotIsPrintedAsWell) {
     ASSERT_TRUE(panel.waitFor(
         [&] { return panel.window().findChild<QAction*>(QStringLiteral("stepPrintAction")) != nullptr; }));
     panel.window().findChild<QAction*>(QStringLiteral("stepPrintAction"))->trigger();
-    ASSERT_TRUE(told("The page is on its way to the printer."));
+    ASSERT_TRUE(told("The page was sent to the printer."));
     QFile file(page);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_TRUE(file.readAll().startsWith("%PDF-"));
@@ -75,7 +75,7 @@ TEST_F(PrintingProgram, APrintSystemThatDoesNotAnswerHoldsNothingUp) {
 TEST_F(PrintingProgram, WhatThePrintSystemRefusesIsSaid) {
     install("echo 'no default destination' >&2; exit 1");
     print();
-    EXPECT_TRUE(told("The page was not printed."));
+    EXPECT_TRUE(told("Could not print the page."));
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST_F(RecordingProgram, AMoveIsRecordedToTheLastBit) {
     setGoing();
     ASSERT_TRUE(panel.answersFor(1.0));
     emit files().recordingEndRequested();
-    ASSERT_TRUE(told("\"move.csv\" is recorded"));
+    ASSERT_TRUE(told("Recorded \"move.csv\""));
 
     const Read read = readBack(path("move.csv"));
     EXPECT_FALSE(read.problem.has_value());
@@ -120,7 +120,7 @@ TEST_F(RecordingProgram, ARecordingIsOpenedInTheScopeWhileTheMotorGoesOn) {
     setGoing();
     ASSERT_TRUE(panel.answersFor(0.5));
     emit files().recordingEndRequested();
-    ASSERT_TRUE(told("\"move.csv\" is recorded"));
+    ASSERT_TRUE(told("Recorded \"move.csv\""));
     emit files().openRequested(path("move.csv"));
     ASSERT_TRUE(panel.waitFor([&] { return scopeTitle() == QLatin1String("move.csv (simulator)"); }));
     EXPECT_EQ(panel.module().activity(), Activity::AtSpeed);
@@ -131,7 +131,7 @@ TEST_F(RecordingProgram, ARecordingIsLaidUnderWhatIsLive) {
     setGoing();
     ASSERT_TRUE(panel.answersFor(0.5));
     panel.click("scopeRecordingEndButton");
-    ASSERT_TRUE(told("\"move.csv\" is recorded"));
+    ASSERT_TRUE(told("Recorded \"move.csv\""));
     files().underAction()->trigger();
     auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("layUnderDialog"));
     ASSERT_NE(dialog, nullptr);
@@ -148,7 +148,7 @@ TEST_F(RecordingProgram, GainsInForceAtTheStartAreInTheFile) {
     record(path("later.csv"));
     ASSERT_TRUE(panel.answersFor(0.2));
     emit files().recordingEndRequested();
-    ASSERT_TRUE(told("\"later.csv\" is recorded"));
+    ASSERT_TRUE(told("Recorded \"later.csv\""));
     const Read read = readBack(path("later.csv"));
     ASSERT_EQ(read.gains.size(), 1U);
     EXPECT_EQ(read.gains[0].gains, gains());
@@ -158,21 +158,21 @@ TEST_F(RecordingProgram, GainsInForceAtTheStartAreInTheFile) {
 TEST_F(RecordingProgram, AFullDiskEndsTheRecordingAndNotTheMotion) {
     setGoing();
     record(QStringLiteral("/dev/full"));
-    ASSERT_TRUE(told("Recording to \"full\" ended: the disk is full."));
+    ASSERT_TRUE(told("Recording to \"full\" stopped: the disk is full."));
     EXPECT_EQ(panel.module().activity(), Activity::AtSpeed);
     EXPECT_TRUE(panel.answersFor(0.3));
     EXPECT_FALSE(panel.window().findChild<QLabel*>(QStringLiteral("scopeRecordingLabel"))->isVisible());
     record(path("again.csv"));
     EXPECT_TRUE(panel.answersFor(0.2));
     emit files().recordingEndRequested();
-    EXPECT_TRUE(told("\"again.csv\" is recorded"));
+    EXPECT_TRUE(told("Recorded \"again.csv\""));
 }
 
 TEST_F(RecordingProgram, ClosingThePortEndsTheRecording) {
     record(path("move.csv"));
     ASSERT_TRUE(panel.answersFor(0.3));
     panel.disconnect();
-    ASSERT_TRUE(told("\"move.csv\" is recorded"));
+    ASSERT_TRUE(told("Recorded \"move.csv\""));
     const Read read = readBack(path("move.csv"));
     EXPECT_FALSE(read.problem.has_value());
     EXPECT_GT(read.samples.size(), 10U);
@@ -184,7 +184,7 @@ TEST_F(RecordingProgram, AStopIsNotedInTheFile) {
     panel.pressStopAll();
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("topped")) > 0; }));
     emit files().recordingEndRequested();
-    ASSERT_TRUE(told("\"stop.csv\" is recorded"));
+    ASSERT_TRUE(told("Recorded \"stop.csv\""));
     QFile file(path("stop.csv"));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_TRUE(file.readAll().contains("s: Stop of all motors\n"));
@@ -194,19 +194,19 @@ TEST_F(RecordingProgram, AFileThatIsCutIsShownAndSaysSo) {
     record(path("move.csv"));
     ASSERT_TRUE(panel.answersFor(0.5));
     emit files().recordingEndRequested();
-    ASSERT_TRUE(told("\"move.csv\" is recorded"));
+    ASSERT_TRUE(told("Recorded \"move.csv\""));
     QFile file(path("move.csv"));
     ASSERT_TRUE(file.resize(file.size() - 5));
     emit files().openRequested(path("move.csv"));
-    EXPECT_TRUE(told("the file ends here, in the middle of the line."));
+    EXPECT_TRUE(told("the file ends in the middle of this line."));
     EXPECT_TRUE(panel.waitFor([&] { return scopeTitle() == QLatin1String("move.csv (simulator)"); }));
 }
 
 TEST_F(RecordingProgram, WhatIsNoRecordingIsRefused) {
     const std::vector<std::pair<QString, const char*>> wrong{
-        {directory.path(), "was not opened"},
-        {QStringLiteral("/dev/zero"), "\"zero\" was not opened"},
-        {path("none.csv"), "\"none.csv\" was not opened"}};
+        {directory.path(), "Could not open"},
+        {QStringLiteral("/dev/zero"), "Could not open \"zero\""},
+        {path("none.csv"), "Could not open \"none.csv\""}};
     for (const auto& [file, words] : wrong) {
         emit files().openRequested(file);
         EXPECT_TRUE(told(words)) << file.toStdString();
@@ -222,12 +222,12 @@ TEST_F(RecordingProgram, WhatIsNoRecordingIsRefused) {
 
 TEST_F(RecordingProgram, AnExportIsWrittenWholeOrSaysWhyNot) {
     emit files().saveRequested(path("x.svg"), [] { return std::string("<svg/>"); });
-    ASSERT_TRUE(told("\"x.svg\" is saved."));
+    ASSERT_TRUE(told("Saved \"x.svg\"."));
     QFile file(path("x.svg"));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(file.readAll(), "<svg/>");
     emit files().saveRequested(path("none/x.svg"), [] { return std::string("<svg/>"); });
-    EXPECT_TRUE(told("\"x.svg\" was not saved."));
+    EXPECT_TRUE(told("Could not save \"x.svg\"."));
 }
 
 }  // namespace

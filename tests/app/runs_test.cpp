@@ -81,7 +81,7 @@ protected:
     }
 
     QTemporaryDir folder;
-    const QString notRead = u"were not read"_s;
+    const QString notRead = u"Could not read the step responses"_s;
 };
 
 TEST_F(RunsKept, WithTheirNamesUntilTheNextSession) {
@@ -204,7 +204,7 @@ TEST_F(RunsKept, ADiskThatTakesNothingIsSaidOnce) {
     });
     panel.start();
     makeRun(panel, 100);
-    const QString notKept = u"of this session are not kept"_s;
+    const QString notKept = u"of this session are not saved"_s;
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(notKept) != nullptr; }));
     full = false;
     makeRun(panel, 200);

@@ -112,7 +112,7 @@ TEST_F(Sequences, TaughtMadeAndRun) {
     EXPECT_NEAR(program.points[1].axes.at(0).counts, 1'500, 5);
     ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
-    EXPECT_TRUE(state().startsWith(u"Runs"_s)) << state().toStdString();
+    EXPECT_TRUE(state().startsWith(u"Running"_s)) << state().toStdString();
     ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Done"_s); })) << state().toStdString();
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 1'500, 5);
     EXPECT_EQ(panel.count(u"is done"_s), 1);
@@ -124,11 +124,11 @@ TEST_F(Sequences, EscInTheMidstEndsItForGood) {
     ASSERT_NO_FATAL_FAILURE(panel.click("addRowButton"));
     ASSERT_NO_FATAL_FAILURE(choose(2, 0, u"repeat"_s));
     ASSERT_NO_FATAL_FAILURE(typeNumber(2, u"0"_s));
-    EXPECT_EQ(find<QTableView>("rowTable")->model()->index(2, 3).data().toString(), u"for ever"_s);
+    EXPECT_EQ(find<QTableView>("rowTable")->model()->index(2, 3).data().toString(), u"forever"_s);
     ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
     QTest::keyClick(panel.window().windowHandle(), Qt::Key_Escape);
-    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Over"_s); })) << state().toStdString();
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Ended"_s); })) << state().toStdString();
     ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     const int stood = sim.state(1)[u"position"_s].toInt();
     ASSERT_TRUE(panel.answersFor(1.5));
@@ -143,7 +143,7 @@ TEST_F(Sequences, PausesBehindItsRowAndGoesOn) {
     ASSERT_NO_FATAL_FAILURE(panel.click("pauseSequenceButton"));
     ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Paused before"_s); }));
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 5) << "the row was finished";
-    EXPECT_EQ(find<QAbstractButton>("pauseSequenceButton")->text(), u"Go on"_s);
+    EXPECT_EQ(find<QAbstractButton>("pauseSequenceButton")->text(), u"Continue"_s);
     ASSERT_NO_FATAL_FAILURE(panel.click("stepSequenceButton"));
     ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Done"_s); })) << state().toStdString();
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 1'500, 5);
@@ -154,9 +154,9 @@ TEST_F(Sequences, APanelsStopOfItsModuleEndsIt) {
     ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
     panel.ask(intent::StopSmoothly{});
-    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Over"_s); })) << state().toStdString();
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Ended"_s); })) << state().toStdString();
     ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
-    EXPECT_EQ(panel.count(u"has ended"_s), 1);
+    EXPECT_EQ(panel.count(u"ended, and its motors"_s), 1);
     // From where it stands only its first row can be run.
     find<QTableView>("rowTable")->selectRow(1);
     EXPECT_FALSE(find<QAbstractButton>("runFromRowButton")->isEnabled());

@@ -168,7 +168,7 @@ TEST_F(ServoPage, MovesInTurns) {
     unit->setCurrentIndex(unit->findText(u"turns"_s));
     type("countsPerUnitField", u"2000"_s);
     find<QAction>("chainDoctorAction")->trigger();
-    EXPECT_EQ(find<QLabel>("chainFinding")->text(), u"All is well: 3 modules."_s)
+    EXPECT_EQ(find<QLabel>("chainFinding")->text(), u"Chain OK: 3 modules."_s)
         << "who names one axis means the chain that is there";
     find<QWidget>("chainDialog")->close();
     type("goalField", u"0.5"_s);

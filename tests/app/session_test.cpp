@@ -114,11 +114,11 @@ TEST(H02_Guardian, IsThereWithoutAWordOnAPort) {
 TEST(H18_ReadOnlyHome, IsSaidOnceAndTheProgramRuns) {
     IntentPanel panel(QStringLiteral("/proc/nmc/panel.ini"));  // nobody can write there
     panel.start();
-    EXPECT_EQ(panel.count(QStringLiteral("Settings are not saved")), 1);
+    EXPECT_EQ(panel.count(QStringLiteral("Settings cannot be saved")), 1);
     EXPECT_TRUE(panel.window().isVisible());
     IntentPanel other;
     other.start();
-    EXPECT_EQ(other.count(QStringLiteral("Settings are not saved")), 0);
+    EXPECT_EQ(other.count(QStringLiteral("Settings cannot be saved")), 0);
 }
 
 }  // namespace

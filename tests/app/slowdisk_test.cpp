@@ -141,7 +141,7 @@ TEST_F(SlowDisk, LetsMotorsRunWhileUnsavedWorkIsKept) {
     nameTheAxis();
     ASSERT_TRUE(panel.answersFor(4)) << "longer than it is waited with, and than a frozen panel may last";
     EXPECT_TRUE(moves(sim));
-    EXPECT_EQ(panel.count(QStringLiteral("not kept")), 0);
+    EXPECT_EQ(panel.count(QStringLiteral("not backed up")), 0);
 }
 
 TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
@@ -156,7 +156,7 @@ TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
     EXPECT_TRUE(moves(sim));
     EXPECT_EQ(panel.count(QStringLiteral("\"packets.txt\"")), 0) << "nothing is known yet";
     answer();
-    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("\"packets.txt\" is saved.")) == 1; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Saved \"packets.txt\".")) == 1; }));
 }
 
 TEST(FullDisk, IsToldOnceOfUnsavedWorkAndOfEachSave) {
@@ -180,7 +180,7 @@ TEST(FullDisk, IsToldOnceOfUnsavedWorkAndOfEachSave) {
         ASSERT_TRUE(panel.waitFor([&] { return panel.standing(file) != nullptr; }));
         EXPECT_TRUE(panel.window().isWindowModified());
     }
-    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("not kept")) == 1; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("not backed up")) == 1; }));
 }
 
 }  // namespace

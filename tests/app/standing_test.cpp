@@ -92,7 +92,7 @@ TEST_F(Standing, AFaultOfAnotherChainActsOnNobody) {
 
 TEST_F(Standing, ARefusalIsOverWhenTheModuleObeysAgain) {
     panel.ask(intent::GoTo{Counts(100), CountsPerTick(65'536), CountsPerTickSquared(100)});
-    const QString refused = u"Not possible for module 1"_s;
+    const QString refused = u"Module 1 cannot do this now"_s;
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(refused) != nullptr; })) << "the motor runs";
     click(u"stopAbruptlyButton"_s);
     EXPECT_TRUE(panel.waitFor([&] { return isOver(refused); }));
@@ -101,7 +101,7 @@ TEST_F(Standing, ARefusalIsOverWhenTheModuleObeysAgain) {
 
 TEST_F(Standing, ALimitThatClosesOnTheWayIsOverWhenItOpens) {
     (void)sim.control(u"set 1 limit1 1"_s);
-    const QString closed = u"Limit 1 of module 1 closed while its motor was moving"_s;
+    const QString closed = u"Limit switch 1 of module 1 closed while its motor was moving"_s;
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(closed) != nullptr; }))
         << panel.headlines().join(u" | "_s).toStdString();
     EXPECT_TRUE(moves(sim)) << "as the message says";
@@ -129,11 +129,11 @@ TEST_F(Standing, ALimitStopThatTripsIsOverWhenItIsDisarmed) {
 
 TEST_F(Standing, AFaultLeavesWithItsConnectionAndIsNotOfferedInTheNext) {
     (void)sim.control(u"set 1 limit1 1"_s);
-    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"Limit 1 of module 1"_s) != nullptr; }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"Limit switch 1 of module 1"_s) != nullptr; }));
     NmcsimProcess other(u"servo,servo"_s);
     emit panel.window().connectRequested(other.terminal(), 115'200);
     ASSERT_TRUE(panel.waitFor([&] { return panel.chainsFound() == 2; }));
-    EXPECT_TRUE(isOver(u"Limit 1 of module 1"_s));
+    EXPECT_TRUE(isOver(u"Limit switch 1 of module 1"_s));
     EXPECT_EQ(panel.window().findChild<QPushButton*>(u"bannerAction_stopAll"_s), nullptr);
 }
 

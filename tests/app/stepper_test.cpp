@@ -127,8 +127,7 @@ private:
 TEST_F(StepperPanel, NothingMovesOrHoldsBeforeTheParametersWereSent) {
     EXPECT_FALSE(find("stepEnableButton").isEnabled());
     EXPECT_FALSE(find("stepGoButton").isEnabled());
-    EXPECT_EQ(tip("stepGoButton"),
-              "The module moves and holds nothing before it was given its parameters. Apply them first.");
+    EXPECT_EQ(tip("stepGoButton"), "Apply parameters first.");
     EXPECT_EQ(text("stepSpeedModeState"), QStringLiteral("? unknown"));
     setParameters();
     EXPECT_EQ(module().stepper.parameters(),
@@ -149,7 +148,7 @@ TEST_F(StepperPanel, MovesToAPositionAndSaysBeforehandHowLongItTakes) {
     type("stepSpeedField", QStringLiteral("2000"));
     EXPECT_EQ(text("stepSpeedOutcome"), QStringLiteral("Runs at 2 000 steps/s: speed 20 of 250."));
     // Ramp: 0.002 x 100 x 189 = 37.8 steps each; 2 x 18 x 2 ms + (3 000 - 75.6) / 2 000 = 1.534 s.
-    EXPECT_EQ(text("stepForecast"), QStringLiteral("Takes 1.53 s, fastest 2 000 steps/s."));
+    EXPECT_EQ(text("stepForecast"), QStringLiteral("Takes 1.53 s, peak speed 2 000 steps/s."));
     click("stepGoButton");
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::AtSpeed; }));
     EXPECT_DOUBLE_EQ(rate(), 2'000);
@@ -326,8 +325,7 @@ TEST_F(StepperPanel, HeatAndPowerSwitchItOffAndItStaysOff) {
     enable();
     (void)sim.control(QStringLiteral("set 2 analog 70"));
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Overheated; }));
-    EXPECT_TRUE(
-        headlines().contains(QStringLiteral("Module 2 switched its motor off because it is too hot.")));
+    EXPECT_TRUE(headlines().contains(QStringLiteral("Module 2 is too hot and switched its motor off.")));
     EXPECT_FALSE(find("stepEnableButton").isEnabled());
     (void)sim.control(QStringLiteral("set 2 analog 200"));
     click("stepEnableButton");
@@ -351,7 +349,7 @@ TEST_F(StepperPanel, TheEstopInputStopsItUnlessItIsIgnored) {
     EXPECT_FALSE(find("stepRunForwardButton").isEnabled());
     click("stepIgnoreEstopField");
     EXPECT_EQ(text("stepParametersHint"),
-              QStringLiteral("With this the module's E-stop input does not stop the motor."));
+              QStringLiteral("If checked, the E-stop input does not stop the motor."));
     EXPECT_EQ(text("stepIgnoreEstopState"), QStringLiteral("● edited, not sent"));
     click("stepApplyParametersButton");
     ASSERT_TRUE(waitFor([&] { return module().stepper.parameters()->ignoreEstop; }));
@@ -381,7 +379,7 @@ TEST_F(StepperPanel, DetailsTellEveryBitAndKeepPositionAndHome) {
 
 TEST_F(StepperPanel, StepsByADistanceAndGoesHome) {
     enable();
-    EXPECT_EQ(tip("stepGoHomeButton"), "Where home is, is not known: search for it, or save it.");
+    EXPECT_EQ(tip("stepGoHomeButton"), "Home is unknown: search for it, or save it.");
     click("stepSaveHomeButton");
     type("stepStepSizeField", QStringLiteral("120"));
     type("stepStepRoundsField", QStringLiteral("3"));

@@ -131,8 +131,8 @@ TEST_F(StepResponsePlace, AServoThatSwingsUpIsStoppedAndSaidSo) {
     applyGains(3'000, 0);
     click("stepResponseButton");
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"Module 1"_s) > 0 && !panel.module().servoOn(); }));
-    EXPECT_EQ(panel.count(u"was switched off and is free to turn: it did not calm down"_s) +
-                  panel.count(u"made no whole step: its motor went off by itself"_s),
+    EXPECT_EQ(panel.count(u"was switched off and is free to turn: it kept oscillating"_s) +
+                  panel.count(u"did not complete its step: its motor switched itself off"_s),
               1);
     EXPECT_TRUE(runs().empty());
     EXPECT_EQ(sim.violations(), "");

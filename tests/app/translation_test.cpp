@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
@@ -15,7 +17,7 @@ namespace {
 using namespace Qt::StringLiterals;
 
 QStringList placeholders(const QString& text) {
-    static const QRegularExpression placeholder(u"%\\d"_s);
+    static const QRegularExpression placeholder(u"%[\\dn]"_s);
     QStringList found;
     for (auto match = placeholder.globalMatch(text); match.hasNext();)
         found << match.next().captured();
@@ -44,30 +46,50 @@ TEST(Translation, EnglishAndUnknownLanguagesStayEnglish) {
     EXPECT_EQ(texts::countOfModules(3), u"3 modules"_s);
 }
 
-TEST(Translation, EveryGermanMessageIsFinished) {
-    QFile file(QStringLiteral(TS_PATH));
+TEST(Translation, NumbersAgreeWithTheirNoun) {
+    Translations translations;
+    installTranslations(translations, QLocale::c());
+    EXPECT_EQ(texts::countOfModules(1), u"1 module"_s);
+    EXPECT_EQ(texts::countOfModules(2), u"2 modules"_s);
+    Translations german;
+    ASSERT_TRUE(installTranslations(german, QLocale(QLocale::German)));
+    EXPECT_EQ(texts::countOfModules(1), u"1 Modul"_s);
+    EXPECT_EQ(texts::countOfModules(2), u"2 Module"_s);
+}
+
+class TranslationFile : public testing::TestWithParam<const char*> {};
+
+TEST_P(TranslationFile, IsFinished) {
+    QFile file(QFileInfo(QStringLiteral(TS_PATH)).dir().filePath(QLatin1String(GetParam())));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     QXmlStreamReader xml(&file);
     QString source;
+    bool counts = false;
     int messages = 0;
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement)
             continue;
-        if (xml.name() == u"source"_s) {
+        if (xml.name() == u"message"_s)
+            counts = xml.attributes().hasAttribute(u"numerus"_s);
+        if (xml.name() == u"source"_s)
             source = xml.readElementText();
-        } else if (xml.name() == u"translation"_s) {
-            const QString type = xml.attributes().value(u"type"_s).toString();
-            const QString translation = xml.readElementText();
-            EXPECT_TRUE(type.isEmpty()) << type.toStdString() << ": " << source.toStdString();
-            EXPECT_FALSE(translation.isEmpty()) << source.toStdString();
-            EXPECT_EQ(placeholders(translation), placeholders(source)) << source.toStdString();
-            EXPECT_EQ(translation.contains(u'&'), source.contains(u'&')) << source.toStdString();
-            ++messages;
+        if (xml.name() == u"translation"_s) {
+            EXPECT_FALSE(xml.attributes().hasAttribute(u"type"_s)) << source.toStdString();
         }
+        // What counts has a form for one and a form for several.
+        if (xml.name() != (counts ? u"numerusform"_s : u"translation"_s))
+            continue;
+        const QString translation = xml.readElementText();
+        EXPECT_FALSE(translation.isEmpty()) << source.toStdString();
+        EXPECT_EQ(placeholders(translation), placeholders(source)) << source.toStdString();
+        EXPECT_EQ(translation.contains(u'&'), source.contains(u'&')) << source.toStdString();
+        ++messages;
     }
     EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
     EXPECT_GT(messages, 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Languages, TranslationFile, testing::Values("nmcpanel_de.ts", "nmcpanel_en.ts"));
 
 }  // namespace
 }  // namespace nmc

@@ -47,7 +47,7 @@ TEST_F(Truth, AShaftThatALoadDrivesIsNotCalledFine) {
     (void)sim.control(QStringLiteral("set 1 load 0.02"));
     panel.click("motorOffButton");
     ASSERT_TRUE(saysSoon("Off, but turning")) << label("stateLabel").toStdString();
-    EXPECT_FALSE(label("stateMeaning").contains(QLatin1String("Nothing is wrong")));
+    EXPECT_FALSE(label("stateMeaning").contains(QLatin1String("This is normal")));
     (void)sim.control(QStringLiteral("set 1 load 0"));
     EXPECT_TRUE(saysSoon("Servo off"));
 }
@@ -59,7 +59,7 @@ TEST_F(Truth, OvercurrentIsSaid) {
     panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 1, 8'000, 1, std::uint8_t{0}}});
     (void)sim.control(QStringLiteral("set 1 analog 200"));
     ASSERT_TRUE(saysSoon("Overcurrent")) << label("stateLabel").toStdString();
-    EXPECT_EQ(panel.count(QStringLiteral("overcurrent")), 1);
+    EXPECT_EQ(panel.count(QStringLiteral("Overcurrent")), 1);
     panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
     panel.click("clearStickyButton");
     EXPECT_TRUE(saysSoon("Holding")) << label("stateLabel").toStdString();

@@ -116,7 +116,7 @@ TEST_F(Tuning, UnstableGainsThatAreTriedAreTakenBack) {
     (void)sim.control(u"set 1 load 0.05"_s);  // N*m, for a moment
     (void)sim.control(u"set 1 load 0"_s);
     EXPECT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 100; }));
-    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"has the gains from before again"_s) == 1; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"is back to its previous gains"_s) == 1; }));
     EXPECT_TRUE(panel.module().servoOn());
     EXPECT_EQ(sim.violations(), "");
 }

@@ -118,12 +118,14 @@ TEST_F(StepMachineTest, TheHomeSwitchIsClosedFromItsPlaceOnForward) {
 
 TEST_F(StepMachineTest, WhatFollowsTheShaftCannotBeSetNorAStopPutBeyondIt) {
     must("set 1 limits auto");
-    EXPECT_EQ(say("set 1 limit1 1")["error"], "the limits follow the travel; allowed after limits manual");
-    EXPECT_EQ(say("set 1 limit2 1")["error"], "the limits follow the travel; allowed after limits manual");
+    EXPECT_EQ(say("set 1 limit1 1")["error"],
+              "the limit switches follow the travel; use limits manual first");
+    EXPECT_EQ(say("set 1 limit2 1")["error"],
+              "the limit switches follow the travel; use limits manual first");
     must("set 1 home_switch_at -5");
     EXPECT_EQ(state()["inputs"]["home_switch"], true) << "at once";
     EXPECT_EQ(say("set 1 home_switch 0")["error"],
-              "the home switch follows the shaft; allowed after home_switch_at none");
+              "the home switch follows the shaft; use home_switch_at none first");
     EXPECT_THAT(say("set 1 travel_min 5").value("error", ""), HasSubstr("allowed is up to that"));
     EXPECT_THAT(say("set 1 travel_max -5").value("error", ""), HasSubstr("allowed is from that on"));
     EXPECT_THAT(say("set 1 travel_max 0.5").value("error", ""), HasSubstr("counts or none"));

@@ -51,7 +51,7 @@ TEST_F(Axes, AreHeldSlowlyOrFast) {
     click(u"jogFastButton"_s);
     QTest::mousePress(button(u"axisHoldForwardButton1"_s), Qt::LeftButton);
     ASSERT_EQ(holds.size(), 2U);
-    EXPECT_EQ(holds[1].velocity.value(), 65'536U * 2) << "the cap";
+    EXPECT_EQ(holds[1].velocity.value(), 65'536U * 2) << "max jog speed";
     EXPECT_GT(holds[1].press, holds[0].press);
     QTest::keyClick(window->windowHandle(), Qt::Key_Escape);
     EXPECT_EQ(released.size(), 2) << "Esc ends what is held here, too";

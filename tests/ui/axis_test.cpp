@@ -131,7 +131,7 @@ protected:
 };
 
 TEST_P(AxisOfEach, ASymbolMayHaveSpaces) {
-    choose(named(u"axisUnitBox"_s), u"a unit of your own"_s);
+    choose(named(u"axisUnitBox"_s), u"custom unit"_s);
     QTest::keyClicks(edit(u"axisSymbolField"_s), u"ml per s"_s);
     EXPECT_EQ(edit(u"axisSymbolField"_s)->text(), u"ml per s"_s);
     EXPECT_EQ(machine.axes.at(0).unit.ownSymbol, "ml per s");
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Chips, AxisOfEach, testing::Values(ModuleType::Servo, M
 TEST_F(Axis, ItsUnitIsWorkedOutFromLabels) {
     showPage(u"Axis"_s);
     click(u"workOutUnitButton"_s);
-    choose(u"unitDialogKind"_s, u"moves along a line, in millimetres"_s);
+    choose(u"unitDialogKind"_s, u"linear, in millimetres"_s);
     type(u"unitDialogLines"_s, u"500"_s);
     type(u"unitDialogMotorTurns"_s, u"2"_s);
     type(u"unitDialogTravel"_s, u"5"_s);
@@ -176,7 +176,7 @@ TEST_F(Axis, ItsUnitIsWorkedOutFromLabels) {
 TEST_F(Axis, AUnitIsNotTakenFromHalfALabel) {
     showPage(u"Axis"_s);
     click(u"workOutUnitButton"_s);
-    choose(u"unitDialogKind"_s, u"turns, in turns"_s);
+    choose(u"unitDialogKind"_s, u"rotary, in turns"_s);
     type(u"unitDialogLines"_s, u"0"_s);
     EXPECT_FALSE(button(u"unitDialogUse"_s)->isEnabled());
     EXPECT_EQ(text(u"unitDialogResult"_s), u"Enter a number above 0 in each field."_s);

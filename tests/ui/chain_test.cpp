@@ -28,7 +28,7 @@ TEST_F(ChainList, IsInWireOrderWithThePcAtItsEnd) {
 TEST_F(ChainList, ReadsOutARowInOneSentence) {
     showServo({.position = 7});
     EXPECT_EQ(at(0, Qt::AccessibleTextRole).toString(),
-              u"Module 1, address 1, PIC-SERVO v4, Holding, position 7 counts. Home: not known"_s);
+              u"Module 1, address 1, PIC-SERVO v4, Holding, position 7 counts. Home: unknown"_s);
 }
 
 TEST_F(ChainList, SelectsTheFirstModuleQuietlyAndTellsTheUsersChoice) {

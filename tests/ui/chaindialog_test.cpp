@@ -54,7 +54,7 @@ TEST_F(ChainWindow, TheDoctorNamesThePlaceToLookAt) {
     EXPECT_EQ(text(u"chainFinding"_s), u"2 of 4 modules answered."_s);
     EXPECT_TRUE(text(u"chainAdvice"_s).contains(u"towards the PC after Module 2 \"Z axis\""_s))
         << text(u"chainAdvice"_s).toStdString();
-    EXPECT_EQ(cell(0, 4), u"fine"_s);
+    EXPECT_EQ(cell(0, 4), u"OK"_s);
     EXPECT_EQ(cell(2, 2), u"PIC-SERVO v4"_s);
     EXPECT_EQ(cell(2, 3), u"–"_s);
     EXPECT_EQ(cell(3, 4), u"missing"_s);
@@ -72,13 +72,13 @@ TEST_F(ChainWindow, WhatIsThereCanBeTakenAsExpected) {
     EXPECT_EQ(scans.size(), 1);
     expect(1);
     EXPECT_FALSE(button(u"acceptChainButton"_s)->isEnabled());
-    EXPECT_EQ(text(u"chainFinding"_s), u"All is well: 1 module."_s);
+    EXPECT_EQ(text(u"chainFinding"_s), u"Chain OK: 1 module."_s);
 }
 
 TEST_F(ChainWindow, OfAChainThatNobodyHasDescribedTheDoctorSaysSo) {
     showServos({{}, {}, {}});
     open("chainDoctorAction");
-    EXPECT_EQ(text(u"chainFinding"_s), u"Nothing is known of this chain yet: it has 3 modules."_s);
+    EXPECT_EQ(text(u"chainFinding"_s), u"This chain is new: it has 3 modules."_s);
     EXPECT_TRUE(text(u"chainAdvice"_s).contains(u"labels"_s));
     EXPECT_EQ(cell(2, 4), u"new"_s);
     EXPECT_TRUE(button(u"acceptChainButton"_s)->isEnabled());
@@ -206,7 +206,7 @@ TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
     enter(u"1"_s, Qt::Key_Return);
     EXPECT_EQ(addresses.size(), 0);
     EXPECT_EQ(window->findChild<QLabel*>(u"addressReason"_s)->text(),
-              u"Address 1 is that of Module 1. Nothing was sent."_s);
+              u"Address 1 is used by Module 1. Nothing was sent."_s);
     enter(u"77"_s, Qt::Key_Tab);
     EXPECT_EQ(addresses.size(), 0) << "without Enter";
     EXPECT_EQ(field->value(), 2);
@@ -278,15 +278,14 @@ TEST_F(ChainWindow, ARateChangeThatWouldBeRefusedIsGreyedWithItsReason) {
     showGrouped({bus::GroupPlace{}, bus::GroupPlace{}});
     EXPECT_EQ(reason(), QString());
     showGrouped({bus::GroupPlace{}, std::nullopt});
-    EXPECT_TRUE(
-        reason().endsWith(u"might not hear it: 2. Choose a group for them on the page Groups, or none."_s))
+    EXPECT_TRUE(reason().endsWith(u"may miss the change: 2. Set their group on the Groups page, or none."_s))
         << reason().toStdString();
     showGrouped({bus::GroupPlace{0x81, true}, bus::GroupPlace{0x81, false}});
-    EXPECT_TRUE(reason().endsWith(u"page Groups: 1."_s)) << reason().toStdString();
+    EXPECT_TRUE(reason().endsWith(u"Groups page: 1."_s)) << reason().toStdString();
     showGrouped({bus::GroupPlace{}, bus::GroupPlace{}});
     link.modules[1].silent = true;
     window->showLink(link);
-    EXPECT_TRUE(reason().endsWith(u"at the old rate: 2."_s)) << reason().toStdString();
+    EXPECT_TRUE(reason().endsWith(u"at the old baud rate: 2."_s)) << reason().toStdString();
     link.phase = LinkPhase::Lost;
     window->showLink(link);
     EXPECT_FALSE(reason().isEmpty());

@@ -31,23 +31,23 @@ TEST(ChainTexts, GroupOfWhichNobodyStarted) {
     const Message m =
         texts::groupFailed(start(bus::Outcome::NoAnswer, {{ModuleIndex(0), MemberOutcome::NotDone},
                                                           {ModuleIndex(1), MemberOutcome::NotDone}}));
-    EXPECT_EQ(m.headline, u"No module of group 81 started. Nothing moves because of it."_s);
+    EXPECT_EQ(m.headline, u"No module of group 81 started. Nothing was moved."_s);
 }
 
 TEST(ChainTexts, GroupStartThatCannotBeTold) {
     const Message m =
         texts::groupFailed(start(bus::Outcome::NoAnswer, {{ModuleIndex(0), MemberOutcome::Done},
                                                           {ModuleIndex(1), MemberOutcome::Unknown}}));
-    EXPECT_EQ(m.headline, u"Whether all modules of group 81 started is unknown."_s);
+    EXPECT_EQ(m.headline, u"Not all modules of group 81 confirmed their start."_s);
 }
 
 TEST(ChainTexts, GroupStartWithheld) {
     const Message m =
         texts::groupFailed(start(bus::Outcome::Forbidden, {{ModuleIndex(2), MemberOutcome::Withheld}}));
-    EXPECT_EQ(m.headline, u"The command to group 81 was withheld because of module 3. Nothing was sent."_s);
+    EXPECT_EQ(m.headline, u"Module 3 blocks the command to group 81. Nothing was sent."_s);
     EXPECT_EQ(m.severity, Severity::Attention);
     EXPECT_EQ(texts::groupFailed(start(bus::Outcome::Forbidden, {})).headline,
-              u"Group 81 has no members. Nothing was sent."_s);
+              u"Group 81 is empty. Nothing was sent."_s);
 }
 
 bus::GroupFinished command(Action action, bus::Outcome outcome, std::vector<bus::GroupMember> members) {
@@ -68,33 +68,35 @@ TEST(ChainTexts, GroupWhoseZeroIsNotCertain) {
     const Message m = texts::groupFailed(
         command(Action::ResetPosition, bus::Outcome::NoAnswer,
                 {{ModuleIndex(0), MemberOutcome::Done}, {ModuleIndex(1), MemberOutcome::NotDone}}));
-    EXPECT_EQ(m.headline, u"Not every module of group 81 has certainly set its position to 0."_s);
+    EXPECT_EQ(m.headline, u"Not all modules of group 81 confirmed setting their position to 0."_s);
     EXPECT_TRUE(m.body.startsWith(u"Carried out by: 1. Not carried out by: 2."_s)) << m.body.toStdString();
 }
 
 TEST(ChainTexts, AddressThatIsTaken) {
     const Message m = texts::notReaddressed({ModuleIndex(1), bus::ReaddressFailed::Reason::Taken});
-    EXPECT_EQ(m.headline, u"Module 2 was not given its address. No motor moved by it."_s);
+    EXPECT_EQ(m.headline, u"Could not assign the address of module 2. No motor was moved."_s);
     EXPECT_TRUE(m.body.contains(u"1 to 127"_s));
     EXPECT_EQ(texts::addressChanged({ModuleIndex(1), BusAddress(77)}).headline,
-              u"Module 2 has address 77 now. Position, gains and group are what they were."_s);
+              u"Module 2 now has address 77. Position, gains and group are unchanged."_s);
 }
 
 TEST(ChainTexts, RateThatAModuleDidNotHear) {
     const Message m = texts::rateNotChanged({Reason::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {}});
-    EXPECT_EQ(m.headline, u"The rate was not changed: the chain stays at 19 200 Bd. No motor moved by it."_s);
-    EXPECT_TRUE(m.body.startsWith(u"There was no answer at 115 200 Bd from module 2, so all went back."_s))
+    EXPECT_EQ(m.headline,
+              u"Could not change the baud rate: the chain stays at 19 200 Bd. No motor was moved."_s);
+    EXPECT_TRUE(m.body.startsWith(u"Module 2 did not answer at 115 200 Bd, so all modules went back."_s))
         << m.body.toStdString();
     const Message lost =
         texts::rateNotChanged({Reason::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {ModuleIndex(1)}});
-    EXPECT_EQ(lost.headline, u"No answer from module 2 since the change of rate. Nothing was moving."_s);
+    EXPECT_EQ(lost.headline,
+              u"Module 2 has not answered since the baud rate changed. No motor was moving."_s);
     EXPECT_EQ(lost.severity, Severity::Fault);
     EXPECT_EQ(lost.actions.size(), 2);
 }
 
 TEST(ChainTexts, RateForAll) {
     EXPECT_EQ(texts::rateChanged({57'600}).headline,
-              u"All modules now talk at 57 600 Bd. Positions and gains are what they were."_s);
+              u"All modules now run at 57 600 Bd. Positions and gains are unchanged."_s);
 }
 
 TEST(ChainTexts, HaveNoForbiddenWords) {

@@ -2,8 +2,13 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLayout>
 #include <QMenu>
 #include <QPlainTextEdit>
+#include <QRegularExpression>
 #include <QSet>
 #include <QSlider>
 #include <QTabWidget>
@@ -55,6 +60,87 @@ TEST_F(Controls, EachHasAnObjectNameAndAnAccessibleName) {
         EXPECT_FALSE(widget->objectName().isEmpty()) << widget->metaObject()->className();
         EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->objectName().toStdString();
     }
+}
+
+/// The words that stand on it, without underline and drawn arrows; no words: nothing.
+QString shownWords(QString text) {
+    static const QRegularExpression edges(u"^[^\\p{L}\\p{N}%]+|[^\\p{L}\\p{N}%)]+$"_s,
+                                          QRegularExpression::UseUnicodePropertiesOption);
+    return text.remove(QRegularExpression(u"&(?=.)"_s)).remove(edges);
+}
+
+class SpokenNames : public Controls {
+protected:
+    /// One of each kind, with every dock open.
+    void showPanelOf(ModuleType type, std::uint8_t version) {
+        ModuleState module = Servo{}.state();
+        module.info.identity = {type, version};
+        LinkState link = connectedTo({module});
+        link.simulated = true;
+        window->showLink(link);
+        for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+            dock->show();
+            dock->raise();
+            QCoreApplication::processEvents();  // some are made when they are seen
+        }
+    }
+};
+
+TEST_F(SpokenNames, BeginWithTheWordsThatTheControlShows) {
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Step, ModuleType::Io}) {
+        showPanelOf(type, 1);
+        for (const QWidget* widget : controls()) {
+            const QString name = widget->accessibleName();
+            EXPECT_NE(name, widget->toolTip()) << widget->objectName().toStdString();
+            const auto* button = qobject_cast<const QAbstractButton*>(widget);
+            const QString shown = button != nullptr ? shownWords(button->text()) : QString();
+            EXPECT_TRUE(shownWords(name).startsWith(shown, Qt::CaseInsensitive))
+                << widget->objectName().toStdString() << " shows \"" << shown.toStdString()
+                << "\" and is called \"" << name.toStdString() << '"';
+        }
+    }
+}
+
+/// In a grid what names a field is the first of its row; what follows one is its unit.
+bool begins(const QLayout& layout, int item) {
+    const auto* grid = qobject_cast<const QGridLayout*>(&layout);
+    int line = 0;
+    int column = 0;
+    int lines = 0;
+    int columns = 0;
+    if (grid != nullptr)
+        grid->getItemPosition(item, &line, &column, &lines, &columns);
+    return column == 0;
+}
+
+/// What stands in a layout just before another thing, in reading order.
+QList<std::pair<QLabel*, QWidget*>> labelledBy(const QLayout& layout) {
+    QList<std::pair<QLabel*, QWidget*>> pairs;
+    for (int i = 0; i + 1 < layout.count(); ++i)
+        // One with an object name shows a value.
+        if (auto* label = qobject_cast<QLabel*>(layout.itemAt(i)->widget());
+            label != nullptr && label->objectName().isEmpty() && begins(layout, i))
+            pairs.append({label, layout.itemAt(i + 1)->widget()});
+    return pairs;
+}
+
+TEST_F(SpokenNames, EachLabelBeforeAFieldIsItsBuddy) {
+    int seen = 0;
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Step, ModuleType::Io}) {
+        showPanelOf(type, 1);
+        for (const QLayout* layout : window->findChildren<QLayout*>())
+            for (const auto& [label, field] : labelledBy(*layout)) {
+                const bool fills = qobject_cast<QLineEdit*>(field) != nullptr ||
+                                   qobject_cast<QComboBox*>(field) != nullptr ||
+                                   qobject_cast<QSlider*>(field) != nullptr;
+                if (!fills)
+                    continue;
+                ++seen;
+                EXPECT_NE(label->buddy(), nullptr)
+                    << label->text().toStdString() << ", before " << field->objectName().toStdString();
+            }
+    }
+    EXPECT_GT(seen, 20);
 }
 
 TEST_F(Controls, ObjectNamesAreUnique) {
@@ -142,7 +228,7 @@ protected:
         for (const QLabel* label : window->findChildren<QLabel*>())
             if (label->window() == window.get() && label->buddy() != nullptr && listens(label, tab))
                 check(label->text(), label->buddy()->objectName());
-        EXPECT_GT(owners.size(), 15);
+        EXPECT_GT(owners.size(), 15) << owners.keys().join(u' ').toStdString();
     }
 };
 

@@ -97,11 +97,11 @@ TEST_F(DirectionBox, SaysWhatWasFoundAndWhatToDo) {
     show();
     report(ProcedureStage::Done, DirectionFound{Verdict::Reversed, -20, 20, 12, false, false});
     EXPECT_TRUE(state().startsWith(u"▲ "_s));
-    EXPECT_TRUE(state().contains(u"Swap the motor's two leads, or the encoder's A and B"_s));
+    EXPECT_TRUE(state().contains(u"Swap the two motor leads, or encoder A and B"_s));
     report(ProcedureStage::Done, DirectionFound{Verdict::Right, 20, -20, 12, false, false});
     EXPECT_TRUE(state().startsWith(u"✓ "_s));
     report(ProcedureStage::Failed);
-    EXPECT_TRUE(state().contains(u"No verdict"_s));
+    EXPECT_TRUE(state().contains(u"Inconclusive"_s));
 }
 
 TEST_F(DirectionBox, AVerdictIsOfItsModuleAndItsConnection) {
@@ -112,7 +112,7 @@ TEST_F(DirectionBox, AVerdictIsOfItsModuleAndItsConnection) {
     connecting.phase = LinkPhase::Connecting;
     window->showLink(connecting);
     show({.on = false, .gains = false, .millisecond = 10});
-    EXPECT_FALSE(state().contains(u"All right"_s));
+    EXPECT_FALSE(state().contains(u"OK"_s));
 }
 
 TEST(DirectionTexts, EachVerdictHasWordsOfItsOwn) {
@@ -142,9 +142,9 @@ TEST(DirectionTexts, AJamMentionsTheLimitThatIsActiveAndTheStrongestPush) {
     EXPECT_TRUE(texts::directionFound(found).contains(u"25 %"_s));
     EXPECT_FALSE(texts::directionFound(found).contains(u"limit"_s));
     found.limit1 = true;
-    EXPECT_TRUE(texts::directionFound(found).contains(u"A limit input is active"_s));
+    EXPECT_TRUE(texts::directionFound(found).contains(u"A limit switch is active"_s));
     found = {Verdict::LimitClosed, 0, 0, 8, false, true};
-    EXPECT_TRUE(texts::directionFound(found).startsWith(u"Limit 2"_s));
+    EXPECT_TRUE(texts::directionFound(found).startsWith(u"Limit switch 2"_s));
 }
 
 TEST(DirectionTexts, EachEndWithoutAVerdictSaysThatTheMotorIsOff) {

@@ -195,7 +195,7 @@ TEST_F(Expert, NamesTheModeOfTable4) {
     clickOn(*find<QCheckBox>(u"expertLoadNow"_s));
     EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled()) << "needs a timer count";
     clickOn(*find<QCheckBox>(u"expertLoadTimerLoaded"_s));
-    EXPECT_TRUE(text(u"expertLoadMeaning"_s).contains(u"goes on to its position"_s));
+    EXPECT_TRUE(text(u"expertLoadMeaning"_s).contains(u"continues to its position"_s));
     EXPECT_TRUE(button(u"expertLoadButton"_s)->isEnabled());
     clickOn(*find<QCheckBox>(u"expertLoadSpeedLoaded"_s));
     EXPECT_TRUE(text(u"expertLoadMeaning"_s).contains(u"A ramp"_s));

@@ -69,7 +69,7 @@ TEST_F(Gains, U01_OutOfRangeIsNotSent) {
         EXPECT_TRUE(button(u"applyGainsButton"_s)->isEnabled());
         type(kNames[i] + u"Field"_s, QLatin1StringView(tooMuch[i]));
         EXPECT_FALSE(button(u"applyGainsButton"_s)->isEnabled()) << kNames[i].toStdString();
-        EXPECT_TRUE(button(u"applyGainsButton"_s)->toolTip().contains(u"takes"_s));
+        EXPECT_TRUE(button(u"applyGainsButton"_s)->toolTip().contains(u"must be"_s));
         click(u"applyGainsButton"_s);
     }
     type(u"srField"_s, u"0"_s);
@@ -199,7 +199,7 @@ TEST_F(Gains, AnotherServoRateSaysWhatItDoesToVelocities) {
     showServo();
     type(u"srField"_s, u"2"_s);
     EXPECT_TRUE(find<QLabel>(u"gainsHint"_s)->isVisible());
-    EXPECT_TRUE(text(u"gainsHint"_s).contains(u"another speed"_s));
+    EXPECT_TRUE(text(u"gainsHint"_s).contains(u"the meaning of every velocity"_s));
     type(u"srField"_s, u"1"_s);
     EXPECT_FALSE(find<QLabel>(u"gainsHint"_s)->isVisible());
 }

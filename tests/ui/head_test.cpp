@@ -216,7 +216,7 @@ TEST_F(Head, AServoWithoutKpIsNotSaidToHold) {
     ModuleState module = Servo{}.state();
     module.gains->kp = 0;
     window->showLink(connectedTo({module}));
-    EXPECT_EQ(text(u"stateMeaning"_s), u"Kp is 0: the servo brakes the motor, and holds no position."_s);
+    EXPECT_EQ(text(u"stateMeaning"_s), u"Kp is 0: the servo brakes the motor but holds no position."_s);
 }
 
 }  // namespace

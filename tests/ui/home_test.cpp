@@ -28,9 +28,9 @@ protected:
 
 TEST_F(HomeInTheWindow, UnknownItSaysSoAndGoesNowhere) {
     show(std::nullopt);
-    EXPECT_EQ(text(u"homeState"_s), u"Home: not known"_s);
+    EXPECT_EQ(text(u"homeState"_s), u"Home: unknown"_s);
     EXPECT_FALSE(inList(ChainModel::HomeIsKnown).toBool());
-    EXPECT_TRUE(inList(Qt::AccessibleTextRole).toString().endsWith(u"Home: not known"_s));
+    EXPECT_TRUE(inList(Qt::AccessibleTextRole).toString().endsWith(u"Home: unknown"_s));
     EXPECT_FALSE(button(u"goHomeButton"_s)->isEnabled());
     EXPECT_EQ(button(u"goHomeButton"_s)->toolTip(), texts::refusal(Refusal::HomeUnknown));
     click(u"goHomeButton"_s);
@@ -54,13 +54,13 @@ TEST_F(HomeInTheWindow, KnownItIsSeenAndGoneTo) {
 
 TEST_F(HomeInTheWindow, ZeroHereSaysWhatItDestroys) {
     show(std::nullopt);
-    EXPECT_TRUE(button(u"zeroHereButton"_s)->toolTip().contains(u"Where 0 has been is lost"_s));
-    EXPECT_FALSE(button(u"zeroHereButton"_s)->toolTip().contains(u"Home, now"_s));
+    EXPECT_TRUE(button(u"zeroHereButton"_s)->toolTip().contains(u"The old zero is lost"_s));
+    EXPECT_FALSE(button(u"zeroHereButton"_s)->toolTip().contains(u"This moves home"_s));
     show(512, 1'000);
     // 512 - 1000
     EXPECT_TRUE(button(u"zeroHereButton"_s)
                     ->toolTip()
-                    .endsWith(u"Home, now at 512 counts, is at \u2212488 counts then."_s))
+                    .endsWith(u"This moves home from 512 counts to \u2212488 counts."_s))
         << button(u"zeroHereButton"_s)->toolTip().toStdString();
 }
 

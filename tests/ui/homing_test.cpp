@@ -132,7 +132,7 @@ TEST_F(Homing, APositionErrorLeavesNoChoiceOfStop) {
     show();
     click(u"onPositionErrorBox"_s);
     EXPECT_TRUE(button(u"homingMotorOffButton"_s)->isChecked());
-    EXPECT_TRUE(reason(u"homingAbruptlyButton"_s).contains(u"by itself"_s));
+    EXPECT_TRUE(reason(u"homingAbruptlyButton"_s).contains(u"switches the servo off"_s));
     click(u"onPositionErrorBox"_s);
     EXPECT_TRUE(button(u"homingAbruptlyButton"_s)->isChecked()) << "as it was";
     EXPECT_TRUE(button(u"homingAbruptlyButton"_s)->isEnabled());
@@ -141,7 +141,7 @@ TEST_F(Homing, APositionErrorLeavesNoChoiceOfStop) {
 TEST_F(Homing, ZeroNeedsHomeToBeGoneTo) {
     show();
     click(u"goToHomeBox"_s);
-    EXPECT_TRUE(reason(u"makeZeroBox"_s).contains(u"go to home first"_s));
+    EXPECT_TRUE(reason(u"makeZeroBox"_s).contains(u"Needs Go to home"_s));
     EXPECT_FALSE(text(u"homingStagesLabel"_s).contains(u"zero"_s));
 }
 
@@ -181,7 +181,7 @@ TEST_F(Homing, ShowsItsCourseAndCancelNeverWaits) {
     ASSERT_EQ(intents.size(), 2) << "though the module has not spoken since the first click";
     EXPECT_TRUE(std::holds_alternative<intent::CancelProcedure>(intents.at(1).at(1).value<Intent>()));
     report(ProcedureStage::GoingHome, {}, 512);
-    EXPECT_TRUE(text(u"homingStagesLabel"_s).contains(u"✓\u00A0Reading"_s));
+    EXPECT_TRUE(text(u"homingStagesLabel"_s).contains(u"✓\u00A0Verifying"_s));
     EXPECT_TRUE(text(u"homingStagesLabel"_s).contains(u"▶\u00A0Going"_s));
     report(ProcedureStage::Done, {}, 512);
     EXPECT_EQ(text(u"homingResultLabel"_s), u"Done: home was at 512 counts."_s);
@@ -332,7 +332,7 @@ TEST(ProcedureTexts, EachFailureSaysWhatItMeansForTheMotor) {
         EXPECT_NE(message->severity, Severity::Normal);
         EXPECT_TRUE(message->headline.startsWith(u"Module 3 "_s)) << message->headline.toStdString();
         EXPECT_TRUE(
-            message->headline.contains(QRegularExpression(u"stop|stands still|unknown|free to turn|holds"_s)))
+            message->headline.contains(QRegularExpression(u"stop|at rest|unknown|free to turn|holds"_s)))
             << message->headline.toStdString();
         EXPECT_FALSE(message->body.isEmpty());
         EXPECT_FALSE(texts::procedureFailure(failure).isEmpty());
@@ -348,14 +348,15 @@ TEST(ProcedureTexts, AZeroThatIsRefusedNamesTheBoxesToChange) {
     report.offHome = -4;
     const auto message = texts::procedureEnded(report, AxisScale::servo({}, 1));
     ASSERT_TRUE(message);
-    EXPECT_TRUE(message->body.startsWith(u"It rests 4 counts off its home"_s)) << message->body.toStdString();
-    EXPECT_TRUE(message->body.contains(u"Ki and IL on the page Gains"_s));
-    EXPECT_TRUE(message->body.contains(u"\"Make it zero\" on the page Homing"_s));
+    EXPECT_TRUE(message->body.startsWith(u"Friction holds it 4 counts off home"_s))
+        << message->body.toStdString();
+    EXPECT_TRUE(message->body.contains(u"Ki and IL on the Gains page"_s));
+    EXPECT_TRUE(message->body.contains(u"\"Set position to 0\" on the Homing page"_s));
     report.stage = ProcedureStage::Done;
     report.failure.reset();
     report.home = -1'000;
     EXPECT_EQ(texts::procedureEnded(report, AxisScale::servo({}, 1))->body,
-              u"It rests 4 counts off its home, and is zero there."_s);
+              u"It rests 4 counts off home; its position is 0 there."_s);
 }
 
 TEST(ProcedureTexts, EachRefusalHasASentenceOfItsOwn) {

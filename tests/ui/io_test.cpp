@@ -59,7 +59,7 @@ TEST_F(IoPage, TheAmplifiersBoxFollowsTheModuleAndNotTheClick) {
 TEST_F(IoPage, PwmIsSetApartAndOnlyForAServoThatIsOff) {
     showServo();
     showPage(u"PWM"_s);
-    EXPECT_TRUE(text(u"pwmWarning"_s).contains(u"no position limit"_s));
+    EXPECT_TRUE(text(u"pwmWarning"_s).contains(u"No position, position error or output limit"_s));
     EXPECT_EQ(button(u"pwmForwardButton"_s)->toolTip(), texts::refusal(Refusal::ServoOn));
     showServo({.on = false, .millisecond = 10});
     type(u"pwmField"_s, u"51"_s);

@@ -129,7 +129,7 @@ TEST_F(MachineWindow, TheTableShowsFileAndPresentAndWhatApplyingDoes) {
     ASSERT_EQ(table()->topLevelItemCount(), 4);
     const QTreeWidgetItem* gains = table()->topLevelItem(1);
     EXPECT_EQ(gains->text(0), u"Module 1: Gains"_s);
-    EXPECT_EQ(gains->text(3), u"Is sent to the module."_s);
+    EXPECT_EQ(gains->text(3), u"Sent to the module."_s);
     EXPECT_EQ(gains->checkState(0), Qt::Checked);
     EXPECT_EQ(gains->child(0)->text(0), u"Kp"_s);
     EXPECT_EQ(gains->child(0)->text(1), u"200"_s);
@@ -146,7 +146,7 @@ TEST_F(MachineWindow, ApplyTellsWhatIsTicked) {
                      [&chosen](const std::vector<PartId>& ids) { chosen = ids; });
     showSome();
     table()->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
-    EXPECT_EQ(text(u"differencesSummary"_s), u"Chosen: 1 of 4. Sent to modules: 1."_s);
+    EXPECT_EQ(text(u"differencesSummary"_s), u"Selected: 1 of 4. Sent to modules: 1."_s);
     click(u"applyDifferencesButton"_s);
     EXPECT_THAT(chosen, ElementsAre(PartId{ModuleIndex(0), MachinePart::Gains}));
     click(u"tickAllButton"_s);
@@ -240,7 +240,7 @@ TEST_F(MachineWindow, UnsavedChangesAreAskedAboutOnceBeforeTheWindowCloses) {
     window->close();
     window->close();
     EXPECT_EQ(window->findChildren<QDialog*>(u"unsavedDialog"_s).size(), 1);
-    EXPECT_EQ(text(u"unsavedText"_s), u"The changes to \"mill\" are not saved."_s);
+    EXPECT_EQ(text(u"unsavedText"_s), u"Save the changes to \"mill\"?"_s);
     click(u"stayUnsavedButton"_s);
     EXPECT_TRUE(window->isVisible());
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -267,8 +267,7 @@ TEST_F(MachineWindow, ClosingWaitsForTheDiskUnlessTheUserDoesNot) {
     const MachineFile saving{u"/home/anna/mill.json"_s, {}, true, {}, true};
     menu().showFile(saving);
     window->close();
-    EXPECT_EQ(text(u"closeText"_s),
-              u"\"mill\" is being saved. The window closes as soon as the disk has it."_s);
+    EXPECT_EQ(text(u"closeText"_s), u"Saving \"mill\". The window closes when it is saved."_s);
     click(u"staySavingButton"_s);
     menu().showFile({u"/home/anna/mill.json"_s, {}, false, {}});
     EXPECT_TRUE(window->isVisible()) << "that was said to stay";

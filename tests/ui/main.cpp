@@ -3,6 +3,7 @@
 
 #include <QApplication>
 
+#include "app/translations.h"
 #include "tests/support/qtwarnings.h"
 #include "widgets/common/look.h"
 
@@ -13,5 +14,7 @@ int main(int argc, char** argv) {
     nmc::testing_support::failOnQtWarnings();
     QApplication application(argc, argv);
     nmc::look::setUp(application);
+    nmc::Translations english;
+    nmc::installTranslations(english, QLocale::c());
     return RUN_ALL_TESTS();
 }

@@ -159,9 +159,8 @@ TEST_F(Messages, WhatIsShownIsExportedTheOldestFirst) {
     const QString text = QString::fromStdString(saved.at(0).at(1).value<FileContent>()());
     const QStringList lines = text.split(u'\n', Qt::SkipEmptyParts);
     ASSERT_EQ(lines.size(), 1) << text.toStdString();
-    EXPECT_TRUE(
-        lines.front().contains(u"\tModule 1\tModule 1 switched its motor off because it is too hot.\t"_s));
-    EXPECT_TRUE(lines.front().contains(u"over at"_s));
+    EXPECT_TRUE(lines.front().contains(u"\tModule 1\tModule 1 is too hot and switched its motor off.\t"_s));
+    EXPECT_TRUE(lines.front().contains(u"ended at"_s));
 }
 
 TEST_F(Messages, AnEntryOfAnotherDaySaysTheDay) {
@@ -170,7 +169,7 @@ TEST_F(Messages, AnEntryOfAnotherDaySaysTheDay) {
     EXPECT_EQ(timeText(before, QDate(2026, 11, 22)), u"2026-11-21 23:59:58"_s);
     MessageEntry entry{texts::powerLost(ModuleIndex(0)), before};
     entry.over = before.addSecs(4);
-    EXPECT_TRUE(messageLine(entry).endsWith(u"over at 2026-11-22 00:00:02"_s));
+    EXPECT_TRUE(messageLine(entry).endsWith(u"ended at 2026-11-22 00:00:02"_s));
 }
 
 TEST_F(Messages, NewestIsFirst) {
@@ -183,7 +182,7 @@ TEST_F(Messages, SayWhenItIsOverAndStartANewRowWhenItComesAgain) {
     window->showMessage(texts::powerLost(ModuleIndex(0)));
     window->endMessage(texts::key::power(ModuleIndex(0)));
     EXPECT_TRUE(list()->rows().at(0)->over());
-    EXPECT_TRUE(list()->rows().at(0)->findChild<QLabel*>(u"messageTime"_s)->text().contains(u"over at"_s));
+    EXPECT_TRUE(list()->rows().at(0)->findChild<QLabel*>(u"messageTime"_s)->text().contains(u"ended at"_s));
     EXPECT_FALSE(find(u"banner"_s)->isVisible());
     window->showMessage(texts::powerLost(ModuleIndex(0)));
     EXPECT_EQ(list()->rows().size(), 2);

@@ -268,7 +268,7 @@ TEST_F(Monitor, ShowsTheCountersAndWhatTheyCount) {
     EXPECT_EQ(values.value(u"sent: commands that asked for an answer"_s), u"12\u202F345"_s);
     EXPECT_EQ(values.value(u"time-outs: no answer, or too few bytes"_s), u"3"_s);
     EXPECT_EQ(values.value(u"  of them: home register changed without a command"_s), u"2"_s);
-    EXPECT_EQ(values.value(u"mean round trip, from sending a command to its whole answer"_s), u"2 ms"_s);
+    EXPECT_EQ(values.value(u"mean round trip, from sending a command to its complete answer"_s), u"2 ms"_s);
     EXPECT_EQ(values.value(u"longest round trip"_s), u"12.3 ms"_s);
 }
 
@@ -296,8 +296,8 @@ TEST(MonitorTexts, EachVerdictSaysWhatBecameOfTheExchange) {
     EXPECT_EQ(verdictOf(ExchangeEnd::Refused), u"module refused: checksum"_s);
     EXPECT_EQ(verdictOf(ExchangeEnd::Silent), u"no answer"_s);
     EXPECT_EQ(verdictOf(ExchangeEnd::Partial), u"too few bytes"_s);
-    EXPECT_EQ(verdictOf(ExchangeEnd::BadChecksum), u"wrong sum"_s);
-    EXPECT_EQ(verdictOf(ExchangeEnd::Abandoned), u"abandoned for a stop"_s);
+    EXPECT_EQ(verdictOf(ExchangeEnd::BadChecksum), u"wrong checksum"_s);
+    EXPECT_EQ(verdictOf(ExchangeEnd::Abandoned), u"dropped for a stop"_s);
     EXPECT_EQ(texts::verdict(resetRecord(1)), u"no answer expected"_s);
     auto rejected = with(pollRecord(1), Purpose::Poll, ExchangeEnd::Rejected);
     rejected.rejection = bus::Rejection::HomeChanged;

@@ -100,7 +100,7 @@ TEST_P(NumberFieldIn, U01_OutOfRangeSaysTheRangeAndKeepsTheText) {
     EXPECT_EQ(typed(u"1000,5"_s), std::nullopt);
     EXPECT_EQ(field->problem(), Problem::OutOfRange);
     EXPECT_EQ(field->text(), u"1000,5"_s);
-    EXPECT_TRUE(field->toolTip().contains(u"The speed takes -1000 to 1000 counts/tick."_s))
+    EXPECT_TRUE(field->toolTip().contains(u"The speed must be -1000 to 1000 counts/tick."_s))
         << field->toolTip().toStdString();
     EXPECT_EQ(field->accessibleDescription(), field->problemText());
 }

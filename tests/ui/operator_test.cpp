@@ -94,7 +94,7 @@ TEST_F(OperatorMode, IsLeftWithThePinOnly) {
     typePin(u"operatorPinField"_s, u"4712"_s);
     click(u"operatorLeaveButton"_s);
     EXPECT_TRUE(window->operatorLock().isLocked());
-    EXPECT_TRUE(text(u"operatorProblem"_s).startsWith(u"That is not the PIN."_s));
+    EXPECT_TRUE(text(u"operatorProblem"_s).startsWith(u"Wrong PIN."_s));
     typePin(u"operatorPinField"_s, u"4711"_s);
     QTest::keyClick(find<QLineEdit>(u"operatorPinField"_s), Qt::Key_Return);
     EXPECT_FALSE(window->operatorLock().isLocked());

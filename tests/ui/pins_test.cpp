@@ -67,7 +67,7 @@ TEST_F(Pins, SayWhatTheyReadAndWhichWayTheyGo) {
     EXPECT_EQ(find<QComboBox>(u"pin3Direction"_s)->currentText(), u"input"_s);
     EXPECT_FALSE(find<QCheckBox>(u"pin3Box"_s)->isEnabled()) << "an input";
     latch(0x0800, 20);
-    EXPECT_EQ(text(u"pin1Level"_s), u"low, told high"_s);
+    EXPECT_EQ(text(u"pin1Level"_s), u"low, set high"_s);
 }
 
 TEST_F(Pins, AnOutputIsSwitchedByAClickAndShowsWhatWasConfirmed) {

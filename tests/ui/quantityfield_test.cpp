@@ -69,7 +69,7 @@ TEST_F(Quantities, ARangeThatBeginsAboveZeroDoesNotSayZero) {
     QTest::keyClicks(&field, u"0"_s);
     EXPECT_EQ(field.problem(), Problem::OutOfRange);
     // 1/65536 = 0.0000153
-    EXPECT_TRUE(field.problemText().contains(u"takes 0.000015 to 32767"_s))
+    EXPECT_TRUE(field.problemText().contains(u"must be 0.000015 to 32767"_s))
         << field.problemText().toStdString();
 }
 

@@ -126,8 +126,8 @@ protected:
         }
     }
     void editUnit() {
-        static const std::vector<QString> units{u"the chip's own"_s, u"turns"_s, u"degrees"_s,
-                                                u"millimetres"_s, u"a unit of your own"_s};
+        static const std::vector<QString> units{u"native counts"_s, u"turns"_s, u"degrees"_s,
+                                                u"millimetres"_s, u"custom unit"_s};
         done = u"unit"_s;
         const QString unit = any(units);
         choose(named(u"axisUnitBox"_s), unit);

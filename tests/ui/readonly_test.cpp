@@ -54,7 +54,8 @@ TEST_F(H02_ReadOnlyWindow, SaysSoInItsRibbonTitleAndStatusBar) {
     EXPECT_FALSE(find(u"readOnlyRibbon"_s)->isVisible());
     look({Servo{}.state()});
     EXPECT_TRUE(find(u"readOnlyRibbon"_s)->isVisible());
-    EXPECT_EQ(text(u"readOnlyRibbonText"_s), u"READ-ONLY — nothing is sent but questions. STOP ALL acts."_s);
+    EXPECT_EQ(text(u"readOnlyRibbonText"_s),
+              u"READ-ONLY — only status requests are sent. STOP ALL still works."_s);
     EXPECT_EQ(window->windowTitle(), u"NMC Panel - /dev/ttyUSB0 (read-only)"_s);
     EXPECT_EQ(text(u"linkLabel"_s), u"Connected to /dev/ttyUSB0 at 115\u202f200 Bd, 1 module, read-only"_s);
     QSignalSpy fully(window.get(), &MainWindow::connectFullyRequested);

@@ -16,9 +16,9 @@ QString sentence(const RecordingProblem& problem) {
 TEST(RecordingTexts, SayWhatIsWrongWithAFile) {
     EXPECT_EQ(sentence({.kind = Kind::Empty}), u"\"mill.csv\" is empty."_s);
     EXPECT_EQ(sentence({.kind = Kind::OtherFormat}), u"\"mill.csv\" is not a recording of NMC Panel."_s);
-    EXPECT_EQ(sentence({.kind = Kind::NewerVersion, .found = "7", .max = 1}),
-              u"\"mill.csv\" was written by a newer NMC Panel: its format is 7, and this program knows "
-              "formats up to 1."_s);
+    EXPECT_EQ(
+        sentence({.kind = Kind::NewerVersion, .found = "7", .max = 1}),
+        u"\"mill.csv\" was written by a newer NMC Panel: its format is 7; this version reads formats up to 1."_s);
 }
 
 TEST(RecordingTexts, SayWhatIsWrongInALine) {
@@ -27,31 +27,31 @@ TEST(RecordingTexts, SayWhatIsWrongInALine) {
         return sentence(problem);
     };
     EXPECT_EQ(inLine({.kind = Kind::NoColumns}),
-              u"\"mill.csv\" line 12: the file ends before the names of its columns."_s);
+              u"\"mill.csv\" line 12: the file ends before its column names."_s);
     EXPECT_EQ(inLine({.kind = Kind::MissingColumn, .field = "time_s"}),
-              u"\"mill.csv\" line 12: there is no column time_s."_s);
+              u"\"mill.csv\" line 12: column time_s is missing."_s);
     EXPECT_EQ(inLine({.kind = Kind::LineTooLong, .max = 20'000}),
-              u"\"mill.csv\" line 12: the line is longer than 20000 bytes, as no line of a recording is."_s);
+              u"\"mill.csv\" line 12: the line is longer than 20000 bytes, too long for a recording."_s);
     EXPECT_EQ(inLine({.kind = Kind::Truncated}),
-              u"\"mill.csv\" line 12: the file ends here, in the middle of the line."_s);
+              u"\"mill.csv\" line 12: the file ends in the middle of this line."_s);
     EXPECT_EQ(inLine({.kind = Kind::TooFewCells, .found = "3", .max = 12}),
-              u"\"mill.csv\" line 12: there are 3 cells for 12 columns."_s);
+              u"\"mill.csv\" line 12: the line has 3 cells for 12 columns."_s);
     EXPECT_EQ(inLine({.kind = Kind::EmptyCell, .field = "position"}),
               u"\"mill.csv\" line 12: position is empty."_s);
     EXPECT_EQ(inLine({.kind = Kind::NotANumber, .field = "position", .found = "x"}),
               u"\"mill.csv\" line 12: position is \"x\", which is not a number."_s);
     EXPECT_EQ(inLine({.kind = Kind::OutOfRange, .field = "status", .found = "256", .min = 0, .max = 255}),
-              u"\"mill.csv\" line 12: status is 256; it can be 0 to 255."_s);
+              u"\"mill.csv\" line 12: status is 256; it must be 0 to 255."_s);
     EXPECT_EQ(inLine({.kind = Kind::TimeGoesBack, .field = "time_s", .found = "2"}),
-              u"\"mill.csv\" line 12: time_s of module 2 goes back."_s);
+              u"\"mill.csv\" line 12: time_s of module 2 goes backwards."_s);
 }
 
 TEST(RecordingTexts, SayWhatIsShownOfAFileThatIsCut) {
     const RecordingProblem cut{.kind = Kind::Truncated, .line = 12};
     EXPECT_EQ(texts::recordingCut(u"/home/anna/mill.csv"_s, cut, 8).body,
-              u"The scope shows what stands above that line: 8 samples."_s);
+              u"The scope shows the samples above that line: 8."_s);
     EXPECT_EQ(texts::recordingCut(u"/home/anna/mill.csv"_s, cut, 0).body,
-              u"There is nothing to show of it."_s);
+              u"It has nothing to show. Choose another file."_s);
 }
 
 TEST(RecordingTexts, SayWhyARecordingEndedAndWhatIsKept) {
@@ -59,14 +59,14 @@ TEST(RecordingTexts, SayWhyARecordingEndedAndWhatIsKept) {
         return texts::recordingFailed(u"/mnt/mill.csv"_s, {trouble, u"words of the system"_s, bytes}, 12.3);
     };
     const Message full = ended(RecordingTrouble::NoSpace, 4'096);
-    EXPECT_EQ(full.headline, u"Recording to \"mill.csv\" ended: the disk is full."_s);
-    EXPECT_EQ(full.body,
-              u"What was written before (12 s) is kept. Control goes on. To go on recording, choose another "
-              "file."_s);
+    EXPECT_EQ(full.headline, u"Recording to \"mill.csv\" stopped: the disk is full."_s);
+    EXPECT_EQ(
+        full.body,
+        u"The part written before (12 s) is kept. Control continues. To continue recording, choose another file."_s);
     EXPECT_EQ(full.details, u"words of the system"_s);
     EXPECT_EQ(full.severity, Severity::Attention);
-    EXPECT_TRUE(ended(RecordingTrouble::NoPermission, 0).body.startsWith(u"Nothing is kept."_s));
-    EXPECT_TRUE(ended(RecordingTrouble::Removed, 4'096).body.startsWith(u"Nothing is kept."_s));
+    EXPECT_TRUE(ended(RecordingTrouble::NoPermission, 0).body.startsWith(u"Nothing was kept."_s));
+    EXPECT_TRUE(ended(RecordingTrouble::Removed, 4'096).body.startsWith(u"Nothing was kept."_s));
     EXPECT_EQ(full.key, ended(RecordingTrouble::TooSlow, 1).key) << "repeats are counted";
 }
 

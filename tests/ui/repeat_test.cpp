@@ -31,7 +31,7 @@ TEST_F(Repeat, EnterWithADistanceMakesOneMove) {
     auto* kind = find<QComboBox>(u"goalKindBox"_s);
     kind->setFocus();
     QTest::keyClick(window->windowHandle(), Qt::Key_Down);
-    ASSERT_EQ(kind->currentText(), u"distance from here"_s);
+    ASSERT_EQ(kind->currentText(), u"distance"_s);
     type(u"goalField"_s, u"100"_s);
     for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
         intents.clear();

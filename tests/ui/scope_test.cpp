@@ -239,7 +239,7 @@ TEST_F(Scope, ARecordingLiesUnderTheLiveTraceFromWhereTheMotionBegan) {
     show(live, 10);
     window->showUnder(recorded);
     show(live, 10);
-    EXPECT_EQ(find<QLabel>(u"scopeUnderLabel"_s)->text(), u"Pale below the live traces: mill.csv"_s);
+    EXPECT_EQ(find<QLabel>(u"scopeUnderLabel"_s)->text(), u"Overlay: mill.csv"_s);
     const auto rowOf = [&](double counts) {
         const QRectF area = plot()->plotArea();
         const AxisRange::Range range = plot()->valueRange();

@@ -182,7 +182,7 @@ TEST_F(ScopeFilesTest, ACopyIsAPictureAndItsFewSamples) {
 TEST_F(ScopeFilesTest, RecordsOnlyWhatIsConnected) {
     files().showConnected(false);
     EXPECT_FALSE(button(u"scopeRecordButton"_s)->isEnabled());
-    EXPECT_TRUE(button(u"scopeRecordButton"_s)->toolTip().contains(u"no module is connected"_s));
+    EXPECT_TRUE(button(u"scopeRecordButton"_s)->toolTip().contains(u"connect a module first"_s));
     files().showConnected(true);
     EXPECT_TRUE(button(u"scopeRecordButton"_s)->isEnabled());
     QSignalSpy wanted(&files(), &ScopeFiles::recordRequested);

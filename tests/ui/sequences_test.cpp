@@ -51,7 +51,7 @@ protected:
 };
 
 TEST_F(SequencePage, SaysWhatIsMissingBeforeTeaching) {
-    EXPECT_EQ(whyNot(u"teachButton"_s), u"Give the point a name first."_s);
+    EXPECT_EQ(whyNot(u"teachButton"_s), u"Enter a name for the point first."_s);
     auto* name = find<QLineEdit>(u"pointNameField"_s);
     QTest::keyClicks(name, u"A"_s);
     EXPECT_EQ(whyNot(u"teachButton"_s), QString());
@@ -128,7 +128,7 @@ TEST_F(SequencePage, ARunMarksItsRowAndForbidsAnother) {
     window->sequences().showRun(report);
     auto* table = find<QTableView>(u"rowTable"_s);
     EXPECT_EQ(table->model()->headerData(2, Qt::Vertical).toString(), u"▸ 3"_s);
-    EXPECT_EQ(whyNot(u"runSequenceButton"_s), u"A sequence runs already."_s);
+    EXPECT_EQ(whyNot(u"runSequenceButton"_s), u"A sequence is already running."_s);
     EXPECT_EQ(whyNot(u"stopSequenceButton"_s), QString());
     QSignalSpy stops(&window->sequences(), &SequencesDock::stopRequested);
     click(u"stopSequenceButton"_s);
@@ -136,7 +136,7 @@ TEST_F(SequencePage, ARunMarksItsRowAndForbidsAnother) {
     report.stage = SequenceStage::Over;
     report.end = SequenceEnd::LinkInDoubt;
     window->sequences().showRun(report);
-    EXPECT_TRUE(text(u"sequenceStateLabel"_s).startsWith(u"Paused by a doubt"_s));
+    EXPECT_TRUE(text(u"sequenceStateLabel"_s).startsWith(u"Paused on a fault"_s));
     EXPECT_EQ(whyNot(u"runSequenceButton"_s), QString());
 }
 

@@ -241,7 +241,7 @@ TEST_F(Simulator, AStepperHasItsOwnControls) {
     attach();
     answer(u"stats"_s, {{u"modules"_s, QJsonArray{1, 2, 3}}, {u"violation_count"_s, 0}});
     auto* modules = find<QComboBox>(u"simModuleBox"_s);
-    EXPECT_EQ(modules->count(), 3) << "those too that the panel does not find";
+    EXPECT_EQ(modules->count(), 3) << "modules that the panel did not find";
     modules->setCurrentIndex(1);
     answer(u"state 2"_s, stepState());
     EXPECT_TRUE(find(u"sim_step_bench"_s)->isVisible());
@@ -305,7 +305,7 @@ TEST_F(Simulator, ARefusalIsShownWhole) {
     attach();
     tick(u"sim_servo_limit1Box"_s);
     window->showSimulatorAnswer(u"set 1 limit1 1"_s, R"({"error":"the limits follow the travel"})");
-    EXPECT_EQ(text(u"simAnswerHead"_s), u"Not done: set 1 limit1 1"_s);
+    EXPECT_EQ(text(u"simAnswerHead"_s), u"Failed: set 1 limit1 1"_s);
     EXPECT_EQ(find<QPlainTextEdit>(u"simAnswer"_s)->toPlainText(), u"the limits follow the travel"_s);
 }
 

@@ -137,7 +137,7 @@ TEST_F(StandingTexts, AServoIsSaidToGoOnAndAStepperToBeHeld) {
     servo().info.identity.version = 1;
     const Message step = texts::limitClosed(servo(), 1);
     EXPECT_FALSE(step.headline.contains(u"does not stop it"_s));
-    EXPECT_TRUE(step.body.contains(u"no farther that way"_s));
+    EXPECT_TRUE(step.body.contains(u"the module blocks this direction"_s));
 }
 
 TEST_F(StandingTexts, AMotorThatSwingsIsToldWithAWayBack) {

@@ -205,7 +205,7 @@ TEST_F(StepResponses, SayWhyNot) {
         const QString before = field(name)->text();
         type(name, value);
         EXPECT_EQ(reason(u"stepResponseButton"_s), field(name)->problemText());
-        EXPECT_TRUE(field(name)->problemText().contains(u"takes"_s));
+        EXPECT_TRUE(field(name)->problemText().contains(u"must be"_s));
         type(name, before);
         type(u"stepResponseDistanceField"_s, u"100"_s);
     }
@@ -253,12 +253,12 @@ TEST_F(StepResponses, TellWhatARunComesTo) {
     EXPECT_TRUE(result(1).startsWith(u"6.7 ± 1.6 ms"_s)) << result(1).toStdString();
     // The parabola through 108, 120 and 120 is 1.5 above them; that and half a count is the doubt.
     EXPECT_EQ(result(2), u"21.5 ± 2.0 %"_s);
-    EXPECT_EQ(result(3), u"not in this record"_s);
+    EXPECT_EQ(result(3), u"not recorded"_s);
     // 117.5 of 120 counts, at 12 a millisecond; known to half a sample and two half ticks.
     EXPECT_EQ(result(4), u"9.8 ± 1.1 ms"_s);
     EXPECT_EQ(listed(0, 10), u"9.8 ± 1.1 ms, off its goal"_s);
     EXPECT_EQ(result(5), u"\u221220.0 ± 0.5 counts"_s);
-    EXPECT_EQ(result(6), u"not known"_s) << "the error before the step is not";
+    EXPECT_EQ(result(6), u"unknown"_s) << "the error before the step is not";
     EXPECT_EQ(result(7), u"1 ms"_s);
     EXPECT_EQ(result(1, 1), u"–"_s) << "there is no B";
     KeptRun limited = ramp();
@@ -330,7 +330,7 @@ TEST_F(StepResponses, GainsGoBackIntoTheFieldsUnsent) {
     run.run.taken.gains.kp = 77;
     run.run.taken.gains.kd = 770;
     window->showStepRun(run);
-    EXPECT_EQ(reason(u"stepUseGainsButton"_s), u"Choose a run in the list first."_s);
+    EXPECT_EQ(reason(u"stepUseGainsButton"_s), u"Select a run in the list first."_s);
     table()->setCurrentCell(0, 2);
     find<QTabWidget>(u"servoPages"_s)->setCurrentIndex(2);
     click(u"stepUseGainsButton"_s);
@@ -350,7 +350,7 @@ TEST_F(StepResponses, GainsAreForTheModuleOfTheRun) {
     open();
     window->showStepRun(ramp(100, 1));
     table()->setCurrentCell(0, 2);
-    EXPECT_EQ(reason(u"stepUseGainsButton"_s), u"This run is of Module 2. Select that module first."_s);
+    EXPECT_EQ(reason(u"stepUseGainsButton"_s), u"This run belongs to Module 2. Select that module first."_s);
     auto* chain = find<QAbstractItemView>(u"chainList"_s);
     chain->setCurrentIndex(chain->model()->index(1, 0));
     EXPECT_TRUE(button(u"stepUseGainsButton"_s)->isEnabled());

@@ -39,7 +39,7 @@ TEST(Texts, Gone) {
     EXPECT_EQ(m.headline,
               u"The adapter at /dev/ttyUSB0 was unplugged. Motor state unknown: Module 1 and Module 3 "
               "\"Z axis\" were moving."_s);
-    EXPECT_EQ(m.body, u"Use the hardware stop if needed, then plug it in again."_s);
+    EXPECT_EQ(m.body, u"Use the hardware stop if needed, then plug the adapter in again."_s);
     EXPECT_EQ(m.severity, Severity::Fault);
 }
 
@@ -50,9 +50,7 @@ TEST(Texts, NoModule) {
               u"The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried)."_s);
     EXPECT_EQ(
         m.body,
-        u"Check, in this order: module power; every cable in the chain, one loose cable hides all modules; "
-        "the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex "
-        "(4-wire) adapter. A chain that another program left at a rate of its own can be restarted."_s);
+        u"Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network."_s);
     EXPECT_EQ(verbs(m), (QStringList{u"Scan again"_s, u"Restart the network…"_s, u"Use simulator"_s}));
 }
 
@@ -68,21 +66,24 @@ TEST(Texts, FewerThanExpected) {
 
 TEST(Texts, Refused) {
     const Message m = texts::refused({ModuleIndex(1), 1});
-    EXPECT_EQ(m.headline, u"Module 2 did not understand the last command, so it was not carried out."_s);
-    EXPECT_EQ(m.body, u"Sent again (1 of 3). Usually noise on the cable."_s);
+    EXPECT_EQ(m.headline, u"Module 2 received a garbled command and did not carry it out."_s);
+    EXPECT_EQ(m.body, u"Sending again (1 of 3). Usually noise on the cable."_s);
 }
 
 TEST(Texts, Garbled) {
     const Message m = texts::garbled(ModuleIndex(1));
     EXPECT_EQ(m.headline, u"The answer from module 2 was garbled."_s);
-    EXPECT_EQ(m.body, u"The command may or may not have been carried out; position is being read again."_s);
+    EXPECT_EQ(
+        m.body,
+        u"The command may or may not have been carried out; the panel is reading the position again."_s);
 }
 
 TEST(Texts, BadLink) {
     const Message m = texts::badLink({bus::LinkHealth::Lost, 14, 200, {}});
     EXPECT_EQ(m.headline, u"The link is unreliable: 14 of the last 200 exchanges went wrong."_s);
-    EXPECT_EQ(m.body,
-              u"Motors were told to stop. Try a lower rate, a shorter cable, or termination at both ends."_s);
+    EXPECT_EQ(
+        m.body,
+        u"Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends."_s);
     EXPECT_EQ(verbs(m), QStringList{u"Reconnect"_s});
     const Message one = texts::badLink({bus::LinkHealth::Doubtful, 5, 60, ModuleIndex(2)});
     EXPECT_EQ(one.headline, u"The link to module 3 is doubtful: 5 of its last 60 exchanges went wrong."_s);
@@ -102,16 +103,16 @@ TEST(Texts, ErrorTrip) {
     EXPECT_EQ(
         m.headline,
         u"Module 1 switched its servo off because the motor was more than 400 counts from where it should be."_s);
-    EXPECT_EQ(m.body, u"Check for a jam, or raise EL on the page Gains."_s);
+    EXPECT_EQ(m.body, u"Check for a jam, or raise EL on the Gains page."_s);
     EXPECT_EQ(verbs(m), QStringList{u"Clear and stay off"_s});
 }
 
 TEST(Texts, ErrorTripAdvisesByItsCause) {
     const auto advice = [](TripCause cause) { return texts::tripped(ModuleIndex(0), 400, cause).body; };
-    EXPECT_TRUE(advice(TripCause::Reversed).contains(u"direction check on the page Axis"_s));
-    EXPECT_TRUE(advice(TripCause::Jam).contains(u"a jam, a brake or an end stop"_s));
-    EXPECT_TRUE(advice(TripCause::Limit1).startsWith(u"Limit 1 closed"_s));
-    EXPECT_TRUE(advice(TripCause::Limit2).startsWith(u"Limit 2 closed"_s));
+    EXPECT_TRUE(advice(TripCause::Reversed).contains(u"direction check on the Axis page"_s));
+    EXPECT_TRUE(advice(TripCause::Jam).contains(u"a jam, a brake or a hard stop"_s));
+    EXPECT_TRUE(advice(TripCause::Limit1).startsWith(u"Limit switch 1 closed"_s));
+    EXPECT_TRUE(advice(TripCause::Limit2).startsWith(u"Limit switch 2 closed"_s));
     EXPECT_TRUE(advice(TripCause::Behind).contains(u"could not keep up"_s));
 }
 
@@ -124,17 +125,16 @@ TEST(Texts, Power) {
 TEST(Texts, Restarted) {
     const Message m = texts::restarted({ModuleIndex(1), false}, 3);
     EXPECT_EQ(m.headline, u"Module 2 restarted: its position and gains are lost."_s);
-    EXPECT_EQ(m.body,
-              u"Its motor is off. Module 3 may not answer until module 2 has its address again. The others "
-              u"keep their "
-              u"positions and gains when it is only given its address."_s);
-    EXPECT_EQ(verbs(m), (QStringList{u"Give module 2 its address"_s, u"Restart the network…"_s}));
+    EXPECT_EQ(
+        m.body,
+        u"Its motor is off. Module 3 may not answer until module 2 has its address again. You can assign just its address: the other modules keep their positions and gains."_s);
+    EXPECT_EQ(verbs(m), (QStringList{u"Assign the address of module 2"_s, u"Restart the network…"_s}));
     EXPECT_FALSE(texts::restarted({ModuleIndex(2), false}, 3).body.contains(u"may not answer"_s))
         << "there is no module nearer the PC";
     EXPECT_EQ(verbs(texts::restarted({ModuleIndex(2), true}, 3)),
               (QStringList{u"Scan again"_s, u"Restart the network…"_s}))
         << "at another rate the chain has to be found again first";
-    EXPECT_TRUE(texts::restarted({ModuleIndex(2), true}, 3).body.contains(u"nothing is sent any more"_s));
+    EXPECT_TRUE(texts::restarted({ModuleIndex(2), true}, 3).body.contains(u"sending has stopped"_s));
 }
 
 TEST(Texts, Closing) {
@@ -176,11 +176,11 @@ TEST(Texts, AStopThatIsNotConfirmedSendsToTheHardwareStop) {
               u"1 of 3 stopped. Modules 2 and 3 were told to stop but were not seen at rest: use the "
               u"hardware stop."_s);
     EXPECT_EQ(said({{}, {one, two}, {}, {}}),
-              u"No stop could be confirmed. Modules 1 and 2 do not answer: use the hardware stop."_s);
-    EXPECT_EQ(said({{}, {}, {one}, {}}),
-              u"No stop could be confirmed. Module 1 was told to stop but was not seen at rest: use the "
-              u"hardware stop."_s);
-    EXPECT_EQ(said({}), u"No stop could be confirmed. No module is known: use the hardware stop."_s);
+              u"No stop was confirmed. Modules 1 and 2 do not answer: use the hardware stop."_s);
+    EXPECT_EQ(
+        said({{}, {}, {one}, {}}),
+        u"No stop was confirmed. Module 1 was told to stop but was not seen at rest: use the hardware stop."_s);
+    EXPECT_EQ(said({}), u"No stop was confirmed. No module is known: use the hardware stop."_s);
 }
 
 TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {

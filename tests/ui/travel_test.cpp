@@ -56,12 +56,12 @@ TEST_F(TravelPanel, WhatIsTypedIsKeptWithTheAxisAndSendsNothing) {
 }
 
 TEST_F(TravelPanel, ItSaysWhetherTheyAreInForceAndWhyNot) {
-    EXPECT_TRUE(text(u"travelState"_s).contains(u"No limits of travel are set"_s));
+    EXPECT_TRUE(text(u"travelState"_s).contains(u"No travel limits are set"_s));
     setLimits();
     EXPECT_EQ(text(u"travelState"_s), u"● In force: from −500 counts to 1\u202f500 counts."_s);
     EXPECT_EQ(text(u"headTravel"_s), QString());
     standAt(0, false);
-    EXPECT_TRUE(text(u"travelState"_s).startsWith(u"▲ Not in force: home is not known"_s));
+    EXPECT_TRUE(text(u"travelState"_s).startsWith(u"▲ Not in force: home is unknown"_s));
     EXPECT_TRUE(text(u"headTravel"_s).contains(u"not in force"_s));
     EXPECT_EQ(kept().highest, 1'500);
 }
@@ -113,13 +113,13 @@ TEST_F(TravelPanel, AGoalBeyondIsRefusedAndTheNearestOneOffered) {
     setLimits();
     type(u"goalField"_s, u"1600"_s);
     EXPECT_EQ(whyNot(u"goButton"_s),
-              u"That is beyond the limits of travel: the highest position to go to is 1\u202f500 counts."_s);
+              u"That is beyond the travel limits: the highest position is 1\u202f500 counts."_s);
     EXPECT_TRUE(text(u"motionHint"_s).contains(u"1\u202f500 counts"_s));
     whyNot(u"loadButton"_s);
     QTest::keyClick(field(u"goalField"_s), Qt::Key_Return);
     EXPECT_TRUE(intents.isEmpty()) << "nor by Enter";
     ASSERT_TRUE(button(u"nearestGoalButton"_s)->isVisible());
-    EXPECT_EQ(button(u"nearestGoalButton"_s)->text(), u"Take 1\u202f500 counts"_s);
+    EXPECT_EQ(button(u"nearestGoalButton"_s)->text(), u"Use 1\u202f500 counts"_s);
     click(u"nearestGoalButton"_s);
     EXPECT_EQ(field(u"goalField"_s)->value(), 1'500);
     EXPECT_FALSE(button(u"nearestGoalButton"_s)->isVisible());
@@ -132,8 +132,7 @@ TEST_F(TravelPanel, AtALimitThereIsOnlyTheWayBack) {
     setLimits();
     standAt(1'500);
     EXPECT_EQ(text(u"headTravel"_s), u"● At the highest position"_s);
-    const QString reason =
-        u"The highest position of this axis is 1\u202f500 counts: there is no way on forward."_s;
+    const QString reason = u"Highest position reached: 1\u202f500 counts. Move in reverse."_s;
     EXPECT_EQ(whyNot(u"runForwardButton"_s), reason);
     EXPECT_EQ(whyNot(u"holdForwardButton"_s), reason);
     whyNot(u"stepForwardButton"_s);
@@ -164,7 +163,7 @@ TEST_F(TravelPanel, ThePresentPositionBecomesALimit) {
     click(u"highestHereButton"_s);
     EXPECT_EQ(kept().highest, 1'234);
     standAt(0, false);
-    EXPECT_TRUE(whyNot(u"lowestHereButton"_s).contains(u"home"_s)) << "there is nothing to count from";
+    EXPECT_TRUE(whyNot(u"lowestHereButton"_s).contains(u"Home"_s)) << "there is nothing to count from";
 }
 
 TEST_F(TravelPanel, ThePositionIsDeclaredRightAfterAQuestion) {

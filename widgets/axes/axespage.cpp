@@ -34,21 +34,21 @@ AxesPage::AxesPage(QWidget* parent)
     look::name(m_fast, u"jogFastButton"_s, tr("Fast jog"));
     look::name(m_step, u"jogStepBox"_s, tr("Step of all axes"));
     m_slow->setChecked(true);
-    m_slow->setToolTip(tr("Each axis at its own velocity of hold to move."));
-    m_fast->setToolTip(tr("Each axis at its own cap of hold to move, which is set on its page Axis."));
-    m_step->setToolTip(tr("How far one click on Step moves an axis, in its own unit."));
+    m_slow->setToolTip(tr("Each axis at its own jog speed."));
+    m_fast->setToolTip(tr("Each axis at its own max jog speed, set on its Axis page."));
+    m_step->setToolTip(tr("Distance that one click on Step moves an axis, in its own unit."));
     for (const double step : kSteps)
         m_step->addItem(tr("%1 units").arg(QLocale().toString(step)), step);
     m_step->setCurrentIndex(kFirstStep);
     m_enableAll = new Command({.name = u"enableAllButton"_s,
                                .icon = u"power"_s,
                                .text = tr("Enable all"),
-                               .accessible = tr("Enable all motors where they stand")},
+                               .accessible = tr("Enable all motors")},
                               this, [this] { enableAll(); });
     m_homeAll = new Command({.name = u"homeAllButton"_s,
                              .icon = u"home"_s,
                              .text = tr("Home all"),
-                             .accessible = tr("Find the home of all axes, one after the other")},
+                             .accessible = tr("Home all axes, one after the other")},
                             this, [this] { emit homeAllRequested(); });
     auto* head = new QHBoxLayout;
     head->addWidget(m_enableAll->button());
@@ -58,6 +58,7 @@ AxesPage::AxesPage(QWidget* parent)
     head->addWidget(m_fast);
     head->addSpacing(look::gridUnit(this));
     auto* stepLabel = new QLabel(tr("Step"), this);
+    stepLabel->setBuddy(m_step);
     head->addWidget(stepLabel);
     head->addWidget(m_step);
     head->addStretch(1);
@@ -152,7 +153,7 @@ std::vector<ModuleIndex> AxesPage::possibleToEnable() const {
 QString AxesPage::whyNotHomed() const {
     const std::vector<ModuleIndex> homing = order();
     if (homing.empty())
-        return tr("No axis has a recipe for its home. See the page Homing of each.");
+        return tr("Homing is not set up for any axis. Set it up on each Homing page.");
     for (const ModuleIndex module : homing) {
         const QString reason = m_axes[module.value()]->context().reasonFor(Request::Home);
         if (!reason.isEmpty())
@@ -162,19 +163,19 @@ QString AxesPage::whyNotHomed() const {
 }
 
 void AxesPage::refresh() {
-    const QString none = m_axes.empty() ? tr("No module.") : QString();
+    const QString none = m_axes.empty() ? tr("No module") : QString();
     QString reason = none;
     if (reason.isEmpty() && possibleToEnable().empty()) {
-        reason = tr("All motors are enabled.");
+        reason = tr("All motors are already enabled.");
         for (const AxisRow* row : m_axes)
             if (!row->context().state().driveOn())
                 reason = tr("%1: %2").arg(texts::moduleName(row->context().state().info.index),
                                           row->context().reasonFor(Request::Enable));
     }
-    m_enableAll->setPossible(reason, tr("Enables each motor that can be, where it stands."));
+    m_enableAll->setPossible(reason, tr("Enables every motor at its present position."));
     m_homeAll->setPossible(
         none.isEmpty() ? whyNotHomed() : none,
-        tr("Finds the home of one axis after the other, in the order that stands in the table, by their recipes. Any stop ends it."));
+        tr("Homes one axis after the other, in the order of the table, with each axis's homing settings. Any stop ends it."));
 }
 
 void AxesPage::enableAll() {

@@ -35,21 +35,21 @@ AxisRow::AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* bo
     m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_position->setFont(look::tabular(m_position->font()));
     m_holdReverse = newHold(u"axisHoldReverseButton"_s + number, tr("◂ Hold"),
-                            tr("Move %1 in reverse while held").arg(who), true);
+                            tr("Hold to move %1 in reverse").arg(who), true);
     m_holdForward = newHold(u"axisHoldForwardButton"_s + number, tr("Hold ▸"),
-                            tr("Move %1 forward while held").arg(who), false);
+                            tr("Hold to move %1 forward").arg(who), false);
     const auto newCommand = [&](const QString& name, const QString& text, const QString& sentence,
                                 const std::function<void()>& act) {
         return new Command({.name = name + number, .icon = {}, .text = text, .accessible = sentence}, box,
                            act);
     };
-    m_stepReverse = newCommand(u"axisStepReverseButton"_s, tr("◂| Step"),
-                               tr("Move %1 one step in reverse").arg(who), [this] { step(true); });
-    m_stepForward = newCommand(u"axisStepForwardButton"_s, tr("Step |▸"),
-                               tr("Move %1 one step forward").arg(who), [this] { step(false); });
-    m_earlier = newCommand(u"axisHomeEarlierButton"_s, tr("Home earlier"),
-                           tr("Home all takes %1 one place earlier").arg(who),
-                           [this] { emit earlierWanted(m_context.state().info.index); });
+    m_stepReverse = newCommand(u"axisStepReverseButton"_s, tr("◂| Step"), tr("Step %1 in reverse").arg(who),
+                               [this] { step(true); });
+    m_stepForward = newCommand(u"axisStepForwardButton"_s, tr("Step |▸"), tr("Step %1 forward").arg(who),
+                               [this] { step(false); });
+    m_earlier =
+        newCommand(u"axisHomeEarlierButton"_s, tr("Home earlier"), tr("Home %1 one place earlier").arg(who),
+                   [this] { emit earlierWanted(m_context.state().info.index); });
     int column = 0;
     for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse,
                                                            m_holdForward, m_stepReverse->button(),
@@ -166,7 +166,7 @@ QString AxisRow::whyNotStepped(bool reverse) const {
         return reason;
     const auto wanted = stepIntent(reverse);
     if (!wanted)
-        return tr("This step is less than one count of this axis, or more than it can go.");
+        return tr("This step is less than one count of this axis, or beyond its range. Choose another step.");
     const auto steps = plan(*wanted, m_context.state());
     return steps ? QString() : texts::refusal(steps.error());
 }
@@ -180,18 +180,17 @@ void AxisRow::refresh() {
     const auto position = module.latest ? module.latest->position : std::nullopt;
     look::setReadout(
         m_position, position ? texts::fixedPosition(scale, *position) + u' ' + texts::unitOf(scale) : u"–"_s);
-    look::setPossible(m_holdForward, whyNotHeld(false), tr("Moves forward while it is held, then stops."));
-    look::setPossible(m_holdReverse, whyNotHeld(true), tr("Moves in reverse while it is held, then stops."));
-    m_stepForward->setPossible(whyNotStepped(false), tr("Moves forward by the step above, and holds there."));
-    m_stepReverse->setPossible(whyNotStepped(true),
-                               tr("Moves in reverse by the step above, and holds there."));
+    look::setPossible(m_holdForward, whyNotHeld(false), tr("Moves forward while held, then stops."));
+    look::setPossible(m_holdReverse, whyNotHeld(true), tr("Moves in reverse while held, then stops."));
+    m_stepForward->setPossible(whyNotStepped(false), tr("Moves forward by the step above, then holds."));
+    m_stepReverse->setPossible(whyNotStepped(true), tr("Moves in reverse by the step above, then holds."));
     const auto locked = whyNotEdited(module.rights);
     m_earlier->setPossible(
         locked         ? texts::refusal(*locked)
-        : m_place == 0 ? tr("This axis has no recipe for its home. See its page Homing.")
-        : m_place == 1 ? tr("Home all begins with this axis.")
+        : m_place == 0 ? tr("Homing is not set up for this axis. Set it up on its Homing page.")
+        : m_place == 1 ? tr("Home all starts with this axis.")
                        : QString(),
-        tr("Home all finds the home of this axis as number %1; a click makes it one earlier. Nothing moves.")
+        tr("Home all homes this axis as number %1. Click to move it one place earlier. Nothing moves.")
             .arg(m_place));
     m_earlier->setText(m_place > 0 ? tr("Home: %1.").arg(m_place) : tr("Home: –"));
 }

@@ -29,12 +29,12 @@ ChainDialog::ChainDialog(QWidget* parent)
     look::name(this, u"chainDialog"_s, tr("Chain"));
     setWindowTitle(tr("Chain"));
     setModal(false);
-    look::name(m_pages, u"chainPages"_s, tr("Doctor, groups and rate"));
+    look::name(m_pages, u"chainPages"_s, tr("Doctor, groups and baud rate"));
     m_pages->tabBar()->setObjectName(u"chainPagesBar"_s);
     m_pages->tabBar()->setAccessibleName(m_pages->accessibleName());
     m_pages->addTab(scrolled(m_doctor), tr("Doctor"));
     m_pages->addTab(scrolled(m_groups), tr("Groups"));
-    m_pages->addTab(scrolled(m_rate), tr("Rate"));
+    m_pages->addTab(scrolled(m_rate), tr("Baud rate"));
     keepFocusOnTabs(*m_pages);
     auto* layout = new QVBoxLayout(this);
     const int unit = look::gridUnit(this);

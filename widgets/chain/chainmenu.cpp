@@ -17,14 +17,15 @@ ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, QWidget* win
       m_machine(machine),
       m_link(link),
       m_window(window),
-      m_doctor(newAction(u"chainDoctorAction"_s, tr("Chain &doctor…"), Qt::Key_F6,
-                         tr("What is expected, what is there, and where the chain probably breaks."))),
+      m_doctor(newAction(
+          u"chainDoctorAction"_s, tr("Chain &doctor…"), Qt::Key_F6,
+          tr("Compares the expected modules with those found, and shows where the chain probably breaks."))),
       m_groups(newAction(u"groupsAction"_s, tr("&Groups…"), Qt::Key_F7,
-                         tr("Who listens to which group; starting loaded moves at once."))),
-      m_rate(newAction(u"rateAction"_s, tr("R&ate of the chain…"), Qt::Key_F8,
-                       tr("Takes the whole chain to another rate."))),
+                         tr("Assigns modules to groups, and starts their loaded moves together."))),
+      m_rate(newAction(u"rateAction"_s, tr("B&aud rate of the chain…"), Qt::Key_F8,
+                       tr("Changes the baud rate of the whole chain."))),
       m_scan(newAction(u"scanAction"_s, tr("&Scan again"), Qt::Key_F5,
-                       tr("Looks for the chain again; nothing is reset."))),
+                       tr("Scans the chain again; nothing is reset."))),
       m_restart(newAction(u"restartNetworkAction"_s,
                           tr("&Restart the network: positions and gains are lost…"), {}, {})) {
     connect(m_doctor, &QAction::triggered, this, &ChainMenu::openDoctor);
@@ -55,7 +56,7 @@ void ChainMenu::refresh() {
     const auto refusal = whyNotTold(m_link);
     m_restart->setEnabled(!refusal);
     m_restart->setToolTip(refusal ? texts::refusal(*refusal)
-                                  : tr("Resets every module and gives addresses again. Asks first."));
+                                  : tr("Resets every module and assigns new addresses. Asks first."));
     if (m_dialog != nullptr && m_dialog->isVisible())
         m_dialog->showChain(m_machine, m_link);
 }

@@ -50,9 +50,9 @@ void DoctorPage::build() {
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setTabKeyNavigation(false);
     m_scan = new QPushButton(tr("&Scan again"), this);
-    look::name(m_scan, u"scanButton"_s, tr("Look for the chain again"));
-    m_accept = new QPushButton(tr("&Take as expected"), this);
-    look::name(m_accept, u"acceptChainButton"_s, tr("Take what is there as expected"));
+    look::name(m_scan, u"scanButton"_s, tr("Scan again: look for modules"));
+    m_accept = new QPushButton(tr("Accep&t as found"), this);
+    look::name(m_accept, u"acceptChainButton"_s, tr("Accept as found"));
     m_restart = new QPushButton(tr("&Restart the network…"), this);
     look::name(m_restart, u"restartChainButton"_s, tr("Restart the network: positions and gains are lost"));
 
@@ -93,18 +93,19 @@ void DoctorPage::showChain(const ChainDiagnosis& chain, std::optional<Refusal> w
     fill();
     const bool open = chain.finding != ChainDiagnosis::Finding::NotConnected;
     const QString reason = open ? QString() : texts::refusal(Refusal::NotConnected);
-    look::setPossible(m_scan, reason,
-                      tr("Looks for the chain again with questions only: nothing is reset, nothing moves."));
+    look::setPossible(
+        m_scan, reason,
+        tr("Scans the chain again with status requests only: nothing is reset, nothing moves."));
     look::setPossible(m_restart, whyNoRestart ? texts::refusal(*whyNoRestart) : QString(),
-                      tr("Resets every module and gives addresses again. Asks first."));
+                      tr("Resets every module and assigns new addresses. Asks first."));
     const bool differs = std::any_of(chain.places.begin(), chain.places.end(),
                                      [](const ChainPlace& place) { return place.expected != place.found; });
     look::setPossible(m_accept,
                       !reason.isEmpty() ? reason
                       : whyNotEdited    ? texts::refusal(*whyNotEdited)
                       : differs         ? QString()
-                                        : tr("It is what is expected already."),
-                      tr("From now on the modules that are there are the expected ones."));
+                                        : tr("The chain already matches."),
+                      tr("From now on, the panel expects the modules found here."));
 }
 
 void DoctorPage::fill() {

@@ -37,7 +37,7 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     look::name(this, u"groupsPage"_s, tr("Groups"));
     const int unit = look::gridUnit(this);
     auto* remark = look::newMutedLabel(
-        tr("A module listens to one group besides its own address. A command to a group is carried out by all its members in the same tick; its leader, if it has one, answers for them; then each member is looked at by itself. Questions go to single modules: from a group only the leader would answer."),
+        tr("A module listens to one group besides its own address. All members carry out a group command in the same tick; the leader, if any, answers for them, and the panel then checks each member. Status requests go to single modules."),
         this);
     remark->setWordWrap(true);
     m_none = look::newMutedLabel(tr("No modules yet: connect first."), this);
@@ -52,8 +52,8 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     m_grid->setColumnStretch(Load, 1);
 
     m_group = new QComboBox(this);
-    look::name(m_group, u"groupBox"_s, tr("Group to be commanded"));
-    m_group->setToolTip(tr("Which group the buttons are for."));
+    look::name(m_group, u"groupBox"_s, tr("Group to command"));
+    m_group->setToolTip(tr("The group that the buttons command."));
     m_name = new QLineEdit(this);
     look::name(m_name, u"groupNameField"_s, tr("Name of the group"));
     m_name->setMaxLength(40);
@@ -70,12 +70,12 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     m_stopAbruptly = newCommand(tr("Stop at &once"), u"groupStopAbruptlyButton"_s,
                                 tr("Stop this group at once"), StopAbruptly);
     m_motorOff =
-        newCommand(tr("Motors o&ff"), u"groupMotorOffButton"_s, tr("Motors of this group off"), MotorOff);
+        newCommand(tr("Motors o&ff"), u"groupMotorOffButton"_s, tr("Motors off in this group"), MotorOff);
     m_clear = newCommand(tr("C&lear sticky bits"), u"groupClearButton"_s,
                          tr("Clear the sticky bits of this group"), ClearStickyBits);
     m_reset = new QPushButton(tr("Set &position to 0…"), this);
     m_reset->setAutoDefault(false);
-    look::name(m_reset, u"groupResetButton"_s, tr("Set the positions of this group to 0"));
+    look::name(m_reset, u"groupResetButton"_s, tr("Set position to 0 for this group"));
     connect(m_reset, &QPushButton::clicked, this, &GroupsPage::askBeforeReset);
     const auto row = [this, unit](std::initializer_list<QWidget*> widgets) {
         auto* line = new QHBoxLayout;
@@ -125,7 +125,7 @@ void GroupsPage::addMember() {
     member.address->setPrefix(tr("address "));
     member.group = new QComboBox(this);
     look::name(member.group, u"group%1Box"_s.arg(number), tr("Group of module %1").arg(number));
-    member.group->setToolTip(tr("The group this module listens to. Sent at once; nothing moves."));
+    member.group->setToolTip(tr("The group that this module listens to. Sent at once; nothing moves."));
     member.group->addItem(texts::groupName(kNoGroup), kNoGroup);
     for (int group = kFirstGroup; group <= kLastGroup; ++group)
         member.group->addItem(titleOf(group), group);
@@ -164,15 +164,15 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
                            : refusal  ? texts::refusal(*refusal)
                                       : QString();
     look::setPossible(row.group, reason,
-                      tr("The group this module listens to. Sent at once; nothing moves."));
+                      tr("The group that this module listens to. Sent at once; nothing moves."));
     look::setPossible(row.leader,
                       !reason.isEmpty()                   ? reason
                       : place && place->group != kNoGroup ? QString()
                                                           : tr("Choose a group first."),
-                      tr("This module answers for its group; a group has one leader at most."));
+                      tr("This module answers for its group. A group has at most one leader."));
     look::setPossible(
         row.address, !reason.isEmpty() ? reason : whyNotAddress(module),
-        tr("The address this module answers to, 1 to 127. Sent with Enter; it keeps its position, gains and group."));
+        tr("The address of this module, 1 to 127. Press Enter to send it. Position, gains and group are kept."));
     if (!row.address->hasFocus()) {
         const QSignalBlocker addressBlocker(row.address);
         row.address->setValue(module.info.address.value());
@@ -268,37 +268,37 @@ QString GroupsPage::whyNotAll(Request request) const {
 
 void GroupsPage::refreshCommands() {
     const bool any = m_group->count() > 0 && m_link.phase == LinkPhase::Connected;
-    const QString none = tr("No module is in a group yet.");
+    const QString none = tr("No groups yet. Add modules to a group first.");
     const auto refusal = whyNotTold(m_link);
     const QString notTold = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(
         m_start, any ? whyNotAll(Request::StartLoaded) : none,
-        tr("Starts the moves that all members have loaded, in the same tick. Withheld unless every member has confirmed its load."));
+        tr("Starts the loaded moves of all members in the same tick. Available once every member has confirmed its load."));
     look::setPossible(
         m_saveHome, any ? notTold : none,
-        tr("Each member captures its present position as home, in the same tick. Nothing moves."));
+        tr("Saves the present position of each member as home, in the same tick. Nothing moves."));
     look::setPossible(m_reset, any ? whyNotAll(Request::ResetPosition) : none,
-                      tr("The place where each member stands becomes 0. Asks first."));
+                      tr("Makes the present position of each member 0. Asks first."));
     look::setPossible(m_clear, any ? whyNotAll(Request::ClearStickyBits) : none,
-                      tr("Takes back what each member has remembered of faults. PIC-SERVO only."));
+                      tr("Clears the sticky fault bits of each member. PIC-SERVO only."));
     // Stops are left to whoever stands there.
     const QString notStopped = !any ? none : m_link.readOnly ? texts::refusal(Refusal::ReadOnly) : QString();
     look::setPossible(
         m_stopSmoothly, notStopped,
-        tr("Each member that is on slows down, and holds. Repeated until each is seen at rest."));
+        tr("Every member that is on slows down and holds. Repeated until all are seen at rest."));
     look::setPossible(
         m_stopAbruptly, notStopped,
-        tr("Each member that is on stops at once, and holds. Repeated until each is seen at rest."));
+        tr("Every member that is on stops at once and holds. Repeated until all are seen at rest."));
     look::setPossible(
         m_motorOff, notStopped,
-        tr("Switches each member off: it coasts, and a load may drop. Repeated until each is seen at rest."));
+        tr("Switches every member off: motors coast, and loads may fall. Repeated until all are seen at rest."));
     AskDialog::reviewAll(*this);
     m_group->setEnabled(any);
     look::setPossible(m_name,
                       m_group->count() == 0 ? none
                       : m_link.rights       ? notTold
                                             : QString(),
-                      tr("What you call this group. Kept with the machine; nothing is sent."));
+                      tr("The name of this group. Saved with the machine; nothing is sent."));
     if (!m_name->hasFocus())
         m_name->setText(nameOf(group()));
 }
@@ -310,7 +310,7 @@ QString GroupsPage::questionBeforeReset() const {
     for (const ModuleState& module : m_link.modules)
         if (module.info.group && module.info.group->group == group())
             members.push_back(module.info.index);
-    return tr("The place where each motor of %1 stands becomes position 0: module %2. Home, limits and taught points mean other places after that.")
+    return tr("The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then mean other places.")
         .arg(titleOf(group()), texts::listOfModules(members));
 }
 
@@ -340,11 +340,10 @@ void GroupsPage::changed(std::size_t row) {
 /// As the engine would, which asks at that address besides.
 QString GroupsPage::whyNotAddress(const ModuleState& module) const {
     if (!module.info.group)
-        return tr(
-            "Its group is not known here and would be changed with the address. Choose a group first, or none.");
+        return tr("Its group is unknown and would change with the address. Choose a group first, or none.");
     const bool moves = std::any_of(m_link.modules.begin(), m_link.modules.end(),
                                    [](const ModuleState& other) { return other.moving(); });
-    return moves ? tr("A motor is moving. Addresses change at standstill only.") : QString();
+    return moves ? tr("A motor is moving. Stop all motors to change addresses.") : QString();
 }
 
 /// With Enter. Without, the field says again what is the case.
@@ -363,7 +362,7 @@ void GroupsPage::readdress(std::size_t row) {
     const bool free = taken == m_link.modules.end();
     m_addressReason->setVisible(!free);
     if (!free)
-        m_addressReason->setText(tr("Address %1 is that of %2. Nothing was sent.")
+        m_addressReason->setText(tr("Address %1 is used by %2. Nothing was sent.")
                                      .arg(wanted.value())
                                      .arg(texts::moduleName(taken->info.index)));
     else if (wanted != info.address)

@@ -26,12 +26,12 @@ RatePage::RatePage(QWidget* parent)
       m_rate(new QComboBox(this)),
       m_divisor(new QSpinBox(this)),
       m_other(new QLabel(this)),
-      m_change(new QPushButton(tr("&Change the rate"), this)),
+      m_change(new QPushButton(tr("&Change baud rate"), this)),
       m_reason(new QLabel(this)) {
-    look::name(this, u"ratePage"_s, tr("Rate"));
-    look::name(m_rate, u"chainRateBox"_s, tr("New rate of the chain"));
-    m_rate->setToolTip(tr("The rate that the whole chain shall run at."));
-    look::name(m_change, u"changeRateButton"_s, tr("Change the rate of the whole chain"));
+    look::name(this, u"ratePage"_s, tr("Baud rate"));
+    look::name(m_rate, u"chainRateBox"_s, tr("New baud rate of the chain"));
+    m_rate->setToolTip(tr("The new baud rate of the whole chain."));
+    look::name(m_change, u"changeRateButton"_s, tr("Change baud rate of the whole chain"));
     m_now->setObjectName(u"chainRateLabel"_s);
     m_reason->setObjectName(u"chainRateReason"_s);
     m_reason->setWordWrap(true);
@@ -41,10 +41,10 @@ RatePage::RatePage(QWidget* parent)
     look::name(m_divisor, u"chainDivisorBox"_s, tr("Divisor of Set Baud Rate"));
     m_divisor->setRange(0, 255);
     m_divisor->setToolTip(tr(
-        "The rate is 1 250 000 Bd / (divisor + 1). Whether the port of this computer makes it to within 2 % is tried before any module is told."));
+        "The baud rate is 1 250 000 Bd / (divisor + 1). The panel first checks that this computer's port supports it to within 2 %."));
     m_other->setObjectName(u"chainDivisorRate"_s);
     auto* remark = look::newMutedLabel(
-        tr("Positions, gains and groups stay. Every module is asked at the new rate; when one does not answer there, all go back to the old one."),
+        tr("Positions, gains and groups are kept. The panel checks every module at the new baud rate; if one does not answer, all modules go back to the old rate."),
         this);
     remark->setWordWrap(true);
     const int unit = look::gridUnit(this);
@@ -97,18 +97,18 @@ QString RatePage::whyNot() const {
     };
     if (const QString gone = those([](const ModuleState& m) { return m.silent || m.hasRestarted; });
         !gone.isEmpty())
-        return tr("Some modules do not answer, and would be left behind at the old rate: %1.").arg(gone);
+        return tr("Modules that do not answer would stay at the old baud rate: %1.").arg(gone);
     if (!those([](const ModuleState& m) { return m.moving(); }).isEmpty())
-        return tr("A motor is moving. The rate changes at standstill only.");
+        return tr("A motor is moving. Stop all motors to change the baud rate.");
     if (const QString unknown = those([](const ModuleState& m) { return !m.info.group; }); !unknown.isEmpty())
-        return tr("The groups of some modules are not known, so they might not hear it: %1. Choose a group for them on the page Groups, or none.")
+        return tr("Modules with an unknown group may miss the change: %1. Set their group on the Groups page, or none.")
             .arg(unknown);
     if (const QString leaders = those([](const ModuleState& m) { return m.info.group->leader; });
         !leaders.isEmpty())
-        return tr("A leader of a group would answer while the rate changes. Take that from these on the page Groups: %1.")
+        return tr("Group leaders would answer during the change. Make these ordinary members on the Groups page: %1.")
             .arg(leaders);
     if (wanted() == m_link.baud)
-        return tr("The chain runs at this rate already.");
+        return tr("The chain already runs at this baud rate.");
     return {};
 }
 
@@ -121,7 +121,7 @@ void RatePage::refresh() {
                              ? tr("The chain runs at %1 Bd.").arg(texts::grouped(m_link.baud))
                              : texts::refusal(Refusal::NotConnected));
     const QString reason = whyNot();
-    look::setPossible(m_change, reason, tr("Tells every module the new rate, and asks each there."));
+    look::setPossible(m_change, reason, tr("Sends the new baud rate to every module, then checks each one."));
     look::setText(m_reason, reason);
 }
 

@@ -32,7 +32,7 @@ QString membersSentence(const bus::GroupFinished& finished) {
     };
     add(Done, Texts::tr("Carried out by: %1."));
     add(NotDone, Texts::tr("Not carried out by: %1."));
-    add(Unknown, Texts::tr("Cannot be told of: %1."));
+    add(Unknown, Texts::tr("Unknown for: %1."));
     add(NoAnswer, Texts::tr("No answer from: %1."));
     return parts.join(u' ');
 }
@@ -45,12 +45,12 @@ Message startFailed(const bus::GroupFinished& finished, quint8 group) {
             ? Texts::tr("%1 of %2 modules of group %3 started. All of them were told to stop.")
                   .arg(QString::number(started), QString::number(finished.members.size()), nameOf(group))
         : started == 0 && those(finished, bus::MemberOutcome::NotDone).size() == finished.members.size()
-            ? Texts::tr("No module of group %1 started. Nothing moves because of it.").arg(nameOf(group))
-            : Texts::tr("Whether all modules of group %1 started is unknown.").arg(nameOf(group));
+            ? Texts::tr("No module of group %1 started. Nothing was moved.").arg(nameOf(group))
+            : Texts::tr("Not all modules of group %1 confirmed their start.").arg(nameOf(group));
     m.body =
         membersSentence(finished) + u' ' +
         Texts::tr(
-            "Usually noise on the cable. The start was sent once and is not repeated; look at the motors, load again, then start again.");
+            "Look at the motors. The start is never repeated: load again, then start again. Usually noise on the cable.");
     return m;
 }
 
@@ -59,38 +59,38 @@ QString notByAll(bus::GroupCommand::Action action) {
     using enum bus::GroupCommand::Action;
     switch (action) {
         case ResetPosition:
-            return Texts::tr("Not every module of group %1 has certainly set its position to 0.");
+            return Texts::tr("Not all modules of group %1 confirmed setting their position to 0.");
         case ClearStickyBits:
             return Texts::tr(
-                "Not every module of group %1 has certainly cleared its sticky bits: what lasts sets its bit again at once.");
+                "Not all modules of group %1 confirmed clearing their sticky bits. A persistent fault sets its bit again at once.");
         case SaveAsHome:
-            return Texts::tr("Not every module of group %1 has certainly saved its position as home.");
+            return Texts::tr("Not all modules of group %1 confirmed saving home.");
         case StartMotion:
         case StopSmoothly:
         case StopAbruptly:
         case MotorOff:
             break;
     }
-    return Texts::tr("Not every module of group %1 has certainly done it.");
+    return Texts::tr("Not all modules of group %1 confirmed the command.");
 }
 
 Message withheld(const bus::GroupFinished& finished, quint8 group) {
     Message m{.key = u"group%1"_s.arg(group), .severity = Severity::Attention};
     const auto modules = those(finished, bus::MemberOutcome::Withheld);
     if (modules.empty()) {
-        m.headline = Texts::tr("Group %1 has no members. Nothing was sent.").arg(nameOf(group));
-        m.body = Texts::tr("Put modules into the group first.");
+        m.headline = Texts::tr("Group %1 is empty. Nothing was sent.").arg(nameOf(group));
+        m.body = Texts::tr("Add modules to the group first.");
         return m;
     }
-    m.headline = Texts::tr("The command to group %1 was withheld because of module %2. Nothing was sent.")
+    m.headline = Texts::tr("Module %2 blocks the command to group %1. Nothing was sent.")
                      .arg(nameOf(group), listOfModules(modules));
     if (std::get<bus::GroupCommand>(finished.what).action != bus::GroupCommand::Action::StartMotion) {
         m.body = Texts::tr(
-            "A group is told something only when every member answers and may be told that now, and when the group of every module is known. Ask the modules one by one, or give this module its group again.");
+            "A group command needs an answer from every member, a state in which each can carry it out, and a known group for every module. Command the modules one by one, or set this module's group again.");
         return m;
     }
     m.body = Texts::tr(
-        "A group starts only when every member has confirmed its load, answers, and may start; and only when the group of every module is known. Load this module again, or give it its group again.");
+        "A group starts only when every member answers, has confirmed its load and can start, and the group of every module is known. Load this module again, or set its group again.");
     return m;
 }
 
@@ -105,11 +105,10 @@ Message groupFailed(const bus::GroupFinished& finished) {
                   .severity = Severity::Attention};
         m.headline =
             finished.outcome == Outcome::NoAnswer
-                ? Texts::tr("Module %1 did not answer the change of its group, so its group is unknown.")
-                      .arg(number)
-                : Texts::tr("The group of module %1 was not changed.").arg(number);
+                ? Texts::tr("Module %1 did not confirm its new group, so its group is unknown.").arg(number)
+                : Texts::tr("Could not change the group of module %1.").arg(number);
         m.body = Texts::tr(
-            "No motor moves by it. Group FF cannot have a leader, and a group only one; the groups of all modules must be known for that. Try again.");
+            "Nothing was moved. A group has at most one leader, group FF has none, and the groups of all modules must be known. Check this, then try again.");
         return m;
     }
     const auto& command = std::get<bus::GroupCommand>(finished.what);
@@ -118,15 +117,14 @@ Message groupFailed(const bus::GroupFinished& finished) {
     if (finished.outcome == Outcome::Cancelled)
         return {.key = u"group%1"_s.arg(command.group),
                 .severity = Severity::Attention,
-                .headline =
-                    Texts::tr("The command to group %1 was overtaken by a stop.").arg(nameOf(command.group)),
+                .headline = Texts::tr("A stop replaced the command to group %1.").arg(nameOf(command.group)),
                 .body = Texts::tr("All motors were told to stop.")};
     if (command.action == bus::GroupCommand::Action::StartMotion)
         return startFailed(finished, command.group);
     return {.key = u"group%1"_s.arg(command.group),
             .severity = Severity::Attention,
             .headline = notByAll(command.action).arg(nameOf(command.group)),
-            .body = membersSentence(finished) + u' ' + Texts::tr("No motor moved by it.")};
+            .body = membersSentence(finished) + u' ' + Texts::tr("No motor was moved.")};
 }
 
 Message groupToldToStop(const bus::GroupFinished& finished) {
@@ -141,49 +139,48 @@ Message groupToldToStop(const bus::GroupFinished& finished) {
 
 Message rateChanged(const bus::RateChanged& changed) {
     return {.key = u"rate"_s,
-            .headline = Texts::tr("All modules now talk at %1 Bd. Positions and gains are what they were.")
+            .headline = Texts::tr("All modules now run at %1 Bd. Positions and gains are unchanged.")
                             .arg(rate(changed.baud))};
 }
 
 Message rateNotChanged(const bus::RateChangeFailed& failed) {
     using Reason = bus::RateChangeFailed::Reason;
     Message m{.key = u"rate"_s, .severity = Severity::Attention};
-    m.headline = Texts::tr("The rate was not changed: the chain stays at %1 Bd. No motor moved by it.")
+    m.headline = Texts::tr("Could not change the baud rate: the chain stays at %1 Bd. No motor was moved.")
                      .arg(rate(failed.baud));
     const QString modules = listOfModules(failed.modules);
     switch (failed.reason) {
         case Reason::NoSuchRate:
-            m.body = Texts::tr("The modules cannot make %1 Bd.").arg(rate(failed.wanted));
+            m.body = Texts::tr("The modules do not support %1 Bd. Choose another baud rate.")
+                         .arg(rate(failed.wanted));
             break;
         case Reason::PortCannot:
-            m.body = Texts::tr("The port of this computer cannot make %1 Bd. Choose another rate.")
+            m.body = Texts::tr("This computer's port does not support %1 Bd. Choose another baud rate.")
                          .arg(rate(failed.wanted));
             break;
         case Reason::NotNow:
-            m.body = Texts::tr("Something moves, or is about to. Stop all motors, then try again.");
+            m.body = Texts::tr("A motor is moving, or about to move. Stop all motors, then try again.");
             break;
         case Reason::Missing:
-            m.body =
-                Texts::tr(
-                    "There is no answer from module %1, which would be left behind. Connect again first.")
-                    .arg(modules);
+            m.body = Texts::tr("Module %1 does not answer and would be left behind. Connect again first.")
+                         .arg(modules);
             break;
         case Reason::GroupsUnknown:
             m.body =
                 Texts::tr(
-                    "Another program may have changed the group of module %1, which would not hear the new rate. Set its group again, or restart the network.")
+                    "Another program may have changed the group of module %1, which would then miss the new baud rate. Set its group again, or restart the network.")
                     .arg(modules);
             break;
         case Reason::Leader:
             m.body =
                 Texts::tr(
-                    "There is a group leader, module %1, whose answer would come at the new rate. Make it an ordinary member first.")
+                    "Module %1 is a group leader and would answer at the new baud rate. Make it an ordinary member first.")
                     .arg(modules);
             break;
         case Reason::NotHeard:
             m.body =
                 Texts::tr(
-                    "There was no answer at %1 Bd from module %2, so all went back. Try another rate, a shorter cable, or termination at both ends.")
+                    "Module %2 did not answer at %1 Bd, so all modules went back. Try another baud rate, a shorter cable, or termination at both ends.")
                     .arg(rate(failed.wanted), modules);
             break;
         case Reason::Interrupted:
@@ -192,11 +189,11 @@ Message rateNotChanged(const bus::RateChangeFailed& failed) {
     }
     if (!failed.lost.empty()) {
         m.severity = Severity::Fault;
-        m.headline = Texts::tr("No answer from module %1 since the change of rate. Nothing was moving.")
+        m.headline = Texts::tr("Module %1 has not answered since the baud rate changed. No motor was moving.")
                          .arg(listOfModules(failed.lost));
         m.body =
             Texts::tr(
-                "It may still be at %1 Bd; the others are at %2 Bd. Scan again; if it is not found, restart the network: positions and gains are lost.")
+                "It may still be at %1 Bd; the others are at %2 Bd. Scan again. If the module is not found, restart the network: positions and gains are lost.")
                 .arg(rate(failed.wanted), rate(failed.baud));
         m.actions = {scanAgain(), restartNetwork()};
     }

@@ -9,15 +9,16 @@ using namespace Qt::StringLiterals;
 
 QString unknownPort(const QString& name, const QStringList& known) {
     return known.isEmpty()
-               ? Texts::tr("There is no port \"%1\". Only the simulator is here: --simulator.").arg(name)
-               : Texts::tr("There is no port \"%1\". These are here: %2.").arg(name, known.join(u", "_s));
+               ? Texts::tr("Port \"%1\" not found. Only the simulator is available: --simulator.").arg(name)
+               : Texts::tr("Port \"%1\" not found. Available ports: %2.").arg(name, known.join(u", "_s));
 }
 
 QString badBaud(const QString& text) {
     QStringList rates;
     for (const BaudRow& row : kBaudRows)
         rates << QString::number(row.nominal);
-    return Texts::tr("\"%1\" is not a rate of these modules. They take %2.").arg(text, rates.join(u", "_s));
+    return Texts::tr("These modules do not support the baud rate \"%1\". Use %2.")
+        .arg(text, rates.join(u", "_s));
 }
 
 QString badChain(const QString& chain, const QString& reason) {
@@ -27,15 +28,15 @@ QString badChain(const QString& chain, const QString& reason) {
 }
 
 QString unknownOption(const QString& option) {
-    return Texts::tr("There is no option \"%1\". --help lists them.").arg(option);
+    return Texts::tr("Unknown option \"%1\". Use --help for a list.").arg(option);
 }
 
 QString readOnlyWithoutPort() {
-    return Texts::tr("--read-only needs something to look at: --port or --simulator.");
+    return Texts::tr("--read-only requires --port or --simulator.");
 }
 
 QString noDisplay() {
-    return Texts::tr("There is no display to open a window on: neither DISPLAY nor WAYLAND_DISPLAY is set.");
+    return Texts::tr("No display found: neither DISPLAY nor WAYLAND_DISPLAY is set.");
 }
 
 }  // namespace nmc::texts

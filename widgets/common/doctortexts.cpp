@@ -23,29 +23,28 @@ QString placeOf(const ChainDiagnosis& chain) {
 QString chainFinding(const ChainDiagnosis& chain) {
     switch (chain.finding) {
         case Finding::NotConnected:
-            return Chain::tr("Not connected, so nothing is known of the chain.");
+            return Chain::tr("Not connected: the state of the chain is unknown.");
         case Finding::Fine:
-            return Chain::tr("All is well: %1.").arg(countOfModules(static_cast<int>(chain.found)));
+            return Chain::tr("Chain OK: %1.").arg(countOfModules(static_cast<int>(chain.found)));
         case Finding::NothingExpected:
-            return Chain::tr("Nothing is known of this chain yet: it has %1.")
+            return Chain::tr("This chain is new: it has %1.")
                 .arg(countOfModules(static_cast<int>(chain.found)));
         case Finding::NobodyAnswers:
-            return Chain::tr("No module answers.");
+            return Chain::tr("No module answered.");
         case Finding::BreakBehind:
             return Chain::tr("%1 of %2 modules answered.").arg(chain.found).arg(chain.expected);
         case Finding::FarEndMissing:
-            return Chain::tr("%1 of %2 modules answered, and the far end of the chain is not among them.")
+            return Chain::tr("%1 of %2 modules answered; the far end of the chain is missing.")
                 .arg(chain.found)
                 .arg(chain.expected);
         case Finding::OtherHardware:
-            return Chain::tr("%1 is another one than expected.").arg(placeOf(chain));
+            return Chain::tr("%1 is not the expected module.").arg(placeOf(chain));
         case Finding::MoreThanBefore:
-            return Chain::tr("There are more modules than expected: %1 instead of %2.")
+            return Chain::tr("More modules than expected: %1 instead of %2.")
                 .arg(chain.found)
                 .arg(chain.expected);
         case Finding::Silent:
-            return Chain::tr("%1 does not answer any more. Its motor's state is unknown.")
-                .arg(placeOf(chain));
+            return Chain::tr("%1 stopped answering. Motor state unknown.").arg(placeOf(chain));
         case Finding::Restarted:
             return Chain::tr("%1 restarted: its position and gains are lost.").arg(placeOf(chain));
     }
@@ -60,7 +59,7 @@ QString chainAdvice(const ChainDiagnosis& chain) {
             return {};
         case Finding::NothingExpected:
             return Chain::tr(
-                "Compare them with the labels on the modules, the one farthest from the PC first. If all are there, take them as expected: whatever is missing or another one is noticed from then on.");
+                "Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.");
         case Finding::NobodyAnswers:
             return Chain::tr(
                 "Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC.");
@@ -70,20 +69,19 @@ QString chainAdvice(const ChainDiagnosis& chain) {
                     .arg(placeOf(chain));
         case Finding::FarEndMissing:
             return Chain::tr(
-                "What answers are the modules nearest the PC, with new numbers. Look at the cable to the module at the far end, and whether another ADDR_IN is grounded now. Their settings belong to other places until this is mended.");
+                "Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.");
         case Finding::OtherHardware:
             return Chain::tr(
-                "Settings that belong to the expected one are not applied here. If it was exchanged on purpose, take what is there as expected.");
+                "The expected module's settings are not applied to it. If you replaced the module on purpose, accept the chain as found.");
         case Finding::MoreThanBefore:
-            return Chain::
-                tr("From %1 on they are new. If they are meant to be there, take what is there as expected.")
-                    .arg(placeOf(chain));
+            return Chain::tr("Modules from %1 on are new. If they belong there, accept the chain as found.")
+                .arg(placeOf(chain));
         case Finding::Silent:
             return Chain::tr(
-                "Check its power and the cable towards it; use the hardware stop if its motor moves. It is asked again by itself, rarely.");
+                "Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.");
         case Finding::Restarted:
             return Chain::tr(
-                "Modules from it towards the PC may be deaf until it has its address again. When all motors may stand still and lose their positions, restart the network.");
+                "Modules between it and the PC may not answer until it has its address again. Restart the network once all motors can stop and lose their positions.");
     }
     return {};
 }
@@ -91,11 +89,11 @@ QString chainAdvice(const ChainDiagnosis& chain) {
 QString chainVerdict(Verdict verdict) {
     switch (verdict) {
         case Verdict::Fine:
-            return Chain::tr("fine");
+            return Chain::tr("OK");
         case Verdict::New:
             return Chain::tr("new");
         case Verdict::Different:
-            return Chain::tr("another one");
+            return Chain::tr("different module");
         case Verdict::Missing:
             return Chain::tr("missing");
         case Verdict::Silent:

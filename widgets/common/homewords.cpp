@@ -22,7 +22,7 @@ class Texts {
 
 QString home(const Place& place, const AxisScale& scale) {
     if (!place)
-        return Texts::tr("Home: not known");
+        return Texts::tr("Home: unknown");
     const QString where = position(scale, place->counts);
     return place->verified() ? Texts::tr("Home: %1").arg(where)
                              : Texts::tr("Home: %1, not verified").arg(where);
@@ -31,7 +31,7 @@ QString home(const Place& place, const AxisScale& scale) {
 QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) {
     if (!place)
         return Texts::tr(
-            "Where home is, is not known in this connection. A search finds it, Save as home sets it; a restart, and whatever else sets the position unseen, loses it.");
+            "Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.");
     const QString where = position(scale, place->counts);
     // As of the last status: how old that is, stands beside it.
     const double minutes = std::floor(toSeconds(seen - place->since) / 60.0);
@@ -41,12 +41,10 @@ QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) 
         case HomeFact::Source::Saved:
             return Texts::tr("Home is at %1. It was saved %2 min ago.").arg(where).arg(minutes);
         case HomeFact::Source::Declared:
-            return Texts::tr("Home is at %1. The position was declared right %2 min ago.")
-                .arg(where)
-                .arg(minutes);
+            return Texts::tr("Home is at %1. You confirmed the position %2 min ago.").arg(where).arg(minutes);
         case HomeFact::Source::Remembered:
             return Texts::
-                tr("Home is at %1, not verified: it was taken from where the axis was seen last, %2 min ago. A search verifies it.")
+                tr("Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.")
                     .arg(where)
                     .arg(minutes);
     }
@@ -55,18 +53,18 @@ QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) 
 
 QString zeroMeaning(const ModuleState& module, const AxisScale& scale) {
     const QString act = Texts::tr(
-        "Makes the present position 0. The motor does not move. Where 0 has been is lost: all positions are counted from here then.");
+        "Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.");
     if (!module.home.place() || !module.latest || !module.latest->position)
         return act;
     const std::int32_t now = module.home.place()->counts;
     return act + u' ' +
-           Texts::tr("Home, now at %1, is at %2 then.")
+           Texts::tr("This moves home from %1 to %2.")
                .arg(position(scale, now), position(scale, countsBetween(*module.latest->position, now)));
 }
 
 QString homeRegisterMeaning() {
     return Texts::tr(
-        "What the chip captured or saved last, as it counted then: a limit stop writes it as well, and Zero here leaves it as it is. Go home does not go by it.");
+        "The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.");
 }
 
 }  // namespace nmc::texts

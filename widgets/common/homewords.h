@@ -9,7 +9,7 @@
 /// What is known of an axis' home (model/module/homefact.h), in words.
 namespace nmc::texts {
 
-/// "Home: 512 counts", "Home: not known"
+/// "Home: 512 counts", "Home: unknown"
 [[nodiscard]] QString home(const std::optional<HomeFact::Place>& place, const AxisScale& scale);
 /// Where, since when and by what; or what would make it known. `seen`: when the module has spoken last.
 [[nodiscard]] QString homeMeaning(const std::optional<HomeFact::Place>& place, TimePoint seen,

@@ -17,7 +17,7 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
             m.headline = Texts::tr(
                 "The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).");
             m.body = Texts::tr(
-                "Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. A chain that another program left at a rate of its own can be restarted.");
+                "Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.");
             break;
         case bus::ConnectFailure::RateChange:
             m.headline =
@@ -28,38 +28,35 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
                           .arg(listOfModules(failed.modules), rate(failed.baud));
             m.body =
                 Texts::tr(
-                    "Usually the cable is too long for this rate, or termination is missing. Choose a lower rate for %1 and scan again.")
+                    "Usually the cable is too long for this baud rate, or termination is missing. Choose a lower baud rate for %1 and scan again.")
                     .arg(portName(port));
             break;
         case bus::ConnectFailure::Garbled:
             m.headline =
-                Texts::tr("Modules answered at %1, but their answers could not be read.").arg(portName(port));
+                Texts::tr("Modules answered at %1, but their answers were garbled.").arg(portName(port));
             m.body = Texts::tr(
-                "Usually noise on the cable, or two modules answer at once. Check the cable, its termination and the ADDR_IN jumpers.");
+                "Usually noise on the cable, or two modules answering at once. Check the cable, its termination and the ADDR_IN jumpers.");
             break;
         case bus::ConnectFailure::Collision:
-            m.headline =
-                Texts::tr("Two modules answer at the same address on %1, so the modules cannot be used.")
-                    .arg(portName(port));
-            m.body = Texts::tr(
-                "Nothing was moved. Usually two ADDR_IN inputs are grounded: only that of the module farthest from the PC may be.");
-            break;
-        case bus::ConnectFailure::HeldLow:
-            m.headline =
-                Texts::tr("The line at %1 is held low: nothing but zero bytes comes in.").arg(portName(port));
-            m.body = Texts::tr(
-                "Usually a short circuit, swapped wires of a pair, or a module without power. Motor state unknown; commands may not arrive either.");
-            break;
-        case bus::ConnectFailure::Echo:
-            m.headline = Texts::tr("Only the echo of the adapter at %1 came back: no module answered.")
+            m.headline = Texts::tr("Two modules on %1 have the same address, so the modules cannot be used.")
                              .arg(portName(port));
             m.body = Texts::tr(
-                "The echo itself does no harm. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; that the transmit pair of the modules is wired to the adapter, too.");
+                "No motor was moved. Usually two ADDR_IN inputs are grounded; ground only that of the module farthest from the PC.");
+            break;
+        case bus::ConnectFailure::HeldLow:
+            m.headline = Texts::tr("The line at %1 is held low: only zero bytes arrive.").arg(portName(port));
+            m.body = Texts::tr(
+                "Motor state unknown; commands may not get through. Usually a short circuit, swapped wires of a pair, or a module without power.");
+            break;
+        case bus::ConnectFailure::Echo:
+            m.headline = Texts::tr("Only the adapter's echo came back from %1: no module answered.")
+                             .arg(portName(port));
+            m.body = Texts::tr(
+                "The echo is harmless. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the modules' transmit pair is wired to the adapter.");
             break;
         case bus::ConnectFailure::Unaddressed:
-            m.headline = Texts::tr("No module at %1 has an address yet.").arg(portName(port));
-            m.body = Texts::tr(
-                "A read-only connection changes nothing, so it gives no addresses. Connect without read-only.");
+            m.headline = Texts::tr("The modules on %1 have no addresses yet.").arg(portName(port));
+            m.body = Texts::tr("A read-only connection cannot assign addresses. Connect without read-only.");
             m.actions = {connectFully(), scanAgain()};
             break;
     }
@@ -85,36 +82,35 @@ Message moduleMissing(ModuleIndex module, int answering) {
         .key = key::silent(module),
         .module = module,
         .severity = Severity::Fault,
-        .headline = Texts::tr("Module %1 of the chain known here does not answer. Motor state unknown.")
+        .headline = Texts::tr("Module %1 of this chain does not answer. Motor state unknown.")
                         .arg(moduleNumber(module)),
         .body = Texts::tr(
-            "Its place is kept for it. Usually its power or the plug next to it; it is asked again all the time. If it was taken out on purpose, work with the others: then it is forgotten."),
+            "Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it."),
         .actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(answering)}}};
 }
 
 Message chainNotAccepted() {
     return {.key = u"chainNotAccepted"_s,
             .severity = Severity::Attention,
-            .headline = Texts::tr("A motor is moving, so the chain stays as it is known."),
-            .body = Texts::tr(
-                "To forget a module, the chain is looked for anew. Stop all motors, then try again.")};
+            .headline = Texts::tr("A motor is moving, so the chain was not changed."),
+            .body = Texts::tr("Forgetting a module rescans the chain. Stop all motors, then try again.")};
 }
 
 Message connected(const bus::ChainFound& found, const QString& port) {
     const int modules = static_cast<int>(found.modules.size());
     Message m{.key = u"connected"_s};
     if (found.readOnly) {
-        m.headline = Texts::tr("Looking at %1 read-only: %2 at %3 Bd, left as they were.")
+        m.headline = Texts::tr("Connected to %1 read-only: %2 at %3 Bd, left running.")
                          .arg(portName(port), countOfModules(modules), rate(found.baud));
         m.body = Texts::tr(
-            "What they are doing goes on, also when this connection ends. Nothing is sent but questions; STOP ALL acts.");
+            "The modules carry on, even after you disconnect. Only status requests are sent. STOP ALL still works.");
         return m;
     }
     if (found.attached) {
-        m.headline = Texts::tr("Attached to %1: %2 at %3 Bd, left as they were.")
+        m.headline = Texts::tr("Connected to %1: %2 at %3 Bd, left running.")
                          .arg(portName(port), countOfModules(modules), rate(found.baud));
         m.body = Texts::tr(
-            "What they were doing goes on. Gains are unknown until you apply them. Stop a motor before you move it: what it was told last cannot be asked.");
+            "The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.");
         return m;
     }
     m.headline = Texts::tr("Connected to %1: %2 at %3 Bd.")
@@ -125,18 +121,18 @@ Message connected(const bus::ChainFound& found, const QString& port) {
 
 Message echoNoticed(const QString& port) {
     return {.key = u"echo"_s,
-            .headline = Texts::tr("The adapter at %1 returns what is sent to it. The panel ignores it.")
+            .headline = Texts::tr("The adapter at %1 echoes everything it sends. The panel ignores the echo.")
                             .arg(portName(port)),
-            .body = Texts::tr("That is how a 2-wire adapter works. Nothing needs to be done.")};
+            .body = Texts::tr("This is normal for a 2-wire adapter. No action needed.")};
 }
 
 Message unaddressed() {
     return {
         .key = key::unaddressed(),
         .severity = Severity::Attention,
-        .headline = Texts::tr("A module without an address answers, too, and cannot be used yet."),
+        .headline = Texts::tr("A module without an address also answered; it cannot be used yet."),
         .body = Texts::tr(
-            "Either one of the chain has restarted, or a new one was added. Its motor is off. A restart of the network gives it an address."),
+            "Its motor is off. Either a module has restarted, or a new one was added. Restart the network to give it an address."),
         .actions = {restartNetwork()}};
 }
 
@@ -147,8 +143,8 @@ Message disconnected(const QString& port) {
 Message openAlready() {
     return {.key = u"openAlready"_s,
             .severity = Severity::Attention,
-            .headline = Texts::tr("A port is open already."),
-            .body = Texts::tr("Disconnect first; closing it may stop motors. Then look again.")};
+            .headline = Texts::tr("A port is already open."),
+            .body = Texts::tr("Disconnect first, then try again. Closing the port may stop motors.")};
 }
 
 Message linkLost(const QString& port, const std::vector<ModuleIndex>& moving) {
@@ -156,7 +152,7 @@ Message linkLost(const QString& port, const std::vector<ModuleIndex>& moving) {
         .key = key::link(),
         .severity = Severity::Fault,
         .headline =
-            Texts::tr("No module answers on %1 any more. %2").arg(portName(port), movingSentence(moving)),
+            Texts::tr("All modules on %1 stopped answering. %2").arg(portName(port), movingSentence(moving)),
         .body = Texts::tr(
             "Use the hardware stop if needed. Then check the power of the modules and the cable at the PC."),
         .actions = {scanAgain()}};
@@ -176,7 +172,7 @@ Message badLink(const bus::HealthChanged& health) {
                       .arg(health.wrong)
                       .arg(health.of);
         m.body = Texts::tr(
-            "Motors were told to stop. Try a lower rate, a shorter cable, or termination at both ends.");
+            "Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends.");
         m.actions = {{MessageAction::Reconnect, Texts::tr("Reconnect")}};
         return m;
     }
@@ -190,7 +186,7 @@ Message badLink(const bus::HealthChanged& health) {
                            .arg(health.wrong)
                            .arg(health.of);
     m.body = Texts::tr(
-        "Nothing was lost: wrong answers are recognised and asked for again. Motors are told to stop if it gets worse. Usually noise on the cable.");
+        "Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.");
     return m;
 }
 
@@ -206,11 +202,11 @@ Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMovi
                       .arg(moduleNumber(module))
                       .arg(since)
                 : Texts::tr(
-                      "Module %1 has not answered for %2 s. Motor state unknown; it was stopped at the last word.")
+                      "Module %1 has not answered for %2 s. Motor state unknown; it was stopped when last seen.")
                       .arg(moduleNumber(module))
                       .arg(since),
         .body = Texts::tr(
-            "Use the hardware stop if needed. Usually its power or the plug next to it; it is asked again all the time.")};
+            "Use the hardware stop if needed. Check its power and the plug next to it; the panel keeps trying.")};
 }
 
 Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
@@ -223,11 +219,12 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
                     .arg(number);
     if (restarted.quiet)
         body << Texts::tr(
-            "It listens at 19 200 Bd, where the others' traffic is noise to it: all motors were told to stop, and nothing is sent any more.");
+            "It listens at 19 200 Bd and may misread the other modules' traffic: all motors were told to stop, and sending has stopped.");
     QList<Message::Action> actions{restartNetwork()};
     if (!restarted.quiet) {
-        body << Texts::tr("The others keep their positions and gains when it is only given its address.");
-        actions.prepend({MessageAction::Readdress, Texts::tr("Give module %1 its address").arg(number)});
+        body << Texts::tr(
+            "You can assign just its address: the other modules keep their positions and gains.");
+        actions.prepend({MessageAction::Readdress, Texts::tr("Assign the address of module %1").arg(number)});
     } else {
         actions.prepend(scanAgain());
     }
@@ -244,42 +241,42 @@ Message readdressed(const bus::Readdressed& readdressed) {
         .key = key::restarted(readdressed.module.index),
         .module = readdressed.module.index,
         .severity = Severity::Normal,
-        .headline = Texts::tr("Module %1 has its address again. It is off, at position 0 and without gains.")
-                        .arg(moduleNumber(readdressed.module.index)),
-        .body =
-            Texts::tr("The other modules are as they were. Send its gains and home it before you use it.")};
+        .headline =
+            Texts::tr(
+                "Module %1 has its address again. Its motor is off, its position is 0, and it has no gains.")
+                .arg(moduleNumber(readdressed.module.index)),
+        .body = Texts::tr("The other modules are unchanged. Apply its gains and home it before you use it.")};
 }
 
 Message addressChanged(const bus::AddressChanged& changed) {
-    return {
-        .key = u"readdress"_s,
-        .headline = Texts::tr("Module %1 has address %2 now. Position, gains and group are what they were.")
-                        .arg(moduleNumber(changed.module))
-                        .arg(changed.address.value())};
+    return {.key = u"readdress"_s,
+            .headline = Texts::tr("Module %1 now has address %2. Position, gains and group are unchanged.")
+                            .arg(moduleNumber(changed.module))
+                            .arg(changed.address.value())};
 }
 
 Message notReaddressed(const bus::ReaddressFailed& failed) {
     using Reason = bus::ReaddressFailed::Reason;
     Message m{.key = u"readdress"_s,
               .severity = Severity::Attention,
-              .headline = Texts::tr("Module %1 was not given its address. No motor moved by it.")
+              .headline = Texts::tr("Could not assign the address of module %1. No motor was moved.")
                               .arg(moduleNumber(failed.module)),
               .actions = {scanAgain(), restartNetwork()}};
     switch (failed.reason) {
         case Reason::NotNow:
-            m.body = Texts::tr("Something moves, or is about to. Stop all motors, then try again.");
+            m.body = Texts::tr("A motor is moving, or about to move. Stop all motors, then try again.");
             break;
         case Reason::NoAnswer:
-            m.body = Texts::tr("It does not answer. Scan again, or restart the network.");
+            m.body = Texts::tr("The module does not answer. Scan again, or restart the network.");
             break;
         case Reason::Taken:
             m.body = Texts::tr(
-                "Another module answers there, or no module may have that address. Choose one of 1 to 127 that is free.");
+                "The address is used by another module or not allowed. Choose a free address from 1 to 127.");
             m.actions.clear();
             break;
         case Reason::GroupUnknown:
             m.body = Texts::tr(
-                "Its group is not known here and would be changed with the address. Give it a group first, or none.");
+                "Its group is unknown and would change with the address. Set its group first, or none.");
             m.actions.clear();
             break;
     }
@@ -290,9 +287,9 @@ Message refused(const bus::CommandRefused& refused) {
     return {.key = key::refused(refused.module),
             .module = refused.module,
             .severity = Severity::Attention,
-            .headline = Texts::tr("Module %1 did not understand the last command, so it was not carried out.")
+            .headline = Texts::tr("Module %1 received a garbled command and did not carry it out.")
                             .arg(moduleNumber(refused.module)),
-            .body = Texts::tr("Sent again (%1 of 3). Usually noise on the cable.").arg(refused.attempt)};
+            .body = Texts::tr("Sending again (%1 of 3). Usually noise on the cable.").arg(refused.attempt)};
 }
 
 Message garbled(ModuleIndex module) {
@@ -301,7 +298,8 @@ Message garbled(ModuleIndex module) {
         .module = module,
         .severity = Severity::Attention,
         .headline = Texts::tr("The answer from module %1 was garbled.").arg(moduleNumber(module)),
-        .body = Texts::tr("The command may or may not have been carried out; position is being read again.")};
+        .body = Texts::tr(
+            "The command may or may not have been carried out; the panel is reading the position again.")};
 }
 
 }  // namespace nmc::texts

@@ -49,59 +49,59 @@ QString wrongInLine(const FileProblem& problem) {
         case Kind::NewerVersion:
             return {};
         case Kind::Truncated:
-            return Texts::tr("the file ends here, in the middle.");
+            return Texts::tr("the file is incomplete.");
         case Kind::NotUtf8:
-            return Texts::tr("this text is not in UTF-8.");
+            return Texts::tr("this text is not UTF-8.");
         case Kind::NotJson:
             return Texts::tr("this is not JSON.");
         case Kind::NotANumber:
             return Texts::tr("%1 is not a number.").arg(found);
         case Kind::NumberTooBig:
-            return Texts::tr("this number is too big.");
+            return Texts::tr("this number is too large.");
         case Kind::TooDeep:
             return Texts::tr("more than %1 levels of brackets.").arg(plain(problem.max));
         case Kind::TooManyValues:
             return Texts::tr("more than %1 values.").arg(plain(problem.max));
         case Kind::DuplicateKey:
-            return Texts::tr("%1 is there twice.").arg(field);
+            return Texts::tr("%1 appears twice.").arg(field);
         case Kind::Missing:
             return Texts::tr("%1 is missing.").arg(field);
         case Kind::WrongType:
             return Texts::tr("%1 is not %2.").arg(field, wanted(problem.wanted));
         case Kind::OutOfRange:
-            return (problem.ofModule ? Texts::tr("%1 is %2; the module takes %3 to %4.")
-                                     : Texts::tr("%1 is %2; it can be %3 to %4."))
+            return (problem.ofModule ? Texts::tr("%1 is %2; it must be %3 to %4.")
+                                     : Texts::tr("%1 is %2; it must be %3 to %4."))
                 .arg(field, found, plain(problem.min), plain(problem.max));
         case Kind::UnknownWord:
-            return Texts::tr("%1 is \"%2\", a word that is not known.").arg(field, found);
+            return Texts::tr("%1 has the unknown value \"%2\".").arg(field, found);
         case Kind::UnprintableText:
-            return Texts::tr("%1 has a character that cannot be printed.").arg(field);
+            return Texts::tr("%1 has an unprintable character.").arg(field);
         case Kind::TooMany:
             return Texts::tr("%1 has more than %2 entries.").arg(field, plain(problem.max));
         case Kind::OtherChip:
-            return Texts::tr("%1 has a unit that the module of this axis does not count in.").arg(field);
+            return Texts::tr("%1 has a unit that does not fit the module of this axis.").arg(field);
         case Kind::ModuleTwice:
-            return Texts::tr("module %1 is in a group already.").arg(found);
+            return Texts::tr("module %1 is already in a group.").arg(found);
         case Kind::AddressTwice:
-            return Texts::tr("another group has address %1, too.").arg(found);
+            return Texts::tr("another group also has address %1.").arg(found);
         case Kind::LeaderNotInGroup:
             return Texts::tr("the leader is not one of the group's modules.");
         case Kind::NameMissing:
             return Texts::tr("it has no name.");
         case Kind::NameTwice:
-            return Texts::tr("the name \"%1\" is taken already.").arg(found);
+            return Texts::tr("the name \"%1\" is already used.").arg(found);
         case Kind::AxisTwice:
-            return Texts::tr("module %1 is there twice.").arg(found);
+            return Texts::tr("module %1 appears twice.").arg(found);
         case Kind::NoSuchPoint:
-            return Texts::tr("there is no point \"%1\".").arg(found);
+            return Texts::tr("point \"%1\" does not exist.").arg(found);
         case Kind::NoSuchSequence:
-            return Texts::tr("there is no sequence \"%1\".").arg(found);
+            return Texts::tr("sequence \"%1\" does not exist.").arg(found);
         case Kind::CallsItself:
-            return Texts::tr("by this row the sequence \"%1\" would call itself and never end.").arg(found);
+            return Texts::tr("this row makes the sequence \"%1\" call itself endlessly.").arg(found);
         case Kind::RepeatsBelow:
-            return Texts::tr("a repeat goes back to a row above it.");
+            return Texts::tr("a repeat must go back to an earlier row.");
         case Kind::LimitsCrossed:
-            return Texts::tr("the lowest position of travel is not below the highest.");
+            return Texts::tr("the lowest position is not below the highest.");
     }
     return {};
 }
@@ -121,7 +121,7 @@ QString choiceWord(const std::string& word) {
         {"turns", QT_TRANSLATE_NOOP("Texts", "turns")},
         {"degrees", QT_TRANSLATE_NOOP("Texts", "degrees")},
         {"millimetres", QT_TRANSLATE_NOOP("Texts", "millimetres")},
-        {"own", QT_TRANSLATE_NOOP("Texts", "own unit")},
+        {"own", QT_TRANSLATE_NOOP("Texts", "custom unit")},
         {"abruptly", QT_TRANSLATE_NOOP("Texts", "abruptly")},
         {"smoothly", QT_TRANSLATE_NOOP("Texts", "smoothly")},
         {"motor off", QT_TRANSLATE_NOOP("Texts", "motor off")}};
@@ -130,7 +130,7 @@ QString choiceWord(const std::string& word) {
 }
 
 QString machineOrFile(const QString& machine) {
-    return machine.isEmpty() ? Texts::tr("a machine without a name") : u'"' + machine + u'"';
+    return machine.isEmpty() ? Texts::tr("an unnamed machine") : u'"' + machine + u'"';
 }
 
 }  // namespace
@@ -139,24 +139,25 @@ QString fileTrouble(const FileError& error) {
     const QString folder = QDir::toNativeSeparators(QFileInfo(error.path).absolutePath());
     switch (error.trouble) {
         case FileTrouble::NotThere:
-            return Texts::tr("It is not there any more. Was it moved, or is its disk not connected?");
+            return Texts::tr(
+                "The file no longer exists. Check whether it was moved, or its disk is disconnected.");
         case FileTrouble::NoFolder:
-            return Texts::tr("The folder %1 is not there. Choose another one.").arg(folder);
+            return Texts::tr("The folder %1 does not exist. Choose another one.").arg(folder);
         case FileTrouble::NotAFile:
             return Texts::tr("This is a folder or a device. Choose a file.");
         case FileTrouble::NoPermission:
             return Texts::
-                tr("Your user account may not do that in %1. Choose another folder, or change the permissions.")
+                tr("Your user account has no permission for %1. Choose another folder, or change the permissions.")
                     .arg(folder);
         case FileTrouble::ReadOnly:
-            return Texts::tr("The disk of %1 can only be read. Choose another folder.").arg(folder);
+            return Texts::tr("The disk of %1 is read-only. Choose another folder.").arg(folder);
         case FileTrouble::NoSpace:
-            return Texts::tr("There is no room left on the disk of %1. Make room, or choose another folder.")
+            return Texts::tr("The disk of %1 is full. Free some space, or choose another folder.")
                 .arg(folder);
         case FileTrouble::TooLarge:
-            return Texts::tr("It is larger than any machine file. Is it the right file?");
+            return Texts::tr("It is larger than any machine file. Check that it is the right file.");
         case FileTrouble::Other:
-            return Texts::tr("The system says why under Details.");
+            return Texts::tr("See Details for the system's message.");
     }
     return {};
 }
@@ -169,7 +170,7 @@ QString key::unsavedWork() {
 }
 
 QString machineFileName(const QString& path) {
-    return path.isEmpty() ? Texts::tr("unsaved work") : QFileInfo(path).fileName();
+    return path.isEmpty() ? Texts::tr("unsaved changes") : QFileInfo(path).fileName();
 }
 
 QString fileProblem(const QString& file, const FileProblem& problem) {
@@ -182,7 +183,7 @@ QString fileProblem(const QString& file, const FileProblem& problem) {
         return Texts::tr("\"%1\" is not a machine file of NMC Panel.").arg(file);
     if (problem.kind == Kind::NewerVersion)
         return Texts::
-            tr("\"%1\" was written by a newer NMC Panel: its format is %2, and this program knows formats up to %3.")
+            tr("\"%1\" was written by a newer NMC Panel: its format is %2; this version reads formats up to %3.")
                 .arg(file, QString::fromStdString(problem.found), plain(problem.max));
     return Texts::tr("\"%1\" line %2: %3").arg(file).arg(problem.line).arg(wrongInLine(problem));
 }
@@ -192,71 +193,69 @@ Message machineNotOpened(const QString& file, const FileProblem& problem) {
 }
 
 Message machineNotOpened(const FileError& error) {
-    return problemMessage(Texts::tr("\"%1\" was not opened.").arg(machineFileName(error.path)),
+    return problemMessage(Texts::tr("Could not open \"%1\".").arg(machineFileName(error.path)),
                           fileTrouble(error), error.detail);
 }
 
 Message machineNotSaved(const FileError& error) {
-    return problemMessage(Texts::tr("\"%1\" was not saved. What it held before is still there.")
-                              .arg(machineFileName(error.path)),
-                          fileTrouble(error), error.detail);
+    return problemMessage(
+        Texts::tr("Could not save \"%1\". Its previous content is kept.").arg(machineFileName(error.path)),
+        fileTrouble(error), error.detail);
 }
 
 Message machineNotSaved(const QString& file, const FileProblem& problem) {
-    return problemMessage(
-        Texts::tr("\"%1\" was not saved: this machine could not be opened again.").arg(machineFileName(file)),
-        fileProblem(machineFileName(file), problem));
+    return problemMessage(Texts::tr("Could not save \"%1\": it could not be opened again afterwards.")
+                              .arg(machineFileName(file)),
+                          fileProblem(machineFileName(file), problem));
 }
 
 Message machineOpened(const QString& file, int parts, int sent) {
     Message message{
         .key = key::machineFile() + u".opened"_s,
-        .headline =
-            Texts::tr("\"%1\" is open; settings taken from it: %2.").arg(machineFileName(file)).arg(parts)};
-    message.body = sent == 0 ? Texts::tr("Nothing was sent to a module.")
-                             : Texts::tr("Commands sent, as chosen: %1. No motor was moved.").arg(sent);
+        .headline = Texts::tr("\"%1\" is open. Settings applied: %2.").arg(machineFileName(file)).arg(parts)};
+    message.body = sent == 0 ? Texts::tr("Nothing was sent.")
+                             : Texts::tr("Commands sent: %1. No motor was moved.").arg(sent);
     return message;
 }
 
 Message machineSame(const QString& file) {
-    return {
-        .key = key::machineFile() + u".opened"_s,
-        .headline = Texts::tr("\"%1\" is open. It says what is there already.").arg(machineFileName(file)),
-        .body = Texts::tr("Nothing was sent to a module.")};
+    return {.key = key::machineFile() + u".opened"_s,
+            .headline = Texts::tr("\"%1\" is open. No differences.").arg(machineFileName(file)),
+            .body = Texts::tr("Nothing was sent.")};
 }
 
 Message unsavedWorkLeft(const QString& machine) {
-    return {.key = key::unsavedWork(),
-            .severity = Severity::Attention,
-            .headline = Texts::tr("Unsaved work on %1 is there.").arg(machineOrFile(machine)),
-            .body = Texts::tr("An earlier session ended before it was saved. Restoring it sends nothing."),
-            .actions = {{MessageAction::RestoreWork, Texts::tr("Restore")},
-                        {MessageAction::DiscardWork, Texts::tr("Discard: the work is lost")}}};
+    return {
+        .key = key::unsavedWork(),
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Unsaved changes to %1 were recovered.").arg(machineOrFile(machine)),
+        .body = Texts::tr("An earlier session ended before they were saved. Restoring them sends nothing."),
+        .actions = {{MessageAction::RestoreWork, Texts::tr("Restore")},
+                    {MessageAction::DiscardWork, Texts::tr("Discard: the changes are lost")}}};
 }
 
 Message unsavedWorkDamaged(const FileProblem& problem) {
     return {.key = key::unsavedWork(),
             .severity = Severity::Attention,
-            .headline = Texts::tr("Unsaved work of an earlier session cannot be read."),
+            .headline = Texts::tr("Could not recover unsaved changes of an earlier session."),
             .body = fileProblem(machineFileName({}), problem),
-            .actions = {{MessageAction::DiscardWork, Texts::tr("Discard: the work is lost")}}};
+            .actions = {{MessageAction::DiscardWork, Texts::tr("Discard: the changes are lost")}}};
 }
 
 Message unsavedWorkNotKept(const FileError& error) {
-    Message m = problemMessage(Texts::tr("Changes to the machine are not kept until you save them yourself."),
-                               Texts::tr("%1 cannot be written.").arg(QDir::toNativeSeparators(error.path)),
+    Message m = problemMessage(Texts::tr("Changes to the machine are not backed up until you save them."),
+                               Texts::tr("%1 is not writable.").arg(QDir::toNativeSeparators(error.path)),
                                error.detail);
     m.stands = true;
     return m;
 }
 
 QString notSaved(const QString& machine) {
-    return Texts::tr("The changes to %1 are not saved.").arg(machineOrFile(machine));
+    return Texts::tr("Save the changes to %1?").arg(machineOrFile(machine));
 }
 
 QString beingSaved(const QString& machine) {
-    return Texts::tr("%1 is being saved. The window closes as soon as the disk has it.")
-        .arg(machineOrFile(machine));
+    return Texts::tr("Saving %1. The window closes when it is saved.").arg(machineOrFile(machine));
 }
 
 QString machinePart(MachinePart part) {
@@ -264,11 +263,11 @@ QString machinePart(MachinePart part) {
         case MachinePart::MachineName:
             return Texts::tr("Machine");
         case MachinePart::Rate:
-            return Texts::tr("Rate");
+            return Texts::tr("Baud rate");
         case MachinePart::Groups:
             return Texts::tr("Groups");
         case MachinePart::OperatorRights:
-            return Texts::tr("Left to the operator");
+            return Texts::tr("Allowed to the operator");
         case MachinePart::Program:
             return Texts::tr("Points and sequences");
         case MachinePart::HomeOrder:
@@ -282,7 +281,7 @@ QString machinePart(MachinePart part) {
         case MachinePart::Motion:
             return Texts::tr("Motion");
         case MachinePart::Travel:
-            return Texts::tr("Limits of travel and speed");
+            return Texts::tr("Travel and speed limits");
         case MachinePart::Backlash:
             return Texts::tr("Backlash");
         case MachinePart::Homing:
@@ -316,29 +315,30 @@ Message runsNotRead(const QString& path, const FileProblem& problem) {
     const QString file = QFileInfo(path).fileName();
     return {.key = key::runs(),
             .severity = Severity::Attention,
-            .headline = Texts::tr("The step responses of this machine were not read."),
+            .headline = Texts::tr("Could not read the step responses of this machine."),
             .body = (problem.kind == Kind::OtherFormat
                          ? Texts::tr("\"%1\" is not a file of step responses.").arg(file)
                          : fileProblem(file, problem)) +
                     u' ' +
-                    Texts::tr("Nothing of it is lost: when new ones are kept, it is set aside in %1.")
+                    Texts::tr("The file is kept: before new step responses are saved, it is moved to %1.")
                         .arg(QDir::toNativeSeparators(QFileInfo(path).absolutePath()))};
 }
 
 Message runsNotRead(const FileError& error) {
-    return {.key = key::runs(),
-            .severity = Severity::Attention,
-            .headline = Texts::tr("The step responses of this machine were not read."),
-            .body = Texts::tr("\"%1\" cannot be read. When new ones are kept, it is set aside.")
-                        .arg(QDir::toNativeSeparators(error.path)),
-            .details = error.detail};
+    return {
+        .key = key::runs(),
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Could not read the step responses of this machine."),
+        .body = Texts::tr("\"%1\" is not readable. It is moved aside before new step responses are saved.")
+                    .arg(QDir::toNativeSeparators(error.path)),
+        .details = error.detail};
 }
 
 Message runsNotKept(const FileError& error) {
     return {.key = key::runsNotKept(),
             .severity = Severity::Attention,
-            .headline = Texts::tr("The step responses of this session are not kept."),
-            .body = Texts::tr("%1 cannot be written. Export them before you close the panel.")
+            .headline = Texts::tr("The step responses of this session are not saved."),
+            .body = Texts::tr("%1 is not writable. Export them before you close the panel.")
                         .arg(QDir::toNativeSeparators(error.path)),
             .details = error.detail,
             .stands = true};
@@ -353,7 +353,7 @@ QString machineField(const QString& key) {
         {u"moves"_s, QT_TRANSLATE_NOOP("Texts", "Moves")},
         {u"homing"_s, QT_TRANSLATE_NOOP("Texts", "Homing")},
         {u"outputs"_s, QT_TRANSLATE_NOOP("Texts", "Outputs")},
-        {u"rate_bd"_s, QT_TRANSLATE_NOOP("Texts", "Rate, Bd")},
+        {u"rate_bd"_s, QT_TRANSLATE_NOOP("Texts", "Baud rate, Bd")},
         {u"hardware"_s, QT_TRANSLATE_NOOP("Texts", "Type and version")},
         {u"kind"_s, QT_TRANSLATE_NOOP("Texts", "Unit")},
         {u"counts_per_unit"_s, QT_TRANSLATE_NOOP("Texts", "Counts (steps) per unit")},
@@ -361,29 +361,29 @@ QString machineField(const QString& key) {
         {u"velocity"_s, QT_TRANSLATE_NOOP("Texts", "Velocity")},
         {u"acceleration"_s, QT_TRANSLATE_NOOP("Texts", "Acceleration")},
         {u"run_velocity"_s, QT_TRANSLATE_NOOP("Texts", "Run velocity")},
-        {u"hold_velocity"_s, QT_TRANSLATE_NOOP("Texts", "Hold-to-move velocity")},
-        {u"hold_cap"_s, QT_TRANSLATE_NOOP("Texts", "Hold-to-move cap")},
+        {u"hold_velocity"_s, QT_TRANSLATE_NOOP("Texts", "Jog speed")},
+        {u"hold_cap"_s, QT_TRANSLATE_NOOP("Texts", "Max jog speed")},
         {u"step"_s, QT_TRANSLATE_NOOP("Texts", "Step")},
         {u"lowest"_s, QT_TRANSLATE_NOOP("Texts", "Lowest position, from home")},
         {u"highest"_s, QT_TRANSLATE_NOOP("Texts", "Highest position, from home")},
         {u"fastest"_s, QT_TRANSLATE_NOOP("Texts", "Highest velocity")},
-        {u"distance"_s, QT_TRANSLATE_NOOP("Texts", "Distance beyond the goal")},
+        {u"distance"_s, QT_TRANSLATE_NOOP("Texts", "Overtravel")},
         {u"from_above"_s, QT_TRANSLATE_NOOP("Texts", "From above")},
         {u"each_motion"_s, QT_TRANSLATE_NOOP("Texts", "Armed for each motion")},
-        {u"on_limit1"_s, QT_TRANSLATE_NOOP("Texts", "On limit 1")},
-        {u"on_limit2"_s, QT_TRANSLATE_NOOP("Texts", "On limit 2")},
+        {u"on_limit1"_s, QT_TRANSLATE_NOOP("Texts", "On limit switch 1")},
+        {u"on_limit2"_s, QT_TRANSLATE_NOOP("Texts", "On limit switch 2")},
         {u"on_index"_s, QT_TRANSLATE_NOOP("Texts", "On index")},
         {u"on_position_error"_s, QT_TRANSLATE_NOOP("Texts", "On position error")},
         {u"on_current_limit"_s, QT_TRANSLATE_NOOP("Texts", "On current limit")},
         {u"on_home_switch"_s, QT_TRANSLATE_NOOP("Texts", "On home switch")},
-        {u"then_index"_s, QT_TRANSLATE_NOOP("Texts", "Then the index")},
+        {u"then_index"_s, QT_TRANSLATE_NOOP("Texts", "Then on index")},
         {u"reverse"_s, QT_TRANSLATE_NOOP("Texts", "Reverse")},
         {u"index_velocity"_s, QT_TRANSLATE_NOOP("Texts", "Index velocity")},
         {u"stop"_s, QT_TRANSLATE_NOOP("Texts", "Stop")},
-        {u"travel_limit"_s, QT_TRANSLATE_NOOP("Texts", "Travel limit")},
+        {u"travel_limit"_s, QT_TRANSLATE_NOOP("Texts", "Search distance")},
         {u"time_limit_s"_s, QT_TRANSLATE_NOOP("Texts", "Time limit")},
         {u"go_to_home"_s, QT_TRANSLATE_NOOP("Texts", "Go to home")},
-        {u"make_zero"_s, QT_TRANSLATE_NOOP("Texts", "Make it zero")},
+        {u"make_zero"_s, QT_TRANSLATE_NOOP("Texts", "Set position to 0")},
         {u"per_count"_s, QT_TRANSLATE_NOOP("Texts", "Per A/D count")},
         {u"at_zero"_s, QT_TRANSLATE_NOOP("Texts", "At zero")},
         {u"unit"_s, QT_TRANSLATE_NOOP("Texts", "A/D unit")},
@@ -398,7 +398,7 @@ QString machineField(const QString& key) {
         {u"run_current"_s, QT_TRANSLATE_NOOP("Texts", "Run current")},
         {u"hold_current"_s, QT_TRANSLATE_NOOP("Texts", "Hold current")},
         {u"thermal_limit"_s, QT_TRANSLATE_NOOP("Texts", "Thermal limit")},
-        {u"ignore_limits"_s, QT_TRANSLATE_NOOP("Texts", "Ignore limits")},
+        {u"ignore_limits"_s, QT_TRANSLATE_NOOP("Texts", "Ignore limit switches")},
         {u"ignore_estop"_s, QT_TRANSLATE_NOOP("Texts", "Ignore E-stop input")},
         {u"motor_off_on_limit_or_estop"_s, QT_TRANSLATE_NOOP("Texts", "Motor off on limit or E-stop input")}};
     if (const auto found = words.constFind(key); found != words.cend())
@@ -447,27 +447,24 @@ QString machineValue(const FieldDifference& field, const std::optional<FieldValu
 QString machineApplying(const Difference& difference) {
     switch (difference.applying) {
         case Applying::ChangesPanel:
-            return Texts::tr("Changes the panel only; nothing is sent.");
+            return Texts::tr("Changes only the panel; nothing is sent.");
         case Applying::Sends:
-            return Texts::tr("Is sent to the module.");
+            return Texts::tr("Sent to the module.");
         case Applying::KeepsUnsent:
-            return difference.refusal
-                       ? Texts::tr("Waits in the fields, not sent: %1").arg(refusal(*difference.refusal))
-                       : Texts::tr("Waits in the fields, not sent.");
+            return difference.refusal ? Texts::tr("Filled in, not sent: %1").arg(refusal(*difference.refusal))
+                                      : Texts::tr("Filled in, not sent.");
         case Applying::NotInFile:
-            return Texts::tr("Not in the file: it stays as it is.");
+            return Texts::tr("Not in the file: stays as it is.");
         case Applying::OtherHardware:
             return Texts::tr("Cannot be applied: the file is for another module.");
         case Applying::NotThere:
-            return Texts::tr("Not there now; its settings are kept.");
+            return Texts::tr("Not in the chain; its settings are kept.");
     }
     return {};
 }
 
 QString notSentWhileMoving(int movingMotors) {
-    return movingMotors == 1
-               ? Texts::tr("1 motor is moving: stop it before anything is sent.")
-               : Texts::tr("%1 motors are moving: stop them before anything is sent.").arg(movingMotors);
+    return Texts::tr("%n motors are moving: stop them before anything is sent.", nullptr, movingMotors);
 }
 
 }  // namespace nmc::texts

@@ -15,21 +15,21 @@ QString rejection(bus::Rejection rejection) {
         case bus::Rejection::Uniform:
             return Texts::tr("all bytes are 00, or all FF, as on a line that is held low or high");
         case bus::Rejection::Surplus:
-            return Texts::tr("more bytes than were asked for");
+            return Texts::tr("more bytes than requested");
         case bus::Rejection::Echo:
-            return Texts::tr("not behind the exact echo of its command");
+            return Texts::tr("no exact echo of the command before it");
         case bus::Rejection::Identity:
-            return Texts::tr("type or version is not that of this module");
+            return Texts::tr("type or version does not match this module");
         case bus::Rejection::UndefinedBits:
-            return Texts::tr("a bit that the data sheet leaves open has changed");
+            return Texts::tr("an undefined status bit changed");
         case bus::Rejection::HomingRose:
-            return Texts::tr("homing began without a command");
+            return Texts::tr("homing started without a command");
         case bus::Rejection::HomeChanged:
             return Texts::tr("home register changed without a command");
         case bus::Rejection::PositionJump:
-            return Texts::tr("position is farther from the last one than the velocities allow");
+            return Texts::tr("position jumped farther than the velocities allow");
         case bus::Rejection::VelocityJump:
-            return Texts::tr("velocity changed faster than a motor can");
+            return Texts::tr("velocity changed faster than any motor can");
         case bus::Rejection::OffWithoutBits:
             return Texts::tr("servo is off, but pos_error or move_done is not set");
         case bus::Rejection::OnWithoutPower:
@@ -43,9 +43,9 @@ QString rejection(bus::Rejection rejection) {
         case bus::Rejection::MovingWithoutPower:
             return Texts::tr("moving without power or amplifier");
         case bus::Rejection::MovedWhileStopped:
-            return Texts::tr("position changed although the motor was stopped");
+            return Texts::tr("position changed while the motor was stopped");
         case bus::Rejection::TimerCount:
-            return Texts::tr("timer count of a moving motor is outside 1 to 65 452");
+            return Texts::tr("timer count of a moving motor is not 1 to 65 452");
     }
     return {};
 }
@@ -61,15 +61,15 @@ QString verdict(const bus::ExchangeRecord& record) {
         case bus::ExchangeEnd::Partial:
             return Texts::tr("too few bytes");
         case bus::ExchangeEnd::BadChecksum:
-            return Texts::tr("wrong sum");
+            return Texts::tr("wrong checksum");
         case bus::ExchangeEnd::Rejected:
             return record.rejection ? Texts::tr("rejected: %1").arg(rejection(*record.rejection))
                                     : Texts::tr("rejected");
         case bus::ExchangeEnd::Abandoned:
-            return Texts::tr("abandoned for a stop");
+            return Texts::tr("dropped for a stop");
         case bus::ExchangeEnd::NotAsked:
             return record.reply.empty() ? Texts::tr("no answer expected")
-                                        : Texts::tr("bytes although no answer was expected");
+                                        : Texts::tr("bytes, but no answer was expected");
     }
     return {};
 }
@@ -85,7 +85,7 @@ QString purpose(bus::Purpose purpose) {
         case bus::Purpose::Check:
             return Texts::tr("check");
         case bus::Purpose::Hold:
-            return Texts::tr("held motion");
+            return Texts::tr("jog");
         case bus::Purpose::Stop:
             return Texts::tr("stop");
         case bus::Purpose::Challenge:
@@ -114,7 +114,7 @@ QString packetTextHead(const PacketSession& session, quint64 dropped) {
                  .arg(QString::fromStdString(session.program), portName(QString::fromStdString(session.port)),
                       QString::fromStdString(session.startedAt));
     if (dropped > 0)
-        lines << Texts::tr("%1 older exchanges are not in this file.")
+        lines << Texts::tr("Older exchanges left out of this file: %1.")
                      .arg(grouped(static_cast<qint64>(dropped)));
     return lines.join(u'\n');
 }

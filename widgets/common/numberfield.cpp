@@ -157,19 +157,19 @@ QString NumberField::problemText() const {
     const QString quantity = m_quantity.isEmpty() ? accessibleName() : m_quantity;
     const QString unit = m_unit.isEmpty() ? QString() : u" "_s + m_unit;
     const auto range = [&] {
-        return tr("%1 takes %2 to %3%4.").arg(quantity, textOf(m_min), textOf(m_max), unit);
+        return tr("%1 must be %2 to %3%4.").arg(quantity, textOf(m_min), textOf(m_max), unit);
     };
     switch (m_problem) {
         case Problem::None:
             return {};
         case Problem::Empty:
-            return tr("%1 is still empty.").arg(quantity) + u" "_s + range();
+            return tr("Enter a value for %1.").arg(quantity) + u" "_s + range();
         case Problem::NotANumber:
-            return tr("%1 needs a number.").arg(quantity) + u" "_s + range();
+            return tr("%1 must be a number.").arg(quantity) + u" "_s + range();
         case Problem::TwoMarks:
-            return tr("%1 has two decimal marks. Both , and . are the decimal mark here.").arg(quantity);
+            return tr("%1 has two decimal marks. Both , and . count as decimal marks.").arg(quantity);
         case Problem::NotWhole:
-            return tr("%1 needs a whole number.").arg(quantity) + u" "_s + range();
+            return tr("%1 must be a whole number.").arg(quantity) + u" "_s + range();
         case Problem::OutOfRange:
             return range();
     }

@@ -20,7 +20,7 @@ Message noPermission(const PortError& error) {
     Message m;
     m.headline = Texts::tr("Your user account may not use %1.").arg(shown(error.port));
     if (error.group.empty()) {
-        m.body = Texts::tr("Ask whoever looks after this computer for access to it.");
+        m.body = Texts::tr("Ask your system administrator for access.");
         m.actions = {choosePort(), useSimulator()};
         return m;
     }
@@ -53,13 +53,13 @@ Message inUse(const PortError& error) {
             intoUdev(uR"(ACTION=="add", SUBSYSTEM=="tty", KERNEL=="ttyUSB*", ENV{ID_MM_PORT_IGNORE}="1")"_s);
         m.body =
             Texts::tr(
-                "It looks for a modem for some seconds after an adapter was plugged in; wait, and try again. To keep it away from USB adapters: %1, then plug the adapter in again.")
+                "It probes a newly connected adapter for a modem for some seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.")
                 .arg(m.command);
     } else if (error.program.rfind("brltty", 0) == 0) {
         m.command = u"sudo ln -s /dev/null /etc/udev/rules.d/90-brltty-usb-generic.rules"_s;
         m.body =
             Texts::tr(
-                "It takes many serial adapters for a Braille display. If you use none: %1, then plug the adapter in again.")
+                "It mistakes many serial adapters for a Braille display. If you have none, run %1, then plug the adapter in again.")
                 .arg(m.command);
     }
     if (!m.command.isEmpty())
@@ -70,22 +70,19 @@ Message inUse(const PortError& error) {
 Message staleLock(const PortError& error) {
     Message m;
     m.command = u"sudo rm "_s + shown(error.lockFile);
-    m.headline = Texts::tr("%1 is free, but a lock file says that it is in use.").arg(shown(error.port));
-    m.body =
-        Texts::tr(
-            "The lock file %1 was left by %2, whose program has ended without removing it. Remove it with: %3, then try again.")
-            .arg(shown(error.lockFile), shown(error.user), m.command);
+    m.headline = Texts::tr("%1 is free, but a stale lock file marks it as in use.").arg(shown(error.port));
+    m.body = Texts::tr("%2 left the lock file %1 behind. Remove it with %3, then try again.")
+                 .arg(shown(error.lockFile), shown(error.user), m.command);
     m.actions = {copyCommand(), retry(), choosePort()};
     return m;
 }
 
 Message noLockFolder(const PortError& error) {
     Message m;
-    m.headline =
-        Texts::tr("%1 cannot be opened because no lock file can be made for it.").arg(shown(error.port));
+    m.headline = Texts::tr("Could not open %1: no lock file can be created for it.").arg(shown(error.port));
     m.body =
         Texts::tr(
-            "Your user account may not write to %1, nor to any other folder for such files. Ask whoever looks after this computer for access to it.")
+            "Your user account has no write access to %1 or any other folder for lock files. Ask your system administrator for access.")
             .arg(shown(error.lockFile));
     m.actions = {retry(), useSimulator()};
     return m;
@@ -103,36 +100,36 @@ Message portMessage(const PortError& error) {
         case PortProblem::NoLockFolder:
             return noLockFolder(error);
         case PortProblem::TooManyFiles:
-            m.headline = Texts::tr("%1 could not be opened: this program has too many files open.")
-                             .arg(shown(error.port));
-            m.body = Texts::tr("Close what it does not need, or start it again.");
+            m.headline =
+                Texts::tr("Could not open %1: this program has too many open files.").arg(shown(error.port));
+            m.body = Texts::tr("Close files that you do not need, or restart the program.");
             m.actions = {retry()};
             return m;
         case PortProblem::NotFound:
-            m.headline = Texts::tr("There is no %1.").arg(shown(error.port));
-            m.body = Texts::tr("Most often the adapter is not plugged in, or it has another name now.");
+            m.headline = Texts::tr("%1 not found.").arg(shown(error.port));
+            m.body = Texts::tr("Check that the adapter is plugged in. Its name may have changed.");
             m.actions = {retry(), choosePort(), useSimulator()};
             return m;
         case PortProblem::NotASerialPort:
             m.headline = Texts::tr("%1 is not a serial port.").arg(shown(error.port));
-            m.body = Texts::tr("Choose the port of the adapter, for example /dev/ttyUSB0.");
+            m.body = Texts::tr("Choose the adapter's port, for example /dev/ttyUSB0.");
             m.actions = {choosePort(), useSimulator()};
             return m;
         case PortProblem::RateNotPossible:
-            m.headline = Texts::tr("%1 cannot run at the chosen rate.").arg(shown(error.port));
-            m.body = Texts::tr("Choose another rate; every adapter can do 19 200 Bd.");
+            m.headline = Texts::tr("%1 does not support the selected baud rate.").arg(shown(error.port));
+            m.body = Texts::tr("Choose another baud rate; every adapter supports 19 200 Bd.");
             m.actions = {retry(), choosePort()};
             return m;
         case PortProblem::Gone:
             m.severity = Severity::Fault;
             m.headline = Texts::tr("The adapter at %1 was unplugged. %2")
                              .arg(shown(error.port), movingSentence(error.moving));
-            m.body = Texts::tr("Use the hardware stop if needed, then plug it in again.");
+            m.body = Texts::tr("Use the hardware stop if needed, then plug the adapter in again.");
             m.actions = {retry()};
             return m;
         case PortProblem::Other:
-            m.headline = Texts::tr("%1 could not be opened.").arg(shown(error.port));
-            m.body = Texts::tr("The system says: %1").arg(shown(error.detail));
+            m.headline = Texts::tr("Could not open %1.").arg(shown(error.port));
+            m.body = Texts::tr("System message: %1").arg(shown(error.detail));
             m.actions = {retry(), choosePort(), useSimulator()};
             return m;
     }
@@ -168,30 +165,30 @@ Message latencyCure(const QString& file) {
     Message m{.key = u"latencyCure"_s, .severity = Severity::Normal};
     m.command = u"echo 1 | sudo tee "_s + file;
     m.headline = Texts::tr("Set the latency timer of the USB adapter to 1 ms, then connect again.");
-    m.body = Texts::tr("Run %1. That lasts until it is unplugged; for good, also run %2.")
-                 .arg(m.command, intoUdev(uR"(ACTION=="add", SUBSYSTEM=="usb-serial", DRIVER=="ftdi_sio", )"
-                                          uR"(ATTR{latency_timer}="1")"_s));
+    m.body =
+        Texts::tr("Run %1. This lasts until the adapter is unplugged. To make it permanent, also run %2.")
+            .arg(m.command, intoUdev(uR"(ACTION=="add", SUBSYSTEM=="usb-serial", DRIVER=="ftdi_sio", )"
+                                     uR"(ATTR{latency_timer}="1")"_s));
     m.actions = {copyCommand()};
     return m;
 }
 
 Message adapterBack(const QString& port, bool sameSerial) {
     const QString text = sameSerial ? Texts::tr("The adapter is back as %1 (same serial number). Reconnect?")
-                                    : Texts::tr("An adapter of the same kind is there as %1. Reconnect?");
-    return {
-        .key = key::port(),
-        .severity = Severity::Fault,
-        .headline = text.arg(port),
-        .body = Texts::tr(
-            "Motors may still be moving. Reconnecting moves nothing, and nothing that was asked for before is sent again."),
-        .actions = {{MessageAction::ConnectOffered, Texts::tr("Reconnect")}, choosePort()}};
+                                    : Texts::tr("A similar adapter was found as %1. Reconnect?");
+    return {.key = key::port(),
+            .severity = Severity::Fault,
+            .headline = text.arg(port),
+            .body = Texts::tr(
+                "Motors may still be moving. Reconnecting moves nothing and repeats no earlier command."),
+            .actions = {{MessageAction::ConnectOffered, Texts::tr("Reconnect")}, choosePort()}};
 }
 
 Message differentAdapter(const QString& port) {
     return {.key = key::port(),
             .severity = Severity::Attention,
             .headline = Texts::tr("A different adapter is on %1.").arg(port),
-            .body = Texts::tr("It is not the one that this panel was connected to before. Nothing was sent."),
+            .body = Texts::tr("The panel was connected to another adapter before. Nothing was sent."),
             .actions = {{MessageAction::ConnectOffered, Texts::tr("Connect to it")}, choosePort()}};
 }
 

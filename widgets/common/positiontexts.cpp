@@ -17,17 +17,17 @@ Message positionRemembered(const PositionMemory::Offer& offer, const AxisScale& 
     return {
         .key = key::position(offer.module),
         .module = offer.module,
-        .headline = Texts::tr("Module %1 stood %2 from home when it was seen last.")
+        .headline = Texts::tr("Module %1 was %2 from home when last seen.")
                         .arg(moduleNumber(offer.module), position(scale, last.fromHome)),
         .body =
             (last.source == HomeFact::Source::Search
                  ? Texts::tr(
-                       "That was on %1; a search had found that home. If nothing has moved the axis since, home can be taken from that: not verified, until a search finds it.")
+                       "That was on %1; a search had found home. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.")
                  : Texts::tr(
-                       "That was on %1; that home had been saved. If nothing has moved the axis since, home can be taken from that: not verified, until a search finds it."))
+                       "That was on %1; home had been saved. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search."))
                 .arg(when),
-        .actions = {{MessageAction::TakePosition, Texts::tr("Take home from that")},
-                    {MessageAction::ForgetPosition, Texts::tr("Forget it")}},
+        .actions = {{MessageAction::TakePosition, Texts::tr("Restore home")},
+                    {MessageAction::ForgetPosition, Texts::tr("Discard")}},
         .stands = true};
 }
 

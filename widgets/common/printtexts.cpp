@@ -14,8 +14,8 @@ const QString kKey = u"print"_s;
 Message notPrintedBecause(const QString& cause, const QString& details) {
     return {.key = kKey,
             .severity = Severity::Attention,
-            .headline = Texts::tr("The page was not printed."),
-            .body = Texts::tr("%1 Export the page as a PDF file, and print that elsewhere.").arg(cause),
+            .headline = Texts::tr("Could not print the page."),
+            .body = Texts::tr("%1 Export the page as a PDF file and print that file.").arg(cause),
             .details = details};
 }
 
@@ -23,17 +23,17 @@ Message notPrintedBecause(const QString& cause, const QString& details) {
 
 Message sentToPrinter() {
     return {.key = kKey,
-            .headline = Texts::tr("The page is on its way to the printer."),
-            .body = Texts::tr("It went to the printer that this computer uses unless told otherwise.")};
+            .headline = Texts::tr("The page was sent to the printer."),
+            .body = Texts::tr("This computer's default printer is used.")};
 }
 
 Message noPrinting(const QString& command) {
     return notPrintedBecause(
-        Texts::tr("The program %1 is not installed, which hands pages to the printer.").arg(command), {});
+        Texts::tr("The program %1, which sends pages to the printer, is not installed.").arg(command), {});
 }
 
 Message notPrinted(const QString& details) {
-    return notPrintedBecause(Texts::tr("The print system does not take it: see the details."), details);
+    return notPrintedBecause(Texts::tr("The print system refused it: see Details."), details);
 }
 
 }  // namespace nmc::texts

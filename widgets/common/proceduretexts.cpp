@@ -29,50 +29,49 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
     switch (*report.failure) {
         case ProcedureFailure::SwitchActive:
             return {
-                Texts::tr("%1 was stopped: its switch stayed active while it backed off.").arg(who),
+                Texts::tr("%1 was stopped: its switch stayed active while backing off.").arg(who),
                 Texts::tr(
-                    "The switch may be stuck, or the search goes the wrong way. Move the motor off the switch, or change the direction, then try again.")};
+                    "The switch may be stuck, or the search direction is wrong. Move the motor off the switch, or change the direction, then try again.")};
         case ProcedureFailure::NotFound:
             return {
                 Texts::tr("%1 stopped before it found home.").arg(who),
                 Texts::tr(
-                    "A limit or the E-stop input ended its motion. Check the direction of the search and the switches, then try again.")};
+                    "A limit switch or the E-stop input ended the motion. Check the search direction and the switches, then try again.")};
         case ProcedureFailure::TravelLimit:
-            return {Texts::tr("%1 was stopped: no home within the travel limit.").arg(who),
-                    Texts::tr("Check the switch and its cable, the direction of the search, and the limit.")};
+            return {
+                Texts::tr("%1 was stopped: home not found within the search distance.").arg(who),
+                Texts::tr("Check the switch and its cable, the search direction and the search distance.")};
         case ProcedureFailure::SoftLimit:
             return {
-                Texts::tr("%1 was stopped: no home within its limits of travel, nor where home was.")
+                Texts::tr("%1 was stopped: home not found within its travel limits or at its last place.")
                     .arg(who),
                 Texts::tr(
-                    "Check the switch and its cable, and the direction of the search. If the position is wrong, say so on the page Axis (Position in doubt): the search then goes by its own travel limit.")};
+                    "Check the switch and its cable, and the search direction. If the position is wrong, choose Position in doubt on the Axis page: the next search then uses only its search distance.")};
         case ProcedureFailure::TimeLimit:
             return {
-                Texts::tr("%1 was stopped: no home within the time limit.").arg(who),
+                Texts::tr("%1 was stopped: home not found within the time limit.").arg(who),
                 Texts::tr(
-                    "Check the switch and its cable, the direction and the speed of the search, and the limit.")};
+                    "Check the switch and its cable, the search direction and velocity, and the time limit.")};
         case ProcedureFailure::LinkSuspect:
             return {
-                Texts::tr("%1 is not homed and was told to stop: the link was in doubt meanwhile.").arg(who),
-                Texts::tr(
-                    "What was said of home then may be wrong. See to the link, then repeat the search.")};
+                Texts::tr("%1 is not homed and was told to stop: the link was unreliable.").arg(who),
+                Texts::tr("The home position found may be wrong. Check the link, then repeat the search.")};
         case ProcedureFailure::ModuleSilent:
             return {Texts::tr("%1 is not homed and does not answer. Motor state unknown.").arg(who),
                     Texts::tr("It was told to stop. Use the hardware stop if it moves."), Severity::Fault};
         case ProcedureFailure::WentOff:
             return {
-                Texts::tr("%1 is not homed: its motor went off by itself, and is free to turn.").arg(who),
+                Texts::tr("%1 is not homed: its motor switched itself off and is free to turn.").arg(who),
                 Texts::tr(
-                    "The motor was too far from where it should be, or lost its power. Check for a jam, enable it, then repeat the search."),
+                    "The position error was too large, or motor power failed. Check for a jam, enable the motor, then repeat the search."),
                 Severity::Fault};
         case ProcedureFailure::Refused:
             return {
-                Texts::tr(
-                    "%1 is not homed and was told to stop: a command was not carried out, or its answer was lost.")
+                Texts::tr("%1 is not homed and was told to stop: a command failed, or its answer was lost.")
                     .arg(who),
                 Texts::tr("Usually noise on the cable. Repeat the search.")};
         case ProcedureFailure::ReadingsDiffer:
-            return {Texts::tr("%1 stands still and is not homed: two readings of its home differ.").arg(who),
+            return {Texts::tr("%1 is at rest but not homed: two readings of home differ.").arg(who),
                     Texts::tr("Usually noise on the cable. Repeat the search.")};
         case ProcedureFailure::NotStill:
         case ProcedureFailure::Unstable:
@@ -84,9 +83,9 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
             return {};  // of others
         case ProcedureFailure::NotAtHome:
             return {
-                Texts::tr("%1 has found its home and holds close to it, but nothing was made zero.").arg(who),
+                Texts::tr("%1 found home and holds close to it, but the position was not set to 0.").arg(who),
                 Texts::tr(
-                    "It rests %1 off its home, and zero would be off by as much: friction keeps it there. Raise Ki and IL on the page Gains, or clear \"Make it zero\" on the page Homing. What is close enough follows from the unit on the page Axis.")
+                    "Friction holds it %1 off home, too far to set the position to 0. Raise Ki and IL on the Gains page, or clear \"Set position to 0\" on the Homing page. The tolerance follows from the unit on the Axis page.")
                     .arg(position(scale, std::abs(report.offHome)))};
     }
     return {};
@@ -96,41 +95,40 @@ Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
     switch (failure) {
         case ProcedureFailure::TravelLimit:
             return {
-                Texts::tr("%1 holds again: it went the wrong way, or farther than twice its step.").arg(who),
+                Texts::tr("%1 holds again: it moved the wrong way, or more than twice the step.").arg(who),
                 Texts::tr(
-                    "The servo swings, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.")};
+                    "The servo oscillates, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.")};
         case ProcedureFailure::Unstable:
             return {
-                Texts::tr("%1 was switched off and is free to turn: it did not calm down after its step.")
+                Texts::tr("%1 was switched off and is free to turn: it kept oscillating after its step.")
                     .arg(who),
                 Texts::tr(
                     "The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply them, then enable it."),
                 Severity::Fault};
         case ProcedureFailure::NotStill:
             return {
-                Texts::tr("%1 does not stand still; its servo stays on.").arg(who),
+                Texts::tr("%1 does not come to rest; its servo stays on.").arg(who),
                 Texts::tr(
-                    "It swings, or is turned from outside. Lower Kp and Ki, or raise Kd; Motor off ends it at once.")};
+                    "It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd; Motor off ends it at once.")};
         case ProcedureFailure::WentOff:
             return {
-                Texts::tr("%1 made no whole step: its motor went off by itself, and is free to turn.")
+                Texts::tr("%1 did not complete its step: its motor switched itself off and is free to turn.")
                     .arg(who),
                 Texts::tr(
-                    "The motor was too far from where it should be, or lost its power. Check for a jam, raise EL or make the step shorter, then enable it."),
+                    "The position error was too large, or motor power failed. Check for a jam, raise EL or shorten the step, then enable the motor."),
                 Severity::Fault};
         case ProcedureFailure::ModuleSilent:
             return {
-                Texts::tr("%1 does not answer, so its step is not recorded. Motor state unknown.").arg(who),
+                Texts::tr("%1 does not answer, so its step was not recorded. Motor state unknown.").arg(who),
                 Texts::tr("It was told to hold. Use the hardware stop if it moves."), Severity::Fault};
         case ProcedureFailure::LinkSuspect:
-            return {Texts::tr(
-                        "%1 was told to hold, and its step is not recorded: the link was in doubt meanwhile.")
+            return {Texts::tr("%1 was told to hold, and its step was not recorded: the link was unreliable.")
                         .arg(who),
-                    Texts::tr("See to the link, then step again.")};
+                    Texts::tr("Check the link, then step again.")};
         case ProcedureFailure::Refused:
             return {
                 Texts::tr(
-                    "%1 has no step recorded and was told to hold: a command was not carried out, or its answer was lost.")
+                    "%1 was told to hold, and its step was not recorded: a command failed, or its answer was lost.")
                     .arg(who),
                 Texts::tr("Usually noise on the cable. Step again.")};
         case ProcedureFailure::SwitchActive:
@@ -152,29 +150,27 @@ Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
 Words tryFailed(ProcedureFailure failure, const QString& who) {
     switch (failure) {
         case ProcedureFailure::Swings:
-            return {Texts::tr("%1 has the gains from before again: it began to swing.").arg(who),
+            return {Texts::tr("%1 is back to its previous gains: it began to oscillate.").arg(who),
                     Texts::tr("Lower Kp and Ki, or raise Kd, then try again.")};
         case ProcedureFailure::TravelLimit:
-            return {
-                Texts::tr("%1 has the gains from before again: it left the place where it stood.").arg(who),
-                Texts::tr("These gains do not hold its load, or something else turned it.")};
+            return {Texts::tr("%1 is back to its previous gains: it left its position.").arg(who),
+                    Texts::tr("These gains do not hold its load, or something else turned it.")};
         case ProcedureFailure::WentOff:
-            return {Texts::tr("%1 went off by itself while gains were tried, and is free to turn.").arg(who),
-                    Texts::tr("The gains from before were sent again. Check for a jam, then enable it."),
+            return {Texts::tr("%1 switched itself off while gains were tried, and is free to turn.").arg(who),
+                    Texts::tr("Its previous gains were sent again. Check for a jam, then enable it."),
                     Severity::Fault};
         case ProcedureFailure::ModuleSilent:
             return {Texts::tr("%1 does not answer while gains are tried. Motor state unknown.").arg(who),
-                    Texts::tr("The gains from before were sent. Use the hardware stop if it moves."),
+                    Texts::tr("Its previous gains were sent. Use the hardware stop if it moves."),
                     Severity::Fault};
         case ProcedureFailure::LinkSuspect:
-            return {Texts::tr("%1 was sent the gains from before: the link was in doubt meanwhile.").arg(who),
-                    Texts::tr("See to the link, then try again.")};
+            return {Texts::tr("The previous gains of %1 were sent again: the link was unreliable.").arg(who),
+                    Texts::tr("Check the link, then try again.")};
         case ProcedureFailure::Refused:
-            return {
-                Texts::tr(
-                    "%1 was sent the gains from before: a command was not carried out, or its answer was lost.")
-                    .arg(who),
-                Texts::tr("Usually noise on the cable. Try again.")};
+            return {Texts::tr(
+                        "The previous gains of %1 were sent again: a command failed, or its answer was lost.")
+                        .arg(who),
+                    Texts::tr("Usually noise on the cable. Try again.")};
         case ProcedureFailure::SwitchActive:
         case ProcedureFailure::NotFound:
         case ProcedureFailure::TimeLimit:
@@ -193,29 +189,30 @@ Words tryFailed(ProcedureFailure failure, const QString& who) {
 }
 
 Words directionFailed(ProcedureFailure failure, const QString& who) {
-    const QString off = Texts::tr("%1 has no verdict on its direction, and its motor is off.").arg(who);
+    const QString off = Texts::tr("Direction check of %1 inconclusive; its motor is off.").arg(who);
     const QString told =
-        Texts::tr("%1 has no verdict on its direction, and its motor was told to switch off.").arg(who);
+        Texts::tr("Direction check of %1 inconclusive; its motor was told to switch off.").arg(who);
     switch (failure) {
         case ProcedureFailure::TravelLimit:
             return {
                 off,
                 Texts::tr(
-                    "It was turned farther than the check allows: something else turns it, or it runs on for long. See that it stands still, then check again.")};
+                    "It turned farther than the check allows: something else turns it, or it coasts for long. Wait until it is at rest, then check again.")};
         case ProcedureFailure::NotStill:
             return {
                 off,
                 Texts::tr(
-                    "It does not stand still although nothing drives it. See what turns it, then check again.")};
+                    "It does not come to rest although nothing drives it. Find what turns it, then check again.")};
         case ProcedureFailure::LinkSuspect:
-            return {told, Texts::tr("The link was in doubt meanwhile. See to the link, then check again.")};
+            return {told,
+                    Texts::tr("The link was unreliable. Check the link, then repeat the direction check.")};
         case ProcedureFailure::ModuleSilent:
-            return {Texts::tr("%1 has no verdict on its direction and does not answer. Motor state unknown.")
+            return {Texts::tr("Direction check of %1 inconclusive: it does not answer. Motor state unknown.")
                         .arg(who),
                     Texts::tr("It was told to switch off. Use the hardware stop if it moves."),
                     Severity::Fault};
         case ProcedureFailure::Refused:
-            return {told, Texts::tr("A command was not carried out, or its answer was lost. Check again.")};
+            return {told, Texts::tr("A command failed, or its answer was lost. Repeat the direction check.")};
         case ProcedureFailure::SwitchActive:
         case ProcedureFailure::NotFound:
         case ProcedureFailure::TimeLimit:
@@ -247,17 +244,17 @@ QString pathFailure(ProcedureFailure failure) {
 QString directionHeadline(const DirectionFound& found, const QString& who) {
     switch (found.verdict) {
         case DirectionVerdict::Right:
-            return Texts::tr("%1: motor and encoder go the same way.").arg(who);
+            return Texts::tr("%1: motor and encoder directions match.").arg(who);
         case DirectionVerdict::Reversed:
             return Texts::tr("%1: motor or encoder is reversed. Do not enable it.").arg(who);
         case DirectionVerdict::NoMovement:
-            return Texts::tr("%1 did not move when it was pushed.").arg(who);
+            return Texts::tr("%1 did not move when pushed.").arg(who);
         case DirectionVerdict::LimitClosed:
             return Texts::tr("%1 closed a limit switch, so it was not pushed on.").arg(who);
         case DirectionVerdict::NoPower:
-            return Texts::tr("%1 lost its motor power while it was pushed.").arg(who);
+            return Texts::tr("%1 lost motor power while being pushed.").arg(who);
         case DirectionVerdict::Unclear:
-            return Texts::tr("%1 did not move one way and the other.").arg(who);
+            return Texts::tr("%1 did not move in both directions.").arg(who);
     }
     return {};
 }
@@ -271,15 +268,15 @@ QString homingStage(ProcedureStage stage) {
         case ProcedureStage::Searching:
             return Texts::tr("Searching");
         case ProcedureStage::SearchingIndex:
-            return Texts::tr("Searching the index");
+            return Texts::tr("Searching for the index");
         case ProcedureStage::Stopping:
             return Texts::tr("Stopping");
         case ProcedureStage::Reading:
-            return Texts::tr("Reading home twice");
+            return Texts::tr("Verifying home");
         case ProcedureStage::GoingHome:
             return Texts::tr("Going to home");
         case ProcedureStage::Zeroing:
-            return Texts::tr("Making home zero");
+            return Texts::tr("Setting position to 0");
         case ProcedureStage::TakingUpBacklash:
             return Texts::tr("Taking up backlash");
         case ProcedureStage::Moving:
@@ -310,8 +307,7 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         else if (report.kind == ProcedureKind::StepResponse)
             words = stepResponseFailed(*report.failure, who);
         else if (report.kind == ProcedureKind::SquareWave || report.kind == ProcedureKind::FrequencyResponse)
-            words = {Texts::tr("%1: the test of its loop has ended early.").arg(who),
-                     loopTestFailure(*report.failure),
+            words = {Texts::tr("%1: its loop test ended early.").arg(who), loopTestFailure(*report.failure),
                      freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
         else if (report.kind == ProcedureKind::TryGains)
             words = tryFailed(*report.failure, who);
@@ -321,7 +317,7 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
             words = {Texts::tr("%1 has not finished its path.").arg(who), pathFailure(*report.failure),
                      freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
         else
-            words = {Texts::tr("%1 has not finished its moves.").arg(who), procedureFailure(*report.failure)};
+            words = {Texts::tr("%1 did not finish its moves.").arg(who), procedureFailure(*report.failure)};
         message.headline = words.headline;
         message.body = words.body;
         message.severity = words.severity;
@@ -336,15 +332,14 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         return message;
     }
     if (report.stage == ProcedureStage::Done && report.kind == ProcedureKind::TryGains && !report.kept) {
-        message.headline = Texts::tr("%1 has the gains from before again: the try is over.").arg(who);
+        message.headline = Texts::tr("%1 is back to its previous gains: the trial has ended.").arg(who);
         return message;
     }
     if (report.stage != ProcedureStage::Done || report.kind != ProcedureKind::Homing || !report.home)
         return std::nullopt;
-    message.headline =
-        Texts::tr("%1 has found its home: it was at %2.").arg(who, position(scale, *report.home));
+    message.headline = Texts::tr("%1 found home at %2.").arg(who, position(scale, *report.home));
     if (report.offHome != 0)
-        message.body = Texts::tr("It rests %1 off its home, and is zero there.")
+        message.body = Texts::tr("It rests %1 off home; its position is 0 there.")
                            .arg(position(scale, std::abs(report.offHome)));
     return message;
 }
@@ -353,7 +348,7 @@ QString loopTestFailure(ProcedureFailure failure) {
     if (failure != ProcedureFailure::TravelLimit)
         return procedureFailure(failure);
     return Texts::tr(
-        "The motor went farther than the test allows, and was told to hold. Look for a load that pulls it, or choose gentler gains.");
+        "The motor moved farther than the test allows, and was told to hold. Check for a load that pulls it, or use lower gains.");
 }
 
 QString procedureStage(const ProcedureReport& report) {
@@ -368,36 +363,38 @@ QString procedureFailure(ProcedureFailure failure) {
         case ProcedureFailure::SwitchActive:
             return Texts::tr("The switch stayed active while the motor backed off. It was stopped.");
         case ProcedureFailure::NotFound:
-            return Texts::tr("The motion ended before home was found.");
+            return Texts::tr(
+                "The motion ended before home was found. Check the search direction and the switches.");
         case ProcedureFailure::TravelLimit:
-            return Texts::tr("The travel limit was reached. The motor was stopped.");
+            return Texts::tr("No home within the search distance. The motor was stopped.");
         case ProcedureFailure::TimeLimit:
-            return Texts::tr("The time limit was reached. The motor was stopped.");
+            return Texts::tr("No home within the time limit. The motor was stopped.");
         case ProcedureFailure::SoftLimit:
-            return Texts::tr("The way on leads beyond the limits of travel. The motor was stopped.");
+            return Texts::tr("The next move would exceed the travel limits. The motor was stopped.");
         case ProcedureFailure::LinkSuspect:
-            return Texts::tr("The link was in doubt meanwhile. The motor was told to stop.");
+            return Texts::tr("The link was unreliable. The motor was told to stop.");
         case ProcedureFailure::ModuleSilent:
             return Texts::tr("The module does not answer. Motor state unknown.");
         case ProcedureFailure::WentOff:
-            return Texts::tr("The motor went off by itself, and is free to turn.");
+            return Texts::tr("The motor switched itself off and is free to turn.");
         case ProcedureFailure::Refused:
-            return Texts::tr("A command was not carried out or not answered. The motor was told to stop.");
+            return Texts::tr("A command failed or was not answered. The motor was told to stop.");
         case ProcedureFailure::ReadingsDiffer:
-            return Texts::tr("Two readings of home differ. The motor stands still.");
+            return Texts::tr("Two readings of home differ. The motor is at rest.");
         case ProcedureFailure::NotStill:
             return Texts::tr(
-                "The motor does not stand still; its servo stays on. Lower the gains, or switch it off.");
+                "The motor does not come to rest; its servo stays on. Lower the gains, or switch the motor off.");
         case ProcedureFailure::Unstable:
             return Texts::tr(
-                "The motor swung by more than the whole step and did not calm down, so it was switched off and is free to turn. Lower Kp and Ki, or raise Kd.");
+                "The motor kept oscillating by more than the whole step. It was switched off and is free to turn. Lower Kp and Ki, or raise Kd.");
         case ProcedureFailure::StoppedShort:
             return Texts::tr(
-                "A limit switch, heat or the E-stop input ended the move. The motor stands still.");
+                "A limit switch, overheating or the E-stop input ended the move. The motor is at rest.");
         case ProcedureFailure::Swings:
-            return Texts::tr("The motor began to swing. The gains from before are back.");
+            return Texts::tr("The motor began to oscillate. The previous gains are restored.");
         case ProcedureFailure::NotAtHome:
-            return Texts::tr("It rests too far from its home for a zero. See Ki and IL on the page Gains.");
+            return Texts::tr(
+                "It rests too far from home to set the position to 0. Raise Ki and IL on the Gains page.");
         case ProcedureFailure::NotStarted:
             return Texts::tr("The path was not started by all of its axes. They were told to stop.");
         case ProcedureFailure::UnderRun:
@@ -414,28 +411,27 @@ QString directionFound(const DirectionFound& found) {
     const int percent = qRound(found.strongestPush * 100.0 / kWhole);
     switch (found.verdict) {
         case DirectionVerdict::Right:
-            return Texts::tr("All right: driven forward it counts up, in reverse down. It can be enabled.");
+            return Texts::tr("OK: it counts up when driven forward and down in reverse. You can enable it.");
         case DirectionVerdict::Reversed:
             return Texts::tr(
-                "Reversed: driven forward it counts down. Enabled like this it would run away. Swap the motor's two leads, or the encoder's A and B, then check again.");
+                "Reversed: it counts down when driven forward and would run away when enabled. Swap the two motor leads, or encoder A and B, then check again.");
         case DirectionVerdict::NoMovement:
             return Texts::tr(
-                       "No movement with %1 % of the supply, and motor power is there: look for a jam or a brake, at the cables of motor and encoder, or for a load that is too heavy.")
+                       "No movement at %1 % of the supply, with motor power present. Check for a jam, a brake or too heavy a load, and check the motor and encoder cables.")
                        .arg(percent) +
                    (found.limit1 || found.limit2
-                        ? u' ' +
-                              Texts::tr(
-                                  "A limit input is active: it may stand in a switch that takes its power away.")
+                        ? u' ' + Texts::tr("A limit switch is active: it may cut the motor's power.")
                         : QString());
         case DirectionVerdict::LimitClosed:
-            return (found.limit1 ? Texts::tr("Limit 1 closed on the way.")
-                                 : Texts::tr("Limit 2 closed on the way.")) +
-                   u' ' + Texts::tr("Turn the motor away from its end by hand, then check again.");
+            return (found.limit1 ? Texts::tr("Limit switch 1 closed during the move.")
+                                 : Texts::tr("Limit switch 2 closed during the move.")) +
+                   u' ' +
+                   Texts::tr("Turn the motor away from the end of its travel by hand, then check again.");
         case DirectionVerdict::NoPower:
-            return Texts::tr("Motor power went away. Switch it on, then check again.");
+            return Texts::tr("Motor power failed. Switch it on, then check again.");
         case DirectionVerdict::Unclear:
             return Texts::tr(
-                "Not clear: it moved one way only, or the same way twice. Something blocks or turns it. Turn it away from its end by hand, take the load off, then check again.");
+                "Unclear: it moved in one direction only, or twice in the same direction. Something blocks or turns it. Remove the load, turn the motor away from the end of its travel by hand, then check again.");
     }
     return {};
 }

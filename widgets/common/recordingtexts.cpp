@@ -36,23 +36,23 @@ QString length(double seconds) {
 QString cause(RecordingTrouble trouble) {
     switch (trouble) {
         case RecordingTrouble::NoFolder:
-            return Texts::tr("its folder is not there.");
+            return Texts::tr("its folder does not exist.");
         case RecordingTrouble::NotAFile:
             return Texts::tr("this is a folder or a device, not a file.");
         case RecordingTrouble::NoPermission:
-            return Texts::tr("your user account may not write there.");
+            return Texts::tr("your user account has no write access.");
         case RecordingTrouble::ReadOnly:
-            return Texts::tr("the disk can only be read.");
+            return Texts::tr("the disk is read-only.");
         case RecordingTrouble::NoSpace:
             return Texts::tr("the disk is full.");
         case RecordingTrouble::FileTooLarge:
-            return Texts::tr("the disk takes no larger file.");
+            return Texts::tr("the file is too large for the disk.");
         case RecordingTrouble::Removed:
             return Texts::tr("the file was deleted.");
         case RecordingTrouble::TooSlow:
             return Texts::tr("the disk is too slow.");
         case RecordingTrouble::Other:
-            return Texts::tr("the disk does not take it.");
+            return Texts::tr("the disk reported a write error.");
     }
     return {};
 }
@@ -67,25 +67,25 @@ QString wrongInLine(const RecordingProblem& problem) {
         case Kind::NewerVersion:
             return {};
         case Kind::NoColumns:
-            return Texts::tr("the file ends before the names of its columns.");
+            return Texts::tr("the file ends before its column names.");
         case Kind::MissingColumn:
-            return Texts::tr("there is no column %1.").arg(field);
+            return Texts::tr("column %1 is missing.").arg(field);
         case Kind::LineTooLong:
-            return Texts::tr("the line is longer than %1 bytes, as no line of a recording is.")
+            return Texts::tr("the line is longer than %1 bytes, too long for a recording.")
                 .arg(plain(problem.max));
         case Kind::Truncated:
-            return Texts::tr("the file ends here, in the middle of the line.");
+            return Texts::tr("the file ends in the middle of this line.");
         case Kind::TooFewCells:
-            return Texts::tr("there are %1 cells for %2 columns.").arg(found, plain(problem.max));
+            return Texts::tr("the line has %1 cells for %2 columns.").arg(found, plain(problem.max));
         case Kind::EmptyCell:
             return Texts::tr("%1 is empty.").arg(field);
         case Kind::NotANumber:
             return Texts::tr("%1 is \"%2\", which is not a number.").arg(field, found);
         case Kind::OutOfRange:
-            return Texts::tr("%1 is %2; it can be %3 to %4.")
+            return Texts::tr("%1 is %2; it must be %3 to %4.")
                 .arg(field, found, plain(problem.min), plain(problem.max));
         case Kind::TimeGoesBack:
-            return Texts::tr("%1 of module %2 goes back.").arg(field, found);
+            return Texts::tr("%1 of module %2 goes backwards.").arg(field, found);
     }
     return {};
 }
@@ -112,19 +112,20 @@ QString key::exported() {
 
 Message recordingEnded(const QString& path, double seconds) {
     return {.key = key::recording(),
-            .headline = Texts::tr("\"%1\" is recorded: %2.").arg(nameOf(path), length(seconds)),
-            .body = Texts::tr("It is in %1.").arg(folderOf(path))};
+            .headline = Texts::tr("Recorded \"%1\": %2.").arg(nameOf(path), length(seconds)),
+            .body = Texts::tr("Saved in %1.").arg(folderOf(path))};
 }
 
 Message recordingFailed(const QString& path, const RecordingFailure& failure, double seconds) {
     const bool kept = failure.bytes > 0 && failure.trouble != RecordingTrouble::Removed;
-    const QString rest = kept ? Texts::tr("What was written before (%1) is kept.").arg(length(seconds))
-                              : Texts::tr("Nothing is kept.");
-    return {.key = key::recording(),
-            .severity = Severity::Attention,
-            .headline = Texts::tr("Recording to \"%1\" ended: %2").arg(nameOf(path), cause(failure.trouble)),
-            .body = Texts::tr("%1 Control goes on. To go on recording, choose another file.").arg(rest),
-            .details = failure.detail};
+    const QString rest = kept ? Texts::tr("The part written before (%1) is kept.").arg(length(seconds))
+                              : Texts::tr("Nothing was kept.");
+    return {
+        .key = key::recording(),
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Recording to \"%1\" stopped: %2").arg(nameOf(path), cause(failure.trouble)),
+        .body = Texts::tr("%1 Control continues. To continue recording, choose another file.").arg(rest),
+        .details = failure.detail};
 }
 
 QString recordingProblem(const QString& file, const RecordingProblem& problem) {
@@ -134,7 +135,7 @@ QString recordingProblem(const QString& file, const RecordingProblem& problem) {
         return Texts::tr("\"%1\" is not a recording of NMC Panel.").arg(file);
     if (problem.kind == Kind::NewerVersion)
         return Texts::
-            tr("\"%1\" was written by a newer NMC Panel: its format is %2, and this program knows formats up to %3.")
+            tr("\"%1\" was written by a newer NMC Panel: its format is %2; this version reads formats up to %3.")
                 .arg(file, QString::fromStdString(problem.found), plain(problem.max));
     return Texts::tr("\"%1\" line %2: %3").arg(file, QString::number(problem.line), wrongInLine(problem));
 }
@@ -142,31 +143,31 @@ QString recordingProblem(const QString& file, const RecordingProblem& problem) {
 Message recordingCut(const QString& path, const RecordingProblem& problem, quint64 samples) {
     const QString what = recordingProblem(nameOf(path), problem);
     if (samples == 0)
-        return notOpened(what, Texts::tr("There is nothing to show of it."));
-    return notOpened(what, Texts::tr("The scope shows what stands above that line: %1 samples.")
+        return notOpened(what, Texts::tr("It has nothing to show. Choose another file."));
+    return notOpened(what, Texts::tr("The scope shows the samples above that line: %1.")
                                .arg(grouped(static_cast<qint64>(samples))));
 }
 
 Message recordingWithoutSamples(const QString& path) {
-    return notOpened(Texts::tr("\"%1\" has no samples in it.").arg(nameOf(path)),
-                     Texts::tr("There is nothing to show of it."));
+    return notOpened(Texts::tr("\"%1\" contains no samples.").arg(nameOf(path)),
+                     Texts::tr("It has nothing to show. Choose another file."));
 }
 
 Message recordingNotOpened(const FileError& error) {
-    return notOpened(Texts::tr("\"%1\" was not opened.").arg(nameOf(error.path)), fileTrouble(error),
+    return notOpened(Texts::tr("Could not open \"%1\".").arg(nameOf(error.path)), fileTrouble(error),
                      error.detail);
 }
 
 Message exported(const QString& path) {
     return {.key = key::exported(),
-            .headline = Texts::tr("\"%1\" is saved.").arg(nameOf(path)),
-            .body = Texts::tr("It is in %1.").arg(folderOf(path))};
+            .headline = Texts::tr("Saved \"%1\".").arg(nameOf(path)),
+            .body = Texts::tr("Saved in %1.").arg(folderOf(path))};
 }
 
 Message notExported(const FileError& error) {
     return {.key = key::exported(),
             .severity = Severity::Attention,
-            .headline = Texts::tr("\"%1\" was not saved.").arg(nameOf(error.path)),
+            .headline = Texts::tr("Could not save \"%1\".").arg(nameOf(error.path)),
             .body = fileTrouble(error),
             .details = error.detail};
 }

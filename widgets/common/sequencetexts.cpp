@@ -21,21 +21,21 @@ QString wrong(const SequenceProblem& problem) {
     const QString module = problem.module ? moduleName(*problem.module) : QString();
     switch (problem.kind) {
         case Kind::NoName:
-            return Texts::tr("It has no name.");
+            return Texts::tr("Enter a name.");
         case Kind::NameTwice:
-            return Texts::tr("The name \"%1\" is taken already.").arg(name);
+            return Texts::tr("The name \"%1\" is already used. Choose another one.").arg(name);
         case Kind::AxisTwice:
-            return Texts::tr("%1 is in point \"%2\" twice.").arg(module, name);
+            return Texts::tr("Point \"%2\" contains %1 twice.").arg(module, name);
         case Kind::NoSuchPoint:
-            return Texts::tr("There is no point \"%1\".").arg(name);
+            return Texts::tr("Point \"%1\" does not exist.").arg(name);
         case Kind::NoSuchSequence:
-            return Texts::tr("There is no sequence \"%1\".").arg(name);
+            return Texts::tr("Sequence \"%1\" does not exist.").arg(name);
         case Kind::CallsItself:
-            return Texts::tr("The sequence \"%1\" would call itself and never end.").arg(name);
+            return Texts::tr("The sequence \"%1\" would call itself endlessly.").arg(name);
         case Kind::RepeatsBelow:
-            return Texts::tr("A repeat goes back to a row above it.");
+            return Texts::tr("A repeat must go back to an earlier row.");
         case Kind::NoRows:
-            return Texts::tr("The sequence has no rows.");
+            return Texts::tr("The sequence has no rows. Add a row first.");
         case Kind::NoAxes:
             return Texts::tr("Point \"%1\" has no axes. Teach it again.").arg(name);
         case Kind::NoSuchModule:
@@ -45,31 +45,28 @@ QString wrong(const SequenceProblem& problem) {
                                   : refusal(*problem.refusal);
         case Kind::TaughtElsewhere:
             return Texts::
-                tr("%1 was taught in point \"%2\" before its home was known, so the place may be another one now. Teach it again.")
+                tr("Point \"%2\" was taught before home of %1 was known, so it may have shifted. Teach it again.")
                     .arg(module, name);
         case Kind::NoRecipe:
-            return Texts::tr("%1 has not been told how to find its home. See its page Homing.").arg(module);
+            return Texts::tr("Homing of %1 is not set up. Set it up on its Homing page.").arg(module);
         case Kind::NoSuchPin:
             return Texts::tr("%1 does not have this input or output.").arg(module);
         case Kind::NotAnInput:
-            return Texts::tr("This limit pin of %1 is an output, so it tells nothing.").arg(module);
+            return Texts::tr("This limit pin of %1 is set as an output.").arg(module);
         case Kind::NotAnOutput:
-            return Texts::tr("This limit pin of %1 is not known to be an output. See its page I/O.")
+            return Texts::tr("This limit pin of %1 is not set as an output. Set it on the I/O page.")
                 .arg(module);
         case Kind::OutputsUnknown:
-            return Texts::tr("The outputs of %1 are not known. Set them once on its page I/O.").arg(module);
+            return Texts::tr("The outputs of %1 are unknown. Set them once on its I/O page.").arg(module);
         case Kind::Unreachable:
-            return Texts::tr("A run from the top never comes here: a repeat for ever stands above.");
+            return Texts::tr("A run from the top never gets here: an earlier row repeats forever.");
         case Kind::NotThere:
             return name.isEmpty()
-                       ? Texts::tr("A run from the top would have %1 at its home here. Move it there first.")
-                             .arg(module)
-                       : Texts::tr(
-                             "A run from the top would have %1 at point \"%2\" here. Move it there first.")
+                       ? Texts::tr("At this row, %1 must be at home. Move it there first.").arg(module)
+                       : Texts::tr("At this row, %1 must be at point \"%2\". Move it there first.")
                              .arg(module, name);
         case Kind::NotSet:
-            return Texts::tr(
-                       "A run from the top would have set output %1 of %2 otherwise here. Set it first.")
+            return Texts::tr("At this row, output %1 of %2 must be switched over. Set it first.")
                 .arg(problem.output)
                 .arg(module);
     }
@@ -80,29 +77,29 @@ QString why(const SequenceReport& report) {
     const QString module = report.module ? moduleName(*report.module) : QString();
     switch (*report.end) {
         case SequenceEnd::ByUser:
-            return Texts::tr("You have stopped it.");
+            return Texts::tr("You stopped it.");
         case SequenceEnd::StopOfAll:
             return Texts::tr("All motors were stopped.");
         case SequenceEnd::TakenOver:
-            return Texts::tr("%1 was told something else, or was moved by somebody else.").arg(module);
+            return Texts::tr("%1 received another command, or something else moved it.").arg(module);
         case SequenceEnd::LimitClosed:
-            return Texts::tr("A limit switch of %1 closed on the way.").arg(module);
+            return Texts::tr("A limit switch of %1 closed during the move.").arg(module);
         case SequenceEnd::NotArrived:
-            return Texts::tr("%1 stopped before it was there.").arg(module);
+            return Texts::tr("%1 stopped before it reached its goal.").arg(module);
         case SequenceEnd::WentOff:
-            return Texts::tr("The motor of %1 went off.").arg(module);
+            return Texts::tr("The motor of %1 switched off.").arg(module);
         case SequenceEnd::Refused:
             return Texts::tr("%1: %2").arg(module, refusal(*report.refusal));
         case SequenceEnd::InputTimeout:
-            return Texts::tr("The input of %1 that it waited for did not come in time.").arg(module);
+            return Texts::tr("The input of %1 did not change in time.").arg(module);
         case SequenceEnd::NotHomed:
-            return Texts::tr("%1 has not found its home.").arg(module);
+            return Texts::tr("%1 did not find home.").arg(module);
         case SequenceEnd::LinkInDoubt:
-            return Texts::tr("The link was in doubt.");
+            return Texts::tr("The link was unreliable.");
         case SequenceEnd::Silent:
             return Texts::tr("%1 does not answer.").arg(module);
         case SequenceEnd::NotCarriedOut:
-            return Texts::tr("A command to %1 was refused or not answered.").arg(module);
+            return Texts::tr("%1 refused or did not answer a command.").arg(module);
     }
     return {};
 }
@@ -170,7 +167,7 @@ QString placesOf(const Point& point, const ScaleOfAxis& scale) {
     QStringList places;
     for (const PointAxis& axis : point.axes) {
         const QString place = position(scale(axis.module), axis.counts);
-        places << (axis.fromHome ? Texts::tr("%1: %2 from home") : Texts::tr("%1: at %2, home not known"))
+        places << (axis.fromHome ? Texts::tr("%1: %2 from home") : Texts::tr("%1: at %2, home unknown"))
                       .arg(moduleName(axis.module), place);
     }
     return places.join(u"; "_s);
@@ -192,9 +189,9 @@ QString sequenceState(const SequenceReport& report) {
     const QString where = hasRows(report) ? placeOf(report) : nameOf(report);
     switch (report.stage) {
         case SequenceStage::Running:
-            return Texts::tr("Runs: %1").arg(where);
+            return Texts::tr("Running: %1").arg(where);
         case SequenceStage::Pausing:
-            return Texts::tr("Finishes its row, then pauses: %1").arg(where);
+            return Texts::tr("Finishing its row, then pausing: %1").arg(where);
         case SequenceStage::Paused:
             return Texts::tr("Paused before: %1").arg(where);
         case SequenceStage::Stopping:
@@ -202,8 +199,8 @@ QString sequenceState(const SequenceReport& report) {
         case SequenceStage::Done:
             return Texts::tr("Done: %1").arg(nameOf(report));
         case SequenceStage::Over:
-            return (isDoubt(*report.end) ? Texts::tr("Paused by a doubt, motors stopped: %1. %2")
-                                         : Texts::tr("Over: %1. %2"))
+            return (isDoubt(*report.end) ? Texts::tr("Paused on a fault, motors stopped: %1. %2")
+                                         : Texts::tr("Ended: %1. %2"))
                 .arg(where, why(report));
     }
     return {};
@@ -218,14 +215,14 @@ std::optional<Message> sequenceOver(const SequenceReport& report) {
     message.module = report.module;
     message.severity = Severity::Attention;
     message.headline = (isDoubt(*report.end) ? Texts::tr("%1 paused, and its motors were told to stop.")
-                                             : Texts::tr("%1 has ended, and its motors were told to stop."))
+                                             : Texts::tr("%1 ended, and its motors were told to stop."))
                            .arg(nameOf(report));
     message.body = why(report);
     if (hasRows(report))
         message.body +=
             u' ' +
             Texts::tr(
-                "It was at: %1. Nothing moves again by itself; choose the row to go on from, and run from there.")
+                "It was at: %1. To continue, select a row and choose Run from row. Nothing restarts on its own.")
                 .arg(placeOf(report));
     return message;
 }
@@ -241,17 +238,16 @@ Message sequenceNotBegun(const SequenceProblem& problem) {
 QString foreseen(const DryRun& dryRun, const ScaleOfAxis& scale) {
     QStringList lines;
     if (!dryRun.problems.empty()) {
-        lines << Texts::tr("Dry run: it would not be started.");
+        lines << Texts::tr("Dry run: the sequence would not start.");
         for (const SequenceProblem& problem : dryRun.problems)
             lines << sequenceProblem(problem);
         return lines.join(u'\n');
     }
     if (dryRun.report.places.empty())
-        return Texts::tr("Dry run: the simulated copy was not ready. Try again.");
+        return Texts::tr("Dry run: the simulation was not ready. Try again.");
     const QString seconds = readout(dryRun.seconds, 3);
     if (dryRun.tooLong)
-        lines
-            << Texts::tr("Dry run: it takes longer than %1 s and was not followed any farther.").arg(seconds);
+        lines << Texts::tr("Dry run: cut off after %1 s.").arg(seconds);
     else if (dryRun.done())
         lines << Texts::tr("Dry run: done after %1 s.").arg(seconds);
     else
@@ -259,13 +255,12 @@ QString foreseen(const DryRun& dryRun, const ScaleOfAxis& scale) {
     for (const DryRun::Axis& axis : dryRun.axes)
         lines << axisLine(axis, scale(axis.module));
     if (!dryRun.homeAssumed.empty())
-        lines << Texts::tr("Searches for home take longer than here: %1.")
-                     .arg(listOfModules(dryRun.homeAssumed));
+        lines << Texts::tr("Homing takes longer in reality: %1.").arg(listOfModules(dryRun.homeAssumed));
     if (dryRun.inputsAssumed)
-        lines << Texts::tr("Inputs came at once here.");
+        lines << Texts::tr("Inputs were assumed to change at once.");
     if (dryRun.onceOnly)
-        lines << Texts::tr("A repeat for ever was done once.");
-    lines << Texts::tr("The motors were the simulator's; yours may take longer.");
+        lines << Texts::tr("An endless repeat ran once.");
+    lines << Texts::tr("Simulated motors were used; real motors may take longer.");
     return lines.join(u'\n');
 }
 

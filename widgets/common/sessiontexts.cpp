@@ -25,40 +25,38 @@ QString span(double seconds) {
 
 Message panelFroze(double seconds, bool stopped) {
     const QString text =
-        stopped ? Texts::tr("The panel was frozen for %1; motors were told to stop after 2 s.")
-                : Texts::tr("The panel was frozen for %1 while a motor was moving. It was not stopped.");
+        stopped ? Texts::tr("The panel froze for %1; motors were told to stop after 2 s.")
+                : Texts::tr("The panel froze for %1 while a motor was moving. The motor was not stopped.");
     return {.key = u"froze"_s,
             .severity = Severity::Attention,
             .headline = text.arg(span(seconds)),
             .body = Texts::tr(
-                "Stop all could not be pressed meanwhile. The computer was busy, or the program hung.")};
+                "STOP ALL did not work during that time. The computer was busy, or the program hung.")};
 }
 
 Message machineSlept(double seconds, bool stopped) {
     const QString text =
-        stopped ? Texts::tr("Resumed after %1: motors were told to stop, and all values are read again.")
-                : Texts::tr("Resumed after %1: all values are read again.");
+        stopped ? Texts::tr("Resumed after %1: motors were told to stop; reading all values again.")
+                : Texts::tr("Resumed after %1: reading all values again.");
     return {
         .key = u"slept"_s,
         .severity = Severity::Attention,
         .headline = text.arg(span(seconds)),
         .body = Texts::tr(
-            "The computer was suspended. Motors that moved went on moving meanwhile; look at them before the next move.")};
+            "The computer was suspended. Motors that were moving kept moving. Look at them before the next move.")};
 }
 
 namespace {
 
 QString guardianTold(const std::vector<ModuleIndex>& modules) {
-    const QString text =
-        modules.size() == 1
-            ? Texts::tr("The panel ended without stopping its motors; its guardian told module %1 to stop.")
-            : Texts::tr("The panel ended without stopping its motors; its guardian told modules %1 to stop.");
-    return text.arg(listOfModules(modules));
+    return Texts::tr("The panel ended without stopping its motors; its guardian told modules %1 to stop.",
+                     nullptr, howMany(modules))
+        .arg(listOfModules(modules));
 }
 
 QString guardianCannotSee() {
     return Texts::tr(
-        "The program was killed, or it hung. The guardian cannot see whether a motor obeyed: look at it before you connect; use the hardware stop if it moves.");
+        "The program was killed, or it hung. The guardian cannot see whether a motor stopped: look at the motors before you connect; use the hardware stop if one moves.");
 }
 
 }  // namespace
@@ -68,23 +66,20 @@ Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString&
     Message m{
         .key = key::endedWhileMoving(file),
         .severity = Severity::Attention,
-        .actions = {lookFirst(), {MessageAction::LookedAt, Texts::tr("I have looked: it stands still")}}};
+        .actions = {lookFirst(), {MessageAction::LookedAt, Texts::tr("I have checked: it is at rest")}}};
     const QString moving = listOfModules(modules);
     if (toldByGuardian) {
-        const QString were = modules.size() == 1 ? Texts::tr("Motor %1 was moving, at %2.")
-                                                 : Texts::tr("Motors %1 were moving, at %2.");
+        const QString were = Texts::tr("Motors %1 were moving, at %2.", nullptr, howMany(modules));
         m.headline = guardianTold(*toldByGuardian);
         m.body = were.arg(moving, portName(port)) + u' ' + guardianCannotSee() + u' ' +
-                 Texts::tr("This is said until the motor was seen at rest.");
+                 Texts::tr("This message stays until the motor is seen at rest.");
         return m;
     }
-    const QString ended = modules.size() == 1
-                              ? Texts::tr("The last session ended while motor %1 was moving.")
-                              : Texts::tr("The last session ended while motors %1 were moving.");
-    m.headline = ended.arg(moving);
+    m.headline = Texts::tr("The last session ended while motors %1 were moving.", nullptr, howMany(modules))
+                     .arg(moving);
     m.body =
         Texts::tr(
-            "It was connected to %1, and was killed, or the computer failed. Motor state unknown: look at it before you connect; use the hardware stop if it moves. This is said until the motor was seen at rest.")
+            "It was connected to %1 and was killed, or the computer failed. Motor state unknown: look at the motor before you connect; use the hardware stop if it moves. This message stays until the motor is seen at rest.")
             .arg(portName(port));
     return m;
 }
@@ -98,39 +93,40 @@ Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules) {
 }
 
 Message guardianStopped() {
-    return {.key = u"guardianStopped"_s,
-            .severity = Severity::Attention,
-            .headline = Texts::tr(
-                "The panel stood still while a motor was moving; its guardian told the motors to stop."),
-            .body = Texts::tr(
-                "The program was halted, or the computer was too busy. Every value is being read again.")};
+    return {
+        .key = u"guardianStopped"_s,
+        .severity = Severity::Attention,
+        .headline =
+            Texts::tr("The panel stalled while a motor was moving; its guardian told the motors to stop."),
+        .body = Texts::tr(
+            "The program was halted, or the computer was too busy. The panel is reading all values again.")};
 }
 
 Message guardianMissing(GuardianProblem problem) {
     Message m{.key = u"guardianMissing"_s,
               .severity = Severity::Attention,
-              .headline = Texts::tr("Nobody stops the motors if this program is killed: it has no guardian."),
+              .headline = Texts::tr("No guardian: if this program is killed, nothing stops the motors."),
               .stands = true};
     switch (problem) {
         case GuardianProblem::Missing:
             m.body = Texts::tr(
-                "nmcguard belongs beside this program, and is not there. Install it again. Everything else works.");
+                "nmcguard is missing from this program's folder. Reinstall the program. Everything else works.");
             break;
         case GuardianProblem::NotPermitted:
             m.body = Texts::tr(
-                "This user may not start nmcguard, which lies beside this program. Everything else works.");
+                "Your user account may not start nmcguard in this program's folder. Reinstall the program. Everything else works.");
             break;
         case GuardianProblem::WrongVersion:
             m.body = Texts::tr(
-                "The nmcguard beside this program is of another version. Install both again. Everything else works.");
+                "nmcguard and this program have different versions. Reinstall both. Everything else works.");
             break;
         case GuardianProblem::Failed:
             m.body = Texts::tr(
-                "The computer has no memory or no file left for it. Close other programs, then connect again. Everything else works.");
+                "The computer ran out of memory or open files. Close other programs, then connect again. Everything else works.");
             break;
         case GuardianProblem::Ended:
             m.body = Texts::tr(
-                "It has ended by itself. Connect again to start another one. Everything else works.");
+                "The guardian ended unexpectedly. Connect again to restart it. Everything else works.");
             break;
     }
     return m;
@@ -140,10 +136,10 @@ Message settingsNotSaved(const QString& file) {
     return {
         .key = u"settings"_s,
         .severity = Severity::Attention,
-        .headline = Texts::tr("Settings are not saved."),
+        .headline = Texts::tr("Settings cannot be saved."),
         .body =
             Texts::tr(
-                "%1 cannot be written. Everything else works; only the layout of the window and the last port will not be remembered.")
+                "%1 is not writable. Everything else works; only the window layout and the last port are not remembered.")
                 .arg(file),
         .stands = true};
 }
@@ -152,9 +148,10 @@ Message messagesNotKept(const FileError& error) {
     return {
         .key = u"messageLog"_s,
         .severity = Severity::Attention,
-        .headline = Texts::tr("Messages are not kept beyond this session."),
-        .body = Texts::tr("%1 cannot be written. Everything else works; the list of messages has an export.")
-                    .arg(error.path),
+        .headline = Texts::tr("Messages are lost when this session ends."),
+        .body =
+            Texts::tr("%1 is not writable. Everything else works. To keep messages, export the message list.")
+                .arg(error.path),
         .details = error.detail};
 }
 

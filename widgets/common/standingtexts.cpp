@@ -15,36 +15,35 @@ Message limitClosed(const ModuleState& module, int limit) {
     const QString number = moduleNumber(index);
     if (module.isStepper()) {
         m.headline = module.stepper.ended() == Activity::StoppedByLimit
-                         ? Texts::tr("Limit %1 of module %2 stopped its motor.").arg(limit).arg(number)
-                         : Texts::tr("Limit %1 of module %2 closed while its motor was moving.")
+                         ? Texts::tr("Limit switch %1 of module %2 stopped its motor.").arg(limit).arg(number)
+                         : Texts::tr("Limit switch %1 of module %2 closed while its motor was moving.")
                                .arg(limit)
                                .arg(number);
         m.body = Texts::tr(
-            "The module lets its motor go no farther that way while the switch is closed. Move it the other way.");
+            "While the switch is closed, the module blocks this direction. Move the motor the other way.");
     } else if (module.limitEnds(limit == 1 ? 1 : -1)) {
-        m.headline = Texts::tr("Limit %1 of module %2 stopped its motor.").arg(limit).arg(number);
+        m.headline = Texts::tr("Limit switch %1 of module %2 stopped its motor.").arg(limit).arg(number);
         m.body = Texts::tr(
-            "The module lets its motor go no farther that way while the switch is closed. Move it the other way.");
+            "While the switch is closed, the module blocks this direction. Move the motor the other way.");
     } else {
         m.headline =
-            Texts::tr("Limit %1 of module %2 closed while its motor was moving, and does not stop it.")
+            Texts::tr("Limit switch %1 of module %2 closed while its motor was moving, but does not stop it.")
                 .arg(limit)
                 .arg(number);
         m.body = Texts::tr(
-            "A PIC-SERVO stops at a limit by itself only where a limit stop is armed, and none was there. Stop it, then move it the other way; the page Homing arms a limit stop.");
+            "A PIC-SERVO stops at a limit switch only while a limit stop is armed. Stop the motor, then move it the other way. Arm a limit stop on the Homing page.");
         m.actions = {{MessageAction::StopAll, Texts::tr("STOP ALL")}};
     }
     return m;
 }
 
 Message estopActive(ModuleIndex module) {
-    return {
-        .key = ofModule(u"estopActive"_s, module),
-        .module = module,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("The E-stop input of module %1 is active: its motor is on, and does not move.")
-                        .arg(moduleNumber(module)),
-        .body = Texts::tr("Release the input; nothing moves by that.")};
+    return {.key = ofModule(u"estopActive"_s, module),
+            .module = module,
+            .severity = Severity::Attention,
+            .headline = Texts::tr("The E-stop input of module %1 is active: its motor is on but cannot move.")
+                            .arg(moduleNumber(module)),
+            .body = Texts::tr("Release the input. This does not start a motion.")};
 }
 
 Message limitStopTripped(ModuleIndex module, const HomeWatch& watch) {
@@ -57,7 +56,7 @@ Message limitStopTripped(ModuleIndex module, const HomeWatch& watch) {
                         ? Texts::tr("The limit stop of module %1 switched its motor off.").arg(number)
                         : Texts::tr("The limit stop of module %1 stopped its motor.").arg(number),
         .body = Texts::tr(
-            "It acts once, and is not armed any more. Move the motor off the switch, then arm it again on the page Homing, or disarm it there.")};
+            "A limit stop acts once. Move the motor off the switch, then arm or disarm the limit stop on the Homing page.")};
 }
 
 Message swings(const ModuleState& module) {
@@ -71,7 +70,7 @@ Message swings(const ModuleState& module) {
                   "Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them."),
               .actions = {{MessageAction::SwitchOff, Texts::tr("Motor off")}}};
     if (module.gainsBefore)
-        m.actions.append({MessageAction::GainsBefore, Texts::tr("Back to the gains before")});
+        m.actions.append({MessageAction::GainsBefore, Texts::tr("Restore previous gains")});
     return m;
 }
 

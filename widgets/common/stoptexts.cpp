@@ -11,14 +11,13 @@ namespace {
 /// Who is not known to have stopped, and why; empty: everybody is.
 QStringList missing(const bus::StopFinished& finished) {
     QStringList parts;
-    const auto add = [&parts](const std::vector<ModuleIndex>& modules, const QString& one,
-                              const QString& several) {
-        if (!modules.empty())
-            parts << (modules.size() == 1 ? one : several).arg(listOfModules(modules));
-    };
-    add(finished.unreached, Texts::tr("Module %1 does not answer"), Texts::tr("Modules %1 do not answer"));
-    add(finished.unconfirmed, Texts::tr("Module %1 was told to stop but was not seen at rest"),
-        Texts::tr("Modules %1 were told to stop but were not seen at rest"));
+    if (!finished.unreached.empty())
+        parts << Texts::tr("Modules %1 do not answer", nullptr, howMany(finished.unreached))
+                     .arg(listOfModules(finished.unreached));
+    if (!finished.unconfirmed.empty())
+        parts << Texts::tr("Modules %1 were told to stop but were not seen at rest", nullptr,
+                           howMany(finished.unconfirmed))
+                     .arg(listOfModules(finished.unconfirmed));
     return parts;
 }
 
@@ -43,7 +42,7 @@ Message stopResult(const bus::StopFinished& finished, bool holding) {
     if (parts.isEmpty())
         parts << Texts::tr("No module is known");
     parts.last() += Texts::tr(": use the hardware stop.");
-    const QString first = finished.stopped.empty() ? Texts::tr("No stop could be confirmed.")
+    const QString first = finished.stopped.empty() ? Texts::tr("No stop was confirmed.")
                                                    : Texts::tr("%1 of %2 stopped.").arg(stopped, all);
     return {.key = key::stop(), .severity = Severity::Fault, .headline = first + u' ' + parts.join(u". "_s)};
 }
@@ -66,10 +65,8 @@ Message holdExpired(ModuleIndex module) {
     return {.key = ofModule(u"hold"_s, module),
             .module = module,
             .severity = Severity::Attention,
-            .headline =
-                Texts::tr(
-                    "Module %1 was told to stop: the button was held, but the panel was too slow to say so.")
-                    .arg(moduleNumber(module)),
+            .headline = Texts::tr("Module %1 was told to stop jogging: the panel stalled for over 250 ms.")
+                            .arg(moduleNumber(module)),
             .body = Texts::tr("The computer was busy for more than 250 ms. Press and hold again.")};
 }
 
@@ -83,18 +80,18 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
             m.headline = Texts::tr("Module %1 was told to switch off: it moved the wrong way, to %2 counts.")
                              .arg(number, position);
             m.body = Texts::tr(
-                "Usually encoder or motor wires are swapped, or the gains make it swing. Check both before the next move.");
+                "Usually encoder or motor wires are swapped, or the gains make it oscillate. Check both before the next move.");
             break;
         case bus::MotionSuspect::Reason::Overshot:
             m.headline = Texts::tr("Module %1 was told to stop: it went past its goal, to %2 counts.")
                              .arg(number, position);
             m.body = Texts::tr(
-                "Either the command was damaged on its way, or the gains let it overshoot by far. Read the position before the next move.");
+                "The command was damaged on its way, or the gains cause a large overshoot. Check the position before the next move.");
             break;
         case bus::MotionSuspect::Reason::Frozen:
             m.headline =
                 Texts::tr(
-                    "Module %1 was told to stop: it says that it moves, but reports %2 counts again and again.")
+                    "Module %1 was told to stop: it reports motion, but its position stays at %2 counts.")
                     .arg(number, position);
             m.body = Texts::tr("Motor state unknown. Look at the motor; stop all if in doubt.");
             break;
@@ -103,17 +100,16 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
 }
 
 Message foreignTraffic(const bus::ForeignTraffic& traffic) {
-    QString headline = Texts::tr("Somebody else is sending on this line.");
+    QString headline = Texts::tr("Another host is sending on this line.");
     if (!traffic.toldToStop.empty())
-        headline += u' ' + (traffic.toldToStop.size() == 1 ? Texts::tr("Module %1 was told to stop.")
-                                                           : Texts::tr("Modules %1 were told to stop."))
+        headline += u' ' + Texts::tr("Modules %1 were told to stop.", nullptr, howMany(traffic.toldToStop))
                                .arg(listOfModules(traffic.toldToStop));
     return {
         .key = u"foreign"_s,
         .severity = Severity::Fault,
         .headline = headline,
         .body = Texts::tr(
-            "Modules answer commands that did not come from here; what was under way here was cancelled. End the other program, or take its computer off the line, before you go on.")};
+            "Modules answer commands that this panel did not send; running tasks were cancelled. Close the other program, or disconnect its computer from the line, before you continue.")};
 }
 
 Message foreignMotion(const bus::ForeignMotion& motion) {
@@ -122,9 +118,9 @@ Message foreignMotion(const bus::ForeignMotion& motion) {
         .module = motion.module,
         .severity = Severity::Fault,
         .headline =
-            Texts::tr("Module %1 moves, and not because of this panel.").arg(moduleNumber(motion.module)),
+            Texts::tr("Module %1 moves without a command from this panel.").arg(moduleNumber(motion.module)),
         .body = Texts::tr(
-            "Another host on this line has started it, or a load drives it. The panel leaves it alone unless you stop it; that host may start it again."),
+            "Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again."),
         .actions = {{MessageAction::StopAll, Texts::tr("STOP ALL")}}};
 }
 

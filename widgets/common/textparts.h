@@ -24,6 +24,10 @@ class Texts {
 [[nodiscard]] QString rate(quint32 baud);
 /// What to do when a file was not read or written.
 [[nodiscard]] QString fileTrouble(const FileError& error);
+/// What a numbered sentence about these modules agrees with.
+[[nodiscard]] inline int howMany(const std::vector<ModuleIndex>& modules) {
+    return static_cast<int>(modules.size());
+}
 /// The key of a message about one module.
 [[nodiscard]] QString ofModule(const QString& what, ModuleIndex module);
 /// What is known of the motors when the link is not.

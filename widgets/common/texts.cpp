@@ -39,7 +39,7 @@ QString ofModule(const QString& what, ModuleIndex module) {
 
 QString movingSentence(const std::vector<ModuleIndex>& moving) {
     if (moving.empty())
-        return Texts::tr("Motor state unknown; no motor was moving at the last word.");
+        return Texts::tr("Motor state unknown; no motor was moving when last seen.");
     QStringList names;
     for (const ModuleIndex module : moving)
         names << moduleName(module);
@@ -61,24 +61,23 @@ Message operationFailed(const bus::OperationFinished& finished) {
             break;
         case bus::Outcome::Refused:
             m.headline =
-                Texts::tr("Module %1 did not understand the command, so it was not carried out.").arg(number);
-            m.body = Texts::tr("It was sent 3 times. Usually noise on the cable. Nothing after it was sent.");
+                Texts::tr("Module %1 received the command garbled and did not carry it out.").arg(number);
+            m.body = Texts::tr("Sent 3 times; later commands were not sent. Usually noise on the cable.");
             break;
         case bus::Outcome::NoAnswer:
             m.severity = Severity::Fault;
             m.headline = Texts::tr("Module %1 did not answer the command. Motor state unknown.").arg(number);
             m.body = Texts::tr(
-                "The command may or may not have been carried out. Look at the motor; stop all if in doubt. Nothing after it was sent.");
+                "The command may or may not have been carried out; later commands were not sent. Look at the motor; stop all if in doubt.");
             break;
         case bus::Outcome::Forbidden:
-            m.headline = Texts::tr("Module %1 does not allow this in its present state. Nothing was sent.")
-                             .arg(number);
+            m.headline =
+                Texts::tr("Module %1 cannot do this in its present state. Nothing was sent.").arg(number);
             m.body = Texts::tr("Stop the motor, then try again.");
             break;
         case bus::Outcome::Cancelled:
             m.severity = Severity::Normal;
-            m.headline =
-                Texts::tr("The command for module %1 was dropped because a stop came first.").arg(number);
+            m.headline = Texts::tr("A stop replaced the command for module %1.").arg(number);
             break;
     }
     return m;
@@ -90,26 +89,26 @@ namespace {
 QString tripAdvice(TripCause cause) {
     switch (cause) {
         case TripCause::Unknown:
-            return Texts::tr("Check for a jam, or raise EL on the page Gains.");
+            return Texts::tr("Check for a jam, or raise EL on the Gains page.");
         case TripCause::Reversed:
             return Texts::tr(
-                "It ran away from where it was told to be: motor or encoder is probably reversed. Make the direction check on the page Axis before you enable it again.");
+                "It ran away from its goal: motor or encoder is probably reversed. Run the direction check on the Axis page before you enable it again.");
         case TripCause::Jam:
             return Texts::tr(
-                "It was driven and did not move: look for a jam, a brake or an end stop, and at the motor's cable. If it is only hard to turn, raise OL on the page Gains.");
+                "It was driven but did not move: check for a jam, a brake or a hard stop, and check the motor cable. If it is only hard to turn, raise OL on the Gains page.");
         case TripCause::Limit1:
             return Texts::tr(
-                "Limit 1 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.");
+                "Limit switch 1 closed: it is probably at the end of its travel. Move it the other way. To stop in time, arm a limit stop on the Homing page.");
         case TripCause::Limit2:
             return Texts::tr(
-                "Limit 2 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.");
+                "Limit switch 2 closed: it is probably at the end of its travel. Move it the other way. To stop in time, arm a limit stop on the Homing page.");
         case TripCause::OffAtLimit1:
         case TripCause::OffAtLimit2:
             return Texts::tr(
-                "Enable it, then drive it the other way. The page Amplifier sets what a closed limit does.");
+                "Enable it, then move it the other way. The Amplifier page sets what a closed limit does.");
         case TripCause::Behind:
             return Texts::tr(
-                "It moved as it was told, and could not keep up: lower its velocity or acceleration, or raise OL and EL on the page Gains.");
+                "It moved correctly but could not keep up: lower its velocity or acceleration, or raise OL and EL on the Gains page.");
     }
     return {};
 }
@@ -122,7 +121,7 @@ Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
         return {.key = key::tripped(module),
                 .module = module,
                 .severity = Severity::Fault,
-                .headline = Texts::tr("Limit %1 closed, and module %2 switched its motor off.")
+                .headline = Texts::tr("Limit switch %1 closed, and module %2 switched its motor off.")
                                 .arg(cause == TripCause::OffAtLimit1 ? 1 : 2)
                                 .arg(number),
                 .body = tripAdvice(cause),
@@ -158,10 +157,9 @@ Message currentLimited(ModuleIndex module) {
         .key = key::current(module),
         .module = module,
         .severity = Severity::Attention,
-        .headline =
-            Texts::tr("Module %1 limits the current of its motor: overcurrent.").arg(moduleNumber(module)),
+        .headline = Texts::tr("Overcurrent: module %1 limits its motor current.").arg(moduleNumber(module)),
         .body = Texts::tr(
-            "The motor may not reach its goal, or not hold its load. Check for a jam or too heavy a load, or raise the limit. It says so until the sticky bits are cleared.")};
+            "The motor may fail to reach its goal or hold its load. Check for a jam or too heavy a load, or raise the limit. This message stays until you clear the sticky bits.")};
 }
 
 Message amplifierWentOff(ModuleIndex module, Activity activity) {
@@ -176,10 +174,9 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
             break;
         case Activity::Overheated:
             message.key = ofModule(u"overheated"_s, module);
-            message.headline =
-                Texts::tr("Module %1 switched its motor off because it is too hot.").arg(number);
+            message.headline = Texts::tr("Module %1 is too hot and switched its motor off.").arg(number);
             message.body = Texts::tr(
-                "The A/D value fell below the thermal limit. Let the motor cool down; then look at the currents and the limit on the Parameters page.");
+                "The A/D value fell below the thermal limit. Let the motor cool down; then check the currents and the limit on the Parameters page.");
             break;
         case Activity::EstopActive:
             message.key = ofModule(u"estop"_s, module);
@@ -214,7 +211,7 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
         case Activity::WentOff:
             message.headline = Texts::tr("Module %1 switched its motor off by itself.").arg(number);
             message.body =
-                Texts::tr("It does not say why. Check its power and its inputs, then enable it again.");
+                Texts::tr("The cause is unknown. Check its power and inputs, then enable it again.");
             break;
     }
     return message;
@@ -225,10 +222,10 @@ Message stoppedBeforeLimit(ModuleIndex module) {
         .key = ofModule(u"travel"_s, module),
         .module = module,
         .severity = Severity::Attention,
-        .headline = Texts::tr("Module %1 was told to stop: it was about to leave its limits of travel.")
-                        .arg(moduleNumber(module)),
+        .headline =
+            Texts::tr("Module %1 was told to stop just before its travel limit.").arg(moduleNumber(module)),
         .body = Texts::tr(
-            "The chip does not end this kind of motion by itself, so the panel did. See where it stands before you go on.")};
+            "The chip does not end this kind of motion by itself, so the panel did. Check the position before you continue.")};
 }
 
 Message notPossible(ModuleIndex module, const QString& reason) {
@@ -236,27 +233,24 @@ Message notPossible(ModuleIndex module, const QString& reason) {
         .key = ofModule(u"notPossible"_s, module),
         .module = module,
         .severity = Severity::Attention,
-        .headline = Texts::tr("Not possible for module %1 now; nothing was sent.").arg(moduleNumber(module)),
+        .headline = Texts::tr("Module %1 cannot do this now; nothing was sent.").arg(moduleNumber(module)),
         .body = reason};
 }
 
 QString closing(int movingMotors) {
     if (movingMotors == 0)
-        return Texts::tr("No motor moves any more. All are told to stop before the port closes.");
-    return movingMotors == 1 ? Texts::tr("1 motor is moving. It will be stopped before the port closes.")
-                             : Texts::tr("%1 motors are moving. They will be stopped before the port closes.")
-                                   .arg(movingMotors);
+        return Texts::tr("No motor is moving. All are told to stop before the port closes.");
+    return Texts::tr("%n motors are moving. They will be stopped before the port closes.", nullptr,
+                     movingMotors);
 }
 
 QString beforeRestart(int movingMotors) {
     const QString loss =
-        Texts::tr("Every module forgets its position, its gains and its address, and lets go of its motor.");
+        Texts::tr("Every module loses its position, gains and address, and switches its motor off.");
     if (movingMotors == 0)
         return loss;
-    const QString moving =
-        movingMotors == 1 ? Texts::tr("1 motor is moving. It will be stopped first.")
-                          : Texts::tr("%1 motors are moving. They will be stopped first.").arg(movingMotors);
-    return moving + u'\n' + loss;
+    return Texts::tr("%n motors are moving. They will be stopped first.", nullptr, movingMotors) + u'\n' +
+           loss;
 }
 
 QString stoppingBeforeClose() {
@@ -268,7 +262,7 @@ Message safety() {
         .key = key::safety(),
         .headline = Texts::tr("Fit a hardware emergency stop that removes motor power."),
         .body = Texts::tr(
-            "These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses its power, a motor that runs keeps running, and no program can stop it. Stop all, and Esc, work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs."),
+            "These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses power, a running motor keeps running, and no program can stop it. STOP ALL and Esc work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs."),
         .actions = {{MessageAction::Understood, Texts::tr("Understood")}}};
 }
 
@@ -277,7 +271,7 @@ QString simulatorDid(const QString& line) {
 }
 
 QString simulatorRefused(const QString& line) {
-    return Texts::tr("Not done: %1").arg(line);
+    return Texts::tr("Failed: %1").arg(line);
 }
 
 QString simulatorTold(const QString& line) {

@@ -176,7 +176,7 @@ namespace texts {
 // ---- the machine file ----
 /// ""mill.json" line 12: Kp is 40000; the module takes 0 to 32767."
 [[nodiscard]] QString fileProblem(const QString& file, const FileProblem& problem);
-/// Without its folder; "unsaved work" for what no file has.
+/// Without its folder; "unsaved changes" for what no file has.
 [[nodiscard]] QString machineFileName(const QString& path);
 [[nodiscard]] Message machineNotOpened(const QString& file, const FileProblem& problem);
 [[nodiscard]] Message machineNotOpened(const FileError& error);

@@ -24,20 +24,15 @@ QString speed(double native, const AxisScale& scale) {
 
 QString travelProblem(const TravelProblem& problem, const AxisScale& scale) {
     if (problem.refusal == Refusal::TooFast)
-        return Texts::tr("That is %1; this axis goes at most %2 (page Axis).")
+        return Texts::tr("That is %1; the highest velocity of this axis is %2 (Axis page).")
             .arg(speed(problem.velocity, scale), speed(problem.fastest, scale));
     const QString limit = position(scale, problem.limit);
     if (problem.refusal == Refusal::AtTravelEnd)
-        return problem.lowest
-                   ? Texts::tr("The lowest position of this axis is %1: there is no way on in reverse.")
-                         .arg(limit)
-                   : Texts::tr("The highest position of this axis is %1: there is no way on forward.")
-                         .arg(limit);
+        return problem.lowest ? Texts::tr("Lowest position reached: %1. Move forward.").arg(limit)
+                              : Texts::tr("Highest position reached: %1. Move in reverse.").arg(limit);
     return problem.lowest
-               ? Texts::tr("That is beyond the limits of travel: the lowest position to go to is %1.")
-                     .arg(limit)
-               : Texts::tr("That is beyond the limits of travel: the highest position to go to is %1.")
-                     .arg(limit);
+               ? Texts::tr("That is beyond the travel limits: the lowest position is %1.").arg(limit)
+               : Texts::tr("That is beyond the travel limits: the highest position is %1.").arg(limit);
 }
 
 QString refusal(Refusal reason, const Intent& intent, const ModuleState& module, const AxisScale& scale) {
@@ -48,11 +43,11 @@ QString refusal(Refusal reason, const Intent& intent, const ModuleState& module,
 QString travelState(const ModuleState& module, const AxisScale& scale) {
     switch (travelForce(module)) {
         case TravelForce::NotSet:
-            return u"○ "_s + Texts::tr("No limits of travel are set.");
+            return u"○ "_s + Texts::tr("No travel limits are set.");
         case TravelForce::HomeUnknown:
             return u"▲ "_s +
                    Texts::tr(
-                       "Not in force: home is not known. Search for it, save it, or declare the position right.");
+                       "Not in force: home is unknown. Search for it, save it, or confirm the position.");
         case TravelForce::InForce:
             break;
     }
@@ -67,7 +62,7 @@ QString travelState(const ModuleState& module, const AxisScale& scale) {
 
 QString travelSign(const ModuleState& module) {
     if (travelForce(module) == TravelForce::HomeUnknown)
-        return u"▲ "_s + Texts::tr("Limits of travel not in force");
+        return u"▲ "_s + Texts::tr("Travel limits not in force");
     switch (travelPlace(module)) {
         case TravelPlace::Within:
             break;
@@ -87,7 +82,7 @@ QString declareQuestion(const ModuleState& module, const AxisScale& scale) {
     if (!module.latest || !module.latest->position)
         return {};
     return Texts::
-        tr("Is %1 really at %2 now? Then home is where the position is 0, and the limits of travel are in force from there. If it is not, they protect the wrong places. Look at the axis itself first.")
+        tr("Look at the axis first: is %1 really at %2? If so, home is at position 0, and the travel limits apply from there. If not, they protect the wrong range.")
             .arg(moduleName(module.info.index), position(scale, *module.latest->position));
 }
 

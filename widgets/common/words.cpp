@@ -109,32 +109,31 @@ QString activity(Activity activity) {
 QString activityMeaning(Activity activity) {
     switch (activity) {
         case Activity::Unknown:
-            return Texts::tr("No status has come from this module yet.");
+            return Texts::tr("No status received from this module yet.");
         case Activity::Silent:
-            return Texts::tr("The module does not answer: moving or stopped is unknown.");
+            return Texts::tr("The module does not answer. Motor state unknown.");
         case Activity::Restarted:
             return Texts::tr(
-                "The module restarted by itself: its motor is off, and its position, gains and address are lost until the network is restarted.");
+                "The module restarted: its motor is off, and its position, gains and address are lost. Restart the network.");
         case Activity::NoPower:
             return Texts::tr("The module has no motor power, so its motor is off.");
         case Activity::ServoOff:
-            return Texts::tr(
-                "The motor is free to turn. Nothing is wrong: the servo has not been switched on, or was switched off.");
+            return Texts::tr("The motor is free to turn. This is normal: the servo is switched off.");
         case Activity::Tripped:
             return Texts::tr(
                 "The servo switched itself off because the motor was too far from where it should be.");
         case Activity::PowerLost:
-            return Texts::tr("The module switched its motor off when motor power went away. It stays off.");
+            return Texts::tr("The module switched its motor off when motor power failed. It stays off.");
         case Activity::PwmMode:
             return Texts::tr("A fixed PWM value drives the motor; the servo does not control it.");
         case Activity::Turned:
             return Texts::tr(
-                "The shaft moves although the motor is off: a load turns it, or it is still running down. No stop holds it; use a brake, or enable the servo.");
+                "The shaft moves while the motor is off: a load turns it, or it is still coasting. A stop cannot hold it; use a brake, or enable the servo.");
         case Activity::Holding:
-            return Texts::tr("The motor is held where it is.");
+            return Texts::tr("The motor holds its position.");
         case Activity::Limited:
             return Texts::tr(
-                "The motor stands, but its current was limited: it may not hold its load. This stays until the sticky bits are cleared.");
+                "The motor is at rest, but its current was limited: it may not hold its load. This stays until you clear the sticky bits.");
         case Activity::Accelerating:
             return Texts::tr("The motor is changing its speed.");
         case Activity::AtSpeed:
@@ -144,19 +143,18 @@ QString activityMeaning(Activity activity) {
         case Activity::OnPath:
             return Texts::tr("The motor follows the points of a path.");
         case Activity::Ready:
-            return Texts::tr("Inputs and outputs answer. No motor is connected here.");
+            return Texts::tr("The module answers. It has inputs and outputs, but no motor.");
         case Activity::AmplifierOff:
-            return Texts::tr(
-                "The motor is free to turn. Nothing is wrong: the amplifier has not been switched on, or was switched off.");
+            return Texts::tr("The motor is free to turn. This is normal: the amplifier is switched off.");
         case Activity::StoppedByLimit:
             return Texts::tr("A limit switch stopped the motor. It can move in the other direction.");
         case Activity::EstopActive:
-            return Texts::tr("The module's E-stop input stopped the motor, or keeps it from moving.");
+            return Texts::tr("The module's E-stop input stopped the motor, or prevents it from moving.");
         case Activity::Overheated:
             return Texts::tr(
                 "The module switched its motor off because the A/D value fell below the thermal limit. It stays off.");
         case Activity::WentOff:
-            return Texts::tr("The module switched its motor off by itself, and does not say why.");
+            return Texts::tr("The module switched its motor off; the cause is unknown.");
     }
     return {};
 }
@@ -164,12 +162,11 @@ QString activityMeaning(Activity activity) {
 QString refusal(Refusal refusal) {
     switch (refusal) {
         case Refusal::NotConnected:
-            return Texts::tr("Not connected: choose a port and connect first.");
+            return Texts::tr("Not connected. Choose a port and connect first.");
         case Refusal::ReadOnly:
-            return Texts::tr(
-                "This connection is read-only: nothing is sent but questions. Connect fully first.");
+            return Texts::tr("This connection is read-only. Connect fully first.");
         case Refusal::OperatorMode:
-            return Texts::tr("The panel is in operator mode, and this is not left to the operator.");
+            return Texts::tr("Not allowed in operator mode. Leave operator mode first.");
         case Refusal::NotAServo:
             return Texts::tr("This module is not a PIC-SERVO.");
         case Refusal::NoMotor:
@@ -184,88 +181,88 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The gains are 0 or unknown, so the motor would not hold. Apply gains first.");
         case Refusal::CommandUnknown:
             return Texts::tr(
-                "Which position the servo holds is not known to the count. Hold it here first, or move it.");
+                "The exact position that the servo holds is unknown. Choose Hold here first, or move the motor.");
         case Refusal::ServoOff:
             return Texts::tr("The servo is off. Enable it first.");
         case Refusal::Moving:
-            return Texts::tr("The motor is moving. A move to a position starts from standstill: stop first.");
+            return Texts::tr(
+                "The motor is moving. Stop it first: a move to a position starts from standstill.");
         case Refusal::NoAcceleration:
-            return Texts::tr("The acceleration is 0: the motor could neither start nor stop.");
+            return Texts::tr(
+                "The acceleration is 0: the motor could not start or stop. Enter an acceleration.");
         case Refusal::NoVelocity:
-            return Texts::tr("The velocity is 0: the motor would not move.");
+            return Texts::tr("The velocity is 0: the motor would not move. Enter a velocity.");
         case Refusal::NothingLoaded:
-            return Texts::tr("Nothing is loaded that could be started.");
+            return Texts::tr("Load a move first.");
         case Refusal::PositionUnknown:
-            return Texts::tr("The position is not known.");
+            return Texts::tr("The position is unknown.");
         case Refusal::HomeUnknown:
-            return Texts::tr("Where home is, is not known: search for it, or save it.");
+            return Texts::tr("Home is unknown: search for it, or save it.");
         case Refusal::ServoOn:
             return Texts::tr("The servo is on. Switch the motor off first.");
         case Refusal::VersionLacksIt:
-            return Texts::tr("This version of the chip cannot do it.");
+            return Texts::tr("This chip version does not support it.");
         case Refusal::NothingToFind:
-            return Texts::tr("Nothing is chosen that home could be found by.");
+            return Texts::tr("Select at least one home condition.");
         case Refusal::NoSearchLimits:
-            return Texts::tr("A search needs a travel limit and a time limit above 0.");
+            return Texts::tr("Enter a search distance and a time limit above 0.");
         case Refusal::LimitActive:
-            return Texts::tr("The limit is active now: it would stop the motor when it is left.");
+            return Texts::tr("The limit switch is already active. Move the motor off it first.");
         case Refusal::LimitClosed:
             return Texts::tr("The limit in that direction is closed. Move the motor the other way.");
         case Refusal::LimitIsOutput:
-            return Texts::tr("The limit's pin is an output, so it tells nothing.");
+            return Texts::tr("This limit pin is set as an output.");
         case Refusal::StartApart:
             return Texts::tr(
-                "A trapezoidal move is loaded first and then started by Start, so that a garbled load never moves anything.");
+                "Load a trapezoidal move first, then choose Start: this way a garbled load never moves the motor.");
         case Refusal::StepTooShort:
-            return Texts::tr("A move by 0 is none.");
+            return Texts::tr("Enter a distance other than 0.");
         case Refusal::StepTooLong:
-            return Texts::tr("A step response is for a small move: at most 2000 counts.");
+            return Texts::tr("Too far for a step response: at most 2000 counts.");
         case Refusal::StepWouldTrip:
             return Texts::tr(
-                "The step would switch the servo off: right after it the position error is the whole step, which is above the position error limit, or too close to it. Make the step shorter or raise EL.");
+                "The step is too close to the position error limit and would switch the servo off. Shorten the step or raise EL.");
         case Refusal::GoalOutOfRange:
-            return Texts::tr("The goal is beyond the positions the chip can count.");
+            return Texts::tr("The goal is outside the chip's position range.");
         case Refusal::BeyondTravel:
-            return Texts::tr("That is beyond the limits of travel of this axis (page Axis).");
+            return Texts::tr("That is beyond this axis's travel limits (Axis page).");
         case Refusal::AtTravelEnd:
-            return Texts::tr("The limit of travel is reached: there is no way on in that direction.");
+            return Texts::tr("Travel limit reached. Move in the other direction.");
         case Refusal::TooFast:
-            return Texts::tr("That is faster than this axis may go (page Axis).");
+            return Texts::tr("That exceeds this axis's highest velocity (Axis page).");
         case Refusal::RunNeedsStop:
             return Texts::tr(
-                "Towards a limit of travel a run starts from standstill, so that the chip ends it there: stop first.");
+                "Stop first: a run towards a travel limit must start from standstill, so that the chip can end it there.");
         case Refusal::LimitStopDue:
-            return Texts::tr("The limit stop of this axis is not armed yet; it is about to be.");
+            return Texts::tr("Wait until the limit stop of this axis is armed.");
         case Refusal::NoCurrentLimit:
             return Texts::tr(
-                "The current limit CL is 0 or unknown, so the current would never stop the motor.");
+                "The current limit CL is 0 or unknown, so current cannot stop the motor. Apply a CL first.");
         case Refusal::RecordTime:
-            return Texts::tr("A record takes from 0.02 s to 3 s.");
+            return Texts::tr("A record must be 0.02 s to 3 s long.");
         case Refusal::PathNotPossible:
             return Texts::tr("The path cannot be followed from here.");
         case Refusal::TestOutOfRange:
-            return Texts::tr("A value of this test is out of its range.");
+            return Texts::tr("A value of this test is out of range.");
         case Refusal::NotAStepper:
             return Texts::tr("This module is not a PIC-STEP.");
         case Refusal::ParametersUnknown:
-            return Texts::tr(
-                "The module moves and holds nothing before it was given its parameters. Apply them first.");
+            return Texts::tr("Apply parameters first.");
         case Refusal::AmplifierOff:
             return Texts::tr("The amplifier is off. Enable it first.");
         case Refusal::NeedsStop:
-            return Texts::tr(
-                "The motor is moving, and the chip does not allow this change in motion: stop first.");
+            return Texts::tr("Stop the motor first: the chip cannot change this in motion.");
         case Refusal::EstopActive:
-            return Texts::tr("The module's E-stop input is active and keeps the motor from moving.");
+            return Texts::tr("The module's E-stop input is active. Release it first.");
         case Refusal::Limit1Active:
             return Texts::tr("Limit switch 1 is active: the motor can move in reverse only.");
         case Refusal::Limit2Active:
             return Texts::tr("Limit switch 2 is active: the motor can move forward only.");
         case Refusal::TooHot:
             return Texts::tr(
-                "The A/D value is below the thermal limit: the module would switch the motor off at once.");
+                "The A/D value is below the thermal limit: let the motor cool down, or lower the limit.");
         case Refusal::TooFar:
-            return Texts::tr("The goal is more than 2 147 483 647 steps away.");
+            return Texts::tr("The goal is too far away: at most 2 147 483 647 steps.");
     }
     return {};
 }
@@ -289,13 +286,13 @@ QString stage(bus::ConnectStage stage) {
         case bus::ConnectStage::Restarting:
             return Texts::tr("restarting the modules");
         case bus::ConnectStage::Addressing:
-            return Texts::tr("giving addresses");
+            return Texts::tr("assigning addresses");
         case bus::ConnectStage::Identifying:
-            return Texts::tr("asking for type and version");
+            return Texts::tr("reading types and versions");
         case bus::ConnectStage::ChangingRate:
-            return Texts::tr("changing the rate");
+            return Texts::tr("changing the baud rate");
         case bus::ConnectStage::Preparing:
-            return Texts::tr("preparing the status reports");
+            return Texts::tr("setting up status reports");
     }
     return {};
 }
@@ -324,7 +321,7 @@ QString link(const LinkState& state) {
                 .arg(port, grouped(state.baud), countOfModules(static_cast<int>(state.modules.size())));
         case LinkPhase::Lost:
             if (state.modules.empty())
-                return Texts::tr("%1 is open, but no module could be used").arg(port);
+                return Texts::tr("%1 is open, but no module is usable").arg(port);
             return Texts::tr("Connection to %1 lost, motor state unknown").arg(port);
     }
     return {};
@@ -369,7 +366,7 @@ QString readout(double value, int significant) {
 }
 
 QString countOfModules(int count) {
-    return count == 1 ? Texts::tr("1 module") : Texts::tr("%1 modules").arg(count);
+    return Texts::tr("%n modules", nullptr, count);
 }
 
 QString listOf(const QStringList& names) {

@@ -54,7 +54,7 @@ struct BodePlot::Pane {
 BodePlot::BodePlot(QWidget* parent) : QWidget(parent) {
     look::name(this, u"bodePlot"_s, tr("Frequency response"));
     setToolTip(tr(
-        "T: how the position follows the command. L: what the loop makes of its error; where it crosses 0 dB its phase above -180° is the phase margin. Behind the grey line the baud rate is too low to measure. Bars: two standard deviations of T."));
+        "T: closed loop, from command to position. L: open loop; its phase above -180° where it crosses 0 dB is the phase margin. Right of the grey line the baud rate is too low to measure. Bars: two standard deviations of T."));
     setFont(look::tabular(look::scaled(font(), 0.9)));
 }
 
@@ -79,7 +79,7 @@ void BodePlot::paintTo(QPainter& painter, const QRectF& area) const {
         painter.setPen(look::mutedText(palette()));
         painter.drawText(
             area, Qt::AlignCenter | Qt::TextWordWrap,
-            tr("Nothing is measured yet. Sines of the command show how the loop follows, from slow to fast."));
+            tr("No measurement yet. The motor follows sine waves from slow to fast, which shows the response of the loop."));
         return;
     }
     const QFontMetricsF metrics(font());

@@ -24,12 +24,12 @@ FrequencyPage::FrequencyPage(QWidget* parent) : QWidget(parent) {
     m_form = new TestForm(
         ProcedureKind::FrequencyResponse,
         {u"frequency"_s, tr("Measure"),
-         tr("The motor swings about where it is held, slowly at first, then faster. Everything that turns with it must be free to.")},
+         tr("The motor swings around its position, slowly at first, then faster. Make sure that everything it drives can move freely.")},
         this);
     m_amplitude = m_form->addDistance(u"frequencyAmplitudeField"_s, tr("Amplitude"), tr("The amplitude"));
     m_amplitude->setNativeRange(1, kWidestSine);
     m_amplitude->setMeaning(tr(
-        "How far the command swings to either side. The motor may swing four times as far before it is stopped."));
+        "How far the command swings to either side. The motor is stopped if it swings four times as far."));
     m_amplitude->showNative(kFirstSine);
     m_from = m_form->addNumber(u"frequencyFromField"_s, tr("From"), tr("The lowest frequency"), tr("Hz"), 2);
     m_from->setRange(kSlowestSine, kFastestSine);
@@ -37,20 +37,20 @@ FrequencyPage::FrequencyPage(QWidget* parent) : QWidget(parent) {
     m_to = m_form->addNumber(u"frequencyToField"_s, tr("To"), tr("The highest frequency"), tr("Hz"), 2);
     m_to->setRange(kSlowestSine, kFastestSine);
     m_to->setMeaning(tr(
-        "It ends before it where the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd."));
+        "The test ends earlier if the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd."));
     m_to->showValue(kFastestSine);
     m_form->setWanted([this]() -> Intent {
         return intent::FrequencyResponse{static_cast<std::int32_t>(*m_amplitude->native()), *m_from->value(),
                                          *m_to->value()};
     });
     m_figures = new QLabel(this);
-    look::nameText(m_figures, u"frequencyFigures"_s, tr("What the frequency response comes to"));
+    look::nameText(m_figures, u"frequencyFigures"_s, tr("Results of the frequency response"));
     m_figures->setTextFormat(Qt::PlainText);
     m_figures->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_figures->setWordWrap(true);
     m_figures->setMinimumHeight(6 * fontMetrics().lineSpacing());
     m_save = new QPushButton(tr("Export CSV…"), this);
-    look::name(m_save, u"frequencyExportButton"_s, tr("Export the frequency response"));
+    look::name(m_save, u"frequencyExportButton"_s, tr("Export CSV of the frequency response"));
     m_plot = new BodePlot(this);
     const int unit = look::gridUnit(this);
     auto* left = new QVBoxLayout;
@@ -108,8 +108,8 @@ void FrequencyPage::refresh() {
     if (early)
         lines << tr("The baud rate is too low for higher frequencies.");
     look::setText(m_figures, lines.join(u'\n'));
-    look::setPossible(m_save, points().empty() ? tr("Nothing is measured yet.") : QString(),
-                      tr("Saves frequency, magnitude and phase of both loops."));
+    look::setPossible(m_save, points().empty() ? tr("No measurement yet.") : QString(),
+                      tr("Saves frequency, magnitude and phase of the open and the closed loop."));
 }
 
 void FrequencyPage::chooseFile() {

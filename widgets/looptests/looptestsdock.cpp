@@ -22,14 +22,14 @@ void LoopTestsDock::build() {
     if (m_tabs != nullptr)
         return;
     m_tabs = new QTabWidget(this);
-    look::name(m_tabs, u"loopTestsTabs"_s, tr("Tests of the loop"));
+    look::name(m_tabs, u"loopTestsTabs"_s, tr("Loop tests"));
     m_square = new SquareWavePage(m_tabs);
     m_frequency = new FrequencyPage(m_tabs);
     m_tabs->addTab(m_square, tr("Square wave"));
     m_tabs->addTab(m_frequency, tr("Frequency response"));
     keepFocusOnTabs(*m_tabs);
     m_report = new QPushButton(tr("Report…"), m_tabs);
-    look::name(m_report, u"tuningReportButton"_s, tr("Save a report of the tuning"));
+    look::name(m_report, u"tuningReportButton"_s, tr("Report: save the tuning"));
     m_tabs->setCornerWidget(m_report);
     connect(m_report, &QPushButton::clicked, this, &LoopTestsDock::reportWanted);
     showReportPossible(false);
@@ -74,7 +74,7 @@ void LoopTestsDock::showNothing() {
 void LoopTestsDock::showReportPossible(bool servo) {
     look::setPossible(
         m_report, servo ? QString() : tr("Select a PIC-SERVO first."),
-        tr("One page, as PDF or HTML: gains, the last step response, the motor that was found and the frequency response."));
+        tr("Saves one page as PDF or HTML: gains, last step response, motor model and frequency response."));
 }
 
 }  // namespace nmc

@@ -23,7 +23,7 @@ QStringList frequencyFigures(std::span<const FrequencyPoint> points) {
                  .arg(readout(points.back().hertz, 3));
     lines << (figures.bandwidth
                   ? LoopTestTexts::tr("Bandwidth (-3 dB) %1 Hz").arg(readout(*figures.bandwidth, 3))
-                  : LoopTestTexts::tr("Bandwidth (-3 dB) beyond that"));
+                  : LoopTestTexts::tr("Bandwidth (-3 dB) not reached"));
     lines << LoopTestTexts::tr("Resonance %1 dB").arg(readout(figures.resonance, 2));
     lines << (figures.phaseMargin ? LoopTestTexts::tr("Phase margin %1° at %2 Hz")
                                         .arg(readout(*figures.phaseMargin, 2), readout(*figures.crossover, 3))

@@ -24,7 +24,7 @@ SquarePlot::SquarePlot(QWidget* parent) : QWidget(parent) {
     look::name(this, u"squarePlot"_s, tr("Square wave, one period"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     setToolTip(tr(
-        "All edges with the present gains laid over one another: their median, and shaded where eight of ten samples are. Pale: with the gains before."));
+        "All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains."));
     connect(&m_backdrop, &ChartBackdrop::changed, this, qOverload<>(&QWidget::update));
     adoptPalette();
     fit();
@@ -108,7 +108,7 @@ void SquarePlot::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(look::mutedText(palette()));
         painter.drawText(
             m_geometry.area, Qt::AlignCenter | Qt::TextWordWrap,
-            tr("No edge is recorded yet. A square wave lays many steps over one another, while gains are changed."));
+            tr("No edge recorded yet. A square wave overlays many steps while you change gains."));
         return;
     }
     painter.setClipRect(m_geometry.area);

@@ -47,25 +47,25 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
     m_form = new TestForm(
         ProcedureKind::SquareWave,
         {u"squareWave"_s, tr("Begin"),
-         tr("The motor jumps to and fro about where it is held. Everything that turns with it must be free to.")},
+         tr("The motor jumps back and forth around its position. Make sure that everything it drives can move freely.")},
         this);
     m_counts = m_form->addDistance(u"squareWaveDistanceField"_s, tr("Distance"), tr("The distance"));
     m_counts->setNativeRange(1, kLongestStep);
-    m_counts->setMeaning(tr("From side to side, half of it to either side of where the motor is held."));
+    m_counts->setMeaning(tr("From side to side: half to either side of the present position."));
     m_counts->showNative(kFirstStep);
     m_period = m_form->addNumber(u"squareWavePeriodField"_s, tr("Period"), tr("The period"), tr("s"), 2);
     m_period->setRange(kShortestPeriod, kLongestPeriod);
     m_period->showValue(kFirstPeriod);
-    m_rounds =
-        m_form->addNumber(u"squareWaveRoundsField"_s, tr("Periods"), tr("The number of periods"), {}, 0);
+    m_rounds = m_form->addNumber(u"squareWaveRoundsField"_s, tr("Periods"), tr("Periods to run"), {}, 0);
     m_rounds->setRange(1, kMostPeriods);
     m_rounds->showValue(kFirstRounds);
-    m_excursion = m_form->addDistance(u"squareWaveExcursionField"_s, tr("Excursion"), tr("The excursion"));
+    m_excursion = m_form->addDistance(u"squareWaveExcursionField"_s, tr("Excursion"), tr("Excursion"));
     m_excursion->setNativeRange(1, kLongestStep);
-    m_excursion->setMeaning(tr("How far the motor may go beyond either side. Farther than that it is held."));
+    m_excursion->setMeaning(
+        tr("How far the motor may move past either side. Beyond that, the test stops and the motor holds."));
     m_excursion->showNative(kFirstExcursion);
     m_way = new QComboBox(this);
-    look::name(m_way, u"squareWaveWayBox"_s, tr("How the command is made to jump"));
+    look::name(m_way, u"squareWaveWayBox"_s, tr("Way: how the command jumps"));
     for (const StepWay way : {StepWay::StopHere, StepWay::Profile})
         m_way->addItem(texts::stepWay(way), static_cast<int>(way));
     m_way->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -78,13 +78,13 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
                                   static_cast<StepWay>(m_way->currentData().toInt())};
     });
     m_results = new QLabel(this);
-    look::nameText(m_results, u"squareWaveResults"_s, tr("What the edges come to"));
+    look::nameText(m_results, u"squareWaveResults"_s, tr("Results of the edges"));
     m_results->setTextFormat(Qt::PlainText);
     m_results->setWordWrap(true);
     m_results->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_results->setMinimumHeight(5 * fontMetrics().lineSpacing());
     m_keep = new QPushButton(tr("Keep as a run"), this);
-    look::name(m_keep, u"squareWaveKeepButton"_s, tr("Keep the folded edge as a step response"));
+    look::name(m_keep, u"squareWaveKeepButton"_s, tr("Keep as a run: the median edge"));
     m_plot = new SquarePlot(this);
     const int unit = look::gridUnit(this);
     auto* left = new QVBoxLayout;
@@ -141,9 +141,8 @@ void SquareWavePage::refresh() {
               << tr("Steady-state error %1").arg(texts::stepError(metrics.steadyError, m_labels.scale));
     }
     look::setText(m_results, lines.join(u'\n'));
-    look::setPossible(
-        m_keep, m_folded ? QString() : tr("No edge is recorded yet."),
-        tr("Puts the median of the edges towards higher counts into the list of step responses."));
+    look::setPossible(m_keep, m_folded ? QString() : tr("No edge recorded yet."),
+                      tr("Adds the median of the rising edges to the list of step responses."));
 }
 
 void SquareWavePage::keep() {

@@ -21,10 +21,10 @@ TestForm::TestForm(ProcedureKind kind, const Words& words, QWidget* parent)
     const int unit = look::gridUnit(this);
     m_start = new QPushButton(icons::tinted(u"player-play"_s), words.start, this);
     look::name(m_start, words.objectName + u"StartButton"_s, words.start);
-    m_end = new QPushButton(tr("End it"), this);
-    look::name(m_end, words.objectName + u"EndButton"_s, tr("End the test"));
+    m_end = new QPushButton(tr("End test"), this);
+    look::name(m_end, words.objectName + u"EndButton"_s, tr("End test"));
     m_state = look::newMutedLabel({}, this);
-    look::nameText(m_state, words.objectName + u"State"_s, tr("How the test goes"));
+    look::nameText(m_state, words.objectName + u"State"_s, tr("Progress of the test"));
     m_state->setWordWrap(true);
     m_state->setMinimumHeight(3 * fontMetrics().height());
     m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -110,7 +110,7 @@ QString TestForm::whyNotNow() const {
     if (!m_connected || !m_module)
         return texts::refusal(Refusal::NotConnected);
     if (running())
-        return tr("It runs already.");
+        return tr("The test is already running.");
     for (const NumberField* field : m_fields)
         if (const QString problem = field->problemText(); !problem.isEmpty())
             return problem;
@@ -133,8 +133,8 @@ std::optional<Refusal> TestForm::refusal() const {
 void TestForm::refresh() {
     const QString reason = whyNotNow();
     look::setPossible(m_start, reason, m_meaning);
-    look::setPossible(m_end, running() ? QString() : tr("It does not run."),
-                      tr("The motor is held where it is."));
+    look::setPossible(m_end, running() ? QString() : tr("The test is not running."),
+                      tr("The motor holds its position."));
     m_hold->showFor(m_module, m_connected ? refusal() : std::nullopt);
     const bool failed = reason.isEmpty() && m_report && m_report->failure;
     look::setText(m_state, running() ? texts::procedureStage(*m_report)

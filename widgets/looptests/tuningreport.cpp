@@ -102,7 +102,7 @@ QString reportHtml(const TuningReport& report) {
     about << QLocale().toString(report.made, QLocale::ShortFormat)
           << u"NMC Panel %1"_s.arg(QCoreApplication::applicationVersion());
     if (report.simulated)
-        about << Report::tr("simulated: no real motor moved");
+        about << Report::tr("simulated; no real motor moved");
     page += u"<p>%1</p>"_s.arg(about.join(u" · "_s).toHtmlEscaped());
     if (report.gains)
         page += gainsTable(*report.gains);

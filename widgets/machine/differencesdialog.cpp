@@ -86,11 +86,11 @@ DifferencesDialog::DifferencesDialog(QWidget* parent)
       m_text(new QLabel(this)),
       m_table(new QTreeWidget(this)),
       m_summary(new QLabel(this)),
-      m_all(new QPushButton(tr("&Tick all"), this)),
-      m_none(new QPushButton(tr("Tick &none"), this)),
+      m_all(new QPushButton(tr("&Select all"), this)),
+      m_none(new QPushButton(tr("Clear a&ll"), this)),
       m_apply(new QPushButton(tr("&Apply"), this)),
       m_cancel(new QPushButton(tr("&Cancel"), this)) {
-    look::name(this, u"differencesDialog"_s, tr("What the machine file would change"));
+    look::name(this, u"differencesDialog"_s, tr("Changes from the machine file"));
     setWindowTitle(tr("Open machine"));
     setAttribute(Qt::WA_DeleteOnClose);
     setModal(false);
@@ -108,20 +108,20 @@ void DifferencesDialog::build() {
     m_text->setWordWrap(true);
     m_summary->setObjectName(u"differencesSummary"_s);
     m_summary->setWordWrap(true);
-    look::name(m_table, u"differencesTable"_s, tr("Differences between the file and what is here"));
+    look::name(m_table, u"differencesTable"_s, tr("Differences between the file and the panel"));
     m_table->header()->setObjectName(u"differencesHeader"_s);
     m_table->setColumnCount(kColumns);
-    m_table->setHeaderLabels({tr("Setting"), tr("In the file"), tr("Here, or last sent"), tr("Applying it")});
+    m_table->setHeaderLabels({tr("Setting"), tr("In the file"), tr("Here or last sent"), tr("When applied")});
     m_table->setAllColumnsShowFocus(true);
     m_table->setAlternatingRowColors(true);
     m_table->setUniformRowHeights(true);
-    look::name(m_all, u"tickAllButton"_s, tr("Tick all"));
-    m_all->setToolTip(tr("Ticks everything that can be applied, also what is sent to modules that are on."));
-    look::name(m_none, u"tickNoneButton"_s, tr("Tick none"));
-    m_none->setToolTip(tr("Takes all ticks away."));
+    look::name(m_all, u"tickAllButton"_s, tr("Select all"));
+    m_all->setToolTip(tr("Selects all check boxes, including settings sent to modules that are on."));
+    look::name(m_none, u"tickNoneButton"_s, tr("Clear all"));
+    m_none->setToolTip(tr("Clears all check boxes."));
     look::name(m_apply, u"applyDifferencesButton"_s, tr("Apply"));
     look::name(m_cancel, u"cancelDifferencesButton"_s, tr("Cancel"));
-    m_cancel->setToolTip(tr("Leaves everything as it is."));
+    m_cancel->setToolTip(tr("Keeps everything as it is."));
     // What is sent is sent by a click on the button itself, not by an Enter that was meant for something
     // else.
     for (QPushButton* button : {m_all, m_none, m_apply, m_cancel})
@@ -148,7 +148,7 @@ void DifferencesDialog::build() {
 
 void DifferencesDialog::showDifferences(const QString& file, std::vector<Difference> differences) {
     m_text->setText(
-        tr("\"%1\" differs from what is here. Nothing changes, and nothing is sent, before you apply it; no motor is moved by it. What was typed and not sent gives way to the file.")
+        tr("\"%1\" differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those of the file.")
             .arg(file));
     {
         const QSignalBlocker blocker(m_table);
@@ -240,9 +240,9 @@ void DifferencesDialog::summarise() {
     const QString reason = sent > 0 && m_moving > 0 ? texts::notSentWhileMoving(m_moving) : QString();
     const int parts = static_cast<int>(chosen().size());
     const QString summary =
-        tr("Chosen: %1 of %2. Sent to modules: %3.").arg(parts).arg(m_table->topLevelItemCount()).arg(sent);
+        tr("Selected: %1 of %2. Sent to modules: %3.").arg(parts).arg(m_table->topLevelItemCount()).arg(sent);
     look::setText(m_summary, reason.isEmpty() ? summary : summary + u' ' + reason);
-    look::setPossible(m_apply, reason, tr("Takes over what is ticked, and sends what is said to be sent."));
+    look::setPossible(m_apply, reason, tr("Applies the selected settings and sends those marked as sent."));
 }
 
 }  // namespace nmc

@@ -34,13 +34,13 @@ MachineMenu::MachineMenu(QWidget* window)
     : QObject(window),
       m_window(window),
       m_new(newAction(u"newMachineAction"_s, tr("&New machine"), Qt::CTRL | Qt::Key_N,
-                      tr("Forgets names, units and settings of all axes; nothing is sent."))),
+                      tr("Discards names, units and settings of all axes; nothing is sent."))),
       m_open(newAction(u"openMachineAction"_s, tr("&Open machine…"), Qt::CTRL | Qt::Key_O,
-                       tr("Shows what a machine file would change; nothing is sent before you apply it."))),
+                       tr("Shows what a machine file would change. Nothing is sent until you apply it."))),
       m_save(newAction(u"saveMachineAction"_s, tr("&Save machine"), Qt::CTRL | Qt::Key_S,
-                       tr("Writes names, units, gains, limits, homing and groups into the machine's file."))),
+                       tr("Saves names, units, gains, limits, homing and groups to the machine file."))),
       m_saveAs(newAction(u"saveMachineAsAction"_s, tr("Save machine &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
-                         tr("Writes the machine into a file of another name."))),
+                         tr("Saves the machine under another file name."))),
       m_recent(new QMenu(tr("Open re&cent"), window)) {
     look::name(m_recent, u"recentMachinesMenu"_s, tr("Open recent"));
     m_recent->setToolTipsVisible(true);
@@ -142,12 +142,12 @@ void MachineMenu::closeDifferences() {
 void MachineMenu::askBeforeClose(const Go& close) {
     if (m_file.saving)
         return waitForSave(close);
-    ask(tr("&Save and close"), tr("&Close: the next start offers them again"), close);
+    ask(tr("&Save and close"), tr("&Close: the next start offers to restore them"), close);
 }
 
 void MachineMenu::askFirst(const Go& go) {
     if (m_file.modified)
-        ask(tr("&Save them"), tr("&Drop them: the changes are lost"), go);
+        ask(tr("&Save changes"), tr("&Discard: the changes are lost"), go);
     else
         go();
 }
@@ -176,7 +176,7 @@ void MachineMenu::waitForSave(const Go& close) {
          .text = [this] { return m_file.saving ? texts::beingSaved(m_file.title()) : QString(); },
          .stay = tr("S&tay"),
          .stayName = u"staySavingButton"_s},
-        {{tr("&Close: the next start offers them again"), u"closeUnsavedButton"_s, close}}, m_window);
+        {{tr("&Close: the next start offers to restore them"), u"closeUnsavedButton"_s, close}}, m_window);
     // Not when it is withdrawn because the file is saved: that closes.
     connect(&question, &QDialog::finished, this, [this] {
         if (m_file.saving)

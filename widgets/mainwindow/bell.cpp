@@ -21,7 +21,7 @@ Bell::Bell(QSettings& settings, QObject* parent)
     m_action->setCheckable(true);
     m_action->setChecked(settings.value(settingskeys::kSounds, true).toBool());
     m_action->setToolTip(
-        tr("A sound at each fault, and at the end of a sequence, of a search for home or of moves by N."));
+        tr("Plays a sound on each fault, and when a sequence, homing or a series of steps ends."));
     connect(m_action, &QAction::toggled, this,
             [&settings](bool on) { settings.setValue(settingskeys::kSounds, on); });
 }

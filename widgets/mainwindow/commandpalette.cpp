@@ -30,7 +30,7 @@ CommandPalette::CommandPalette(QWidget* parent)
     look::name(this, u"commandPalette"_s, tr("Find a command"));
     setWindowTitle(tr("Find a command"));
     setModal(false);
-    look::name(m_words, u"commandWords"_s, tr("Words of the command"));
+    look::name(m_words, u"commandWords"_s, tr("Search commands"));
     m_words->setPlaceholderText(tr("Type what to do, for example: go home"));
     m_words->setClearButtonEnabled(true);
     m_words->installEventFilter(this);
@@ -44,7 +44,7 @@ CommandPalette::CommandPalette(QWidget* parent)
     m_list->header()->setSectionResizeMode(Where, QHeaderView::ResizeToContents);
     m_list->header()->setSectionResizeMode(Key, QHeaderView::ResizeToContents);
     m_list->header()->setStretchLastSection(false);
-    look::nameText(m_reason, u"commandReason"_s, tr("What it does, or why it can't be done"));
+    look::nameText(m_reason, u"commandReason"_s, tr("What it does, or why it is unavailable"));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_words);
     layout->addWidget(m_list, 1);
@@ -104,7 +104,7 @@ const CommandPalette::Entry* CommandPalette::current() const {
 
 void CommandPalette::choose() {
     const Entry* entry = current();
-    const QString reason = entry != nullptr ? entry->reason() : tr("No command has these words.");
+    const QString reason = entry != nullptr ? entry->reason() : tr("No matching command.");
     look::setText(m_reason, reason.isEmpty() ? entry->meaning : reason);
 }
 

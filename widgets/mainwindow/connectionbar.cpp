@@ -45,7 +45,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     look::name(this, u"connectionBar"_s, tr("Connection and stop"));
     look::name(m_port, u"portBox"_s, tr("Port"));
     look::name(m_port->lineEdit(), u"portField"_s, tr("Port"));
-    look::name(m_baud, u"baudBox"_s, tr("Rate in Bd"));
+    look::name(m_baud, u"baudBox"_s, tr("Baud rate"));
     look::name(m_connect, u"connectButton"_s, tr("Connect"));
     m_readOnly->setObjectName(u"connectReadOnlyAction"_s);
     look::name(m_moreWays, u"moreWaysButton"_s, tr("Other ways to connect"));
@@ -65,8 +65,8 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     m_port->setMinimumContentsLength(26);
     m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_port->setMinimumWidth(fontMetrics().height() * 9);  // before STOP ALL gives way
-    m_port->setToolTip(tr("The serial port the modules are on, or the simulator."));
-    m_baud->setToolTip(tr("The rate to work at. Connecting starts at 19 200 Bd, then changes to this one."));
+    m_port->setToolTip(tr("The serial port of the modules, or the simulator."));
+    m_baud->setToolTip(tr("The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it."));
     for (const BaudRow& row : kBaudRows)
         m_baud->addItem(QString::number(row.nominal), row.nominal);
     m_baud->setCurrentIndex(m_baud->findText(u"115200"_s));
@@ -77,7 +77,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     layout->setSpacing(unit);
     auto* portLabel = new QLabel(tr("Por&t"), this);
     portLabel->setBuddy(m_port);
-    auto* baudLabel = new QLabel(tr("Rate"), this);
+    auto* baudLabel = new QLabel(tr("Baud"), this);
     baudLabel->setBuddy(m_baud);
     layout->addWidget(portLabel);
     layout->addWidget(m_port);
@@ -122,8 +122,7 @@ void ConnectionBar::fillPorts() {
     if (!lists(kSimulatorPort))
         wanted.append({kSimulatorPort, {}});
     if (!m_chosen.isEmpty() && !lists(m_chosen))
-        wanted.append(
-            {m_chosen, m_chosen.startsWith(kSimulatorPort) ? QString() : tr("not in the list of ports")});
+        wanted.append({m_chosen, m_chosen.startsWith(kSimulatorPort) ? QString() : tr("not listed")});
 
     const QSignalBlocker blocker(m_port);
     const QString before = m_chosen.isEmpty() ? QString() : m_chosen;
@@ -196,11 +195,12 @@ void ConnectionBar::showLink(const LinkState& state) {
     look::setPossible(m_moreWays, whyNot, tr("Other ways to connect."));
     m_readOnly->setEnabled(!open);
     m_readOnly->setToolTip(
-        open ? busy : tr("Opens the port and only looks: nothing is sent but questions. STOP ALL acts."));
+        open ? busy
+             : tr("Opens the port and only reads: only status requests are sent. STOP ALL still works."));
     look::setPossible(m_disconnect, open ? QString() : tr("No port is open."), tr("Closes the port."));
-    look::setPossible(m_port, whyNot, tr("The serial port the modules are on, or the simulator."));
+    look::setPossible(m_port, whyNot, tr("The serial port of the modules, or the simulator."));
     look::setPossible(m_baud, whyNot,
-                      tr("The rate to work at. Connecting starts at 19 200 Bd, then changes to this one."));
+                      tr("The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it."));
     m_stop->setEnabled(open);
     const auto modules = static_cast<int>(state.modules.size());
     const auto reachable = static_cast<int>(std::count_if(state.modules.cbegin(), state.modules.cend(),

@@ -31,9 +31,9 @@ QString keyOf(Layouts::Kind kind) {
 Layouts::Layouts(QMainWindow& window, QSettings& settings, std::function<void(Kind)> arrange)
     : QObject(&window), m_window(window), m_settings(settings), m_arrange(std::move(arrange)) {
     auto* group = new QActionGroup(this);
-    add(u"operateLayoutAction"_s, tr("&Operate"), tr("Motions in the middle, everything else around them."),
+    add(u"operateLayoutAction"_s, tr("&Operate"), tr("Motion in the middle, everything else around it."),
         Qt::CTRL | Qt::Key_1);
-    add(u"tuneLayoutAction"_s, tr("&Tune"), tr("Plots take most of the window, gains and step beside them."),
+    add(u"tuneLayoutAction"_s, tr("&Tune"), tr("Large plots, with gains and step response beside them."),
         Qt::CTRL | Qt::Key_2);
     add(u"chainLayoutAction"_s, tr("&Chain"), tr("Modules, packets and messages."), Qt::CTRL | Qt::Key_3);
     for (QAction* action : m_actions)

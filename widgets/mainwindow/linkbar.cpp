@@ -23,10 +23,9 @@ LinkBar::LinkBar(QWidget* parent)
     m_rate->setObjectName(u"rateLabel"_s);
     m_errors->setObjectName(u"errorLabel"_s);
     m_roundTrip->setObjectName(u"roundTripLabel"_s);
-    m_rate->setToolTip(
-        tr("Exchanges per second, and what share that is of what a perfect line would carry."));
-    m_errors->setToolTip(tr("Exchanges that went wrong: no answer, garbled, or refused for a bad checksum."));
-    m_roundTrip->setToolTip(tr("Mean time from sending a command to its whole answer."));
+    m_rate->setToolTip(tr("Exchanges per second, and their share of the line's capacity."));
+    m_errors->setToolTip(tr("Failed exchanges: no answer, garbled, or refused for a bad checksum."));
+    m_roundTrip->setToolTip(tr("Mean time from sending a command to its complete answer."));
     addWidget(m_link, 1);
     for (QLabel* label : {m_rate, m_errors, m_roundTrip}) {
         label->setFont(look::tabular(font()));
@@ -55,10 +54,9 @@ void LinkBar::showFigures(const LinkFigures& figures) {
     look::setText(m_rate, tr("%1 exchanges/s, %2 % of the wire")
                               .arg(texts::readout(std::round(figures.exchangesPerSecond)))
                               .arg(qRound(figures.wireShare * 100)));
-    const QString total = figures.errors == 1
-                              ? tr("1 error")
-                              : tr("%1 errors").arg(texts::grouped(static_cast<qint64>(figures.errors)));
-    look::setText(m_errors, tr("%1, %2/s").arg(total, texts::readout(figures.errorsPerSecond, 2)));
+    look::setText(m_errors, tr("%1 errors, %2/s", nullptr, static_cast<int>(figures.errors))
+                                .arg(texts::grouped(static_cast<qint64>(figures.errors)),
+                                     texts::readout(figures.errorsPerSecond, 2)));
     look::setText(m_roundTrip, tr("round trip %1 ms").arg(texts::readout(figures.meanRoundTripMs, 3)));
     makeRoom();
 }

@@ -112,24 +112,25 @@ void MainWindow::buildTop() {
 }
 
 void MainWindow::buildRibbons(QWidget* top) {
-    m_simulatorRibbon = new Ribbon(
-        u"simulatorRibbon"_s, tr("Simulated session"),
-        tr("SIMULATOR — no hardware is connected; every value comes from the program itself"), top);
-    m_readOnlyRibbon = new Ribbon(u"readOnlyRibbon"_s, tr("Read-only session"),
-                                  tr("READ-ONLY — nothing is sent but questions. STOP ALL acts."), top);
-    QPushButton* fully = m_readOnlyRibbon->addButton(
-        u"connectFullyButton"_s, tr("Connect fully"),
-        tr("Connects to the same port so that commands can be sent. Nothing moves by it."));
+    m_simulatorRibbon = new Ribbon(u"simulatorRibbon"_s, tr("Simulated session"),
+                                   tr("SIMULATOR — no hardware connected; all values are simulated"), top);
+    m_readOnlyRibbon =
+        new Ribbon(u"readOnlyRibbon"_s, tr("Read-only session"),
+                   tr("READ-ONLY — only status requests are sent. STOP ALL still works."), top);
+    QPushButton* fully =
+        m_readOnlyRibbon->addButton(u"connectFullyButton"_s, tr("Connect fully"),
+                                    tr("Reconnects to the same port with commands allowed. Nothing moves."));
     connect(fully, &QPushButton::clicked, this, &MainWindow::connectFullyRequested);
     m_operatorRibbon =
         new Ribbon(u"operatorRibbon"_s, tr("Operator mode"),
-                   tr("OPERATOR MODE — only what is left to the operator can be done. STOP ALL acts."), top);
+                   tr("OPERATOR MODE — only allowed actions are available. STOP ALL always works."), top);
     QPushButton* leave =
-        m_operatorRibbon->addButton(u"leaveOperatorButton"_s, tr("Leave it…"), tr("Asks for the PIN."));
+        m_operatorRibbon->addButton(u"leaveOperatorButton"_s, tr("Leave…"), tr("Asks for the PIN."));
     connect(leave, &QPushButton::clicked, m_operator, &OperatorLock::open);
     m_pendantRibbon = new Ribbon(u"pendantRibbon"_s, tr("Pendant"), {}, top);
-    QPushButton* end = m_pendantRibbon->addButton(u"endPendantButton"_s, tr("End it"),
-                                                  tr("Arrow keys and gamepad move nothing any more."));
+    QPushButton* end =
+        m_pendantRibbon->addButton(u"endPendantButton"_s, tr("End it"),
+                                   tr("Ends pendant mode: arrow keys and gamepad no longer move anything."));
     end->setFocusPolicy(Qt::NoFocus);
     connect(end, &QPushButton::clicked, this, [this] { m_pendant->action()->setChecked(false); });
 }
@@ -205,16 +206,17 @@ void MainWindow::showPendant() {
     const bool told =
         m_session.link().phase == LinkPhase::Connected && (!refusal || refusal == Refusal::OperatorMode);
     m_pendant->showModule(!told ? texts::refusal(refusal.value_or(Refusal::NotConnected))
-                          : m_panel->page() == nullptr ? tr("There is no module that could be moved.")
-                                                       : QString());
+                          : m_panel->page() == nullptr
+                              ? tr("No module can be moved. Connect a motor module first.")
+                              : QString());
     m_pendantRibbon->setVisible(m_pendant->isOn());
     if (module == nullptr)
         return;
     const QString what =
         !m_pendant->problem().isEmpty() ? tr("Not moved: %1").arg(m_pendant->problem())
         : m_pendant->hasGamepad()
-            ? tr("Shift with ◂ or ▸ moves it while both are held; so does a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends this.")
-            : tr("Shift with ◂ or ▸ moves it while both are held. Esc ends this.");
+            ? tr("To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends pendant mode.")
+            : tr("Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.");
     m_pendantRibbon->setText(tr("PENDANT — %1. %2").arg(texts::moduleName(module->info.index), what));
 }
 
@@ -310,7 +312,7 @@ QString MainWindow::nothingText() const {
             return texts::link(m_session.link());
         case LinkPhase::Connected:
         case LinkPhase::Lost:
-            return tr("No module.");
+            return tr("No module");
     }
     return {};
 }

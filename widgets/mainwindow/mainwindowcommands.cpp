@@ -37,10 +37,10 @@ void addMenu(const QMenu& menu, std::vector<CommandPalette::Entry>& entries) {
             if (action && action->isEnabled())
                 return QString();
             const bool told = action && action->toolTip() != action->iconText();
-            return told ? action->toolTip() : MainWindow::tr("It is not possible now.");
+            return told ? action->toolTip() : MainWindow::tr("Not possible now.");
         };
         entries.push_back({text, text, menu.title().remove(u'&'), keyOf(*action),
-                           MainWindow::tr("Enter does it."), reason, [action = QPointer(action)] {
+                           MainWindow::tr("Press Enter to run it."), reason, [action = QPointer(action)] {
                                if (action)
                                    action->trigger();
                            }});
@@ -88,7 +88,7 @@ void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
         if (!command->isVisible())
             continue;
         const auto reason = [command = QPointer(command)] {
-            return command ? command->reason() : tr("Its module is gone.");
+            return command ? command->reason() : tr("Its module is no longer connected.");
         };
         const auto act = [page = QPointer(page), command = QPointer(command)] {
             if (!page || !command)
@@ -119,7 +119,7 @@ void MainWindow::addOtherModules(std::vector<CommandPalette::Entry>& entries) {
                                command->sentence(),
                                texts::moduleName(index),
                                {},
-                               tr("Enter shows it on the page of its module; nothing is sent."),
+                               tr("Press Enter to show it on the module's page. Nothing is sent."),
                                [] { return QString(); },
                                [this, index, name] {
                                    m_chain->choose(index);

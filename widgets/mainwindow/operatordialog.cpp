@@ -35,7 +35,7 @@ OperatorDialog::OperatorDialog(QWidget* window) : QDialog(window) {
 
 OperatorDialog::OperatorDialog(const OperatorRights& rights, QWidget* window) : OperatorDialog(window) {
     auto* text = new QLabel(
-        tr("Choose what is left to the operator. STOP ALL, Esc, each motor's stops and disconnecting always work. This keeps hands off by mistake; it is no security: who gets at the files of this computer gets around it."),
+        tr("Select what the operator may do. STOP ALL, Esc, each motor's stops and Disconnect always work. Operator mode prevents mistakes; it is no security: anyone with access to this computer's files can bypass it."),
         this);
     text->setWordWrap(true);
     layout()->addWidget(text);
@@ -58,9 +58,9 @@ OperatorDialog::OperatorDialog(const OperatorRights& rights, QWidget* window) : 
         layout()->addWidget(box);
         m_rights.push_back({box, one.right});
     }
-    m_pin = newPinField(u"operatorPinField"_s, tr("P&IN to leave it, 4 characters at least"));
-    m_again = newPinField(u"operatorPinAgainField"_s, tr("The same &again"));
-    addEnd(tr("&Begin operator mode"), u"operatorBeginButton"_s, [this] { lock(); });
+    m_pin = newPinField(u"operatorPinField"_s, tr("P&IN to leave operator mode, at least 4 characters"));
+    m_again = newPinField(u"operatorPinAgainField"_s, tr("PIN &again"));
+    addEnd(tr("&Enter operator mode"), u"operatorBeginButton"_s, [this] { lock(); });
 }
 
 OperatorDialog::OperatorDialog(std::function<bool(const QString&)> isPin, const QString& forgotten,
@@ -90,7 +90,7 @@ void OperatorDialog::addEnd(const QString& goOn, const QString& goOnName, const 
     go->setDefault(true);
     connect(go, &QPushButton::clicked, this, act);
     auto* cancel = new QPushButton(tr("&Cancel"), this);
-    look::name(cancel, u"operatorCancelButton"_s, tr("Leave it as it is"));
+    look::name(cancel, u"operatorCancelButton"_s, tr("Cancel: keep the mode unchanged"));
     cancel->setAutoDefault(false);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     auto* buttons = new QHBoxLayout;
@@ -105,9 +105,9 @@ void OperatorDialog::addEnd(const QString& goOn, const QString& goOnName, const 
 void OperatorDialog::lock() {
     const QString pin = m_pin->text();
     if (pin.size() < kShortestPin)
-        return m_problem->setText(tr("The PIN is too short: it needs 4 characters."));
+        return m_problem->setText(tr("The PIN is too short: use at least 4 characters."));
     if (pin != m_again->text())
-        return m_problem->setText(tr("The two PINs differ. Type the same one twice."));
+        return m_problem->setText(tr("The two PINs differ. Type the same PIN twice."));
     OperatorRights rights;
     for (const Right& one : m_rights)
         rights.*one.right = one.box->isChecked();
@@ -117,7 +117,7 @@ void OperatorDialog::lock() {
 
 void OperatorDialog::unlock() {
     if (!m_isPin(m_pin->text())) {
-        m_problem->setText(tr("That is not the PIN. %1").arg(m_forgotten));
+        m_problem->setText(tr("Wrong PIN. %1").arg(m_forgotten));
         m_pin->selectAll();
         return;
     }

@@ -55,12 +55,13 @@ void OperatorLock::showRights(const OperatorRights& rights) {
 void OperatorLock::open() {
     if (!m_dialog) {
         m_dialog =
-            m_locked ? new OperatorDialog(
-                           [this](const QString& pin) { return isPin(pin); },
-                           tr("If it is forgotten, close the panel and remove the part \"operator\" from %1.")
-                               .arg(m_settings.fileName()),
-                           m_window)
-                     : new OperatorDialog(m_rights, m_window);
+            m_locked
+                ? new OperatorDialog(
+                      [this](const QString& pin) { return isPin(pin); },
+                      tr("If you forgot it, close the panel and remove the \"operator\" section from %1.")
+                          .arg(m_settings.fileName()),
+                      m_window)
+                : new OperatorDialog(m_rights, m_window);
         connect(m_dialog, &OperatorDialog::locked, this, &OperatorLock::begin);
         connect(m_dialog, &OperatorDialog::unlocked, this, &OperatorLock::leave);
         connect(m_dialog, &QDialog::finished, this, [this] { m_dialog.clear(); });
@@ -97,9 +98,9 @@ bool OperatorLock::isPin(const QString& pin) const {
 
 void OperatorLock::present() {
     m_action->setText(m_locked ? tr("Leave o&perator mode…") : tr("O&perator mode…"));
-    m_action->setToolTip(m_locked
-                             ? tr("Asks for the PIN.")
-                             : tr("Leaves to an operator only what you choose, until somebody has the PIN."));
+    m_action->setToolTip(
+        m_locked ? tr("Asks for the PIN.")
+                 : tr("Limits the panel to the actions that you select, until someone enters the PIN."));
 }
 
 }  // namespace nmc

@@ -16,7 +16,7 @@ constexpr double kLeastHeight = 15.0;  // mm
 
 StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
     setText(tr("STOP ALL  Esc"));
-    look::name(this, u"stopAllButton"_s, tr("Stop all motors, key Esc"));
+    look::name(this, u"stopAllButton"_s, tr("STOP ALL  Esc: stop all motors"));
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setCursor(Qt::PointingHandCursor);
@@ -27,7 +27,7 @@ void StopButton::showReach(const QString& reach) {
         return;
     m_reach = reach;
     setToolTip(reach.isEmpty()
-                   ? tr("Stops every motor. No port is open.")
+                   ? tr("Stops every motor. Unavailable: no port is open.")
                    : tr("Stops every motor on this line at once; Esc does the same from anywhere. It %1.\n"
                         "It works only while the link works: fit a hardware stop as well.")
                          .arg(reach));

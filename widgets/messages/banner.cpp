@@ -41,12 +41,12 @@ Banner::Banner(QWidget* parent)
     m_headline->setFont(bold);
     m_glyph->setFont(look::scaled(font(), 1.4));
     m_all->setFlat(true);
-    m_all->setToolTip(tr("Shows the whole text, and all other messages, in the list of messages."));
-    look::name(m_all, u"bannerAll"_s, tr("Show the list of messages"));
+    m_all->setToolTip(tr("Shows the full text and all other messages in the message list."));
+    look::name(m_all, u"bannerAll"_s, tr("Show the message list"));
     connect(m_all, &QPushButton::clicked, this, [this] { emit allWanted(m_shown); });
     m_dismiss->setIcon(icons::tinted(u"x"_s));
     m_dismiss->setAutoRaise(true);
-    m_dismiss->setToolTip(tr("Hide this message here. It stays in the list of messages."));
+    m_dismiss->setToolTip(tr("Hides this message here. It stays in the message list."));
     look::name(m_dismiss, u"bannerDismiss"_s, tr("Hide this message"));
     connect(m_dismiss, &QToolButton::clicked, this, [this] { endMessage(m_shown); });
 

@@ -90,9 +90,8 @@ std::vector<MessageEntry> MessageList::shownEntries() const {
 
 void MessageList::showWhetherEmpty() {
     m_empty->setVisible(shownEntries().empty());
-    look::setText(m_empty, m_rows.isEmpty()
-                               ? tr("No messages. What goes wrong, and when it is over, is told here.")
-                               : tr("None of the messages passes the filter above."));
+    look::setText(m_empty, m_rows.isEmpty() ? tr("No messages. Problems appear here, and when they end.")
+                                            : tr("No message matches the filter above."));
 }
 
 void MessageList::amendMessage(const Message& message) {

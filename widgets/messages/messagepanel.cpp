@@ -27,25 +27,25 @@ MessagePanel::MessagePanel(QWidget* parent) : QWidget(parent) {
 void MessagePanel::build() {
     m_kind = new QComboBox(this);
     look::name(m_kind, u"messageKindBox"_s, tr("Kind of messages shown"));
-    m_kind->setToolTip(tr("Which kind of messages is shown."));
+    m_kind->setToolTip(tr("Filters the messages by kind."));
     m_kind->addItem(tr("All kinds"));
     for (const Severity severity : {Severity::Fault, Severity::Attention, Severity::Normal})
-        m_kind->addItem(severity == Severity::Normal ? tr("News") : texts::severity(severity),
+        m_kind->addItem(severity == Severity::Normal ? tr("Notes") : texts::severity(severity),
                         QVariant::fromValue(static_cast<int>(severity)));
     m_module = new QComboBox(this);
     look::name(m_module, u"messageModuleBox"_s, tr("Module whose messages are shown"));
-    m_module->setToolTip(tr("Of which module messages are shown."));
+    m_module->setToolTip(tr("Filters the messages by module."));
     m_module->addItem(tr("All modules"));
-    m_notOver = new QCheckBox(tr("Not over"), this);
-    look::name(m_notOver, u"messageNotOverBox"_s, tr("Only messages that are not over"));
-    m_notOver->setToolTip(tr("Shows only what is not over."));
+    m_notOver = new QCheckBox(tr("Active only"), this);
+    look::name(m_notOver, u"messageNotOverBox"_s, tr("Active only"));
+    m_notOver->setToolTip(tr("Shows only messages whose cause persists."));
     m_text = new QLineEdit(this);
-    look::name(m_text, u"messageTextField"_s, tr("Words of the messages shown"));
-    m_text->setPlaceholderText(tr("Words"));
-    m_text->setToolTip(tr("Shows only messages with these words."));
+    look::name(m_text, u"messageTextField"_s, tr("Search messages"));
+    m_text->setPlaceholderText(tr("Search"));
+    m_text->setToolTip(tr("Shows only messages that contain these words."));
     auto* save = new QPushButton(tr("E&xport…"), this);
     look::name(save, u"messageExportButton"_s, tr("Export the messages shown"));
-    save->setToolTip(tr("Writes the messages that are shown to a text file."));
+    save->setToolTip(tr("Saves the messages shown to a text file."));
     m_list = new MessageList(this);
     m_place = new ElidedLabel(1, this);
     m_place->setObjectName(u"messageLogLabel"_s);

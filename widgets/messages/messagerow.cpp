@@ -72,9 +72,9 @@ void MessageRow::present() {
     if (m_entry.message.severity != Severity::Normal)
         when << texts::severity(m_entry.message.severity);
     if (m_entry.count > 1)
-        when << tr("%1 times").arg(m_entry.count);
+        when << tr("%n times", nullptr, m_entry.count);
     if (m_entry.over.isValid())
-        when << tr("over at %1").arg(timeText(m_entry.over, m_entry.time.date()));
+        when << tr("ended at %1").arg(timeText(m_entry.over, m_entry.time.date()));
     m_when->setText(when.join(u" · "_s));
     m_glyph->showSeverity(m_entry.over.isValid() ? Severity::Normal : m_entry.message.severity);
     m_headline->setText(m_entry.message.headline);

@@ -55,17 +55,17 @@ CounterTable::CounterTable(QWidget* parent) : QTableWidget(0, kColumns, parent) 
     setFrameShape(QFrame::NoFrame);
 
     addRow(u"sent"_s, tr("sent: commands that asked for an answer"));
-    addRow(u"accepted"_s, tr("accepted: answers that were believed"));
-    addRow(u"roundTripMean"_s, tr("mean round trip, from sending a command to its whole answer"));
+    addRow(u"accepted"_s, tr("accepted: answers that passed all checks"));
+    addRow(u"roundTripMean"_s, tr("mean round trip, from sending a command to its complete answer"));
     addRow(u"roundTripMax"_s, tr("longest round trip"));
     addRow(u"retried"_s, tr("retried: commands that were sent again"));
     addRow(u"timeOuts"_s, tr("time-outs: no answer, or too few bytes"));
     addRow(u"refused"_s, tr("refused by the module: the command reached it with a wrong checksum"));
-    addRow(u"wrongSums"_s, tr("wrong sums: the answer was damaged on its way"));
-    addRow(u"surplusBytes"_s, tr("surplus bytes: nobody had asked for them"));
-    addRow(u"staleBytes"_s, tr("of them stale: discarded while late answers were waited out"));
-    addRow(u"resyncs"_s, tr("resyncs: the link had to prove itself again"));
-    addRow(u"rejected"_s, tr("rejected by a rule: the sum was right, but the answer was not believed"));
+    addRow(u"wrongSums"_s, tr("wrong checksums: the answer was damaged on its way"));
+    addRow(u"surplusBytes"_s, tr("surplus bytes: received without a request"));
+    addRow(u"staleBytes"_s, tr("of them stale: late answers, discarded"));
+    addRow(u"resyncs"_s, tr("resyncs: link checked again after errors"));
+    addRow(u"rejected"_s, tr("rejected by a rule: checksum right, but answer implausible"));
     for (std::size_t i = 0; i < bus::kRejections; ++i)
         addRow(u"rejection%1"_s.arg(i),
                tr("  of them: %1").arg(texts::rejection(static_cast<bus::Rejection>(i))));

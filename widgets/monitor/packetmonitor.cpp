@@ -63,28 +63,28 @@ QPushButton* PacketMonitor::newButton(const QString& objectName, const QString& 
 }
 
 void PacketMonitor::buildControls() {
-    look::name(m_module, u"packetModuleBox"_s, tr("Packets of which module"));
-    m_module->setToolTip(tr("Shows the packets of one module only (Ctrl+M)."));
+    look::name(m_module, u"packetModuleBox"_s, tr("Filter packets by module"));
+    m_module->setToolTip(tr("Shows only packets of one module (Ctrl+M)."));
     m_module->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_module->addItem(tr("All modules"));
-    look::name(m_kind, u"packetKindBox"_s, tr("Packets of which kind"));
-    m_kind->setToolTip(tr("Shows packets of one kind only (Ctrl+T)."));
+    look::name(m_kind, u"packetKindBox"_s, tr("Filter packets by kind"));
+    m_kind->setToolTip(tr("Shows only packets of one kind (Ctrl+T)."));
     m_kind->addItem(tr("All kinds"), -1);
     m_kind->addItem(tr("Polls"), static_cast<int>(PacketKind::Poll));
     m_kind->addItem(tr("Commands"), static_cast<int>(PacketKind::Command));
     m_kind->addItem(tr("Stops"), static_cast<int>(PacketKind::Stop));
     m_kind->addItem(tr("Connecting and link"), static_cast<int>(PacketKind::Link));
     m_kind->addItem(tr("Errors only"), kErrorsOnly);
-    m_pause = newButton(u"packetPause"_s, tr("Pause"), tr("Stops recording; what is shown stays (%1)."),
+    m_pause = newButton(u"packetPause"_s, tr("Pause"), tr("Stops recording; packets shown stay (%1)."),
                         Qt::CTRL | Qt::SHIFT | Qt::Key_P);
     m_pause->setCheckable(true);
-    m_clear = newButton(u"packetClear"_s, tr("Clear"), tr("Forgets the packets shown so far (%1)."),
+    m_clear = newButton(u"packetClear"_s, tr("Clear"), tr("Clears the packets shown (%1)."),
                         Qt::CTRL | Qt::SHIFT | Qt::Key_K);
     m_copy = newButton(u"packetCopy"_s, tr("Copy"),
-                       tr("Copies the selected rows as text, or all when none is selected (%1)."),
+                       tr("Copies the selected rows as text, or all rows if none is selected (%1)."),
                        Qt::CTRL | Qt::SHIFT | Qt::Key_C);
     m_save = newButton(u"packetSave"_s, tr("Save as…"),
-                       tr("Saves everything recorded as a text, or as a log that can be replayed (%1)."),
+                       tr("Saves all recorded packets as text, or as a log that can be replayed (%1)."),
                        Qt::CTRL | Qt::Key_E);
     for (auto& [key, box] : {std::pair{Qt::Key_M, m_module}, std::pair{Qt::Key_T, m_kind}})
         connect(new QShortcut(QKeySequence(Qt::CTRL | key), this), &QShortcut::activated, box,

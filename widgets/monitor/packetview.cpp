@@ -15,7 +15,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 PacketView::PacketView(PacketModel& model, QWidget* parent) : QTableView(parent), m_model(model) {
-    look::name(this, u"packetTable"_s, tr("Packets, the newest last"));
+    look::name(this, u"packetTable"_s, tr("Packets, newest last"));
     setModel(&m_model);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -108,8 +108,8 @@ void PacketView::paintEvent(QPaintEvent* event) {
     painter.drawText(viewport()->rect().adjusted(margin, margin, -margin, -margin),
                      Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
                      m_model.log().empty()
-                         ? tr("No packets. Every exchange is recorded while this can be seen.")
-                         : tr("No packet of this module and kind has been recorded."));
+                         ? tr("No packets. Exchanges are recorded while this view is visible.")
+                         : tr("No packets match the filter."));
 }
 
 }  // namespace nmc

@@ -81,49 +81,48 @@ void AxisBox::build() {
     m_name = new QLineEdit(this);
     look::name(m_name, named(u"axisNameField"_s), tr("Name of the axis"));
     m_name->setMaxLength(kLongestName);
-    m_name->setPlaceholderText(tr("for example Z axis"));
-    m_name->setToolTip(tr("What this axis is called, in the list, in messages and in files."));
+    m_name->setPlaceholderText(tr("For example: Z axis"));
+    m_name->setToolTip(tr("The name of this axis in the list, in messages and in files."));
     form->addRow(tr("N&ame"), m_name);
 
     m_unit = new QComboBox(this);
     look::name(m_unit, named(u"axisUnitBox"_s), tr("Unit of the axis"));
-    m_unit->addItem(tr("the chip's own"), static_cast<int>(UnitKind::Native));
+    m_unit->addItem(tr("native counts"), static_cast<int>(UnitKind::Native));
     m_unit->addItem(tr("turns"), static_cast<int>(UnitKind::Turns));
     m_unit->addItem(tr("degrees"), static_cast<int>(UnitKind::Degrees));
     m_unit->addItem(tr("millimetres"), static_cast<int>(UnitKind::Millimetres));
-    m_unit->addItem(tr("a unit of your own"), static_cast<int>(UnitKind::Own));
+    m_unit->addItem(tr("custom unit"), static_cast<int>(UnitKind::Own));
     m_unit->setToolTip(
-        tr("What positions and speeds are shown in. Changing it keeps every amount and sends nothing."));
+        tr("The unit for positions and speeds. Changing it keeps every physical value and sends nothing."));
     form->addRow(tr("Un&it"), m_unit);
-    m_countsPerUnit = addNumber(form, tr("Counts in 1 unit"), u"countsPerUnitField"_s,
-                                tr("How many counts or steps of the chip make one unit."));
+    m_countsPerUnit =
+        addNumber(form, tr("Counts in 1 unit"), u"countsPerUnitField"_s, tr("Counts or steps per unit."));
     m_countsPerUnit->setRange(kLeastCountsPerUnit, kMostCountsPerUnit);
     m_countsPerUnitLabel = qobject_cast<QLabel*>(form->labelForField(m_countsPerUnit));
-    auto* workOut = new QPushButton(tr("Work it out…"), this);
-    look::name(workOut, named(u"workOutUnitButton"_s), tr("Work it out from encoder, gear and screw"));
-    workOut->setToolTip(
-        tr("Works the unit out from what stands on the labels of encoder, gear and screw. Sends nothing."));
+    auto* workOut = new QPushButton(tr("Calculate…"), this);
+    look::name(workOut, named(u"workOutUnitButton"_s), tr("Calculate the unit from encoder, gear and screw"));
+    workOut->setToolTip(tr("Calculates the unit from the data of encoder, gear and screw. Sends nothing."));
     connect(workOut, &QPushButton::clicked, this, &AxisBox::workOutUnit);
     form->addRow(QString(), workOut);
     m_symbol = new QLineEdit(this);
     look::name(m_symbol, named(u"axisSymbolField"_s), tr("Symbol of the unit"));
     m_symbol->setMaxLength(kLongestUnit);
-    m_symbol->setToolTip(tr("What stands behind the numbers, for example µl."));
+    m_symbol->setToolTip(tr("Shown after the numbers, for example µl."));
     form->addRow(tr("Symbol"), m_symbol);
     m_symbolLabel = qobject_cast<QLabel*>(form->labelForField(m_symbol));
 
     m_holdCap = new QuantityField(QuantityField::Kind::Velocity, this);
     m_holdCap->setName(m_type == ModuleType::Servo ? u"holdCapField"_s : u"stepAxisHoldCapField"_s,
-                       tr("Cap of hold to move"));
-    m_holdCap->setQuantity(tr("The cap of hold to move"));
-    m_holdCap->setMeaning(tr("Hold to move never goes faster than this."));
+                       tr("Max jog speed"));
+    m_holdCap->setQuantity(tr("Max jog speed"));
+    m_holdCap->setMeaning(tr("Jog is never faster than this."));
     auto* cap = new QHBoxLayout;
     cap->setSpacing(unit);
     cap->addWidget(m_holdCap);
     cap->addWidget(m_holdCap->unitLabel());
     cap->addWidget(m_holdCap->otherView());
     cap->addStretch(1);
-    form->addRow(tr("&Jog cap"), cap);
+    form->addRow(tr("Max &jog speed"), cap);
     qobject_cast<QLabel*>(form->labelForField(cap))->setBuddy(m_holdCap);
     form->setRowVisible(cap, m_type == ModuleType::Servo);
     buildAnalog(form);
@@ -136,16 +135,16 @@ void AxisBox::build() {
 
 void AxisBox::buildAnalog(QFormLayout* form) {
     m_analogPerCount = addNumber(
-        form, tr("A/D, each step"), u"analogPerCountField"_s,
-        tr("What one of the 255 steps of the A/D value stands for, for example 5 V / 255, or amperes by the amplifier's current sense."));
+        form, tr("A/D scale, per count"), u"analogPerCountField"_s,
+        tr("The value of one A/D count, for example 5 V / 255, or amperes from the amplifier's current sense."));
     m_analogPerCount->setRange(-1e6, 1e6);
     m_analogAtZero =
-        addNumber(form, tr("A/D at &0"), u"analogAtZeroField"_s, tr("What an A/D value of 0 stands for."));
+        addNumber(form, tr("A/D at &0"), u"analogAtZeroField"_s, tr("The value at an A/D reading of 0."));
     m_analogAtZero->setRange(-1e6, 1e6);
     m_analogUnit = new QLineEdit(this);
     look::name(m_analogUnit, named(u"analogUnitField"_s), tr("Unit of the A/D value"));
     m_analogUnit->setMaxLength(kLongestUnit);
-    m_analogUnit->setToolTip(tr("A, V, or what the A/D input measures here."));
+    m_analogUnit->setToolTip(tr("A, V, or whatever the A/D input measures."));
     form->addRow(tr("A/D unit"), m_analogUnit);
 }
 

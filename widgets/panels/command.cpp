@@ -20,8 +20,10 @@ Command::Command(const Spec& spec, QWidget* box, std::function<void()> act)
     connect(this, &QAction::triggered, box, std::move(act));
     connect(m_button, &QPushButton::clicked, this, &QAction::trigger);
     connect(this, &QAction::changed, m_button, [this] {
-        if (m_button->text() != text())
+        if (m_button->text() != text()) {
             m_button->setText(text());
+            m_button->setAccessibleName(text().remove(u'&'));
+        }
         m_button->setVisible(isVisible());
     });
 }

@@ -33,8 +33,8 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
       m_prescaler(new QComboBox(this)),
       m_set(new Command({.name = u"setTimerButton"_s,
                          .icon = u"send"_s,
-                         .text = tr("Set, from 0"),
-                         .accessible = tr("Set the mode of timer and counter, and begin at 0")},
+                         .text = tr("Set and restart"),
+                         .accessible = tr("Set and restart the timer or counter")},
                         this, [this] { setMode(); })),
       m_count(new QLabel(this)),
       m_rate(look::newMutedLabel({}, this)),
@@ -42,7 +42,7 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
       m_synchInput(new Command({.name = u"synchInputButton"_s,
                                 .icon = {},
                                 .text = tr("Latch inputs"),
-                                .accessible = tr("Latch pins and counter at one moment")},
+                                .accessible = tr("Latch inputs and counter at the same time")},
                                this, [this] { m_context.ask(iointent::SynchInput{}); })),
       m_outputs(new NumberField(0, this)),
       m_store(new Command({.name = u"storeOutputsButton"_s,
@@ -53,7 +53,7 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
       m_synchOutput(new Command({.name = u"synchOutputButton"_s,
                                  .icon = u"send"_s,
                                  .text = tr("Put out"),
-                                 .accessible = tr("Put out what was stored")},
+                                 .accessible = tr("Put out the stored outputs")},
                                 this, [this] { m_context.ask(iointent::SynchOutput{}); })),
       m_stored(look::newMutedLabel({}, this)) {
     look::name(this, u"counterBox"_s, tr("Counter and synchronous I/O"));
@@ -71,10 +71,11 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
 }
 
 void CounterBox::buildTimer(QGridLayout& grid) {
-    look::name(m_mode, u"timerModeBox"_s, tr("What counts"));
+    look::name(m_mode, u"timerModeBox"_s, tr("Counter source"));
     m_mode->addItems({tr("off"), tr("timer, 5 MHz"), tr("counter of rising edges on IO10")});
     look::name(m_prescaler, u"timerPrescalerBox"_s, tr("Prescaler"));
-    m_prescaler->addItems({tr("every one"), tr("every 2nd"), tr("every 4th"), tr("every 8th")});
+    m_prescaler->addItems(
+        {tr("every edge"), tr("every 2nd edge"), tr("every 4th edge"), tr("every 8th edge")});
     look::nameText(m_count, u"counterValue"_s, tr("Count"));
     m_count->setFont(look::tabular(look::scaled(font(), 1.5)));
     m_rate->setObjectName(u"counterRate"_s);
@@ -92,15 +93,15 @@ void CounterBox::buildTimer(QGridLayout& grid) {
 }
 
 void CounterBox::buildSynch(QGridLayout& grid, int row) {
-    look::nameText(m_latched, u"latchedInputs"_s, tr("What was latched"));
+    look::nameText(m_latched, u"latchedInputs"_s, tr("Latched values"));
     m_latched->setFont(look::tabular(font()));
-    grid.addWidget(new QLabel(tr("At one moment"), this), row, 0);
+    grid.addWidget(new QLabel(tr("Latched"), this), row, 0);
     grid.addWidget(m_synchInput->button(), row, 1);
     grid.addWidget(m_latched, row, 2, 1, 2);
     look::name(m_outputs, u"storedOutputsField"_s, tr("Outputs to store"));
     m_outputs->setRange(0, io::kAllPins);
-    m_outputs->setWords(tr("The outputs"), {});
-    m_outputs->setMeaning(tr("IO1 counts 1, IO2 2, IO3 4, and so on up to IO12, which counts 2048."));
+    m_outputs->setWords(tr("Outputs to store"), {});
+    m_outputs->setMeaning(tr("Add up the outputs: IO1 is 1, IO2 is 2, IO3 is 4, up to IO12, which is 2048."));
     m_outputs->setDigits(5);
     m_outputs->showValue(0);
     auto* outputs = new QLabel(tr("Outputs"), this);
@@ -150,7 +151,7 @@ QString CounterBox::rate() const {
     const ModuleState& module = m_context.state();
     const auto& timer = module.pins.timer();
     if (!timer)
-        return tr("What counts is unknown: another program has set it.");
+        return tr("Counter source unknown: another program has set it.");
     if (!timer->enable)
         return tr("off");
     const double each = divisor(timer->prescaler);
@@ -175,19 +176,20 @@ void CounterBox::refresh() {
     look::setText(m_latched, latched);
     const QString control = m_context.reasonNow(Request::ControlIo);
     const QString outputs = m_context.reasonNow(Request::SetOutputs);
-    m_set->setPossible(control, tr("Sends what is chosen above. The count begins at 0."));
-    m_synchInput->setPossible(control, tr("Latches all pins and the count at one moment, and reads them."));
+    m_set->setPossible(control, tr("Sends the settings above. The count restarts at 0."));
+    m_synchInput->setPossible(control,
+                              tr("Latches all pins and the count at the same moment, and reads them."));
     QString problem = outputs;
     for (const NumberField* field : {m_outputs, m_pwm[0], m_pwm[1]})
         if (problem.isEmpty())
             problem = field->problemText();
     m_store->setPossible(problem,
-                         tr("Sends these values to the module, which keeps them until they are put out."));
+                         tr("Sends these values to the module, which keeps them until you put them out."));
     const auto& stored = module.pins.stored();
     m_synchOutput->setPossible(!outputs.isEmpty() ? outputs
                                : stored           ? QString()
-                                                  : tr("Store something first."),
-                               tr("Puts out what was stored, pins and PWM at one moment."));
+                                                  : tr("Store outputs first."),
+                               tr("Puts out the stored pins and PWM values at the same moment."));
     look::setText(m_stored, stored ? tr("stored: %1, PWM %2 and %3")
                                          .arg(levels(stored->outputs))
                                          .arg(static_cast<int>(stored->pwm1))

@@ -18,13 +18,13 @@ namespace {
 QString statusMeaning(std::size_t bit) {
     const std::array<QString, 8> meanings{
         DetailsBox::tr("The move has ended; in velocity mode the goal velocity is reached."),
-        DetailsBox::tr("The module could not read the last command; it was not carried out."),
-        DetailsBox::tr("The current limit was reached. Stays until sticky bits are cleared."),
+        DetailsBox::tr("The module received a garbled command and did not carry it out."),
+        DetailsBox::tr("The current limit was reached. Stays set until you clear the sticky bits."),
         DetailsBox::tr("Motor power is present."),
         DetailsBox::tr(
-            "The position error was beyond its limit, or the servo is off. Stays until sticky bits are cleared."),
-        DetailsBox::tr("Limit input 1."),
-        DetailsBox::tr("Limit input 2."),
+            "The position error exceeded its limit, or the servo is off. Stays set until you clear the sticky bits."),
+        DetailsBox::tr("Limit switch 1."),
+        DetailsBox::tr("Limit switch 2."),
         DetailsBox::tr("Waiting for the home position.")};
     return meanings[bit];
 }
@@ -32,12 +32,12 @@ QString statusMeaning(std::size_t bit) {
 QString auxMeaning(std::size_t bit) {
     const std::array<QString, 8> meanings{
         DetailsBox::tr("The complement of the encoder's index."),
-        DetailsBox::tr("The 32-bit position has wrapped. Stays until sticky bits are cleared."),
+        DetailsBox::tr("The 32-bit position has wrapped. Stays set until you clear the sticky bits."),
         DetailsBox::tr("The servo is on."),
         DetailsBox::tr("The first acceleration phase of the move has ended."),
         DetailsBox::tr("The constant phase of the move has ended."),
         DetailsBox::tr(
-            "A servo tick took too long; typically not serious. Stays until sticky bits are cleared."),
+            "A servo tick took too long; typically not serious. Stays set until you clear the sticky bits."),
         DetailsBox::tr("The motor follows the points of a path."),
         QString()};
     return meanings[bit];
@@ -51,12 +51,12 @@ DetailsBox::DetailsBox(ModuleContext& context, QWidget* parent)
       m_clear(new Command({.name = u"clearStickyButton"_s,
                            .icon = u"eraser"_s,
                            .text = tr("Clear stic&ky bits"),
-                           .accessible = tr("Clear the sticky status bits")},
+                           .accessible = tr("Clear sticky bits of the status")},
                           this, [this] { m_context.ask(intent::ClearStickyBits{}); })),
       m_saveHome(new Command({.name = u"saveHomeButton"_s,
                               .icon = u"home"_s,
                               .text = tr("Save as home"),
-                              .accessible = tr("Save the present position as home")},
+                              .accessible = tr("Save as home: the present position")},
                              this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
     look::name(this, u"detailsBox"_s, tr("Details"));
     addBits(Byte::First, tr("Status byte"), servo::kStatusBitNames, statusMeaning, u"bit_"_s);
@@ -64,9 +64,9 @@ DetailsBox::DetailsBox(ModuleContext& context, QWidget* parent)
     addBits(Byte::Second, tr("Auxiliary byte"), path ? servo::kCmcAuxBitNames : servo::kAuxBitNames,
             auxMeaning, u"bit_"_s);
     m_analog = addValue(tr("A/D (motor current)"), u"analogLabel"_s);
-    m_velocity = addValue(tr("Velocity, as the chip says"), u"chipVelocityLabel"_s);
+    m_velocity = addValue(tr("Velocity reported by the chip"), u"chipVelocityLabel"_s);
     if (path) {
-        m_error = addValue(tr("Position error, as the chip says"), u"chipErrorLabel"_s);
+        m_error = addValue(tr("Position error reported by the chip"), u"chipErrorLabel"_s);
         m_points = addValue(tr("Path points left"), u"pathPointsLabel"_s);
     }
     m_home = addValue(tr("Home register"), u"homeLabel"_s);
@@ -103,7 +103,7 @@ void DetailsBox::refresh() {
     m_clear->setPossible(m_context.reasonNow(Request::ClearStickyBits),
                          tr("Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing."));
     m_saveHome->setPossible(m_context.reasonNow(Request::SaveAsHome),
-                            tr("Keeps the present position as home. The motor does not move."));
+                            tr("Saves the present position as home. The motor does not move."));
 }
 
 }  // namespace nmc

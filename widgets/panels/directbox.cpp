@@ -39,7 +39,7 @@ DirectBox::DirectBox(ModuleContext& context, const Spec& spec, QWidget* parent)
                          this, [this] { m_context.ask(intent::Direct{m_command()}); })) {
     look::name(this, named(u"Box"_s), spec.title);
     look::nameText(m_meaning, named(u"Meaning"_s), tr("What the chip will do"));
-    look::nameText(m_bytes, named(u"Bytes"_s), tr("The command's bytes"));
+    look::nameText(m_bytes, named(u"Bytes"_s), tr("Command bytes"));
     m_meaning->setWordWrap(true);
     m_meaning->setTextFormat(Qt::PlainText);
     m_bytes->setFont(look::tabular(font()));
@@ -95,8 +95,8 @@ DirectBox::Value DirectBox::addValue(const QString& name, const QString& text, d
     QWidget* left = nullptr;
     if (optional) {
         value.loaded = new QCheckBox(text, this);
-        look::name(value.loaded, named(name) + u"Loaded"_s, tr("Load: %1").arg(text));
-        value.loaded->setToolTip(tr("Without it the chip keeps the value that was loaded before."));
+        look::name(value.loaded, named(name) + u"Loaded"_s, tr("%1: load").arg(text));
+        value.loaded->setToolTip(tr("If cleared, the chip keeps the value loaded before."));
         connect(value.loaded, &QCheckBox::toggled, value.field, &QWidget::setEnabled);
         connect(value.loaded, &QCheckBox::toggled, this, &DirectBox::refresh);
         value.field->setEnabled(false);

@@ -24,7 +24,7 @@ DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
       m_check(new Command({.name = u"directionCheckButton"_s,
                            .icon = {},
                            .text = tr("Direction check…"),
-                           .accessible = tr("Check the direction of motor and encoder")},
+                           .accessible = tr("Direction check of motor and encoder")},
                           this, [this] { ask(); })),
       m_cancel(new Command({.name = u"cancelDirectionCheckButton"_s,
                             .icon = {},
@@ -33,7 +33,7 @@ DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
                            this, [this] { m_context.ask(intent::CancelProcedure{}); })),
       m_state(new QLabel(this)) {
     look::name(this, u"directionCheckBox"_s, tr("Direction of motor and encoder"));
-    look::nameText(m_state, u"directionCheckState"_s, tr("What the direction check has found"));
+    look::nameText(m_state, u"directionCheckState"_s, tr("Result of the direction check"));
     m_state->setWordWrap(true);
     m_state->setTextFormat(Qt::PlainText);
     const int unit = look::gridUnit(this);
@@ -63,16 +63,16 @@ QString DirectionCheckBox::whyNotNow() const {
     if (!m_context.connected())
         return texts::refusal(Refusal::NotConnected);
     if (running())
-        return tr("A direction check is under way.");
+        return tr("A direction check is running.");
     if (m_context.whyNot(Request::CheckDirection) == Refusal::Moving)
-        return tr("Something turns the motor. Wait until it stands still.");
+        return tr("Something turns the motor. Wait until it is at rest.");
     return m_context.reasonNow(Request::CheckDirection);
 }
 
 QString DirectionCheckBox::question() const {
     constexpr double kWhole = 255.0;
     const AxisScale scale = m_context.scale();
-    return tr("The motor of %1 will move a little, forward and in reverse. It is pushed for less than a tenth of a second at a time, a little stronger each time up to %2 % of its supply, until it has moved %3; a motor that runs freely may run on for some more. Farther than %4 ends the check. Keep clear of it.")
+    return tr("The motor of %1 will move a little, forward and in reverse. It is pushed for less than 0.1 s at a time, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.")
         .arg(texts::moduleName(m_context.state().info.index))
         .arg(qRound(kStrongestPush * 100.0 / kWhole))
         .arg(texts::position(scale, kMovedCounts),
@@ -107,17 +107,17 @@ QString DirectionCheckBox::found() const {
         return (check->direction->verdict == DirectionVerdict::Right ? u"✓ "_s : u"▲ "_s) +
                texts::directionFound(*check->direction);
     if (check && check->failure)
-        return u"▲ "_s + tr("No verdict: see the message.");
+        return u"▲ "_s + tr("Inconclusive: see the message.");
     return u"○ "_s +
-           tr("Not checked in this connection. Do it before you enable the servo for the first time: with motor or encoder reversed it runs away.");
+           tr("Not checked in this connection. Run the check before you enable the servo for the first time: with motor or encoder reversed, it runs away.");
 }
 
 void DirectionCheckBox::refresh() {
     m_check->setPossible(
         whyNotNow(),
-        tr("Moves the motor a little, without the servo, to see that it turns the way its encoder counts. Asks first."));
-    m_cancel->setPossible(running() ? QString() : tr("No direction check is under way."),
-                          tr("Ends the check; the motor is off then."));
+        tr("Moves the motor a little, without the servo, to check that it turns the way its encoder counts. Asks first."));
+    m_cancel->setPossible(running() ? QString() : tr("No direction check is running."),
+                          tr("Ends the check and switches the motor off."));
     look::setText(m_state, found());
 }
 

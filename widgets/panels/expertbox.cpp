@@ -56,11 +56,11 @@ QStringList homingManners() {
 template <typename SetHoming>
 QString homingMeaning(const SetHoming& homing, bool watches) {
     if (!watches)
-        return ExpertBox::tr("The chip no longer watches for home.");
+        return ExpertBox::tr("The chip stops watching for home.");
     const bool stops = homing.stopAbruptly || homing.stopSmoothly || homing.motorOff;
     return stops
                ? ExpertBox::tr(
-                     "At the first of these events the chip stores its position in the home register and stops by itself. Start the motion with your own command.")
+                     "At the first of these events the chip stores its position in the home register and stops. Start the motion with a command of your own.")
                : ExpertBox::tr(
                      "At the first of these events the chip stores its position in the home register. The motion goes on.");
 }
@@ -117,15 +117,15 @@ DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
             if (!load.servo)
                 return startMeaning(
                     load.startNow,
-                    ExpertBox::tr("The servo is off and the PWM value drives the motor. No limit applies."));
+                    ExpertBox::tr("The servo is off; the PWM value drives the motor. No limit applies."));
             if (load.profile == servo::ProfileMode::Velocity)
                 return startMeaning(load.startNow, ExpertBox::tr("The motor runs until it is stopped."));
             return startMeaning(
                 load.startNow,
                 load.relative
                     ? ExpertBox::tr(
-                          "A trapezoidal move by this many counts, from where the servo is told to be. Start it from standstill only.")
-                    : ExpertBox::tr("A trapezoidal move to the position. Start it from standstill only."));
+                          "A trapezoidal move by this many counts, from where the servo is told to be. Start it only from standstill.")
+                    : ExpertBox::tr("A trapezoidal move to the position. Start it only from standstill."));
         });
     return box;
 }
@@ -155,7 +155,7 @@ DirectBox* newServoStop(ModuleContext& context, QWidget* parent) {
         [&context](const bus::ModuleCommand& command) {
             switch (std::get<servo::StopMotor>(std::get<ServoCommand>(command)).manner) {
                 case servo::StopManner::AmplifierOnly:
-                    return ExpertBox::tr("Only AMP_EN is switched. The servo stays as it is.");
+                    return ExpertBox::tr("Switches only AMP_EN. The servo stays as it is.");
                 case servo::StopManner::MotorOff:
                     return ExpertBox::tr("The servo is switched off. The motor is free to turn.");
                 case servo::StopManner::Abruptly:
@@ -237,7 +237,7 @@ DirectBox* newServoReset(ModuleContext& context, QWidget* parent) {
 QString stepGoalMeaning(const step::LoadTrajectory& load, bus::StepMode mode) {
     const auto goal = bus::goalMode(mode, load);
     if (!goal)
-        return ExpertBox::tr("Table 4 has no mode for this, from what the motor does now.");
+        return ExpertBox::tr("Table 4 has no such mode from the present state of the motor.");
     switch (*goal) {
         case bus::StepMode::Trapezoidal:
             return ExpertBox::tr("A trapezoidal move to the position.");
@@ -247,7 +247,7 @@ QString stepGoalMeaning(const step::LoadTrajectory& load, bus::StepMode mode) {
             if (load.position)
                 return ExpertBox::tr("One speed from the first step to the position.");
             return ExpertBox::tr(
-                "The move goes on to its position at this speed. Had it ended meanwhile, the motor would run until it is stopped.");
+                "The move continues to its position at this speed. If it has just ended, the motor runs until it is stopped.");
         case bus::StepMode::Unprofiled:
             return ExpertBox::tr("One speed from the first step. The motor runs until it is stopped.");
         case bus::StepMode::Stopped:
@@ -308,7 +308,7 @@ DirectBox* newStepStop(ModuleContext& context, QWidget* parent) {
         [](const bus::ModuleCommand& command) {
             switch (std::get<step::StopMotor>(std::get<StepCommand>(command)).manner) {
                 case step::StopManner::AmplifierOnly:
-                    return ExpertBox::tr("Only AMP_EN is switched. A motion goes on counting.");
+                    return ExpertBox::tr("Switches only AMP_EN. A motion in progress keeps counting.");
                 case step::StopManner::Abruptly:
                     return ExpertBox::tr("The steps end at once.");
                 case step::StopManner::Smoothly:
@@ -352,16 +352,15 @@ ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent)
       m_reset(new Command({.name = u"resetModuleButton"_s,
                            .icon = {},
                            .text = tr("Reset module…"),
-                           .accessible = tr("Reset this module"),
+                           .accessible = tr("Reset module to its power-up state"),
                            .key = {}},
                           this, [this] { askBeforeReset(); })) {
-    look::name(this, u"expertBox"_s, tr("Commands as the data sheet has them"));
+    look::name(this, u"expertBox"_s, tr("Commands as in the data sheet"));
     const int unit = look::gridUnit(this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit / 2, unit, unit / 2);
     auto* note = look::newMutedLabel(
-        tr("Commands as the data sheet has them, in the chip's own numbers. STOP ALL and Esc act as ever."),
-        this);
+        tr("Commands as in the data sheet, in native counts. STOP ALL and Esc work as usual."), this);
     note->setWordWrap(true);
     layout->addWidget(note);
     const bool steps = context.state().isStepper();
@@ -379,7 +378,7 @@ void ExpertBox::refresh() {
     AskDialog::reviewAll(*this);
     m_reset->setPossible(
         m_context.reasonNow(Request::ResetModule),
-        tr("Takes this module back to its power-up state, and gives it its address again. The others stay as they are."));
+        tr("Returns this module to its power-up state and assigns its address again. The other modules are unchanged."));
 }
 
 void ExpertBox::askBeforeReset() {
@@ -391,7 +390,7 @@ void ExpertBox::askBeforeReset() {
              [this, module] {
                  return m_context.whyNot(Request::ResetModule)
                             ? QString()
-                            : tr("Reset %1? Its motor goes off, and it forgets its position, its settings and its group. The other modules stay as they are.")
+                            : tr("Reset %1? Its motor switches off, and it loses its position, settings and group. The other modules are unchanged.")
                                   .arg(module);
              },
          .stay = tr("Cancel"),

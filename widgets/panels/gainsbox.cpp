@@ -125,7 +125,7 @@ void GainsBox::addSense(int line, QGridLayout* grid) {
     for (const CurrentSense sense : {CurrentSense::Off, CurrentSense::Above, CurrentSense::Below})
         m_sense->addItem(currentSenseName(sense), static_cast<int>(sense));
     m_sense->setToolTip(tr(
-        "Whether a large or a small A/D value means too much current. The chip tells them apart by odd and even numbers."));
+        "Whether a high or a low A/D value means overcurrent. The chip tells them apart by odd and even numbers."));
     grid->addWidget(m_sense, line, 1, 1, 2);
     connect(m_sense, &QComboBox::activated, this, [this] { chooseSense(m_sense->currentData().toInt()); });
 }
@@ -146,45 +146,46 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
     m_revert = new Command({.name = u"revertGainsButton"_s,
                             .icon = u"repeat"_s,
                             .text = tr("Revert"),
-                            .accessible = tr("Revert the gains to what was sent"),
+                            .accessible = tr("Revert the gains to those last sent"),
                             .key = Qt::CTRL | Qt::Key_R},
                            this, [this] { revert(); });
     auto* zero = new Command({.name = u"zeroGainsButton"_s,
                               .icon = u"eraser"_s,
                               .text = tr("All zero"),
-                              .accessible = tr("Fill in zero for all gains"),
+                              .accessible = tr("All zero: fill in 0 for all gains"),
                               .key = Qt::CTRL | Qt::Key_0},
                              this, [this] { fill(zeroValue); });
     zero->setPossible(
         {},
-        tr("Fills the fields with 0, where tuning begins. Sends nothing; once applied, the motor does not hold any more."));
+        tr("Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds."));
     auto* start = new Command({.name = u"fillGainsButton"_s,
                                .icon = u"wand"_s,
                                .text = tr("Start&ing values"),
-                               .accessible = tr("Fill in starting values")},
+                               .accessible = tr("Starting values: fill in")},
                               this, [this] { stage(startingGains(m_context.settings().unit)); });
-    start->setPossible({}, tr("Fills the fields with values to begin tuning with. Sends nothing."));
+    start->setPossible({}, tr("Fills in values to start tuning with. Sends nothing."));
     m_apply = new Command({.name = u"applyGainsButton"_s,
                            .icon = u"send"_s,
                            .text = tr("&Apply gains"),
-                           .accessible = tr("Apply all gains")},
+                           .accessible = tr("Apply gains: all")},
                           this, [this] { apply(); });
     m_try = new Command({.name = u"tryGainsButton"_s,
                          .icon = u"wand"_s,
                          .text = tr("Try for %1 s").arg(kTrySeconds),
-                         .accessible = tr("Try these gains for %1 seconds").arg(kTrySeconds)},
+                         .accessible = tr("Try for %1 s: these gains").arg(kTrySeconds)},
                         this, [this] { tryThem(); });
     m_keep = new Command({.name = u"keepGainsButton"_s,
                           .icon = {},
                           .text = tr("Keep them"),
-                          .accessible = tr("Keep the gains that are being tried")},
+                          .accessible = tr("Keep them: the gains being tried")},
                          this, [this] { m_context.ask(intent::KeepGains{}); });
     auto* step = new Command({.name = u"openStepResponseButton"_s,
                               .icon = u"player-play"_s,
                               .text = tr("Step response…"),
-                              .accessible = tr("Open the step response")},
+                              .accessible = tr("Step response: open")},
                              this, [this] { emit stepResponseWanted(); });
-    step->setPossible({}, tr("Opens the place where a small step shows how the motor follows (F9)."));
+    step->setPossible({},
+                      tr("Opens the step response, which shows how the motor follows a small step (F9)."));
     m_buttons = {start, zero, m_undo, m_redo, step, m_revert, m_apply, m_try, m_keep};
     m_buttonGrid = new QGridLayout;
     m_buttonGrid->setSpacing(look::gridUnit(this) / 2);
@@ -343,9 +344,10 @@ void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList
         const bool stands = self && self->parentWidget()->isVisible() &&
                             before == self->m_context.state().gains && self->entered() == gains &&
                             self->m_context.state().servoOn() && !self->m_context.whyNot(Request::ApplyGains);
-        return stands ? tr("The servo is on, and this is a large step: %1. The motor may jump or swing.")
-                            .arg(steps.join(u", "_s))
-                      : QString();
+        return stands
+                   ? tr("The servo is on, and this is a large change: %1. The motor may jump or oscillate.")
+                         .arg(steps.join(u", "_s))
+                   : QString();
     };
     const auto go = [self = QPointer(this), gains] {
         if (self)
@@ -405,13 +407,13 @@ QString GainsBox::hint() const {
     for (const Row& row : m_rows)
         empty = empty && (!used(row.gain) || row.field->problem() == NumberField::Problem::Empty);
     if (empty)
-        return tr("Gains cannot be read back from the module. Until you apply them they are unknown.");
+        return tr("Gains cannot be read back from the module. They are unknown until you apply them.");
     if (const QString problem = trouble(); !problem.isEmpty())
         return problem;
     const auto rate = rowOf(Gain::Sr).field->value();
     if (!m_sent || !rate || static_cast<int>(*rate) == m_sent->sr)
         return {};
-    return tr("SR %1 instead of %2 changes the servo tick: every velocity and acceleration in counts per tick means another speed then.")
+    return tr("Changing SR from %2 to %1 changes the servo tick, and with it the meaning of every velocity and acceleration in counts per tick.")
         .arg(static_cast<int>(*rate))
         .arg(m_sent->sr);
 }
@@ -420,7 +422,7 @@ void GainsBox::refreshApply(const QString& problem) {
     const bool live = m_context.state().servoOn();
     const QString reason = m_context.reasonNow(Request::ApplyGains);
     m_apply->setPossible(reason.isEmpty() ? problem : reason,
-                         live ? tr("Sends all gains at once. The servo is on: they act immediately.")
+                         live ? tr("Sends all gains at once. The servo is on: they take effect immediately.")
                               : tr("Sends all gains at once. The motor does not move."));
     m_apply->setText(live ? tr("&Apply gains, live") : tr("&Apply gains"));
 }
@@ -442,26 +444,26 @@ void GainsBox::refreshTry(const QString& problem) {
     QString reason = m_context.reasonNow(Request::ApplyGains);
     if (reason.isEmpty())
         reason = !problem.isEmpty() ? problem
-                 : tries()          ? tr("They are being tried already.")
+                 : tries()          ? tr("These gains are already being tried.")
                  : refused          ? texts::refusal(*refused)
-                 : gains == m_sent  ? tr("The module has these gains already.")
+                 : gains == m_sent  ? tr("The module already has these gains.")
                                     : QString();
     m_try->setPossible(
         reason,
-        tr("Sends these gains and takes them back after %1 s, unless you keep them; at once when the motor begins to swing.")
+        tr("Sends these gains and restores the previous ones after %1 s unless you keep them, or at once if the motor starts to oscillate.")
             .arg(kTrySeconds));
     m_keep->setPossible(tries() ? QString() : tr("No gains are being tried."),
-                        tr("The gains that are being tried stay."));
+                        tr("Keeps the gains that are being tried."));
 }
 
 void GainsBox::refreshUndo() {
-    m_undo->setPossible(m_edits->canUndo() ? QString() : tr("There is nothing to undo."),
-                        tr("Takes back the last edit in these fields. Sends nothing."));
-    m_redo->setPossible(m_edits->canRedo() ? QString() : tr("There is nothing to redo."),
-                        tr("Makes the edit again that was undone. Sends nothing."));
-    m_revert->setPossible(shown() != textsOf(m_sent) ? QString() : tr("Nothing was edited."),
-                          m_sent ? tr("Back to the gains that were sent. Sends nothing.")
-                                 : tr("Empties the fields: no gains have been sent yet. Sends nothing."));
+    m_undo->setPossible(m_edits->canUndo() ? QString() : tr("Nothing to undo."),
+                        tr("Undoes the last edit in these fields. Sends nothing."));
+    m_redo->setPossible(m_edits->canRedo() ? QString() : tr("Nothing to redo."),
+                        tr("Redoes the edit that was undone. Sends nothing."));
+    m_revert->setPossible(shown() != textsOf(m_sent) ? QString() : tr("No changes to apply."),
+                          m_sent ? tr("Restores the gains last sent. Sends nothing.")
+                                 : tr("Clears the fields: no gains have been sent yet. Sends nothing."));
 }
 
 void GainsBox::refresh() {

@@ -132,39 +132,39 @@ QString gainMeaning(Gain gain) {
     switch (gain) {
         case Gain::Kp:
             text = Gains::tr(
-                "Kp, position gain: output for each count of position error. After Kd, raise it with small, fast test moves until the motor starts to overshoot, then back off a little.");
+                "Kp, position gain: output per count of position error. Set Kd first; then raise Kp with small, fast test moves until the motor starts to overshoot, and back off a little.");
             break;
         case Gain::Kd:
             text = Gains::tr(
-                "Kd, derivative gain: damping. Start here, with Kp and Ki 0: raise it until the motor starts to hum, then back off a little bit.");
+                "Kd, derivative gain: damping. Start here, with Kp and Ki at 0: raise Kd until the motor starts to hum, then back off a little.");
             break;
         case Gain::Ki:
             text = Gains::tr(
-                "Ki, integral gain: removes the steady error that Kp and Kd leave. Set IL to 16000 first, then raise Ki until the error is small enough soon enough. It adds some overshoot.");
+                "Ki, integral gain: removes the steady-state error that Kp and Kd leave. Set IL to 16000 first, then raise Ki until the error settles fast enough. Adds some overshoot.");
             break;
         case Gain::Il:
             text = Gains::tr(
-                "IL, integration limit: bounds the running sum of the error. In the end lower it to the least value that still cancels the steady error. 0 clears the sum.");
+                "IL, integration limit: limits the integral of the error. Last, lower it to the smallest value that still removes the steady-state error. 0 clears the integral.");
             break;
         case Gain::Ol:
             text = Gains::tr(
-                "OL, output limit: the largest PWM value, 255 is 100 %. A 12 V motor on 24 V takes 127.");
+                "OL, output limit: the largest PWM value; 255 is 100 %. Use 127 for a 12 V motor on a 24 V supply.");
             break;
         case Gain::Cl:
             text = Gains::tr(
-                "CL, current limit, compared with the A/D value. 0: off. Odd: limits when the A/D value is above CL. Even: limits when it is below CL.");
+                "CL, current limit, compared with the A/D value. 0: off. Odd: limits while the A/D value is above CL. Even: limits while it is below CL.");
             break;
         case Gain::El:
             text = Gains::tr(
-                "EL, position error limit in counts: beyond it the servo switches itself off, for example after a collision or a stall.");
+                "EL, position error limit in counts: the servo switches off when the error exceeds it, for example after a collision or a stall.");
             break;
         case Gain::Sr:
             text = Gains::tr(
-                "SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes what every velocity and acceleration means.");
+                "SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.");
             break;
         case Gain::Db:
             text = Gains::tr(
-                "DB, deadband compensation: added to every PWM value but 0, for amplifiers that do nothing near zero. Version 4 and later.");
+                "DB, deadband compensation: added to every PWM value except 0, for amplifiers with a deadband near zero. Version 4 and later.");
             break;
     }
     return text + u"\n"_s + Gains::tr("Range: %1 to %2.").arg(range.min).arg(range.max);

@@ -17,8 +17,8 @@ GenericPanel::GenericPanel(QWidget* parent)
       m_name(new QLabel(this)),
       m_text(new QLabel(this)),
       m_status(new QLabel(this)),
-      m_ask(new QPushButton(tr("Ask for its status"), this)) {
-    look::name(m_ask, u"askAnewButton"_s, tr("Ask this module for its status"));
+      m_ask(new QPushButton(tr("Request status"), this)) {
+    look::name(m_ask, u"askAnewButton"_s, tr("Request status"));
     connect(m_ask, &QPushButton::clicked, this,
             [this] { emit intentRequested(m_module, intent::AskAnew{}); });
     look::name(this, u"genericPanel"_s, tr("Module without controls"));
@@ -46,7 +46,7 @@ void GenericPanel::showModule(const PanelView& view) {
                                            texts::moduleType(module.info.identity)));
     look::setText(
         m_text,
-        tr("Its type and version are not among those whose data sheets this panel follows (PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so what a command would do to it is not known. It is only looked at; Stop all reaches it."));
+        tr("The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module's status. STOP ALL reaches the module."));
     QString status = tr("No status yet.");
     if (module.latest.has_value()) {
         status = tr("Status byte %1").arg(module.latest->status, 2, 16, QChar(u'0'));
@@ -57,7 +57,7 @@ void GenericPanel::showModule(const PanelView& view) {
         status = tr("It does not answer. ") + status;
     look::setText(m_status, status);
     look::setPossible(m_ask, view.connected ? QString() : texts::refusal(Refusal::NotConnected),
-                      tr("Sends No Operation, which only asks for the status."));
+                      tr("Sends No Operation, which only requests the status."));
 }
 
 }  // namespace nmc

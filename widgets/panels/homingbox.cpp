@@ -54,7 +54,7 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
         {.name = named(u"homeButton"_s),
          .icon = u"home"_s,
          .text = tr("Home"),
-         .accessible = tr("Search for home"),
+         .accessible = tr("Home: search for it"),
          .key = Qt::CTRL | Qt::Key_H},
         this, [this] {
             m_context.ask(intent::Home{m_form->recipe(), homeTolerance(m_context.settings().unit)});
@@ -62,12 +62,12 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
     m_cancel = new Command({.name = named(u"cancelHomingButton"_s),
                             .icon = u"x"_s,
                             .text = tr("Cancel search"),
-                            .accessible = tr("Cancel the search for home"),
+                            .accessible = tr("Cancel search for home"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_H},
                            this, [this] { m_context.ask(intent::CancelProcedure{}); });
     look::name(this, named(u"homingBox"_s), tr("Homing"));
-    look::nameText(m_stages, named(u"homingStagesLabel"_s), tr("Stages of the search"));
-    look::nameText(m_result, named(u"homingResultLabel"_s), tr("How the search goes"));
+    look::nameText(m_stages, named(u"homingStagesLabel"_s), tr("Progress of the search"));
+    look::nameText(m_result, named(u"homingResultLabel"_s), tr("Progress of the search"));
     m_hint->setObjectName(named(u"homingHint"_s));
     for (QLabel* label : {m_stages, m_result, m_hint}) {
         label->setWordWrap(true);
@@ -91,7 +91,7 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
     }
     inner->addStretch(1);
     auto* scroll = new QScrollArea(this);
-    look::name(scroll, named(u"homingScroll"_s), tr("Settings of the search"));
+    look::name(scroll, named(u"homingScroll"_s), tr("Search settings"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidgetResizable(true);
@@ -148,7 +148,7 @@ QString HomingBox::whyNotNow() const {
     if (!m_context.connected())
         return texts::refusal(Refusal::NotConnected);
     if (running())
-        return tr("A search for home is under way.");
+        return tr("A search for home is running.");
     if (const auto refusal = whyNotHome(m_context.state()))
         return texts::refusal(*refusal);
     if (!m_form->problemText().isEmpty())
@@ -160,9 +160,9 @@ QString HomingBox::whyNotNow() const {
 
 void HomingBox::refresh() {
     m_form->setLocked(running());
-    m_home->setPossible(whyNotNow(), tr("Moves the motor: it searches for home as set above."));
-    m_cancel->setPossible(running() ? QString() : tr("No search for home is under way."),
-                          tr("Stops the motor smoothly; it is not homed then."));
+    m_home->setPossible(whyNotNow(), tr("Moves the motor to search for home, as set above."));
+    m_cancel->setPossible(running() ? QString() : tr("No search for home is running."),
+                          tr("Stops the motor smoothly, without homing it."));
     const QString problem = m_form->problemText();
     look::setText(m_hint, problem);
     m_hint->setVisible(!problem.isEmpty());

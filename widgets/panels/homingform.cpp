@@ -86,7 +86,7 @@ QAbstractButton* HomingForm::addChoice(const QString& name, const QString& text,
 void HomingForm::buildConditions(QGridLayout* grid) {
     QList<QWidget*> conditions;
     const QString change = tr(
-        "Home is where this switch changes. When it is active at the start, the motor first backs off from it in the other direction.");
+        "Home is where this switch changes. If it is active at the start, the motor first backs off in the other direction.");
     if (m_type == ModuleType::Step) {
         conditions << addBox(u"onHomeSwitchBox"_s, tr("Home switch"), &HomingRecipe::onHomeSwitch, change)
                    << addBox(u"onLimit1Box"_s, tr("Limit 1 (forward)"), &HomingRecipe::onLimit1, change)
@@ -98,25 +98,25 @@ void HomingForm::buildConditions(QGridLayout* grid) {
         << addBox(u"onLimit1Box"_s, tr("Limit 1"), &HomingRecipe::onLimit1, change)
         << addBox(u"onLimit2Box"_s, tr("Limit 2"), &HomingRecipe::onLimit2, change)
         << addBox(u"onIndexBox"_s, tr("Index"), &HomingRecipe::onIndex,
-                  tr("Home is at the encoder's index, which comes once in a turn."))
+                  tr("Home is at the encoder's index, which comes once per turn."))
         << addBox(
                u"onPositionErrorBox"_s, tr("Position error"), &HomingRecipe::onPositionError,
-               tr("Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared before. The servo is switched on again only if it is to go on, to the index or to home."))
+               tr("Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared first. The servo is switched on again only to continue to the index or to home."))
         << addBox(
                u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
-               tr("Home is at a hard stop: the motor runs against it until the current limit is reached. Alone it is looked for at full speed only; together with others from the start, whose current must stay below it then. Sticky bits are cleared before."));
+               tr("Home is at a hard stop: the motor runs against it until the current limit is reached. Alone, it takes effect only at full speed; with other conditions from the start, so the starting current must stay below it. Sticky bits are cleared first."));
     addTitle(grid, tr("Home is at"), row(conditions.mid(0, 3)));
     addTitle(grid, QString(), row(conditions.mid(3)));
     addTitle(
         grid, QString(),
         addBox(
             u"thenIndexBox"_s, tr("then at the index, going back"), &HomingRecipe::thenIndex,
-            tr("What is chosen above finds the neighbourhood; a second, slower search finds the index, which is more exact.")));
+            tr("The conditions above find the approximate place; a second, slower search finds the index, which is more exact.")));
 }
 
 void HomingForm::buildMotion(QGridLayout* grid) {
-    m_reverse = addChoice(u"homingReverseButton"_s, tr("Reverse"), tr("Search in reverse"));
-    m_forward = addChoice(u"homingForwardButton"_s, tr("Forward"), tr("Search forward"));
+    m_reverse = addChoice(u"homingReverseButton"_s, tr("Reverse"), tr("Reverse: search direction"));
+    m_forward = addChoice(u"homingForwardButton"_s, tr("Forward"), tr("Forward: search direction"));
     auto* directions = new QButtonGroup(this);
     directions->addButton(m_reverse);
     directions->addButton(m_forward);
@@ -128,15 +128,16 @@ void HomingForm::buildMotion(QGridLayout* grid) {
 
     using Kind = QuantityField::Kind;
     addQuantity(grid, Kind::Velocity, u"homingVelocityField"_s, tr("Velocity"), &HomingRecipe::velocity,
-                tr("How fast the motor searches, backs off and goes to home. It is never faster than this."));
+                tr("Maximum velocity for searching, backing off and going to home."));
     if (m_type != ModuleType::Step)
         addQuantity(grid, Kind::Velocity, u"homingIndexVelocityField"_s, tr("Index velocity"),
                     &HomingRecipe::indexVelocity,
-                    tr("How fast the second search for the index is; slower is more exact."));
+                    tr("Velocity of the second search, for the index. Slower is more exact."));
     addQuantity(grid, Kind::Acceleration, u"homingAccelerationField"_s, tr("Acceleration"),
-                &HomingRecipe::acceleration, tr("How fast the velocity changes, smooth stops included."));
-    addQuantity(grid, Kind::Position, u"homingTravelField"_s, tr("Travel limit"), &HomingRecipe::travelLimit,
-                tr("A search, or backing off, that has gone so far is stopped, and has failed."));
+                &HomingRecipe::acceleration, tr("Also used for smooth stops."));
+    addQuantity(grid, Kind::Position, u"homingTravelField"_s, tr("Search distance"),
+                &HomingRecipe::travelLimit,
+                tr("A search, or backing off, stops and fails after this distance."));
     m_time = new QLabel(tr("Time limit"), this);
     m_timeLimit = new NumberField(1, this);
     m_time->setBuddy(m_timeLimit);
@@ -144,7 +145,7 @@ void HomingForm::buildMotion(QGridLayout* grid) {
     m_timeLimit->setWords(tr("Time limit"), u"s"_s);
     m_timeLimit->setDigits(kDigits);
     m_timeLimit->setRange(0.1, kLongestTime);
-    m_timeLimit->setMeaning(tr("A search that has taken so long is stopped, and has failed."));
+    m_timeLimit->setMeaning(tr("A search stops and fails after this time."));
     connect(m_timeLimit, &NumberField::edited, this, [this] {
         m_recipe.timeLimit = m_timeLimit->value().value_or(m_recipe.timeLimit);
         tell();
@@ -177,8 +178,8 @@ void HomingForm::addQuantity(QGridLayout* grid, QuantityField::Kind kind, const 
 void HomingForm::buildEnd(QGridLayout* grid) {
     const std::array names{u"homingAbruptlyButton"_s, u"homingSmoothlyButton"_s, u"homingMotorOffButton"_s};
     const std::array texts{tr("Abruptly"), tr("Smoothly"), tr("Motor off")};
-    const std::array accessible{tr("Stop abruptly at home"), tr("Stop smoothly at home"),
-                                tr("Switch the motor off at home")};
+    const std::array accessible{tr("Abruptly: stop at home"), tr("Smoothly: stop at home"),
+                                tr("Motor off at home")};
     auto* group = new QButtonGroup(this);
     QList<QWidget*> stops;
     for (std::size_t i = 0; i < kStops.size(); ++i) {
@@ -194,12 +195,12 @@ void HomingForm::buildEnd(QGridLayout* grid) {
     }
     addTitle(grid, tr("Stop there"), row(stops));
     addTitle(
-        grid, tr("And then"),
+        grid, tr("Then"),
         row({addBox(
                  u"goToHomeBox"_s, tr("Go to home"), &HomingRecipe::goToHome,
-                 tr("The motor stops behind home; this moves it back to it. A servo or amplifier that the search has switched off is switched on again for it.")),
-             addBox(u"makeZeroBox"_s, tr("Make it zero"), &HomingRecipe::makeZero,
-                    tr("Once the motor stands at home, its position becomes 0."))}));
+                 tr("The motor stops past home; this moves it back. If the search has switched the servo or amplifier off, it is switched on again.")),
+             addBox(u"makeZeroBox"_s, tr("Set position to 0"), &HomingRecipe::makeZero,
+                    tr("Once the motor is at home, its position becomes 0."))}));
 }
 
 void HomingForm::showRecipe(const HomingRecipe& recipe) {
@@ -254,15 +255,15 @@ void HomingForm::tell() {
 }
 
 void HomingForm::refresh() {
-    const QString locked = m_locked ? tr("A search for home is under way.") : QString();
+    const QString locked = m_locked ? tr("A search for home is running.") : QString();
     for (const Box& box : m_boxes) {
         const QSignalBlocker blocker(box.button);
         box.button->setChecked(m_recipe.*box.flag);
         QString reason = locked;
         if (reason.isEmpty() && box.flag == &HomingRecipe::thenIndex && m_recipe.onIndex)
-            reason = tr("The first search finds the index already.");
+            reason = tr("The first search already finds the index.");
         if (reason.isEmpty() && box.flag == &HomingRecipe::makeZero && !m_recipe.goToHome)
-            reason = tr("The position where the motor stands becomes 0, so it has to go to home first.");
+            reason = tr("Needs Go to home: the position where the motor is becomes 0.");
         look::setPossible(box.button, reason, box.meaning);
     }
     {
@@ -272,7 +273,7 @@ void HomingForm::refresh() {
         (m_recipe.reverse ? m_reverse : m_forward)->setChecked(true);
     }
     for (QAbstractButton* button : {m_forward, m_reverse})
-        look::setPossible(button, locked, tr("The direction of the search, in which the switch closes."));
+        look::setPossible(button, locked, tr("The search direction, in which the switch closes."));
     for (const Quantity& quantity : m_quantities) {
         quantity.field->setEnabled(!m_locked && uses(quantity.value));
         quantity.label->setEnabled(quantity.field->isEnabled());
@@ -283,18 +284,18 @@ void HomingForm::refresh() {
 
 void HomingForm::refreshStops() {
     const Stop stop = effective(m_recipe, {m_type, 0}).stop;
-    QString reason = m_locked ? tr("A search for home is under way.") : QString();
+    QString reason = m_locked ? tr("A search for home is running.") : QString();
     if (reason.isEmpty() && m_recipe.onPositionError && m_type == ModuleType::Servo)
-        reason = tr("A position error switches the servo off by itself.");
+        reason = tr("A position error switches the servo off.");
     const bool hostStops =
         m_type == ModuleType::Servo && m_version > 0 && m_version < servo::kAutoStopVersion;
     const QString who =
         hostStops
-            ? tr(" This version of the chip does not stop by itself: the panel stops it, some hundredths of a second later.")
+            ? tr(" This chip version does not stop on its own: the panel stops it, some hundredths of a second later.")
             : tr(" The chip stops it by itself.");
-    const std::array meanings{tr("At home the motor stops at once, and holds."),
-                              tr("At home the motor slows down, stops behind it, and holds."),
-                              tr("At home the motor is switched off, and is free to turn.")};
+    const std::array meanings{tr("At home the motor stops at once and holds."),
+                              tr("At home the motor slows down, stops past it and holds."),
+                              tr("At home the motor is switched off and is free to turn.")};
     for (std::size_t i = 0; i < kStops.size(); ++i) {
         const QSignalBlocker blocker(m_stops[i]);
         m_stops[i]->setChecked(kStops[i] == stop);

@@ -43,24 +43,24 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
         grid->addWidget(m_fastPath, line++, 0, 1, 4);
     }
     m_index = addInput(grid, line++, tr("Index"), u"indexValue"_s,
-                       tr("The encoder's index pulse, once a turn with most encoders."));
+                       tr("The encoder's index pulse, once per turn with most encoders."));
     m_power = addInput(grid, line++, tr("Motor power"), u"powerValue"_s,
-                       tr("Without it the servo switches off, and stays off when power returns."));
+                       tr("Without motor power the servo switches off, and stays off when power returns."));
     m_analog = new QLabel(u"–"_s, this);
     m_analog->setObjectName(u"analogValue"_s);
     m_analog->setFont(look::tabular(font()));
     m_analog->setToolTip(
-        tr("The A/D input, by most amplifiers the motor current. Its scale is set on the page Axis."));
+        tr("The A/D input; with most amplifiers, the motor current. Set its scale on the Axis page."));
     grid->addWidget(new QLabel(tr("A/D"), this), line, 0);
     grid->addWidget(m_analog, line++, 2, 1, 2);
     m_amplifier = new QCheckBox(tr("Amplifier enabled (&AMP_EN)"), this);
-    look::name(m_amplifier, u"amplifierBox"_s, tr("Amplifier enabled"));
+    look::name(m_amplifier, u"amplifierBox"_s, tr("Amplifier enabled (AMP_EN)"));
     grid->addWidget(m_amplifier, line++, 0, 1, 4);
     m_remark = look::newMutedLabel(
-        tr("A limit input does not stop the motor by itself on this chip: arm a limit stop on the page Homing."),
+        tr("On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page."),
         this);
     if (isSc(context.state().info.identity))
-        m_remark->setText(tr("The page Amplifier sets what the module does by itself when a limit closes."));
+        m_remark->setText(tr("The Amplifier page sets what the module does when a limit closes."));
     m_remark->setObjectName(u"limitRemark"_s);
     m_remark->setWordWrap(true);
     grid->addWidget(m_remark, line++, 0, 1, 4);
@@ -77,7 +77,7 @@ IoBox::Pin IoBox::addPin(QGridLayout* grid, int line, int number) {
     Pin pin;
     auto* label = new QLabel(number == 1 ? tr("Limit &1") : tr("Limit &2"), this);
     pin.use = new QComboBox(this);
-    look::name(pin.use, u"limit%1UseBox"_s.arg(number), tr("Use of the pin Limit %1").arg(number));
+    look::name(pin.use, u"limit%1UseBox"_s.arg(number), tr("Limit %1: input or output").arg(number));
     pin.use->addItem(tr("input"), Input);
     pin.use->addItem(tr("output, low"), OutputLow);
     pin.use->addItem(tr("output, high"), OutputHigh);
@@ -150,7 +150,7 @@ void IoBox::refresh() {
     for (std::size_t i = 0; i < m_pins.size(); ++i) {
         show({m_pins[i].glyph, m_pins[i].value}, limits[i], tr("high"), tr("low"));
         look::setPossible(m_pins[i].use, io,
-                          tr("Whether the pin is an input, or an output and its level. Sent at once."));
+                          tr("Makes the pin an input, or an output with this level. Sent at once."));
     }
     if (m_fastPath != nullptr)
         look::setPossible(m_fastPath, io,
@@ -167,7 +167,7 @@ void IoBox::refresh() {
     m_amplifier->setChecked(module.amplifierEnabled);
     look::setPossible(
         m_amplifier, m_context.reasonNow(Request::SetAmplifier),
-        tr("Sets the amplifier's enable line alone; the servo stays as it is. Without it the motor gets no current, whatever the servo does."));
+        tr("Switches only the amplifier's enable line; the servo stays as it is. When off, the motor gets no current, whatever the servo does."));
 }
 
 }  // namespace nmc

@@ -28,9 +28,9 @@ IoHead::IoHead(ModuleContext& context, QWidget* parent)
     m_state->setObjectName(u"ioStateLabel"_s);
     m_meaning->setObjectName(u"ioStateMeaning"_s);
     look::name(m_name, u"ioNameField"_s, tr("Name of this module"));
-    m_name->setPlaceholderText(tr("name"));
+    m_name->setPlaceholderText(tr("Name"));
     m_name->setMaxLength(40);
-    m_name->setToolTip(tr("What it is on this machine. Sends nothing."));
+    m_name->setToolTip(tr("Its name on this machine. Sends nothing."));
     QFont large = look::scaled(font(), 1.5);
     large.setBold(true);
     m_state->setFont(large);

@@ -54,7 +54,7 @@ QLineEdit* IoValuesBox::newText(const QString& objectName, const QString& access
     auto* edit = new QLineEdit(this);
     look::name(edit, objectName, accessibleName);
     edit->setPlaceholderText(hint);
-    edit->setToolTip(tr("What it is on this machine. Sends nothing."));
+    edit->setToolTip(tr("Its name on this machine. Sends nothing."));
     edit->setMaxLength(kLongestName);
     edit->setMinimumWidth(look::gridUnit(this) * 6);
     return edit;
@@ -80,13 +80,13 @@ void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
         const QString label = u"AD"_s + number;
         input.name = newText(u"analog%1Name"_s.arg(number), tr("Name of %1").arg(label), tr("name"));
         input.value = new QLabel(this);
-        look::nameText(input.value, u"analog%1Value"_s.arg(number), tr("What %1 reads").arg(label));
+        look::nameText(input.value, u"analog%1Value"_s.arg(number), tr("Value of %1").arg(label));
         input.value->setFont(look::tabular(font()));
         input.perCount =
             newNumber(u"analog%1PerCount"_s.arg(number), tr("%1, each step").arg(label), kLargest);
-        input.perCount->setMeaning(tr("How much each of the 255 steps stands for."));
+        input.perCount->setMeaning(tr("The value of one A/D count."));
         input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label), kLargest);
-        input.atZero->setMeaning(tr("What an A/D value of 0 stands for."));
+        input.atZero->setMeaning(tr("The value at an A/D reading of 0."));
         input.unit = newText(u"analog%1Unit"_s.arg(number), tr("Unit of %1").arg(label), u"V"_s);
         input.unit->setMaxLength(kLongestUnit);
         input.unit->setMaximumWidth(look::gridUnit(this) * 5);
@@ -126,14 +126,14 @@ void IoValuesBox::buildPwm(QGridLayout& grid, int row) {
         const QString label = u"PWM"_s + number;
         output.name = newText(u"ioPwm%1Name"_s.arg(number), tr("Name of %1").arg(label), tr("name"));
         output.state = new QLabel(this);
-        look::nameText(output.state, u"ioPwm%1State"_s.arg(number), tr("What %1 was told").arg(label));
+        look::nameText(output.state, u"ioPwm%1State"_s.arg(number), tr("Last value sent to %1").arg(label));
         output.field = newNumber(u"ioPwm%1Field"_s.arg(number), tr("Value of %1").arg(label), 255);
-        output.field->setMeaning(tr("255 is on all the time. Enter sends it."));
+        output.field->setMeaning(tr("255 is always on. Press Enter to send."));
         output.offAtStop = new QCheckBox(this);
         look::name(output.offAtStop, u"ioPwm%1OffAtStop"_s.arg(number),
-                   tr("STOP ALL switches %1 off").arg(label));
+                   tr("Switch %1 off on STOP ALL").arg(label));
         output.offAtStop->setToolTip(
-            tr("STOP ALL switches this output off. Without a tick it stays as it is."));
+            tr("STOP ALL switches this output off. If cleared, the output stays as it is."));
         auto* name = new QLabel(label, this);
         name->setBuddy(output.field);
         const int line = row + 1 + static_cast<int>(i);
@@ -200,7 +200,7 @@ void IoValuesBox::refresh() {
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
         look::setText(m_pwm.at(i).state,
                       pwm ? tr("%1 of 255").arg(static_cast<int>(pwm->at(i))) : tr("? unknown"));
-        look::setPossible(m_pwm.at(i).field, reason, tr("255 is on all the time. Enter sends it."));
+        look::setPossible(m_pwm.at(i).field, reason, tr("255 is always on. Press Enter to send."));
     }
 }
 

@@ -39,20 +39,20 @@ void JogBox::build() {
     QGridLayout* grid = quantitygrid::newGrid(this);
     int line = 0;
     m_velocity = new QuantityField(QuantityField::Kind::Velocity, this);
-    m_velocity->setName(u"holdVelocityField"_s, tr("Velocity while held"));
-    m_velocity->setQuantity(tr("The velocity while held"));
+    m_velocity->setName(u"holdVelocityField"_s, tr("Jog speed"));
+    m_velocity->setQuantity(tr("Jog speed"));
     m_velocity->setNativeStep(0.05);
     m_velocity->setMeaning(tr(
-        "How fast the motor turns while a button, or Space on it, is held. Low again after every connect; the cap is set on the page Axis."));
-    quantitygrid::addFirstRow(grid, line, tr("Jog at velocit&y"), m_velocity);
+        "How fast the motor turns while you hold a button, or Space on it. Returns to a low value on every connect; set the max jog speed on the Axis page."));
+    quantitygrid::addFirstRow(grid, line, tr("J&og speed"), m_velocity);
     m_reverse = new HoldButton(this);
     m_reverse->setIcon(icons::tinted(u"hand-stop"_s));
     m_reverse->setText(tr("◂ Hold"));
-    look::name(m_reverse, u"holdReverseButton"_s, tr("Move in reverse while held"));
+    look::name(m_reverse, u"holdReverseButton"_s, tr("Hold to move in reverse"));
     m_forward = new HoldButton(this);
     m_forward->setIcon(icons::tinted(u"hand-stop"_s));
     m_forward->setText(tr("Hold ▸"));
-    look::name(m_forward, u"holdForwardButton"_s, tr("Move forward while held"));
+    look::name(m_forward, u"holdForwardButton"_s, tr("Hold to move forward"));
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
     buttons->addWidget(m_reverse);
@@ -112,8 +112,8 @@ void JogBox::showModule() {
 
 void JogBox::refresh() {
     // Never "busy": a hold that is under way must not be cut off by the answers to its own commands.
-    look::setPossible(m_forward, reasonFor(false), tr("Moves forward while it is held, then stops."));
-    look::setPossible(m_reverse, reasonFor(true), tr("Moves in reverse while it is held, then stops."));
+    look::setPossible(m_forward, reasonFor(false), tr("Moves forward while held, then stops."));
+    look::setPossible(m_reverse, reasonFor(true), tr("Moves in reverse while held, then stops."));
     look::setText(m_hint, m_velocity->problemText());
 }
 

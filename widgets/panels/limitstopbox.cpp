@@ -49,23 +49,22 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
       m_arm(new Command({.name = u"armLimitStopButton"_s,
                          .icon = {},
                          .text = tr("Arm limit stop"),
-                         .accessible = tr("Arm the limit stop"),
+                         .accessible = tr("Arm limit stop"),
                          .key = Qt::CTRL | Qt::SHIFT | Qt::Key_L},
                         this, [this] { m_context.ask(wanted()); })),
       m_disarm(new Command({.name = u"disarmLimitStopButton"_s,
                             .icon = {},
                             .text = tr("Disarm"),
-                            .accessible = tr("Disarm the limit stop"),
+                            .accessible = tr("Disarm limit stop"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_D},
                            this, [this] { m_context.ask(intent::ArmLimitStop{}); })),
       m_state(new QLabel(this)) {
     look::name(this, u"limitStopBox"_s, tr("Limit stop"));
-    look::name(m_limit1, u"armLimit1Box"_s, tr("Stop at limit 1"));
-    look::name(m_limit2, u"armLimit2Box"_s, tr("Stop at limit 2"));
-    look::name(m_positionError, u"armPositionErrorBox"_s,
-               tr("Stop when the position error exceeds its limit"));
-    look::name(m_currentLimit, u"armCurrentBox"_s, tr("Stop when the current exceeds its limit"));
-    look::name(m_each, u"armEachMotionBox"_s, tr("Arm the limit stop for each motion of this axis"));
+    look::name(m_limit1, u"armLimit1Box"_s, tr("Limit 1: stop there"));
+    look::name(m_limit2, u"armLimit2Box"_s, tr("Limit 2: stop there"));
+    look::name(m_positionError, u"armPositionErrorBox"_s, tr("Position error stops the motor"));
+    look::name(m_currentLimit, u"armCurrentBox"_s, tr("Current stops the motor"));
+    look::name(m_each, u"armEachMotionBox"_s, tr("For each motion of this axis, arm the limit stop"));
     look::nameText(m_state, u"limitStopState"_s, tr("State of the limit stop"));
     m_state->setWordWrap(true);
     m_state->setTextFormat(Qt::PlainText);
@@ -78,8 +77,8 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     limitRow->addStretch(1);
     const std::array names{u"armAbruptlyButton"_s, u"armSmoothlyButton"_s, u"armMotorOffButton"_s};
     const std::array texts{tr("Abruptly"), tr("Smoothly"), tr("Motor off")};
-    const std::array accessible{tr("Stop abruptly at the limit"), tr("Stop smoothly at the limit"),
-                                tr("Switch the motor off at the limit")};
+    const std::array accessible{tr("Abruptly: stop at the limit"), tr("Smoothly: stop at the limit"),
+                                tr("Motor off at the limit")};
     auto* mannerRow = new QHBoxLayout;
     mannerRow->setSpacing(unit * 2);
     auto* group = new QButtonGroup(this);
@@ -162,44 +161,44 @@ QString LimitStopBox::whyNotArmed() const {
     if (!m_context.connected())
         return texts::refusal(Refusal::NotConnected);
     if (homing())
-        return tr("A search for home is under way; it uses the same watch of the chip.");
+        return tr("A search for home is running and uses the same function of the chip.");
     if (const auto refusal = whyNotArm(wanted(), m_context.state()))
         return texts::refusal(*refusal);
     if (!wanted().any())
-        return tr("Choose a limit first.");
+        return tr("Select a limit switch first.");
     return m_context.whyBusy();
 }
 
 void LimitStopBox::refresh() {
     const ModuleState& module = m_context.state();
     const QString never = m_context.reasonFor(Request::ArmLimitStop);
-    look::setPossible(m_limit1, never, tr("The motor stops when limit 1 changes."));
-    look::setPossible(m_limit2, never, tr("The motor stops when limit 2 changes."));
+    look::setPossible(m_limit1, never, tr("The motor stops when limit switch 1 changes."));
+    look::setPossible(m_limit2, never, tr("The motor stops when limit switch 2 changes."));
     look::setPossible(
         m_positionError, never,
-        tr("The motor stops when it is farther from where it should be than EL allows; the servo goes off then in any case."));
+        tr("The motor stops when the position error exceeds EL; this always switches the servo off."));
     look::setPossible(m_currentLimit, never, tr("The motor stops when its current exceeds CL."));
     look::setPossible(
         m_each, never,
-        tr("Whenever the motor stands with its servo on, the panel arms the limit stop, also after it has tripped; no motion begins before. Kept with the machine."));
-    const std::array meanings{tr("At the limit the motor stops at once, and holds."),
-                              tr("At the limit the motor slows down, stops behind it, and holds."),
-                              tr("At the limit the motor is switched off, and is free to turn.")};
+        tr("The panel arms the limit stop whenever the motor is at rest with its servo on, even after a trip, and before any motion starts. Saved with the machine."));
+    const std::array meanings{tr("At the limit the motor stops at once and holds."),
+                              tr("At the limit the motor slows down, stops past it and holds."),
+                              tr("At the limit the motor is switched off and is free to turn.")};
     for (std::size_t i = 0; i < kManners.size(); ++i)
         look::setPossible(m_manners[i], never, meanings[i]);
     m_arm->setPossible(
         whyNotArmed(),
-        tr("The chip itself then stops the motor when a chosen limit changes, once; sooner than the panel could. A search for home replaces it."));
+        tr("The chip itself then stops the motor once when a selected limit switch changes, faster than the panel could. A search for home replaces it."));
     const bool armed = module.homing.state() != Watch::Idle ||
                        (module.latest && module.latest->servoStatus().homeInProgress());
     QString reason = never;
     if (reason.isEmpty() && homing())
-        reason = tr("A search for home is under way; it uses the same watch of the chip.");
+        reason = tr("A search for home is running and uses the same function of the chip.");
     else if (reason.isEmpty() && m_each->isChecked())
-        reason = tr("The axis has it armed for each motion: it would be armed again at once.");
+        reason = tr("The limit stop is armed for each motion. Clear that check box first.");
     else if (reason.isEmpty())
-        reason = armed ? m_context.whyBusy() : tr("It is not armed.");
-    m_disarm->setPossible(reason, tr("A limit no longer stops the motor."));
+        reason = armed ? m_context.whyBusy() : tr("The limit stop is not armed.");
+    m_disarm->setPossible(reason, tr("A limit switch no longer stops the motor."));
     refreshState();
 }
 
@@ -208,18 +207,18 @@ void LimitStopBox::refreshState() {
     const ModuleState& module = m_context.state();
     const HomeWatch& watch = module.homing;
     const bool waits = module.latest && module.latest->servoStatus().homeInProgress();
-    QString state = tr("○ Not armed: a limit input alone does not stop the motor.");
+    QString state = tr("○ Not armed: a limit switch alone does not stop the motor.");
     if (module.info.identity.version < servo::kAutoStopVersion)
-        state = tr("○ This version of the chip cannot stop at a limit by itself.");
+        state = tr("○ This chip version cannot stop at a limit switch.");
     else if (homing())
         state = tr("○ Not armed: the search for home has replaced it.");
     else if (watch.state() == Watch::Armed && watch.stops())
         state = tr("● Armed: stops at %1, once.").arg(limits(watch));
     else if (watch.state() == Watch::Tripped && watch.stops())
-        state = tr("▲ Tripped: %1 has changed, and the motor was stopped. Not armed any more.")
-                    .arg(limits(watch));
+        state =
+            tr("▲ Tripped: %1 has changed, and the motor was stopped. No longer armed.").arg(limits(watch));
     else if (waits)
-        state = tr("? The chip watches for something that was not asked for in this connection.");
+        state = tr("? The chip watches for an event that this connection did not request.");
     look::setText(m_state, state);
 }
 

@@ -55,10 +55,8 @@ QuantityField* MotionBox::addQuantity(QGridLayout* grid, int line, const QString
     field->setQuantity(accessibleName);
     field->setNativeRange(servodefaults::kSmallest, servodefaults::kLargest);
     field->setNativeStep(acceleration ? 0.0005 : 0.05);
-    field->setMeaning(
-        acceleration
-            ? tr("How fast the velocity changes. Used by every kind of motion here, and by a smooth stop.")
-            : tr("How fast the motor turns."));
+    field->setMeaning(acceleration ? tr("Used by every motion here, and by a smooth stop.")
+                                   : tr("How fast the motor turns."));
     if (part == &MotionSettings::runVelocity)
         quantitygrid::addFirstRow(grid, line, label, field);
     else
@@ -84,14 +82,13 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
     m_goal->setNativeRange(static_cast<double>(servo::kPositionRange.min),
                            static_cast<double>(servo::kPositionRange.max));
     m_goal->setNativeStep(100);
-    m_goal->setMeaning(tr("Where to go from standstill, with a trapezoidal profile. Enter starts the move."));
+    m_goal->setMeaning(tr("The goal of a trapezoidal move from standstill. Press Enter to start."));
     quantitygrid::addFirstRow(grid, line, tr("Go to &position"), m_goal);
     m_goalKind = new QComboBox(this);
     look::name(m_goalKind, u"goalKindBox"_s, tr("Position or distance"));
     m_goalKind->addItem(tr("position"), Absolute);
-    m_goalKind->addItem(tr("distance from here"), Relative);
-    m_goalKind->setToolTip(
-        tr("Whether the number is a position, or a distance from where the motor is now."));
+    m_goalKind->addItem(tr("distance"), Relative);
+    m_goalKind->setToolTip(tr("Whether the number is a position, or a distance from the present position."));
     grid->addWidget(m_goalKind, line++, kButtonColumn);
     m_velocity = addQuantity(grid, line++, tr("Ve&locity"), u"velocityField"_s, tr("Velocity of the move"),
                              &MotionSettings::velocity);
@@ -101,8 +98,8 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
     m_forecast->setObjectName(u"forecastLabel"_s);
     m_nearest = new Command({.name = u"nearestGoalButton"_s,
                              .icon = {},
-                             .text = tr("Take the nearest"),
-                             .accessible = tr("Put the nearest position that is allowed into the goal")},
+                             .text = tr("Use nearest"),
+                             .accessible = tr("Use nearest allowed position")},
                             this, [this] { takeNearest(); });
     auto* remark = new QHBoxLayout;
     remark->setSpacing(look::gridUnit(this));
@@ -114,12 +111,12 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
     m_zero = new Command({.name = u"zeroHereButton"_s,
                           .icon = u"eraser"_s,
                           .text = tr("&Zero here"),
-                          .accessible = tr("Make the present position zero")},
+                          .accessible = tr("Zero here: set the present position to 0")},
                          this, [this] { m_context.ask(intent::ResetPosition{}); });
     m_goHome = new Command({.name = u"goHomeButton"_s,
                             .icon = u"home"_s,
                             .text = tr("Go home"),
-                            .accessible = tr("Go to the home position"),
+                            .accessible = tr("Go home"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
                            this, [this] { goHome(); });
     m_load = new Command({.name = u"loadButton"_s,
@@ -154,14 +151,14 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
 }
 
 void MotionBox::buildRun(QGridLayout* grid, int& line) {
-    m_runVelocity = addQuantity(grid, line, tr("Run at vel&ocity"), u"runVelocityField"_s,
+    m_runVelocity = addQuantity(grid, line, tr("Run at velocit&y"), u"runVelocityField"_s,
                                 tr("Velocity of running"), &MotionSettings::runVelocity);
     m_runVelocity->setMeaning(
-        tr("How fast the motor turns until it is stopped. Enter runs, and changes the velocity on the way."));
+        tr("The velocity of a run. Press Enter to run, or to change the velocity during a run."));
     m_runReverse = new Command({.name = u"runReverseButton"_s,
                                 .icon = u"arrow-left"_s,
                                 .text = tr("Run &reverse"),
-                                .accessible = tr("Run in reverse until stopped")},
+                                .accessible = tr("Run reverse until stopped")},
                                this, [this] { run(true); });
     m_runForward = new Command({.name = u"runForwardButton"_s,
                                 .icon = u"arrow-right"_s,
@@ -292,8 +289,8 @@ void MotionBox::offerNearest() {
     m_nearest->setVisible(offers);
     if (!offers)
         return;
-    m_nearest->setText(tr("Take %1").arg(texts::position(m_goal->scale(), problem->limit)));
-    m_nearest->setPossible({}, tr("Puts the nearest position that is allowed into the goal. Nothing moves."));
+    m_nearest->setText(tr("Use %1").arg(texts::position(m_goal->scale(), problem->limit)));
+    m_nearest->setPossible({}, tr("Sets the goal to the nearest allowed position. Nothing moves."));
 }
 
 void MotionBox::takeNearest() {
@@ -329,7 +326,7 @@ void MotionBox::refreshForecast() {
         text = move.triangular ? tr("Takes %1, peak %2: too short to reach its velocity").arg(seconds, peak)
                                : tr("Takes %1, peak %2").arg(seconds, peak);
         if (way == 0.0)
-            text = tr("It is there already");
+            text = tr("Already there");
     }
     look::setText(m_forecast, text);
 }
@@ -340,31 +337,30 @@ void MotionBox::refresh() {
     const auto whyNo = [this, &goTo](Request request, bool later) {
         QString reason = reasonNow(request, {m_goal, m_velocity, m_acceleration});
         if (reason.isEmpty() && !goTo)
-            reason = tr("The goal is beyond the range of positions.");
+            reason = tr("The goal is outside the position range.");
         if (reason.isEmpty())
             reason = m_context.reasonFor(later ? Intent(intent::LoadMove{*goTo}) : Intent(*goTo));
         return reason;
     };
     offerNearest();
-    m_go->setPossible(whyNo(Request::Move, false), tr("Starts the move to the position, and holds there."));
+    m_go->setPossible(whyNo(Request::Move, false), tr("Moves to the position, then holds."));
     // By a distance: from where, while it moves?
-    m_load->setPossible(
-        whyNo(relative() ? Request::Move : Request::Load, true),
-        tr("Loads the move and does not start it: Start does, or the start of the module's group."));
-    m_start->setPossible(m_context.reasonNow(Request::StartLoaded), tr("Starts the move that was loaded."));
+    m_load->setPossible(whyNo(relative() ? Request::Move : Request::Load, true),
+                        tr("Loads the move without starting it. Choose Start, or start the module's group."));
+    m_start->setPossible(m_context.reasonNow(Request::StartLoaded), tr("Starts the loaded move."));
     QString home = reasonNow(Request::GoHome, {m_velocity, m_acceleration});
     if (home.isEmpty())
         home = m_context.reasonFor(Intent(intent::GoHome{*velocity(), *acceleration()}));
-    m_goHome->setPossible(home, tr("Goes to home."));
+    m_goHome->setPossible(home, tr("Moves to home."));
     m_zero->setPossible(m_context.reasonNow(Request::ResetPosition),
                         texts::zeroMeaning(m_context.state(), m_goal->scale()));
     const ModuleState& module = m_context.state();
     refreshRun(*m_runForward, false,
-               travelEnd(module, false) ? tr("Runs forward until it is stopped, or to its highest position.")
-                                        : tr("Runs forward until it is stopped."));
+               travelEnd(module, false) ? tr("Runs forward until stopped, or to its highest position.")
+                                        : tr("Runs forward until stopped."));
     refreshRun(*m_runReverse, true,
-               travelEnd(module, true) ? tr("Runs in reverse until it is stopped, or to its lowest position.")
-                                       : tr("Runs in reverse until it is stopped."));
+               travelEnd(module, true) ? tr("Runs in reverse until stopped, or to its lowest position.")
+                                       : tr("Runs in reverse until stopped."));
 
     QString hint;
     for (const QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})

@@ -46,28 +46,28 @@ PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
     m_type->setObjectName(named(u"moduleType"_s));
     m_state->setObjectName(named(u"stateLabel"_s));
     m_meaning->setObjectName(named(u"stateMeaning"_s));
-    look::nameText(m_procedure, named(u"procedureLabel"_s), tr("What runs with this module"));
+    look::nameText(m_procedure, named(u"procedureLabel"_s), tr("Task running on this module"));
     m_position->setObjectName(named(u"positionLabel"_s));
     m_positionUnit->setObjectName(named(u"positionUnit"_s));
     m_otherPosition->setObjectName(named(u"otherPosition"_s));
     look::nameText(m_velocity, named(u"velocityLabel"_s), tr("Measured velocity"));
-    m_velocity->setToolTip(tr("How fast it turns, measured from its positions over a fifth of a second."));
+    m_velocity->setToolTip(tr("Velocity measured from positions over 0.2 s."));
     m_home->setObjectName(named(u"homeState"_s));
     look::nameText(m_current, named(u"currentLabel"_s), isServo() ? tr("Motor current") : tr("A/D input"));
     const bool servo = isServo();
     m_enable = servo ? addCommand(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
-                                  tr("Enable the servo of this module"), intent::Enable{})
+                                  tr("Enable servo of this module"), intent::Enable{})
                      : addCommand(u"power"_s, tr("&Enable amplifier"), u"enableButton"_s,
-                                  tr("Enable the amplifier of this module"), intent::Enable{});
+                                  tr("Enable amplifier of this module"), intent::Enable{});
     m_stopSmoothly = addCommand(u"player-stop"_s, tr("&Stop"), u"stopSmoothlyButton"_s,
                                 tr("Stop this module smoothly"), intent::StopSmoothly{});
     m_stopAbruptly = addCommand(u"player-stop"_s, tr("Stop a&bruptly"), u"stopAbruptlyButton"_s,
-                                tr("Stop this module abruptly"), intent::StopAbruptly{});
+                                tr("Stop abruptly: this module"), intent::StopAbruptly{});
     if (servo)
         m_stopHere = addCommand(u"player-stop"_s, tr("Stop here"), u"stopHereButton"_s,
-                                tr("Stop this module at its present position"), intent::StopHere{},
+                                tr("Stop here: hold this module at its present position"), intent::StopHere{},
                                 Qt::CTRL | Qt::Key_U);
-    m_motorOff = addCommand(u"bolt"_s, tr("&Motor off"), u"motorOffButton"_s, tr("Switch this motor off"),
+    m_motorOff = addCommand(u"bolt"_s, tr("&Motor off"), u"motorOffButton"_s, tr("Motor off: this module"),
                             intent::MotorOff{});
     build();
     m_context.whenSeen(this, [this] { refresh(); });
@@ -90,7 +90,7 @@ void PanelHead::build() {
         label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 
     m_travel = new QLabel(this);
-    look::nameText(m_travel, named(u"headTravel"_s), tr("Limits of travel"));
+    look::nameText(m_travel, named(u"headTravel"_s), tr("Travel limits"));
     // In little room these give way, and their tool tips say the rest: the window stays as wide as it is.
     for (QLabel* words : {m_home, m_travel})
         words->setMinimumWidth(1);
@@ -99,10 +99,10 @@ void PanelHead::build() {
         look::nameText(m_limitStop, u"headLimitStop"_s, tr("Limit stop"));
     }
     m_limits[0] = newSign(u"headLimit1"_s,
-                          isServo() ? tr("Limit input 1.") : tr("Limit input 1: high blocks forward."));
+                          isServo() ? tr("Limit switch 1.") : tr("Limit switch 1: high blocks forward."));
     m_limits[1] = newSign(u"headLimit2"_s,
-                          isServo() ? tr("Limit input 2.") : tr("Limit input 2: high blocks reverse."));
-    m_power = newSign(u"headPower"_s, tr("Motor power, as the module senses it."));
+                          isServo() ? tr("Limit switch 2.") : tr("Limit switch 2: high blocks reverse."));
+    m_power = newSign(u"headPower"_s, tr("Motor power as sensed by the module."));
     arrange(false);
 }
 
@@ -245,7 +245,7 @@ void PanelHead::refresh() {
         activity == Activity::Holding && module.isServo() && module.gains && module.gains->kp == 0;
     const auto& swing = module.swing.swing();
     look::setText(m_meaning, activity == Activity::Holding && swing ? texts::swing(*swing, m_context.scale())
-                             : brakes ? tr("Kp is 0: the servo brakes the motor, and holds no position.")
+                             : brakes ? tr("Kp is 0: the servo brakes the motor but holds no position.")
                                       : texts::activityMeaning(activity));
     const auto procedure = m_context.runningProcedure();
     look::setText(m_procedure, procedure ? u"▶ "_s + texts::procedureStage(*procedure) : QString());
@@ -337,18 +337,18 @@ void PanelHead::refreshCommands() {
     const bool on = module.driveOn() && (module.isStepper() || module.amplifierEnabled);
     m_enable->setPossible(
         !on         ? m_context.reasonNow(Request::Enable)
-        : isServo() ? tr("The servo is on already.")
-                    : tr("The amplifier is on already."),
+        : isServo() ? tr("The servo is already on.")
+                    : tr("The amplifier is already on."),
         isServo()
-            ? tr("Switches the amplifier on, holds the motor where it is, and clears the sticky bits: that of the position error is set while the servo is off.")
-            : tr("Switches the amplifier on and holds the motor where it is."));
+            ? tr("Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.")
+            : tr("Switches the amplifier on and holds the motor in place."));
     const QString stop = m_context.reasonFor(Request::StopMotion);
-    m_stopSmoothly->setPossible(stop, tr("Slows down at the acceleration in force, then holds."));
+    m_stopSmoothly->setPossible(stop, tr("Slows down with the present acceleration, then holds."));
     m_stopAbruptly->setPossible(stop, tr("Stops at once, then holds."));
     if (m_stopHere != nullptr)
         m_stopHere->setPossible(
             m_context.reasonFor(Request::StopHere),
-            tr("Jumps without a profile to the position it has at this moment, then holds there."));
+            tr("Holds the position that the motor has at this moment, without a profile."));
     m_motorOff->setPossible(
         m_context.reasonFor(Request::MotorOff),
         isServo()

@@ -37,7 +37,7 @@ PinBox::PinBox(ModuleContext& context, QWidget* parent)
       m_allInputs(new Command({.name = u"pinsAllInputsButton"_s,
                                .icon = u"send"_s,
                                .text = tr("Make all pins inputs"),
-                               .accessible = tr("Make all twelve pins inputs")},
+                               .accessible = tr("Make all pins inputs")},
                               this, [this] { m_context.ask(iointent::SetDirection{io::kAllPins}); })),
       m_hint(look::newMutedLabel({}, this)) {
     look::name(this, u"pinBox"_s, tr("Pins"));
@@ -86,13 +86,13 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
     look::name(pin.name, u"pin%1Name"_s.arg(digits), tr("Name of %1").arg(label));
     pin.name->setMaxLength(kLongestName);
     pin.name->setPlaceholderText(tr("name"));
-    pin.name->setToolTip(tr("What it is on this machine. Sends nothing."));
+    pin.name->setToolTip(tr("Its name on this machine. Sends nothing."));
     pin.asks = new QCheckBox(this);
-    look::name(pin.asks, u"pin%1Asks"_s.arg(digits), tr("Ask before %1 changes").arg(label));
-    pin.asks->setToolTip(tr("The panel asks before it switches this output."));
+    look::name(pin.asks, u"pin%1Asks"_s.arg(digits), tr("Ask first before %1 changes").arg(label));
+    pin.asks->setToolTip(tr("Asks before the panel switches this output."));
     pin.offAtStop = new QCheckBox(this);
-    look::name(pin.offAtStop, u"pin%1OffAtStop"_s.arg(digits), tr("STOP ALL takes %1 low").arg(label));
-    pin.offAtStop->setToolTip(tr("STOP ALL takes this output low. Without a tick it stays as it is."));
+    look::name(pin.offAtStop, u"pin%1OffAtStop"_s.arg(digits), tr("Take %1 low on STOP ALL").arg(label));
+    pin.offAtStop->setToolTip(tr("STOP ALL takes this output low. If cleared, the output stays as it is."));
 
     auto* name = new QLabel(label, this);
     name->setBuddy(pin.direction);
@@ -196,12 +196,12 @@ void PinBox::refresh() {
     const bool known = m_context.state().pins.inputs().has_value();
     m_allInputs->setVisible(!known);
     m_allInputs->setPossible(m_context.reasonNow(Request::ControlIo),
-                             tr("Makes all twelve pins inputs: outputs let go of what they drive."));
+                             tr("Makes all twelve pins inputs: outputs release what they drive."));
     look::setText(
         m_hint,
         known
             ? QString()
-            : tr("Another program has left this module, and it does not tell which pins are outputs. Make all pins inputs to begin anew."));
+            : tr("Another program set up this module, so its pin directions are unknown. Make all pins inputs to start over."));
 }
 
 void PinBox::refreshPin(unsigned number) {
@@ -218,19 +218,20 @@ void PinBox::refreshPin(unsigned number) {
     pin.direction->setCurrentIndex(!inputs ? Unknown : output ? Output : Input);
     QString reason = m_context.reasonNow(Request::ControlIo);
     if (reason.isEmpty() && !inputs)
-        reason = tr("The directions are unknown. Make all pins inputs first.");
-    look::setPossible(pin.direction, reason, tr("Whether the module reads this pin or drives it."));
+        reason = tr("Pin directions unknown. Make all pins inputs first.");
+    look::setPossible(pin.direction, reason,
+                      tr("Input: the module reads this pin. Output: it drives this pin."));
 
     pin.glyph->showBit(level ? std::optional(high) : std::nullopt);
     look::setText(pin.level, !level    ? u"–"_s
-                             : differs ? high ? tr("high, told low") : tr("low, told high")
+                             : differs ? high ? tr("high, set low") : tr("low, set high")
                              : high ? tr("high")
                                        : tr("low"));
     const QSignalBlocker box(pin.high);
     pin.high->setChecked(output && toldHigh);
     QString why = m_context.reasonNow(Request::SetOutputs);
     if (why.isEmpty() && !output)
-        why = inputs ? tr("This pin is an input.") : tr("The directions are unknown.");
+        why = inputs ? tr("This pin is an input.") : tr("Pin directions unknown.");
     look::setPossible(pin.high, why, tr("Switches this output at once."));
 }
 

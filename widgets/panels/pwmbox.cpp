@@ -21,30 +21,30 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
       m_reverse(new Command({.name = u"pwmReverseButton"_s,
                              .icon = u"arrow-left"_s,
                              .text = tr("Drive reverse"),
-                             .accessible = tr("Drive the motor in reverse with this PWM value")},
+                             .accessible = tr("Drive reverse with this PWM value")},
                             this, [this] { drive(true); })),
       m_forward(new Command({.name = u"pwmForwardButton"_s,
                              .icon = u"arrow-right"_s,
                              .text = tr("Drive forward"),
-                             .accessible = tr("Drive the motor forward with this PWM value")},
+                             .accessible = tr("Drive forward with this PWM value")},
                             this, [this] { drive(false); })),
       m_off(new Command({.name = u"pwmOffButton"_s,
                          .icon = u"bolt"_s,
                          .text = tr("Motor off"),
-                         .accessible = tr("Switch this motor off")},
+                         .accessible = tr("Motor off: this module")},
                         this, [this] { m_context.ask(intent::MotorOff{}); })) {
     look::name(this, u"pwmBox"_s, tr("PWM"));
     look::name(m_value, u"pwmField"_s, tr("PWM value"));
     m_value->setRange(servo::kByteRange.min, servo::kByteRange.max);
     m_value->setWords(tr("The PWM value"), {});
-    m_value->setMeaning(tr("How much of the supply drives the motor: 255 is all of it."));
+    m_value->setMeaning(tr("The share of the supply that drives the motor; 255 is full power."));
     m_value->setDigits(8);
     m_value->showValue(0);
 
     auto* sign = new GlyphLabel(this);
     sign->showSeverity(Severity::Attention);
     auto* warning = new QLabel(
-        tr("The motor is driven directly, without the servo: no position limit, no position error limit and no output limit protects it, and it runs until it is switched off."),
+        tr("PWM drives the motor directly, without the servo. No position, position error or output limit protects it, and it runs until you switch it off."),
         this);
     warning->setObjectName(u"pwmWarning"_s);
     warning->setWordWrap(true);
@@ -91,8 +91,8 @@ void PwmBox::refresh() {
         const intent::DrivePwm drive{static_cast<std::uint8_t>(value.value_or(0)), reverse};
         return reason.isEmpty() ? m_context.reasonFor(Intent(drive)) : reason;
     };
-    m_reverse->setPossible(reasonOf(true), tr("Drives the motor in reverse until it is switched off."));
-    m_forward->setPossible(reasonOf(false), tr("Drives the motor forward until it is switched off."));
+    m_reverse->setPossible(reasonOf(true), tr("Drives the motor in reverse until you switch it off."));
+    m_forward->setPossible(reasonOf(false), tr("Drives the motor forward until you switch it off."));
     m_off->setPossible(
         m_context.reasonFor(Request::MotorOff),
         tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));

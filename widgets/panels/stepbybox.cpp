@@ -44,17 +44,17 @@ void StepByBox::buildDistance(QGridLayout* grid, int& line) {
     m_distance->setName(named(u"stepSizeField"_s), tr("Distance of a step"));
     m_distance->setQuantity(tr("The distance of a step"));
     m_distance->setNativeRange(1, static_cast<double>(servo::kPositionRange.max));
-    m_distance->setMeaning(tr("How far one click moves the motor, at the velocity of Go to."));
+    m_distance->setMeaning(tr("Distance per click, at the velocity of Go to."));
     quantitygrid::addFirstRow(grid, line, tr("Step by"), m_distance);
     m_reverse = new Command({.name = named(u"stepReverseButton"_s),
                              .icon = {},
                              .text = tr("◂| Step"),
-                             .accessible = tr("One step in reverse")},
+                             .accessible = tr("Step in reverse")},
                             this, [this] { step(true); });
     m_forward = new Command({.name = named(u"stepForwardButton"_s),
                              .icon = {},
                              .text = tr("Step |▸"),
-                             .accessible = tr("One step forward")},
+                             .accessible = tr("Step forward")},
                             this, [this] { step(false); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
@@ -84,24 +84,26 @@ void StepByBox::buildRepeat(QGridLayout* grid, int& line) {
         return field;
     };
     m_rounds = newField(0, named(u"stepRoundsField"_s), tr("The number of steps"), 1, kMostRounds, 1,
-                        tr("How many steps one click makes."));
+                        tr("Number of steps per click."));
     m_pause = newField(2, named(u"stepPauseField"_s), tr("The pause between steps"), 0, kLongestPause, 0,
-                       tr("Seconds to wait after each move."));
+                       tr("Time to wait after each move, in seconds."));
     m_backAndForth = new QCheckBox(tr("there and back"), this);
-    look::name(m_backAndForth, named(u"stepBackAndForthBox"_s), tr("Each step there and back"));
-    m_backAndForth->setToolTip(tr("Each step goes there and back again."));
+    look::name(m_backAndForth, named(u"stepBackAndForthBox"_s), tr("There and back with each step"));
+    m_backAndForth->setToolTip(tr("Each step goes there and back."));
     connect(m_backAndForth, &QCheckBox::toggled, this, &StepByBox::refresh);
     m_end = new Command({.name = named(u"stepEndButton"_s),
                          .icon = u"player-stop"_s,
                          .text = tr("End steps"),
-                         .accessible = tr("End the steps and stop")},
+                         .accessible = tr("End steps and stop")},
                         this, [this] { m_context.ask(intent::CancelProcedure{}); });
     m_progress = look::newMutedLabel({}, this);
     m_progress->setObjectName(named(u"stepProgress"_s));
     auto* repeat = new QHBoxLayout;
     repeat->setSpacing(look::gridUnit(this));
     repeat->addWidget(m_rounds);
-    repeat->addWidget(new QLabel(tr("times, pause"), this));
+    auto* pause = new QLabel(tr("times, pause"), this);
+    pause->setBuddy(m_pause);
+    repeat->addWidget(pause);
     repeat->addWidget(m_pause);
     repeat->addWidget(new QLabel(tr("s"), this));
     repeat->addWidget(m_backAndForth);
@@ -142,11 +144,11 @@ void StepByBox::refreshStep(Command& command, bool reverse, const QString& reaso
 void StepByBox::refresh() {
     const std::optional<ProcedureReport> report = m_context.procedure(ProcedureKind::StepBy);
     const bool running = report && !report->over();
-    const QString reason = running ? tr("Steps are being made already.") : whyNotNow();
-    refreshStep(*m_forward, false, reason, tr("Moves forward by this distance, and holds there."));
-    refreshStep(*m_reverse, true, reason, tr("Moves in reverse by this distance, and holds there."));
-    m_end->setPossible(running ? QString() : tr("No steps are being made."),
-                       tr("Makes no more steps, and stops the motor smoothly."));
+    const QString reason = running ? tr("A series of steps is already running.") : whyNotNow();
+    refreshStep(*m_forward, false, reason, tr("Moves forward by this distance, then holds."));
+    refreshStep(*m_reverse, true, reason, tr("Moves in reverse by this distance, then holds."));
+    m_end->setPossible(running ? QString() : tr("No series of steps is running."),
+                       tr("Ends the series of steps and stops the motor smoothly."));
     QString progress;
     if (report && report->rounds > 1)
         progress =

@@ -20,10 +20,10 @@ namespace {
 QString statusMeaning(std::size_t bit) {
     const std::array<QString, 8> meanings{
         StepDetailsBox::tr("Step pulses are coming."),
-        StepDetailsBox::tr("The module could not read the last command; it was not carried out."),
+        StepDetailsBox::tr("The module received a garbled command and did not carry it out."),
         StepDetailsBox::tr("The driver is enabled (AMP_EN is high)."),
         StepDetailsBox::tr("Motor power is present (PWR_SENSE is high)."),
-        StepDetailsBox::tr("The motor has the speed that was asked for."),
+        StepDetailsBox::tr("The motor has reached its commanded speed."),
         StepDetailsBox::tr("Runs with a ramp: velocity profile mode."),
         StepDetailsBox::tr("Moves to a position with a ramp: trapezoidal profile mode."),
         StepDetailsBox::tr("Waiting for the home position.")};
@@ -55,7 +55,7 @@ QString modeName(bus::StepMode mode) {
         case bus::StepMode::Unprofiled:
             return StepDetailsBox::tr("unprofiled, without stop");
         case bus::StepMode::Unknown:
-            return StepDetailsBox::tr("moving as another program told it to");
+            return StepDetailsBox::tr("moving, commanded by another program");
     }
     return {};
 }
@@ -68,12 +68,12 @@ StepDetailsBox::StepDetailsBox(ModuleContext& context, QWidget* parent)
       m_zero(new Command({.name = u"stepZeroHereButton"_s,
                           .icon = u"eraser"_s,
                           .text = tr("&Zero here"),
-                          .accessible = tr("Make the present position zero")},
+                          .accessible = tr("Zero here: set the present position to 0")},
                          this, [this] { m_context.ask(intent::ResetPosition{}); })),
       m_saveHome(new Command({.name = u"stepSaveHomeButton"_s,
                               .icon = u"home"_s,
                               .text = tr("Save as home"),
-                              .accessible = tr("Save the present position as home")},
+                              .accessible = tr("Save as home: the present position")},
                              this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
     look::name(this, u"stepDetailsBox"_s, tr("Details"));
     addBits(Byte::First, tr("Status byte"), step::kStatusBitNames, statusMeaning, u"stepBit_"_s);
@@ -97,7 +97,7 @@ QString StepDetailsBox::timer() const {
     if (!module.stepper.parameters() || !module.moving())
         return count;
     const double rate = StepSpeed(module.stepper.parameters()->speedMode).ofCount(*module.latest->timerCount);
-    return tr("%1, stands for %2").arg(count, texts::stepsPerSecond(rate, m_context.scale()));
+    return tr("%1 = %2").arg(count, texts::stepsPerSecond(rate, m_context.scale()));
 }
 
 void StepDetailsBox::refresh() {
@@ -121,7 +121,7 @@ void StepDetailsBox::refresh() {
     m_zero->setPossible(m_context.reasonNow(Request::ResetPosition),
                         texts::zeroMeaning(module, m_context.scale()));
     m_saveHome->setPossible(m_context.reasonNow(Request::SaveAsHome),
-                            tr("Keeps the present position as home. The motor does not move."));
+                            tr("Saves the present position as home. The motor does not move."));
 }
 
 }  // namespace nmc

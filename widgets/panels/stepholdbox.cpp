@@ -22,24 +22,24 @@ using namespace Qt::StringLiterals;
 StepHoldBox::StepHoldBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
       m_context(context),
-      m_label(new QLabel(tr("Speed whe&n held"), this)),
+      m_label(new QLabel(tr("J&og speed"), this)),
       m_speed(new QuantityField(QuantityField::Kind::Velocity, this)),
       m_outcome(look::newMutedLabel({}, this)),
       m_forward(new HoldButton(this)),
       m_reverse(new HoldButton(this)) {
-    m_speed->setName(u"stepHoldVelocityField"_s, tr("Speed while held"));
-    m_speed->setQuantity(tr("The speed while held"));
+    m_speed->setName(u"stepHoldVelocityField"_s, tr("Jog speed"));
+    m_speed->setQuantity(tr("Jog speed"));
     m_speed->setNativeStep(25);
     m_outcome->setObjectName(u"stepHoldOutcome"_s);
     m_reverse->setIcon(icons::tinted(u"hand-stop"_s));
     m_reverse->setText(tr("◂ Hold"));
-    look::name(m_reverse, u"stepHoldReverseButton"_s, tr("Move in reverse while held"));
+    look::name(m_reverse, u"stepHoldReverseButton"_s, tr("Hold to move in reverse"));
     m_forward->setIcon(icons::tinted(u"hand-stop"_s));
     m_forward->setText(tr("Hold ▸"));
-    look::name(m_forward, u"stepHoldForwardButton"_s, tr("Move forward while held"));
+    look::name(m_forward, u"stepHoldForwardButton"_s, tr("Hold to move forward"));
 
     const int unit = look::gridUnit(this);
-    auto* title = new QLabel(tr("Hold to move"), this);
+    auto* title = new QLabel(tr("Jog"), this);
     QFont bold = font();
     bold.setBold(true);
     title->setFont(bold);
@@ -49,7 +49,7 @@ StepHoldBox::StepHoldBox(ModuleContext& context, QWidget* parent)
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 2);
     grid->addWidget(title, 0, 0);
-    grid->addWidget(look::newMutedLabel(tr("moves only while a button, or Space on it, is held"), this), 0, 1,
+    grid->addWidget(look::newMutedLabel(tr("Moves only while you hold a button, or Space on it"), this), 0, 1,
                     1, 4);
     grid->addWidget(m_label, 1, 0);
     grid->addWidget(m_speed, 1, 1);
@@ -100,7 +100,7 @@ void StepHoldBox::showModule() {
     m_speed->setScale(scale);
     m_speed->setNativeRange(slowest, cap);
     m_speed->setMeaning(
-        tr("How fast the motor turns while a button is held: %1 to %2. The most is set on the Parameters page.")
+        tr("How fast the motor turns while you hold a button: %1 to %2. Set the max jog speed on the Parameters page.")
             .arg(texts::stepsPerSecond(slowest, scale), texts::stepsPerSecond(cap, scale)));
     if (otherRange)
         showSpeed();
@@ -151,8 +151,8 @@ QString StepHoldBox::reasonFor(bool reverse) const {
 }
 
 void StepHoldBox::refresh() {
-    look::setPossible(m_forward, reasonFor(false), tr("Moves forward while it is held, then stops."));
-    look::setPossible(m_reverse, reasonFor(true), tr("Moves in reverse while it is held, then stops."));
+    look::setPossible(m_forward, reasonFor(false), tr("Moves forward while held, then stops."));
+    look::setPossible(m_reverse, reasonFor(true), tr("Moves in reverse while held, then stops."));
     const auto wanted = motion(false);
     QString outcome = m_speed->problemText();
     if (wanted) {

@@ -49,7 +49,7 @@ StepIoBox::StepIoBox(ModuleContext& context, QWidget* parent)
       m_send(new Command({.name = u"stepSetOutputsButton"_s,
                           .icon = u"send"_s,
                           .text = tr("Set all outputs"),
-                          .accessible = tr("Set all five outputs")},
+                          .accessible = tr("Set all outputs")},
                          this, [this] { sendAll(); })),
       m_hint(look::newMutedLabel({}, this)),
       m_analog(new QLabel(this)) {
@@ -76,7 +76,7 @@ QLineEdit* StepIoBox::newName(const QString& objectName, const QString& accessib
     look::name(field, objectName, accessibleName);
     field->setMaxLength(kLongestName);
     field->setPlaceholderText(tr("name"));
-    field->setToolTip(tr("What it is on this machine. Sends nothing."));
+    field->setToolTip(tr("Its name on this machine. Sends nothing."));
     connect(field, &QLineEdit::textEdited, this, [this, name, number](const QString& text) {
         m_context.edit([=](AxisSettings& axis) { name(axis, number) = text.toStdString(); });
     });
@@ -90,7 +90,7 @@ void StepIoBox::buildOutputs(QGridLayout* grid) {
         const QString number = QString::number(i + 1);
         const int line = static_cast<int>(i) + 1;
         output.box = new QCheckBox(u"OUT"_s + number, this);
-        look::name(output.box, u"stepOutput%1Box"_s.arg(number), tr("Output %1").arg(number));
+        look::name(output.box, u"stepOutput%1Box"_s.arg(number), tr("OUT%1").arg(number));
         output.state = look::newMutedLabel({}, this);
         output.state->setObjectName(u"stepOutput%1State"_s.arg(number));
         output.name =
@@ -221,17 +221,17 @@ void StepIoBox::refresh() {
         look::setText(output.state, !on ? tr("? unknown") : known ? level : tr("● %1, not sent").arg(level));
         look::setPossible(output.box, reason,
                           known ? tr("Switches this output at once.")
-                                : tr("Chooses what it shall be. Set all outputs sends the five of them."));
+                                : tr("Selects the level. Choose Set all outputs to send all five."));
     }
     m_send->setVisible(!known);
     m_send->setPossible(!reason.isEmpty() ? reason
                         : staged()        ? QString()
-                                          : tr("Choose all five outputs first."),
-                        tr("Sends all five outputs as chosen above."));
+                                          : tr("Select a level for all five outputs first."),
+                        tr("Sends all five outputs as selected above."));
     look::setText(
         m_hint,
         known ? QString()
-              : tr("The outputs are unknown: the module cannot be asked. Choose all five, then set them."));
+              : tr("Outputs unknown: they cannot be read back. Select all five levels, then set them."));
     const StatusReport report = module.latest.value_or(StatusReport{});
     const std::optional<std::uint8_t>& inputs = report.aux;
     for (std::size_t i = 0; i < kInputs; ++i) {

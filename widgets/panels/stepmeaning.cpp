@@ -82,7 +82,7 @@ QString stepParameterName(StepParameter parameter) {
         case StepParameter::IgnoreEstop:
             return StepMeaning::tr("E-stop input");
         case StepParameter::MotorOff:
-            return StepMeaning::tr("When one stops it");
+            return StepMeaning::tr("On limit or E-stop");
     }
     return {};
 }
@@ -91,28 +91,28 @@ QString stepParameterMeaning(StepParameter parameter) {
     switch (parameter) {
         case StepParameter::SpeedMode:
             return StepMeaning::tr(
-                "The clock of the step timer. A faster one reaches higher speeds in coarser steps: take the slowest that is fast enough. The same speeds and ramps mean something else in another mode.");
+                "The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.");
         case StepParameter::MinimumSpeed:
             return StepMeaning::tr(
-                "Where ramps begin and end. The motor must start and stop at this speed at once without losing steps; runs and moves with a ramp go no slower.");
+                "The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.");
         case StepParameter::RunCurrent:
             return StepMeaning::tr(
-                "The current limit while the motor moves, as a part of 255 of what the driver can give. 0 is no current: the motor does not follow. Not more than motor and driver stand.");
+                "Motor current while moving; 255 is the driver's full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.");
         case StepParameter::HoldCurrent:
             return StepMeaning::tr(
-                "The current limit at rest, from about 0.25 s after a motion. Usually lower than the run current, so that the motor stays cool. 0 is no current: nothing is held.");
+                "Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and the motor holds nothing.");
         case StepParameter::ThermalLimit:
             return StepMeaning::tr(
-                "The module switches the motor off when the A/D value falls below this: the voltage of a thermistor bridge falls as the motor gets warmer. 0 turns this off. Watch the A/D value of a warm motor to find the right limit.");
+                "The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.");
         case StepParameter::IgnoreLimits:
             return StepMeaning::tr(
-                "As a rule the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. With this on the switches stop nothing, and the motor can run into its end.");
+                "Normally the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches stop nothing, and the motor can run into the end of its travel.");
         case StepParameter::IgnoreEstop:
             return StepMeaning::tr(
-                "As a rule the chip stops the motor when its E-stop input goes high. With this on the input stops nothing.");
+                "Normally the chip stops the motor when its E-stop input goes high. When ignored, the input stops nothing.");
         case StepParameter::MotorOff:
             return StepMeaning::tr(
-                "A limit switch or the E-stop input switches the motor off too, not only stops it: it is then free to turn, and a load may fall.");
+                "A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.");
     }
     return {};
 }

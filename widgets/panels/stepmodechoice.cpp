@@ -17,18 +17,17 @@ StepModeChoice::StepModeChoice(QWidget* parent) : QWidget(parent) {
         QString meaning;
     };
     const std::array<Choice, 4> choices{
-        Choice{
-            u"stepModeTrapezoidal"_s, tr("Move"),
-            tr("Goes to a position: speeds up, runs, slows down and stops there (trapezoidal profile mode).")},
+        Choice{u"stepModeTrapezoidal"_s, tr("Move"),
+               tr("Moves to a position with ramps (trapezoidal profile mode).")},
         Choice{u"stepModeProfile"_s, tr("Run"),
-               tr("Ramps to a speed and keeps it until it is stopped (velocity profile mode).")},
+               tr("Ramps to a speed and keeps it until stopped (velocity profile mode).")},
         Choice{
             u"stepModeTimedMove"_s, tr("Move without ramp"),
-            tr("Goes to a position at one speed from the first step on, and stops there at once. Too fast, and the motor loses steps (unprofiled, with stop).")},
+            tr("Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).")},
         Choice{
             u"stepModeTimedRun"_s, tr("Run without ramp"),
-            tr("Runs at one speed from the first step on until it is stopped. Too fast, and the motor loses steps (unprofiled, without stop).")}};
-    look::name(this, u"stepModeChoice"_s, tr("How to move"));
+            tr("Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).")}};
+    look::name(this, u"stepModeChoice"_s, tr("Kind of motion"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(look::gridUnit(this) * 2);

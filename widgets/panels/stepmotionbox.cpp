@@ -57,8 +57,8 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     m_goal->setNativeRange(static_cast<double>(step::kPositionRange.min),
                            static_cast<double>(step::kPositionRange.max));
     m_goal->setNativeStep(100);
-    m_relative = new QCheckBox(tr("b&y that much from here"), this);
-    look::name(m_relative, u"stepRelativeBox"_s, tr("Move by that much from where the motor stands"));
+    m_relative = new QCheckBox(tr("b&y this distance"), this);
+    look::name(m_relative, u"stepRelativeBox"_s, tr("By this distance from the present position"));
     m_speed = new QuantityField(QuantityField::Kind::Velocity, this);
     m_speed->setName(u"stepSpeedField"_s, tr("Speed"));
     m_speed->setQuantity(tr("The speed"));
@@ -87,8 +87,8 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     m_forecast->setObjectName(u"stepForecast"_s);
     m_nearest = new Command({.name = u"stepNearestGoalButton"_s,
                              .icon = {},
-                             .text = tr("Take the nearest"),
-                             .accessible = tr("Put the nearest position that is allowed into the goal")},
+                             .text = tr("Use nearest"),
+                             .accessible = tr("Use nearest allowed position")},
                             this, [this] { takeNearest(); });
     auto* remark = new QHBoxLayout;
     remark->setSpacing(look::gridUnit(this));
@@ -107,25 +107,25 @@ void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
     m_goHome = new Command({.name = u"stepGoHomeButton"_s,
                             .icon = u"home"_s,
                             .text = tr("Go home"),
-                            .accessible = tr("Go to the home position"),
+                            .accessible = tr("Go home"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
                            this, [this] { m_context.ask(home()); });
     m_runReverse = new Command({.name = u"stepRunReverseButton"_s,
                                 .icon = u"arrow-left"_s,
                                 .text = tr("Run &reverse"),
-                                .accessible = tr("Run in reverse until stopped")},
+                                .accessible = tr("Run reverse until stopped")},
                                this, [this] { request(true); });
     m_runForward = new Command({.name = u"stepRunForwardButton"_s,
                                 .icon = u"arrow-right"_s,
                                 .text = tr("R&un forward"),
                                 .accessible = tr("Run forward until stopped")},
                                this, [this] { request(false); });
-    m_loadOnly = new QCheckBox(tr("L&oad only"), this);
-    look::name(m_loadOnly, u"stepLoadOnlyBox"_s, tr("Load the motion, start it later"));
+    m_loadOnly = new QCheckBox(tr("Load o&nly"), this);
+    look::name(m_loadOnly, u"stepLoadOnlyBox"_s, tr("Load only, start later"));
     m_startLoaded = new Command({.name = u"stepStartLoadedButton"_s,
                                  .icon = {},
                                  .text = tr("Start loaded"),
-                                 .accessible = tr("Start the motion that was loaded"),
+                                 .accessible = tr("Start loaded motion"),
                                  .key = Qt::CTRL | Qt::Key_G},
                                 this, [this] { m_context.ask(intent::StartLoaded{}); });
     auto* buttons = new QHBoxLayout;
@@ -194,7 +194,7 @@ void StepMotionBox::showSpeed() {
     m_shownFastest = m_context.settings().travel.fastest;
     m_speed->setNativeRange(slowest, fastest);
     m_speed->setMeaning(
-        tr("How fast the motor turns: %1 to %2 in this speed mode. The chip takes the nearest that it can do.")
+        tr("How fast the motor turns: %1 to %2 in this speed mode. The chip uses the nearest speed available.")
             .arg(texts::stepsPerSecond(slowest, m_speed->scale()),
                  texts::stepsPerSecond(fastest, m_speed->scale())));
     m_speed->showNative(set > 0 ? set : std::clamp(fallback, slowest, fastest));
@@ -314,8 +314,8 @@ void StepMotionBox::offerNearest() {
     m_nearest->setVisible(goal.has_value());
     if (!goal)
         return;
-    m_nearest->setText(tr("Take %1").arg(texts::position(m_goal->scale(), *goal)));
-    m_nearest->setPossible({}, tr("Puts the nearest position that is allowed into the goal. Nothing moves."));
+    m_nearest->setText(tr("Use %1").arg(texts::position(m_goal->scale(), *goal)));
+    m_nearest->setPossible({}, tr("Sets the goal to the nearest allowed position. Nothing moves."));
 }
 
 void StepMotionBox::request(bool reverse) {
@@ -353,10 +353,9 @@ QString StepMotionBox::forecast() const {
     const int acceleration = stepdefaults::accelerationTime(m_context.settings());
     if (!m_mode->hasGoal()) {
         if (!m_mode->profiled())
-            return tr("At that speed from the first step on.");
+            return tr("At constant speed, without a ramp.");
         const int units = std::max(0, speeds.speedFor(*speed) - minimum);
-        return tr("Gets there in %1 s from standstill.")
-            .arg(texts::readout(units * acceleration * 0.00025, 3));
+        return tr("Takes %1 s from standstill.").arg(texts::readout(units * acceleration * 0.00025, 3));
     }
     const auto goal = m_goal->native();
     const auto position = module.stepper.position();
@@ -377,37 +376,35 @@ void StepMotionBox::refreshCommand(Command& command, bool reverse, const QString
     command.setText(stopsFirst ? tr("Stop, wait: %1").arg(text) : text);
     command.setPossible(
         reason.isEmpty() ? m_context.whyBusy() : reason,
-        stopsFirst ? tr("Stops smoothly, waits until the motor stands, then: %1").arg(meaning) : meaning);
+        stopsFirst ? tr("Stops smoothly, waits until the motor is at rest, then: %1").arg(meaning) : meaning);
 }
 
 void StepMotionBox::refreshCommands() {
     const bool load = m_loadOnly->isChecked();
-    const QString later = tr("Sends the motion without starting it.");
+    const QString later = tr("Loads the motion without starting it.");
     m_go->setVisible(m_mode->hasGoal());
     m_runReverse->setVisible(!m_mode->hasGoal());
     m_runForward->setVisible(!m_mode->hasGoal());
     refreshCommand(*m_go, false, load ? tr("Load") : tr("&Go"),
-                   load ? later : tr("Starts the move to the position, and holds there."));
+                   load ? later : tr("Moves to the position, then holds."));
     refreshCommand(*m_runReverse, true, load ? tr("Load &reverse") : tr("Run &reverse"),
-                   load ? later : tr("Runs in reverse until it is stopped."));
+                   load ? later : tr("Runs in reverse until stopped."));
     refreshCommand(*m_runForward, false, load ? tr("Load forward") : tr("R&un forward"),
-                   load ? later : tr("Runs forward until it is stopped."));
+                   load ? later : tr("Runs forward until stopped."));
     QString reason = m_context.reasonNow(Request::GoHome);
     if (reason.isEmpty())
         reason = m_context.reasonFor(Intent(home()));
-    m_goHome->setPossible(reason, tr("Goes to home with a ramp, at the speed of moves to a position."));
-    m_startLoaded->setPossible(m_context.reasonNow(Request::StartLoaded),
-                               tr("Starts the motion that was loaded last."));
+    m_goHome->setPossible(reason, tr("Moves to home with a ramp, at the travel speed."));
+    m_startLoaded->setPossible(m_context.reasonNow(Request::StartLoaded), tr("Starts the loaded motion."));
 }
 
 void StepMotionBox::refresh() {
     const QString unused = m_mode->hasGoal() ? QString() : tr("A run has no goal.");
-    m_goal->setMeaning(m_mode->hasGoal() ? tr("Where to go. Enter starts the move.") : unused);
+    m_goal->setMeaning(m_mode->hasGoal() ? tr("The goal of the move. Press Enter to start.") : unused);
     m_goal->setEnabled(m_mode->hasGoal());
-    look::setPossible(m_relative, unused,
-                      tr("The position counts from where the motor stands at the start."));
+    look::setPossible(m_relative, unused, tr("The distance counts from where the motor is at the start."));
     m_loadOnly->setToolTip(
-        tr("The buttons send the motion without starting it; Start loaded does, or its group."));
+        tr("The buttons only load the motion. Choose Start loaded, or start the module's group."));
     look::setText(m_outcome, outcome());
     look::setText(m_ramp,
                   m_mode->profiled()

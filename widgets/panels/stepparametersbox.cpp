@@ -59,18 +59,18 @@ StepParametersBox::StepParametersBox(ModuleContext& context, QWidget* parent)
       m_fill(new Command({.name = u"stepFillParametersButton"_s,
                           .icon = u"wand"_s,
                           .text = tr("Start&ing values"),
-                          .accessible = tr("Fill in starting values")},
+                          .accessible = tr("Starting values: fill in")},
                          this, [this] { fillIn(); })),
       m_revert(new Command({.name = u"stepRevertParametersButton"_s,
                             .icon = u"arrow-back-up"_s,
                             .text = tr("Revert"),
-                            .accessible = tr("Revert the parameters to what was sent"),
+                            .accessible = tr("Revert the parameters to those last sent"),
                             .key = Qt::CTRL | Qt::Key_R},
                            this, [this] { revert(); })),
       m_apply(new Command({.name = u"stepApplyParametersButton"_s,
                            .icon = u"send"_s,
                            .text = tr("&Apply parameters"),
-                           .accessible = tr("Apply all parameters")},
+                           .accessible = tr("Apply parameters: all")},
                           this, [this] { apply(); })),
       m_hint(new QLabel(this)) {
     look::name(this, u"stepParametersBox"_s, tr("Parameters"));
@@ -120,6 +120,9 @@ void StepParametersBox::buildRows(QGridLayout* grid) {
     addRow(grid, StepParameter::IgnoreLimits, m_ignoreLimits);
     addRow(grid, StepParameter::IgnoreEstop, m_ignoreEstop);
     addRow(grid, StepParameter::MotorOff, m_motorOff);
+    // Each shows what a tick means, so it is found by that; which it is comes after.
+    for (QCheckBox* box : {m_ignoreLimits, m_ignoreEstop, m_motorOff})
+        box->setAccessibleName(box->text() + u": "_s + box->accessibleName());
 }
 
 void StepParametersBox::addRow(QGridLayout* grid, StepParameter parameter, QWidget* control) {
@@ -156,8 +159,7 @@ void StepParametersBox::addRow(QGridLayout* grid, StepParameter parameter, QWidg
 }
 
 void StepParametersBox::buildButtons(QGridLayout* grid, int line) {
-    m_fill->setPossible(
-        {}, tr("Fills the fields with slow speeds and low currents to begin with. Sends nothing."));
+    m_fill->setPossible({}, tr("Fills in low speeds and currents to start with. Sends nothing."));
     m_hint->setObjectName(u"stepParametersHint"_s);
     m_hint->setWordWrap(true);
     m_hint->setTextFormat(Qt::PlainText);
@@ -345,11 +347,11 @@ void StepParametersBox::refresh() {
     if (!m_sent &&
         entries() == Entries{std::nullopt, std::nullopt, std::nullopt, std::nullopt, std::nullopt, 0, 0, 0})
         hint =
-            tr("Parameters cannot be read back from the module, and nothing moves before they are applied.");
+            tr("Parameters cannot be read back from the module. The motor moves only after you apply them.");
     else if (problem.isEmpty() && m_ignoreEstop->isChecked())
-        hint = tr("With this the module's E-stop input does not stop the motor.");
+        hint = tr("If checked, the E-stop input does not stop the motor.");
     else if (problem.isEmpty() && m_ignoreLimits->isChecked())
-        hint = tr("With this the limit switches do not stop the motor.");
+        hint = tr("If checked, the limit switches do not stop the motor.");
     look::setText(m_hint, hint);
     QString reason = m_context.reasonFor(Request::SetParameters);
     if (const auto parameters = entered(); parameters && reason.isEmpty())
@@ -360,12 +362,11 @@ void StepParametersBox::refresh() {
         : !problem.isEmpty() ? problem
                              : m_context.whyBusy(),
         m_context.state().driveOn()
-            ? tr("Sends all parameters at once. The amplifier is on: currents and limits act immediately.")
+            ? tr("Sends all parameters at once. The amplifier is on: currents and limits take effect immediately.")
             : tr("Sends all parameters at once. The motor does not move."));
-    m_revert->setPossible(m_typed ? QString() : tr("Nothing was edited."),
-                          m_sent
-                              ? tr("Back to the parameters that were sent. Sends nothing.")
-                              : tr("Empties the fields: no parameters have been sent yet. Sends nothing."));
+    m_revert->setPossible(m_typed ? QString() : tr("No changes to apply."),
+                          m_sent ? tr("Restores the parameters last sent. Sends nothing.")
+                                 : tr("Clears the fields: no parameters have been sent yet. Sends nothing."));
 }
 
 }  // namespace nmc

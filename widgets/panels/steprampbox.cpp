@@ -26,20 +26,20 @@ StepRampBox::StepRampBox(ModuleContext& context, QWidget* parent)
     m_time->setWords(tr("The acceleration time"), {});
     m_time->setDigits(8);
     m_time->setMeaning(tr(
-        "How long a ramp stays at each speed, in 0.25 ms: the smaller, the steeper. Sent with the next motion that has a ramp, and used by a smooth stop after it."));
+        "How long a ramp stays at each speed, in units of 0.25 ms; smaller is steeper. Sent with the next motion that has a ramp, and used by smooth stops after it."));
     m_acceleration->setObjectName(u"stepAccelerationRemark"_s);
     m_state->setObjectName(u"stepAccelerationTimeState"_s);
-    m_cap->setName(u"stepHoldCapField"_s, tr("Fastest speed of hold to move"));
-    m_cap->setQuantity(tr("The fastest speed of hold to move"));
+    m_cap->setName(u"stepHoldCapField"_s, tr("Max jog speed"));
+    m_cap->setQuantity(tr("Max jog speed"));
     m_cap->setNativeStep(100);
-    m_cap->setMeaning(tr("Hold to move goes no faster than this. Set it so that a hand can still follow."));
+    m_cap->setMeaning(tr("Jog is never faster than this. Set a speed that you can react to."));
     auto* heading = new QLabel(tr("With every motion"), this);
     QFont bold = font();
     bold.setBold(true);
     heading->setFont(bold);
     auto* timeLabel = new QLabel(tr("Acceleration time"), this);
     timeLabel->setBuddy(m_time);
-    auto* capLabel = new QLabel(tr("Hold to move, at most"), this);
+    auto* capLabel = new QLabel(tr("Max jog speed"), this);
     capLabel->setBuddy(m_cap);
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);

@@ -57,12 +57,12 @@ QString ramp(const StepSpeed& mode, int accelerationTime, const AxisScale& scale
 
 QString forecast(const StepForecast& forecast, const AxisScale& scale) {
     if (forecast.peak == 0.0)
-        return StepWords::tr("The motor is there already.");
+        return StepWords::tr("The motor is already there.");
     const QString seconds = readout(forecast.seconds, 3);
     const QString peak = stepsPerSecond(forecast.peak, scale);
     return forecast.triangular
-               ? StepWords::tr("Takes %1 s. Too short for that speed: reaches %2.").arg(seconds, peak)
-               : StepWords::tr("Takes %1 s, fastest %2.").arg(seconds, peak);
+               ? StepWords::tr("Takes %1 s. Too short for that speed: peaks at %2.").arg(seconds, peak)
+               : StepWords::tr("Takes %1 s, peak speed %2.").arg(seconds, peak);
 }
 
 }  // namespace nmc::texts

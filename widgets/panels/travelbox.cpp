@@ -22,8 +22,8 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
-    : QGroupBox(tr("Limits of travel and speed"), parent), m_context(context) {
-    look::name(this, named(u"travelBox"_s), tr("Limits of travel and speed"));
+    : QGroupBox(tr("Travel and speed limits"), parent), m_context(context) {
+    look::name(this, named(u"travelBox"_s), tr("Travel and speed limits"));
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
     grid->setHorizontalSpacing(unit);
@@ -32,7 +32,7 @@ TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
     buildLimit(grid, Highest);
     buildFastest(grid, 2);
     m_state = new QLabel(this);
-    look::nameText(m_state, named(u"travelState"_s), tr("State of the limits of travel"));
+    look::nameText(m_state, named(u"travelState"_s), tr("State of the travel limits"));
     m_hint = new QLabel(this);
     m_hint->setObjectName(named(u"travelHint"_s));
     for (QLabel* label : {m_state, m_hint}) {
@@ -56,19 +56,18 @@ void TravelBox::buildLimit(QGridLayout* grid, Limit limit) {
     auto* field = new QuantityField(QuantityField::Kind::Position, this);
     field->setName(named(lowest ? u"lowestField"_s : u"highestField"_s),
                    lowest ? tr("Lowest position") : tr("Highest position"));
-    field->setQuantity(lowest ? tr("The lowest position") : tr("The highest position"));
+    field->setQuantity(lowest ? tr("Lowest position") : tr("Highest position"));
     field->setNativeRange(layout::kPlace.min, layout::kPlace.max);
     field->setNativeStep(100);
-    field->setMeaning(
-        tr("Counted from home. No motion goes beyond it while home is known. Empty: no limit."));
+    field->setMeaning(tr("Counted from home. No motion passes it while home is known. Empty: no limit."));
     auto* label = new QLabel(lowest ? tr("Lowest position") : tr("Highest position"), this);
     label->setBuddy(field);
     m_limits[limit] = field;
     m_here[limit] = new Command({.name = named(lowest ? u"lowestHereButton"_s : u"highestHereButton"_s),
                                  .icon = {},
                                  .text = tr("Here"),
-                                 .accessible = lowest ? tr("Make the present position the lowest")
-                                                      : tr("Make the present position the highest")},
+                                 .accessible = lowest ? tr("Here: make the present position the lowest")
+                                                      : tr("Here: make the present position the highest")},
                                 this, [this, limit] { takePosition(limit); });
     const int line = static_cast<int>(limit);
     grid->addWidget(label, line, 0);
@@ -84,9 +83,8 @@ void TravelBox::buildLimit(QGridLayout* grid, Limit limit) {
 void TravelBox::buildFastest(QGridLayout* grid, int line) {
     m_fastest = new QuantityField(QuantityField::Kind::Velocity, this);
     m_fastest->setName(named(u"fastestField"_s), tr("Highest velocity"));
-    m_fastest->setQuantity(tr("The highest velocity"));
-    m_fastest->setMeaning(tr(
-        "Nothing moves this axis faster: no move, run, step, jog or search for home. Empty: as fast as the module can."));
+    m_fastest->setQuantity(tr("Highest velocity"));
+    m_fastest->setMeaning(tr("Limits moves, runs, steps, jog and homing. Empty: the module's maximum."));
     auto* label = new QLabel(tr("Highest velocity"), this);
     label->setBuddy(m_fastest);
     grid->addWidget(label, line, 0);
@@ -100,16 +98,16 @@ void TravelBox::buildFastest(QGridLayout* grid, int line) {
 void TravelBox::buildBacklash(QGridLayout* grid, int line) {
     m_backlash = new QuantityField(QuantityField::Kind::Position, this);
     m_backlash->setName(named(u"backlashField"_s), tr("Backlash"));
-    m_backlash->setQuantity(tr("The backlash"));
+    m_backlash->setQuantity(tr("Backlash"));
     m_backlash->setNativeRange(1, layout::kPlace.max);
     m_backlash->setMeaning(tr(
-        "Somewhat more than the play between motor and load. A move from the wrong side then goes beyond its goal by as much first, and comes back. Empty: none."));
+        "Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none."));
     m_side = new QComboBox(this);
-    look::name(m_side, named(u"backlashSideBox"_s), tr("Side from which every goal is come to"));
+    look::name(m_side, named(u"backlashSideBox"_s), tr("Approach direction of every goal"));
     m_side->addItem(tr("from below"), false);
     m_side->addItem(tr("from above"), true);
     m_side->setToolTip(
-        tr("Go to, Go home and Step come to their goal from this side. A loaded move goes straight."));
+        tr("Go to, Go home and Step approach their goal from this side. A loaded move goes straight."));
     auto* label = new QLabel(tr("Backlash"), this);
     label->setBuddy(m_backlash);
     grid->addWidget(label, line, 0);
@@ -134,13 +132,13 @@ void TravelBox::keepBacklash() {
 void TravelBox::buildWord(QGridLayout* grid, int line) {
     m_declare = new Command({.name = named(u"declarePositionButton"_s),
                              .icon = {},
-                             .text = tr("Declare position right…"),
-                             .accessible = tr("Declare that the position is right")},
+                             .text = tr("Confirm position…"),
+                             .accessible = tr("Confirm position as correct")},
                             this, [this] { askToDeclare(); });
     m_doubt = new Command({.name = named(u"doubtPositionButton"_s),
                            .icon = {},
                            .text = tr("Position in doubt"),
-                           .accessible = tr("Say that the position may be wrong")},
+                           .accessible = tr("Position in doubt: it may be wrong")},
                           this, [this] { m_context.ask(intent::DeclarePosition{false}); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
@@ -198,12 +196,12 @@ void TravelBox::askToDeclare() {
             self->m_context.ask(intent::DeclarePosition{true});
     };
     AskDialog::ask({.name = u"declarePositionDialog"_s,
-                    .title = tr("Declare the position right"),
+                    .title = tr("Confirm the position"),
                     .text = text,
                     .stay = tr("&Cancel"),
                     .stayName = u"stayDeclareButton"_s,
                     .stayIsDefault = true},
-                   {{tr("It &is right"), u"positionIsRightButton"_s, go}}, window());
+                   {{tr("Position &is right"), u"positionIsRightButton"_s, go}}, window());
 }
 
 void TravelBox::showField(QuantityField& field, std::optional<double> native) {
@@ -250,7 +248,7 @@ void TravelBox::refresh() {
     if (hint.isEmpty() && m_backlash != nullptr && !usable(*m_backlash))
         hint = m_backlash->problemText();
     if (hint.isEmpty() && crossed())
-        hint = tr("The lowest position has to be below the highest. What was set before stays.");
+        hint = tr("The lowest position must be below the highest. The old value is kept.");
     look::setText(m_hint, hint);
     m_hint->setVisible(!hint.isEmpty());
     look::setText(m_state, texts::travelState(module, m_context.scale()));
@@ -261,16 +259,15 @@ void TravelBox::refresh() {
         noPlace = texts::refusal(Refusal::HomeUnknown);
     else if (!module.latest || !module.latest->position)
         noPlace = texts::refusal(Refusal::PositionUnknown);
-    m_here[Lowest]->setPossible(noPlace, tr("The axis goes no lower than where it is now."));
-    m_here[Highest]->setPossible(noPlace, tr("The axis goes no higher than where it is now."));
-    m_declare->setPossible(
-        m_context.reasonNow(Request::DeclarePosition),
-        tr("Takes your word that the position is right: home is where it is 0. Asks first."));
+    m_here[Lowest]->setPossible(noPlace, tr("Sets the lowest position to the present position."));
+    m_here[Highest]->setPossible(noPlace, tr("Sets the highest position to the present position."));
+    m_declare->setPossible(m_context.reasonNow(Request::DeclarePosition),
+                           tr("Confirms that the position is right: home is at position 0. Asks first."));
     QString certain = m_context.reasonNow(Request::DeclarePosition);
     if (certain.isEmpty() && !module.home.place())
         certain = texts::refusal(Refusal::HomeUnknown);
     m_doubt->setPossible(
-        certain, tr("Home is not known any more, and the limits of travel are not in force until it is."));
+        certain, tr("Marks home as unknown. The travel limits are not in force until home is known again."));
 }
 
 }  // namespace nmc

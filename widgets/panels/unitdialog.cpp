@@ -24,33 +24,33 @@ constexpr int kDecimals = 6;
 
 UnitDialog::UnitDialog(ModuleContext& context, QWidget* parent)
     : QDialog(parent), m_context(context), m_form(new QFormLayout(this)), m_kind(new QComboBox(this)) {
-    look::name(this, u"unitDialog"_s, tr("Work out the unit"));
-    setWindowTitle(tr("Work out the unit"));
+    look::name(this, u"unitDialog"_s, tr("Calculate the unit"));
+    setWindowTitle(tr("Calculate the unit"));
     setAttribute(Qt::WA_DeleteOnClose);
-    look::name(m_kind, u"unitDialogKind"_s, tr("What the axis does"));
-    m_kind->addItem(tr("turns, in turns"), static_cast<int>(UnitKind::Turns));
-    m_kind->addItem(tr("turns, in degrees"), static_cast<int>(UnitKind::Degrees));
-    m_kind->addItem(tr("moves along a line, in millimetres"), static_cast<int>(UnitKind::Millimetres));
-    m_kind->setToolTip(tr("What you want to read this axis in."));
+    look::name(m_kind, u"unitDialogKind"_s, tr("Type of axis"));
+    m_kind->addItem(tr("rotary, in turns"), static_cast<int>(UnitKind::Turns));
+    m_kind->addItem(tr("rotary, in degrees"), static_cast<int>(UnitKind::Degrees));
+    m_kind->addItem(tr("linear, in millimetres"), static_cast<int>(UnitKind::Millimetres));
+    m_kind->setToolTip(tr("The unit to display for this axis."));
     m_form->addRow(tr("The axis"), m_kind);
     if (m_context.state().isStepper()) {
-        m_perTurn = addField(u"unitDialogSteps"_s, tr("Full steps of the motor for one turn"), 200,
-                             tr("200 for a motor with 1.8 degrees a step."));
-        m_microsteps = addField(u"unitDialogMicrosteps"_s, tr("Microsteps for each full step"), 1,
-                                tr("As the driver is set; 1 for none, 2 for half steps."));
+        m_perTurn = addField(u"unitDialogSteps"_s, tr("Full steps per motor turn"), 200,
+                             tr("200 for a motor with 1.8 degrees per step."));
+        m_microsteps = addField(u"unitDialogMicrosteps"_s, tr("Microsteps per full step"), 1,
+                                tr("As set on the driver; 1 for full steps, 2 for half steps."));
     } else {
-        m_perTurn = addField(u"unitDialogLines"_s, tr("Lines of the encoder for one turn"), 500,
-                             tr("As its label says: lines, CPR or PPR. The chip counts four for each line."));
+        m_perTurn = addField(u"unitDialogLines"_s, tr("Encoder lines per turn"), 500,
+                             tr("As on its label: lines, CPR or PPR. The chip counts four per line."));
     }
-    m_motorTurns = addField(u"unitDialogMotorTurns"_s, tr("Gear: turns of the motor"), 1,
-                            tr("For a gear of 50 : 1 enter 50 here; without a gear 1."));
-    m_outputTurns = addField(u"unitDialogOutputTurns"_s, tr("Gear: make turns of the output"), 1,
-                             tr("For a gear of 50 : 1 enter 1 here."));
+    m_motorTurns = addField(u"unitDialogMotorTurns"_s, tr("Gear: motor turns"), 1,
+                            tr("For a 50 : 1 gear, enter 50; without a gear, 1."));
+    m_outputTurns =
+        addField(u"unitDialogOutputTurns"_s, tr("Gear: output turns"), 1, tr("For a 50 : 1 gear, enter 1."));
     m_travel = addField(
-        u"unitDialogTravel"_s, tr("Travel for one turn of the output (mm)"), 5,
-        tr("Lead screw: its pitch times its starts. Belt: teeth of the pulley times the pitch of the belt. Rack: teeth of the pinion times the pitch of the rack."));
+        u"unitDialogTravel"_s, tr("Travel per output turn (mm)"), 5,
+        tr("Lead screw: pitch times starts. Belt: pulley teeth times belt pitch. Rack: pinion teeth times rack pitch."));
     m_result = new QLabel(this);
-    look::nameText(m_result, u"unitDialogResult"_s, tr("The unit that follows"));
+    look::nameText(m_result, u"unitDialogResult"_s, tr("Calculated unit"));
     m_result->setWordWrap(true);
     m_form->addRow(m_result);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
@@ -104,7 +104,7 @@ void UnitDialog::refresh() {
     }
     look::setText(m_result, text);
     look::setPossible(m_use, counts ? QString() : text,
-                      tr("Takes it as the unit of this axis. Keeps every amount, and sends nothing."));
+                      tr("Sets this unit for the axis. Keeps every physical value and sends nothing."));
 }
 
 void UnitDialog::take() {

@@ -11,7 +11,7 @@ using namespace Qt::StringLiterals;
 
 HoldFirstButton::HoldFirstButton(const QString& objectName, QWidget* parent)
     : QPushButton(icons::tinted(u"hand-stop"_s), tr("Hold here first"), parent) {
-    look::name(this, objectName, tr("Hold the motor where it is, before a test"));
+    look::name(this, objectName, tr("Hold here first"));
     look::keepRoom(this);
     setVisible(false);
     connect(this, &QPushButton::clicked, this, [this] {
@@ -28,7 +28,7 @@ void HoldFirstButton::showFor(const std::optional<ModuleState>& module, std::opt
     m_module = module->info.index;
     const auto refused = nmc::whyNot(Request::StopHere, *module);
     look::setPossible(this, refused ? texts::refusal(*refused) : QString(),
-                      tr("Takes the position it has at this moment as the one to hold (Stop here)."));
+                      tr("Holds the motor at its present position (Stop here)."));
 }
 
 }  // namespace nmc

@@ -37,10 +37,10 @@ QLabel* newParagraph(const QString& objectName, const QString& what, int lines, 
 ModelBox::ModelBox(const std::vector<KeptRun>& runs, QWidget* parent) : QWidget(parent), m_runs(runs) {
     look::name(this, u"modelBox"_s, tr("Motor model"));
     m_identify = new QPushButton(icons::tinted(u"wand"_s), tr("Find the motor"), this);
-    look::name(m_identify, u"identifyButton"_s, tr("Find the motor that explains the steps"));
-    m_motor = newParagraph(u"motorModel"_s, tr("The motor that was found"), kMotorLines, this);
+    look::name(m_identify, u"identifyButton"_s, tr("Find the motor model from the steps"));
+    m_motor = newParagraph(u"motorModel"_s, tr("Motor model found"), kMotorLines, this);
     m_fill = new QPushButton(tr("Fill in"), this);
-    look::name(m_fill, u"fillSuggestedButton"_s, tr("Fill the suggested gains into the fields"));
+    look::name(m_fill, u"fillSuggestedButton"_s, tr("Fill in the suggested gains"));
     m_suggested = newParagraph(u"suggestedGains"_s, tr("Suggested gains"), kSuggestionLines, this);
     auto* grid = new QGridLayout(this);
     const int unit = look::gridUnit(this);
@@ -50,13 +50,12 @@ ModelBox::ModelBox(const std::vector<KeptRun>& runs, QWidget* parent) : QWidget(
     grid->addWidget(m_motor, 1, 0, 1, 2);
     m_stiffness = newSlider(
         u"stiffnessSlider"_s, tr("Stiff"),
-        tr("How fast it follows: at the right as fast as noise, output limit and stability permit."),
+        tr("How fast the motor follows. Far right: as fast as noise, output limit and stability permit."),
         LoopWish{}.stiffness);
-    m_damping = newSlider(u"dampingSlider"_s, tr("Damped"), tr("At the right it does not overshoot."),
+    m_damping = newSlider(u"dampingSlider"_s, tr("Damped"), tr("Damping. Far right: no overshoot."),
                           LoopWish{}.damping);
-    m_noise =
-        newSlider(u"noiseSlider"_s, tr("Loud"),
-                  tr("How much a count of the encoder may shake the motor by way of Kd."), LoopWish{}.noise);
+    m_noise = newSlider(u"noiseSlider"_s, tr("Loud"),
+                        tr("How much encoder noise may drive the motor through Kd."), LoopWish{}.noise);
     int line = 2;
     for (QSlider* slider : {m_stiffness, m_damping, m_noise}) {
         auto* label = new QLabel(slider->accessibleName(), this);
@@ -195,13 +194,14 @@ const std::vector<StepPoint>& ModelBox::predictedPoints() const {
 void ModelBox::refresh() {
     look::setPossible(
         m_identify,
-        m_looking                ? tr("It is being looked for.")
-        : ofThisModule().empty() ? tr("Make a step with this module first.")
+        m_looking                ? tr("The motor model is being calculated.")
+        : ofThisModule().empty() ? tr("Record a step with this module first.")
                                  : QString(),
-        tr("Finds the motor that explains the last steps of this module, up to %1 of them. Sends nothing.")
+        tr("Calculates the motor model from up to %1 recent steps of this module. Sends nothing.")
             .arg(kMostRuns));
-    look::setPossible(m_fill, m_suggestion.gains ? QString() : tr("No gains are suggested."),
-                      tr("Puts the suggested gains into the fields of the Gains page. Sends nothing."));
+    look::setPossible(m_fill,
+                      m_suggestion.gains ? QString() : tr("No suggested gains. Find the motor first."),
+                      tr("Copies the suggested gains to the Gains page. Sends nothing."));
     for (QSlider* slider : {m_stiffness, m_damping, m_noise})
         slider->setEnabled(found() != nullptr && found()->motor.has_value());
     showWords();
@@ -214,7 +214,7 @@ QStringList ModelBox::motorWords() const {
 
 void ModelBox::showWords() {
     const Found* found = this->found();
-    look::setText(m_motor, m_looking && m_looking->module == m_servo ? tr("Looking for the motor…")
+    look::setText(m_motor, m_looking && m_looking->module == m_servo ? tr("Calculating the motor model…")
                            : found == nullptr                        ? QString()
                            : found->motor ? texts::motorFound(*found->motor).join(u'\n')
                                           : texts::motorNotFound(found->motor.error()));
@@ -223,8 +223,8 @@ void ModelBox::showWords() {
         words = texts::gainsInShort(*m_suggestion.gains) + u'\n' +
                 texts::predicted(*m_suggestion.prediction).join(u'\n');
     else if (found != nullptr && found->motor)
-        words = !m_about                     ? tr("The run that it was found from is gone. Find it again.")
-                : m_suggestion.id == m_asked ? tr("No gains make this motor stable and still.")
+        words = !m_about ? tr("The run behind this model was removed. Find the motor again.")
+                : m_suggestion.id == m_asked ? tr("No gains keep this motor stable and quiet.")
                                              : QString();
     look::setText(m_suggested, words);
 }

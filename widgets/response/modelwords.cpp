@@ -29,32 +29,31 @@ QStringList motorFound(const Identified& found) {
                 .arg(plusMinus(inMilliseconds(motor.timeConstant), ModelTexts::tr("ms"))),
             ModelTexts::tr("Friction %1").arg(plusMinus(motor.friction, ModelTexts::tr("of 255 PWM"))),
             ModelTexts::tr("Load %1").arg(plusMinus(motor.load, ModelTexts::tr("of 255 PWM"))),
-            ModelTexts::tr("Off by %1 counts rms; encoder and times explain %2.")
+            ModelTexts::tr("Model error %1 counts RMS; encoder and timing account for %2.")
                 .arg(readout(found.missed, 2), readout(found.expected, 2))};
 }
 
 QString motorNotFound(IdentifyFailure failure) {
     switch (failure) {
         case IdentifyFailure::TooFewSamples:
-            return ModelTexts::tr("There are too few samples. Record for longer, or raise the baud rate.");
+            return ModelTexts::tr("Too few samples. Record for longer, or raise the baud rate.");
         case IdentifyFailure::DoesNotMove:
             return ModelTexts::tr(
-                "The shaft did not move. Check motor power and brake, or make a longer step.");
+                "The shaft did not move. Check motor power and brake, or use a longer step.");
         case IdentifyFailure::WrongWay:
             return ModelTexts::tr(
-                "The shaft starts away from its goal. Check the direction on the page Axis.");
+                "The shaft moved away from its goal. Check the direction on the Axis page.");
         case IdentifyFailure::Oscillates:
-            return ModelTexts::tr(
-                "The motor swings and does not calm down. Lower Kp or raise Kd, then step again.");
+            return ModelTexts::tr("The motor keeps oscillating. Lower Kp or raise Kd, then step again.");
         case IdentifyFailure::NotExplained:
             return ModelTexts::tr(
-                "This model does not explain the step. Look for backlash, a belt, a stop that was hit, or a current limit.");
+                "The model does not fit the step. Check for backlash, an elastic belt, a hard stop or a current limit.");
         case IdentifyFailure::GainUnclear:
             return ModelTexts::tr(
-                "These steps leave the motor's gain open. Add a longer one, so that it comes near a steady speed.");
+                "These steps do not determine the motor gain. Add a longer step, so that the motor gets close to a steady speed.");
         case IdentifyFailure::TimeConstantUnclear:
             return ModelTexts::tr(
-                "These steps leave the time constant open. Repeat the step, or raise the baud rate.");
+                "These steps do not determine the time constant. Repeat the step, or raise the baud rate.");
     }
     return {};
 }
@@ -72,7 +71,7 @@ QStringList predicted(const Prediction& prediction) {
     return {
         ModelTexts::tr("Overshoot %1, settling %2")
             .arg(stepOvershoot(prediction.run.metrics.overshoot), stepTime(prediction.run.metrics.settling)),
-        ModelTexts::tr("Error at rest %1 counts").arg(readout(prediction.errorAtRest, 2)),
+        ModelTexts::tr("Steady-state error %1 counts").arg(readout(prediction.errorAtRest, 2)),
         std::isfinite(margins.gain)
             ? ModelTexts::tr("Phase margin %1°, gain margin %2")
                   .arg(readout(margins.phaseDegrees, 2), readout(margins.gain, 2))

@@ -29,7 +29,7 @@ constexpr double kNarrowestBand = 0.1, kWidestBand = 50.0;
 }  // namespace
 
 StepForm::StepForm(QWidget* parent) : QWidget(parent), m_lastBand(kFirstBand) {
-    look::name(this, u"stepForm"_s, tr("How the next step is made"));
+    look::name(this, u"stepForm"_s, tr("Settings of the next step"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(look::gridUnit(this));
@@ -55,11 +55,11 @@ void StepForm::buildFields(QGridLayout* grid) {
     m_distance->setQuantity(tr("The distance of the step"));
     m_distance->setNativeRange(-kLongestStep, kLongestStep);
     m_distance->setMeaning(tr(
-        "How far the command jumps; below 0 in reverse. Small steps show how the servo is tuned, large ones what the amplifier can do."));
+        "How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier."));
     m_distance->setDigits(6);
     m_distance->showNative(kFirstStep);
     m_way = new QComboBox(this);
-    look::name(m_way, u"stepResponseWayBox"_s, tr("How the command is made to jump"));
+    look::name(m_way, u"stepResponseWayBox"_s, tr("Way: how the command jumps"));
     for (const StepWay way : {StepWay::Profile, StepWay::StopHere}) {
         m_way->addItem(texts::stepWay(way), static_cast<int>(way));
         m_way->setItemData(m_way->count() - 1, texts::stepWayMeaning(way), Qt::ToolTipRole);
@@ -70,12 +70,12 @@ void StepForm::buildFields(QGridLayout* grid) {
     m_way->setMinimumContentsLength(12);
     m_record = newField(2, u"stepResponseRecordField"_s, tr("The record"), tr("s"));
     m_record->setRange(kShortestRecord, kLongestRecord);
-    m_record->setMeaning(tr("How long the motor is watched after the step. Then it is told to hold."));
+    m_record->setMeaning(tr("How long to record after the step. Then the motor is told to hold."));
     m_record->showValue(kFirstRecord);
     m_band = newField(1, u"stepResponseBandField"_s, tr("The settling band"), tr("% of the step"));
     m_band->setRange(kNarrowestBand, kWidestBand);
     m_band->setMeaning(tr(
-        "The motor has settled when it stays this close to its goal, and is never judged by less than a count. All runs are judged by it."));
+        "The motor has settled when it stays this close to its goal. At least one count. Applies to all runs."));
     m_band->showValue(kFirstBand);
     int line = 0;
     const auto addRow = [&](const QString& text, QWidget* field, QWidget* unit, QWidget* other) {
@@ -106,7 +106,7 @@ void StepForm::buildFields(QGridLayout* grid) {
 
 void StepForm::buildButton(QGridLayout* grid) {
     m_step = new QPushButton(icons::tinted(u"player-play"_s), tr("Step"), this);
-    look::name(m_step, u"stepResponseButton"_s, tr("Make a step and record it"));
+    look::name(m_step, u"stepResponseButton"_s, tr("Step and record"));
     m_state = look::newMutedLabel({}, parentWidget());
     m_state->setObjectName(u"stepResponseState"_s);
     m_state->setWordWrap(true);
@@ -154,7 +154,7 @@ QString StepForm::whyNotNow() const {
     if (!m_connected || !m_module)
         return texts::refusal(Refusal::NotConnected);
     if (m_report && !m_report->over())
-        return tr("A step is being made already.");
+        return tr("A step is already running.");
     for (const NumberField* field : {static_cast<NumberField*>(m_distance), m_record})
         if (const QString problem = field->problemText(); !problem.isEmpty())
             return problem;
@@ -166,7 +166,7 @@ void StepForm::refresh() {
     const QString reason = whyNotNow();
     look::setPossible(
         m_step, reason,
-        tr("The motor jumps by this distance, and holds there. Everything that turns with it must be free to (Shift+F9)."));
+        tr("The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9)."));
     m_hold->showFor(m_module, refusal());
     const bool runs = m_report && !m_report->over();
     const bool failed = reason.isEmpty() && m_report && m_report->failure;
@@ -210,7 +210,7 @@ void StepForm::askWhichGains(const intent::StepResponse& step) {
     const auto text = [self = QPointer(this), index = m_module->info.index, before = unsentGains()] {
         const bool stands = self && self->m_module && self->m_module->info.index == index &&
                             self->unsentGains() == before && self->whyNotNow().isEmpty();
-        return stands ? tr("Some gains in the fields were not sent: %1. With which is the step to be made?")
+        return stands ? tr("Some gains in the fields were not sent: %1. Which gains should the step use?")
                             .arg(before)
                       : QString();
     };
@@ -221,8 +221,8 @@ void StepForm::askWhichGains(const intent::StepResponse& step) {
                     .text = text,
                     .stay = tr("&Cancel"),
                     .stayName = u"cancelStepButton"_s},
-                   {{tr("&Apply them and step"), u"applyAndStepButton"_s, ask(applied)},
-                    {tr("Step with those that it &has"), u"stepWithoutButton"_s, ask(step)}},
+                   {{tr("&Apply and step"), u"applyAndStepButton"_s, ask(applied)},
+                    {tr("Step with &present gains"), u"stepWithoutButton"_s, ask(step)}},
                    window());
 }
 

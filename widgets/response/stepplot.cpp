@@ -62,7 +62,7 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
     setToolTip(tr(
-        "Positions since the step, counted from where it began. The shaded band is the settling band around the goal. A double click shows the whole record, or only as long as it moves. The wheel zooms (with Ctrl the positions), a drag moves, a drag with Shift chooses a time."));
+        "Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time."));
     connect(&m_backdrop, &ChartBackdrop::changed, this, qOverload<>(&QWidget::update));
     adoptPalette();
     fit();
@@ -214,8 +214,9 @@ void StepPlot::paintOver(QPainter& painter) {
     paintTitles(painter);
     if (!m_curves[0] && !m_curves[1]) {
         painter.setPen(look::mutedText(palette()));
-        painter.drawText(m_geometry.area, Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No run is shown. A step shows how the motor follows when its command jumps."));
+        painter.drawText(
+            m_geometry.area, Qt::AlignCenter | Qt::TextWordWrap,
+            tr("No run selected. A step response shows how the motor follows a jump of its command."));
         painter.restore();
         return;
     }

@@ -39,7 +39,7 @@ StepResponsePage::StepResponsePage(QWidget* parent)
     look::name(this, u"stepResponsePage"_s, tr("Step response"));
     m_runs = newRunsPart();
     m_findings = new QTabWidget(this);
-    look::name(m_findings, u"stepFindings"_s, tr("What the steps tell"));
+    look::name(m_findings, u"stepFindings"_s, tr("Step results"));
     m_findings->addTab(m_results, tr("Results"));
     m_findings->addTab(m_model, tr("Model"));
     keepFocusOnTabs(*m_findings);
@@ -73,11 +73,11 @@ QPushButton* StepResponsePage::newButton(const QString& objectName, const QStrin
 QWidget* StepResponsePage::newRunsPart() {
     m_use = newButton(u"stepUseGainsButton"_s, tr("Use these gains"), Qt::CTRL | Qt::SHIFT | Qt::Key_U);
     m_remove = newButton(u"stepRemoveButton"_s, tr("Remove"), Qt::CTRL | Qt::Key_Delete);
-    m_putBack = newButton(u"stepPutBackButton"_s, tr("Put back"), Qt::CTRL | Qt::SHIFT | Qt::Key_Delete);
+    m_putBack = newButton(u"stepPutBackButton"_s, tr("Restore"), Qt::CTRL | Qt::SHIFT | Qt::Key_Delete);
     m_save = newButton(u"stepExportButton"_s, tr("Export CSV…"), Qt::CTRL | Qt::SHIFT | Qt::Key_X);
     m_all = new QCheckBox(tr("All runs"), this);
     look::name(m_all, u"stepAllRunsBox"_s, tr("All runs of this module in the plot"));
-    m_all->setToolTip(tr("Draws the other runs of this module as well, the older the paler."));
+    m_all->setToolTip(tr("Shows the other runs of this module, older runs paler."));
     connect(m_all, &QCheckBox::toggled, this, &StepResponsePage::refreshRuns);
     m_view->addControl(m_all);
     auto* part = new QWidget(this);
@@ -291,23 +291,23 @@ void StepResponsePage::showModelCurves() {
 
 QString StepResponsePage::whyNotUsable(const KeptRun* run) const {
     if (run == nullptr)
-        return tr("Choose a run in the list first.");
+        return tr("Select a run in the list first.");
     if (m_servo != run->run.module)
-        return tr("This run is of %1. Select that module first.").arg(texts::moduleName(run->run.module));
+        return tr("This run belongs to %1. Select that module first.")
+            .arg(texts::moduleName(run->run.module));
     return {};
 }
 
 void StepResponsePage::refreshButtons() {
     const KeptRun* chosen = find(m_table->chosen());
-    look::setPossible(
-        m_use, whyNotUsable(chosen),
-        tr("Puts the gains of this run into the fields of the Gains page. Sends nothing (Ctrl+Shift+U)."));
-    look::setPossible(m_remove, chosen == nullptr ? tr("Choose a run in the list first.") : QString(),
-                      tr("Takes this run off the list (Ctrl+Del)."));
+    look::setPossible(m_use, whyNotUsable(chosen),
+                      tr("Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U)."));
+    look::setPossible(m_remove, chosen == nullptr ? tr("Select a run in the list first.") : QString(),
+                      tr("Removes this run from the list (Ctrl+Del)."));
     look::setPossible(m_putBack, m_removed.empty() ? tr("No run was removed.") : QString(),
-                      tr("Brings the run back that was removed last (Ctrl+Shift+Del)."));
-    look::setPossible(m_save, m_kept.empty() ? tr("There is no run yet.") : QString(),
-                      tr("Saves all runs of the list, with their gains and results (Ctrl+Shift+X)."));
+                      tr("Restores the run removed last (Ctrl+Shift+Del)."));
+    look::setPossible(m_save, m_kept.empty() ? tr("No run yet. Record a step first.") : QString(),
+                      tr("Saves all runs in the list with their gains and results (Ctrl+Shift+X)."));
 }
 
 void StepResponsePage::useGains() {

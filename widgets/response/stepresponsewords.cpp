@@ -28,7 +28,7 @@ QString unmeasured(Unmeasured why) {
         case Unmeasured::SamplesMissing:
             return StepTexts::tr("samples missing, repeat");
         case Unmeasured::NeverSettled:
-            return StepTexts::tr("not in this record");
+            return StepTexts::tr("not recorded");
     }
     return {};
 }
@@ -59,10 +59,9 @@ QString stepWayMeaning(StepWay way) {
     switch (way) {
         case StepWay::Profile:
             return StepTexts::tr(
-                "A move with so much velocity and acceleration that its profile is at the goal in one tick.");
+                "A move with so much velocity and acceleration that the profile reaches the goal in one tick.");
         case StepWay::StopHere:
-            return StepTexts::tr(
-                "The goal is made the position to hold, without a profile. Not with version 1.");
+            return StepTexts::tr("The servo holds the goal at once, without a profile. Not with version 1.");
     }
     return {};
 }
@@ -105,7 +104,7 @@ QString stepError(const StepMetrics::Result<Measured>& counts, const AxisScale& 
 
 QString peakPwm(const std::optional<PwmDemand>& demand) {
     if (!demand)
-        return StepTexts::tr("not known");
+        return StepTexts::tr("unknown");
     return (demand->limited() ? StepTexts::tr("limited to %1") : StepTexts::tr("at least %1"))
         .arg(demand->output());
 }

@@ -24,7 +24,7 @@ namespace nmc::texts {
 [[nodiscard]] QString stepSettling(const StepMetrics& metrics);
 [[nodiscard]] QString stepOvershoot(const StepMetrics::Result<Measured>& percent);
 [[nodiscard]] QString stepError(const StepMetrics::Result<Measured>& counts, const AxisScale& scale);
-/// "limited to 127", "at least 23", "not known"; of 255.
+/// "limited to 127", "at least 23", "unknown"; of 255.
 [[nodiscard]] QString peakPwm(const std::optional<PwmDemand>& demand);
 
 }  // namespace nmc::texts

@@ -16,23 +16,23 @@ enum Row { Number, Rise, Overshoot, Settling, AtRest, SteadyError, PeakPwm, Inte
 }
 
 StepResults::StepResults(QWidget* parent) : QTableWidget(kRows, 2, parent) {
-    look::name(this, u"stepResults"_s, tr("What the runs that are shown come to"));
+    look::name(this, u"stepResults"_s, tr("Results of the runs shown"));
     setHorizontalHeaderLabels({tr("A"), tr("B")});
     setVerticalHeaderLabels({tr("Run"), tr("Rise, 10 to 90 %"), tr("Overshoot"), tr("Settling to the goal"),
-                             tr("Settling where it stays"), tr("Steady-state error"), tr("Peak PWM, of 255"),
-                             tr("Sample interval")});
+                             tr("Settling to rest position"), tr("Steady-state error"),
+                             tr("Peak PWM, of 255"), tr("Sample interval")});
     verticalHeaderItem(Rise)->setToolTip(tr("Time from 10 % to 90 % of the step."));
-    verticalHeaderItem(Overshoot)->setToolTip(tr("How far it went beyond its goal, in % of the step."));
+    verticalHeaderItem(Overshoot)->setToolTip(tr("How far the motor went past its goal, in % of the step."));
     verticalHeaderItem(Settling)->setToolTip(tr(
-        "Time until it stays within the settling band around the goal. Nothing if that is not before the last fifth of the record."));
+        "Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record."));
     verticalHeaderItem(AtRest)->setToolTip(tr(
-        "The same around the mean position of the last fifth of the record. Friction holds a motor beside its goal unless there is an integral (Ki, IL)."));
+        "The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal."));
     verticalHeaderItem(SteadyError)
-        ->setToolTip(tr("Goal less the mean position of the last fifth of the record."));
+        ->setToolTip(tr("Goal minus the mean position over the last fifth of the record."));
     verticalHeaderItem(PeakPwm)->setToolTip(tr(
-        "What the servo asks of the amplifier when the command jumps, from the gains. A later tick may ask for more, so below the output limit OL it is only a lower bound."));
+        "PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound."));
     verticalHeaderItem(Interval)->setToolTip(
-        tr("The mean time between two positions of the record. The doubts come from it."));
+        tr("Mean time between two positions of the record. It sets the accuracy of the results."));
     setFont(look::tabular(look::scaled(font(), 0.9)));
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);

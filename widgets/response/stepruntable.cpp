@@ -20,7 +20,7 @@ using namespace Qt::StringLiterals;
 StepRunTable::StepRunTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
     look::name(this, u"stepRunTable"_s, tr("Step responses so far"));
     setToolTip(
-        tr("The step responses so far, newest first. Tick two of them to compare their curves. The last %1 are kept with the machine, those with a name or a note longest.")
+        tr("Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.")
             .arg(kMostKeptRuns));
     setHorizontalHeaderLabels({tr("A"), tr("B"), tr("Run"), tr("Name"), tr("Module"), tr("Time"), u"Kp"_s,
                                u"Kd"_s, u"Ki"_s, tr("Overshoot"), tr("Settling"), tr("Note")});
@@ -76,9 +76,8 @@ void StepRunTable::showRun(int row, const KeptRun& kept, const ShownRuns& shown)
         QDateTime::fromString(QString::fromStdString(kept.startedAt), Qt::ISODateWithMs);
     cell(row, Run)->setText(QString::number(kept.number));
     for (const auto& [column, words, hint] :
-         {std::tuple{Name, &kept.name, tr("What the run is called. Double-click it, or press F2, to write.")},
-          std::tuple{Note, &kept.note,
-                     tr("What is to be known of the run. Double-click it, or press F2.")}}) {
+         {std::tuple{Name, &kept.name, tr("Name of the run. Double-click or press F2 to edit.")},
+          std::tuple{Note, &kept.note, tr("Note on the run. Double-click or press F2 to edit.")}}) {
         // Only news: it may be under an editor.
         const QString text = QString::fromStdString(*words);
         if (cell(row, column)->text() != text)

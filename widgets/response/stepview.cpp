@@ -29,7 +29,7 @@ StepView::StepView(QWidget* parent)
       m_readings(new QTableWidget(0, 4, this)),
       m_bar(new QHBoxLayout),
       m_folder(QDir::homePath()) {
-    look::name(m_readings, u"stepCursorTable"_s, tr("What the cursors read"));
+    look::name(m_readings, u"stepCursorTable"_s, tr("Cursor readings"));
     m_readings->setHorizontalHeaderLabels({tr("Run"), tr("Cursor 1"), tr("Cursor 2"), tr("Difference")});
     m_readings->verticalHeader()->hide();
     m_readings->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -42,9 +42,9 @@ StepView::StepView(QWidget* parent)
     m_readings->hide();
     m_bar->addStretch(1);
     auto* fit = newButton(u"stepFitButton"_s, tr("Fit"),
-                          tr("As long as the motor moves, and all positions (A, in the plot)."));
+                          tr("Fits the view to the motion and all positions (A, in the plot)."));
     m_cursors = newButton(u"stepCursorsButton"_s, tr("Cursors"),
-                          tr("Two cursors to measure with: drag them (C, in the plot)."));
+                          tr("Shows two cursors to measure with: drag them (C, in the plot)."));
     m_cursors->setCheckable(true);
     buildMenu();
     auto* layout = new QVBoxLayout(this);
@@ -83,20 +83,19 @@ void StepView::buildMenu() {
         action->setToolTip(meaning);
         connect(action, &QAction::triggered, this, act);
     };
-    add(u"stepPngAction"_s, tr("&Picture (PNG)…"), tr("What is seen, as an image."),
+    add(u"stepPngAction"_s, tr("&Picture (PNG)…"), tr("The visible plot as an image."),
         [this] { choose(Kind::Png); });
     add(u"stepSvgAction"_s, tr("&Vector picture (SVG)…"),
-        tr("What is seen, in lines that stay sharp at any size."), [this] { choose(Kind::Svg); });
-    add(u"stepPdfAction"_s, tr("P&age (PDF)…"), tr("What is seen, on a page for a printer or a report."),
+        tr("The visible plot as lines that stay sharp at any size."), [this] { choose(Kind::Svg); });
+    add(u"stepPdfAction"_s, tr("P&age (PDF)…"), tr("The visible plot on a page for printing or a report."),
         [this] { choose(Kind::Pdf); });
     m_menu->addSeparator();
-    add(u"stepPrintAction"_s, tr("P&rint"),
-        tr("What is seen, on a page of the printer that this computer uses unless told otherwise."),
+    add(u"stepPrintAction"_s, tr("P&rint"), tr("Prints the visible plot on this computer's default printer."),
         [this] { emit printRequested(pdfOf(picture())); });
-    add(u"stepCopyAction"_s, tr("&Copy picture"), tr("What is seen, onto the clipboard."),
+    add(u"stepCopyAction"_s, tr("&Copy picture"), tr("Copies the visible plot to the clipboard."),
         [this] { copy(); });
     QToolButton* button = newButton(u"stepPictureButton"_s, tr("Picture"),
-                                    tr("Takes what is seen out of the panel, with the runs in words."));
+                                    tr("Exports the visible plot, with a description of the runs."));
     button->setMenu(m_menu);
     button->setPopupMode(QToolButton::InstantPopup);
 }

@@ -13,8 +13,8 @@ using namespace Qt::StringLiterals;
 
 CursorPanel::CursorPanel(QWidget* parent)
     : QWidget(parent), m_fold(new QToolButton(this)), m_table(new CursorTable(this)) {
-    look::name(m_fold, u"scopeCursorFoldButton"_s, tr("Readings of the cursors"));
-    m_fold->setToolTip(tr("Shows or hides what the cursors read."));
+    look::name(m_fold, u"scopeCursorFoldButton"_s, tr("Cursor readings"));
+    m_fold->setToolTip(tr("Shows or hides the cursor readings."));
     m_fold->setCheckable(true);
     m_fold->setAutoRaise(true);
     m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

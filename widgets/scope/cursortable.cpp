@@ -19,7 +19,7 @@ const QString kNothing = u"–"_s;
 }  // namespace
 
 CursorTable::CursorTable(QWidget* parent) : QTableWidget(0, 9, parent) {
-    look::name(this, u"scopeCursorTable"_s, tr("What the cursors read"));
+    look::name(this, u"scopeCursorTable"_s, tr("Cursor readings"));
     setHorizontalHeaderLabels({tr("Signal"), tr("Cursor 1"), tr("Cursor 2"), tr("Difference"), tr("Mean"),
                                tr("RMS"), tr("Peak to peak"), tr("Slope, per s"), tr("Frequency")});
     verticalHeader()->hide();

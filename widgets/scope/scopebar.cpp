@@ -22,12 +22,12 @@ ScopeBar::ScopeBar(QWidget* parent)
       m_record(new QLabel(this)),
       m_recordRow(new QWidget(this)),
       m_pause(newAction(u"scopePauseAction"_s, tr("Pause"),
-                        tr("Holds the picture still (Ctrl+P). Samples are still recorded."),
+                        tr("Freezes the display (Ctrl+P). Recording of samples continues."),
                         QKeySequence(Qt::CTRL | Qt::Key_P))),
       m_cursors(newAction(u"scopeCursorsAction"_s, tr("Cursors"),
-                          tr("Two cursors to measure with: drag them (C)."), QKeySequence(Qt::Key_C))),
+                          tr("Shows two cursors to measure with: drag them (C)."), QKeySequence(Qt::Key_C))),
       m_lane(newAction(u"scopeLaneAction"_s, tr("Status bits"),
-                       tr("The status bits of the selected module over time (B)."),
+                       tr("Shows the status bits of the selected module over time (B)."),
                        QKeySequence(Qt::Key_B))) {
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -66,7 +66,7 @@ void ScopeBar::buildWindowBox() {
     for (const int seconds : {1, 2, 5, 10, 30, 60, 300, 600})
         m_window->addItem(seconds < 120 ? tr("%1 s").arg(seconds) : tr("%1 min").arg(seconds / 60), seconds);
     look::name(m_window, u"scopeWindowBox"_s, tr("Time shown by the scope"));
-    m_window->setToolTip(tr("How much time the scope shows."));
+    m_window->setToolTip(tr("Sets how much time the scope shows."));
     connect(m_window, &QComboBox::activated, this,
             [this](int index) { emit widthChosen(m_window->itemData(index).toDouble()); });
     auto* label = new QLabel(tr("Sho&w"), this);
@@ -92,15 +92,15 @@ void ScopeBar::buildButtons() {
     connect(m_lane, &QAction::triggered, this, &ScopeBar::laneRequested);
     addButton(m_lane, u"scopeLaneButton"_s);
 
-    QAction* choose =
-        newAction(u"scopeSignalsAction"_s, tr("Signals…"),
-                  tr("Which signals of which modules stand in which strip (S)."), QKeySequence(Qt::Key_S));
+    QAction* choose = newAction(u"scopeSignalsAction"_s, tr("Signals…"),
+                                tr("Selects signals for the strips (S)."), QKeySequence(Qt::Key_S));
     connect(choose, &QAction::triggered, this, &ScopeBar::signalsRequested);
     addButton(choose, u"scopeSignalsButton"_s);
 
-    QAction* trigger = newAction(u"scopeTriggerAction"_s, tr("Trigger"),
-                                 tr("Waits for a signal or a status bit, and holds what was around it (T)."),
-                                 QKeySequence(Qt::Key_T));
+    QAction* trigger =
+        newAction(u"scopeTriggerAction"_s, tr("Trigger"),
+                  tr("Waits for a signal or a status bit, and holds the picture around it (T)."),
+                  QKeySequence(Qt::Key_T));
     trigger->setCheckable(true);
     connect(trigger, &QAction::toggled, this, &ScopeBar::triggerRequested);
     addButton(trigger, u"scopeTriggerButton"_s);
@@ -110,10 +110,10 @@ void ScopeBar::buildButtons() {
 QWidget* ScopeBar::newRecordRow() {
     auto* back = new QToolButton(this);
     back->setText(tr("Back to live"));
-    back->setToolTip(tr("Shows what the modules say now."));
+    back->setToolTip(tr("Returns to the live display."));
     look::name(back, u"scopeLiveButton"_s, tr("Back to live"));
     connect(back, &QToolButton::clicked, this, &ScopeBar::liveRequested);
-    look::name(m_record, u"scopeRecordLabel"_s, tr("What is shown instead of the present"));
+    look::name(m_record, u"scopeRecordLabel"_s, tr("Source of the picture"));
     m_record->setWordWrap(true);
     m_record->setTextFormat(Qt::PlainText);
     auto* layout = new QHBoxLayout(m_recordRow);

@@ -56,8 +56,8 @@ Seen seenOf(const ScopeStrips& strips, const History& history) {
 
 /// In the order of the forms below.
 QStringList csvForms() {
-    return {Scope::tr("A row for each reply (*.csv)"), Scope::tr("A column for each signal (*.csv)"),
-            Scope::tr("A column for each signal, every millisecond (*.csv)")};
+    return {Scope::tr("One row per reply (*.csv)"), Scope::tr("One column per signal (*.csv)"),
+            Scope::tr("One column per signal, every millisecond (*.csv)")};
 }
 enum Form { Long, Sparse, Even };
 
@@ -109,17 +109,18 @@ ScopeExport::ScopeExport(QWidget* panel) : QObject(panel), m_panel(panel), m_men
     m_menu->setToolTipsVisible(true);
     look::name(m_menu, u"scopeExportMenu"_s, tr("Export"));
     addAction(Kind::Csv, u"scopeExportCsvAction"_s, tr("&Samples (CSV)…"),
-              tr("Every sample of all modules in the time that is seen, to be opened here again."));
-    addAction(Kind::Png, u"scopeExportPngAction"_s, tr("&Picture (PNG)…"), tr("What is seen, as an image."));
+              tr("All samples of all modules in the visible time. Can be reopened here."));
+    addAction(Kind::Png, u"scopeExportPngAction"_s, tr("&Picture (PNG)…"),
+              tr("The visible plot as an image."));
     addAction(Kind::Svg, u"scopeExportSvgAction"_s, tr("&Vector picture (SVG)…"),
-              tr("What is seen, in lines that stay sharp at any size."));
+              tr("The visible plot as lines that stay sharp at any size."));
     addAction(Kind::Pdf, u"scopeExportPdfAction"_s, tr("P&age (PDF)…"),
-              tr("What is seen, on a page for a printer or a report."));
+              tr("The visible plot on a page for printing or a report."));
     m_menu->addSeparator();
     addAction(Kind::Clipboard, u"scopeCopyAction"_s, tr("&Copy picture"),
-              tr("What is seen, onto the clipboard; with its samples where these are few."));
+              tr("Copies the visible plot to the clipboard, with its samples if these are few."));
     addAction(Kind::Printer, u"scopePrintAction"_s, tr("P&rint"),
-              tr("What is seen, on a page of the printer that this computer uses unless told otherwise."));
+              tr("Prints the visible plot on this computer's default printer."));
 }
 
 void ScopeExport::addAction(Kind kind, const QString& objectName, const QString& text,

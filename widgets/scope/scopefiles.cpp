@@ -34,7 +34,7 @@ ScopeFiles::ScopeFiles(QWidget* panel)
       m_export(panel),
       m_record(new QAction(panel)),
       m_open(new QAction(tr("Open &recording…"), panel)),
-      m_under(new QAction(tr("&Lay a recording under the live traces…"), panel)) {
+      m_under(new QAction(tr("Over&lay a recording…"), panel)) {
     look::name(this, u"scopeFiles"_s, tr("Recordings"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -42,9 +42,9 @@ ScopeFiles::ScopeFiles(QWidget* panel)
     m_recordingRow = addRow(u"scopeRecording"_s, tr("Recording"), tr("Stop recording"),
                             tr("Ends the recording and closes its file (Ctrl+Shift+R)."));
     m_openingRow = addRow(u"scopeOpening"_s, tr("Opening"), tr("Cancel"),
-                          tr("Leaves the file alone; the scope stays as it is."));
-    m_underRow = addRow(u"scopeUnder"_s, tr("Under the live traces"), tr("Remove"),
-                        tr("Takes the recording out of the plots. Its file stays as it is."));
+                          tr("Cancels opening; the scope stays as it is."));
+    m_underRow = addRow(u"scopeUnder"_s, tr("Overlay"), tr("Remove"),
+                        tr("Removes the recording from the plots. Its file is kept."));
     addMoveButton(u"scopeUnderEarlierButton"_s, tr("◂ Earlier"), tr("Moves the recording to the left."),
                   -kMove);
     addMoveButton(u"scopeUnderLaterButton"_s, tr("Later ▸"), tr("Moves the recording to the right."), kMove);
@@ -60,15 +60,14 @@ ScopeFiles::ScopeFiles(QWidget* panel)
     panel->addAction(m_record);
     m_open->setObjectName(u"openRecordingAction"_s);
     m_open->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
-    m_open->setToolTip(tr("Shows a recording in the scope. Control of the motors goes on."));
+    m_open->setToolTip(tr("Shows a recording in the scope. Control of the motors continues."));
     connect(m_open, &QAction::triggered, this,
             [this] { choose(u"openRecordingDialog"_s, tr("Open recording"), &ScopeFiles::openRequested); });
     m_under->setObjectName(u"layUnderAction"_s);
-    m_under->setToolTip(
-        tr("Draws a recording pale below what is live, its first motion where the last one here began."));
-    connect(m_under, &QAction::triggered, this, [this] {
-        choose(u"layUnderDialog"_s, tr("Lay a recording under the live traces"), &ScopeFiles::underRequested);
-    });
+    m_under->setToolTip(tr(
+        "Draws a recording in pale lines below the live traces, aligned to the start of the last motion."));
+    connect(m_under, &QAction::triggered, this,
+            [this] { choose(u"layUnderDialog"_s, tr("Overlay a recording"), &ScopeFiles::underRequested); });
     showRecording({});
     showOpening({});
     showUnder({});
@@ -96,12 +95,12 @@ void ScopeFiles::showConnected(bool connected) {
 }
 
 void ScopeFiles::showRecordAction() {
-    const QString record = tr("Writes every sample of all modules to a file from now on (Ctrl+Shift+R).");
+    const QString record = tr("Saves every sample of all modules to a file from now on (Ctrl+Shift+R).");
     m_record->setEnabled(m_connected || m_recording);
     m_record->setText(m_recording ? tr("Stop recording") : tr("Record…"));
     m_record->setToolTip(m_recording   ? m_recordingRow.button->toolTip()
                          : m_connected ? record
-                                       : tr("There is nothing to record: no module is connected."));
+                                       : tr("Nothing to record: connect a module first."));
 }
 
 void ScopeFiles::showRecording(const std::optional<Recording>& recording) {
@@ -126,7 +125,7 @@ void ScopeFiles::showOpening(const std::optional<Opening>& opening) {
 }
 
 void ScopeFiles::showUnder(const QString& title) {
-    look::setText(m_underRow.label, tr("Pale below the live traces: %1").arg(title));
+    look::setText(m_underRow.label, tr("Overlay: %1").arg(title));
     m_underRow.widget->setVisible(!title.isEmpty());
 }
 

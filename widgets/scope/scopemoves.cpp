@@ -58,7 +58,7 @@ QList<QAction*> newScopeMoves(QObject* parent, const std::function<void(const Mo
     add(u"scopeZoomOutAction"_s, Scope::tr("Zoom out"), {QKeySequence(Qt::Key_Minus)}, zoom(kKeyZoom));
     add(u"scopeBackAction"_s, Scope::tr("Earlier"), {QKeySequence(Qt::Key_Left)}, pan(-kKeyPan));
     add(u"scopeForwardAction"_s, Scope::tr("Later"), {QKeySequence(Qt::Key_Right)}, pan(kKeyPan));
-    add(u"scopePresentAction"_s, Scope::tr("To the present"), {QKeySequence(Qt::Key_End)},
+    add(u"scopePresentAction"_s, Scope::tr("Go to live"), {QKeySequence(Qt::Key_End)},
         [](ScopeStrips& strips) { strips.time().roll(); });
     add(u"scopeUpAction"_s, Scope::tr("Values up"), {QKeySequence(Qt::Key_Up)}, panValues(kKeyPan));
     add(u"scopeDownAction"_s, Scope::tr("Values down"), {QKeySequence(Qt::Key_Down)}, panValues(-kKeyPan));

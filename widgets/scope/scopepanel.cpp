@@ -74,7 +74,7 @@ void ScopePanel::addFileButtons() {
     ScopeExport& exporting = m_files->exporting();
     connect(&exporting, &ScopeExport::frameWanted, this, &ScopePanel::touch);
     QAction* action = exporting.menu()->menuAction();
-    action->setToolTip(tr("Takes what is seen out of the scope: samples or a picture."));
+    action->setToolTip(tr("Exports the visible samples or a picture."));
     QToolButton* button = m_bar->addButton(action, u"scopeExportButton"_s);
     button->setPopupMode(QToolButton::InstantPopup);
     m_bar->addButton(m_files->recordAction(), u"scopeRecordButton"_s);
@@ -380,7 +380,7 @@ void ScopePanel::draw(const History& history, double now) {
     if (!upToDate || m_strips->isBehind())
         touch();
     const QString title = m_record  ? m_record->title
-                          : m_under ? tr("Pale below: %1").arg(m_under->record().title)
+                          : m_under ? tr("Overlay: %1").arg(m_under->record().title)
                                     : QString();
     m_files->exporting().take(*m_strips, history, m_record && m_record->origin ? *m_record->origin : m_origin,
                               title);

@@ -60,7 +60,7 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
         m_under[i].colour.setAlphaF(kPale);
         const QString rate = texts::readout(std::round(trace.samplesPerSecond));
         const QString label = isCalculated(trace.signal) && trace.samplesPerSecond == 0
-                                  ? tr("%1 · not known now").arg(trace.label)
+                                  ? tr("%1 · unknown").arg(trace.label)
                                   : tr("%1 · %2/s").arg(trace.label, rate);
         legend.push_back({label, drawing.colour, drawing.dashed});
     }
@@ -136,7 +136,7 @@ void ScopePlot::noteBand() {
     for (const TraceDrawing& drawing : m_drawings)
         if (drawing.lowestBand() < std::min(m_geometry.bottom, drawing.lowest()) ||
             drawing.highestBand() > std::max(m_geometry.top, drawing.highest()))
-            m_bandNotice = tr("The band is wider than the strip: %1 to %2")
+            m_bandNotice = tr("The band exceeds the strip: %1 to %2")
                                .arg(texts::numberAt(drawing.lowestBand(), valueRange().step),
                                     texts::numberAt(drawing.highestBand(), valueRange().step));
 }

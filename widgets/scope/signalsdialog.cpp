@@ -36,16 +36,16 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Signals of the scope"));
     look::name(this, u"scopeSignalsDialog"_s, windowTitle());
-    look::name(m_table, u"scopeSignalsTable"_s, tr("Signals, and the strips they stand in"));
+    look::name(m_table, u"scopeSignalsTable"_s, tr("Signals and their strips"));
     look::name(m_filter, u"scopeSignalsFilter"_s, tr("Filter"));
-    m_filter->setPlaceholderText(tr("Filter: a module, a signal, or words of both"));
+    m_filter->setPlaceholderText(tr("Filter by module or signal"));
     m_filter->setClearButtonEnabled(true);
     connect(m_filter, &QLineEdit::textChanged, this, &SignalsDialog::filter);
     QStringList titles{tr("Signal")};
     for (std::size_t strip = 1; strip <= ScopeSetup::kStrips; ++strip)
         titles << tr("Strip %1").arg(strip);
     m_table->setHeaderLabels(titles);
-    m_table->setToolTip(tr("A tick puts the signal into that strip. A strip without a tick is not shown."));
+    m_table->setToolTip(tr("Select the strips of each signal. Empty strips are hidden."));
     addRows(tr("The selected module"), std::nullopt);
     for (std::size_t i = 0; i < modules.size(); ++i)
         addRows(modules[i].name, ModuleIndex(static_cast<std::uint8_t>(i)));
@@ -56,7 +56,7 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     auto* usual = buttons->addButton(tr("&Usual signals"), QDialogButtonBox::ResetRole);
     look::name(usual, u"scopeUsualSignalsButton"_s, tr("Usual signals"));
-    usual->setToolTip(tr("Position with its command position, below them the error and the motor current."));
+    usual->setToolTip(tr("Position and command position, with the error and the motor current below."));
     connect(usual, &QPushButton::clicked, this, [this] {
         m_setup.strips = ScopeSetup::usual().strips;
         showSetup();

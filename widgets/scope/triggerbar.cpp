@@ -44,13 +44,13 @@ Condition turned(Condition condition) {
 TriggerBar::TriggerBar(QWidget* parent)
     : QWidget(parent),
       m_source(newBox(u"triggerSourceBox"_s, tr("Trigger on"), tr("The signal or status bit to wait for."))),
-      m_condition(newBox(u"triggerConditionBox"_s, tr("Condition"), tr("What it has to do."))),
-      m_level(newField(u"triggerLevelField"_s, tr("Level"), tr("Where it has to do that."))),
+      m_condition(newBox(u"triggerConditionBox"_s, tr("Condition"), tr("The event to wait for."))),
+      m_level(newField(u"triggerLevelField"_s, tr("Level"), tr("The level for the event."))),
       m_unit(new QLabel(this)),
       m_mode(newBox(u"triggerModeBox"_s, tr("Mode"),
                     tr("Single: holds the first picture. Normal: shows picture after picture."))),
       m_before(newField(u"triggerBeforeField"_s, tr("Before"),
-                        tr("How much of the picture is from before the trigger, in percent."))),
+                        tr("Share of the picture before the trigger, in percent."))),
       m_arm(new QPushButton(tr("Arm"), this)),
       m_state(new QLabel(this)) {
     look::name(this, u"triggerBar"_s, tr("Trigger"));
@@ -225,12 +225,12 @@ void TriggerBar::showConditions() {
 }
 
 void TriggerBar::showPossible() {
-    const QString reason = m_sources.empty()                                   ? tr("No module is there.")
+    const QString reason = m_sources.empty()                                   ? tr("No module connected.")
                            : mode() == Mode::Off                               ? tr("Choose a mode first.")
                            : m_before->problem() != NumberField::Problem::None ? m_before->problemText()
                            : !settings()                                       ? m_level->problemText()
                                                                                : QString();
-    look::setPossible(m_arm, reason, tr("Waits for the next trigger from now on."));
+    look::setPossible(m_arm, reason, tr("Waits for the next trigger."));
 }
 
 // ---- what was chosen ----

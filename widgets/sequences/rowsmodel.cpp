@@ -204,7 +204,8 @@ RowsModel::Cell RowsModel::number(const Action& action) {
         cell.text = tr("within %1 s").arg(texts::readout(input->timeout));
     } else if (const auto* repeat = std::get_if<action::Repeat>(&action)) {
         cell = {.number = repeat->times, .min = 0, .max = 1'000'000};
-        cell.text = repeat->times == 0 ? tr("for ever") : tr("%1 times in all").arg(repeat->times);
+        cell.text = repeat->times == 0 ? tr("forever")
+                                       : tr("%n times in all", nullptr, static_cast<int>(repeat->times));
     }
     return cell;
 }

@@ -109,16 +109,16 @@ QWidget* SequencesPage::buildPoints() {
     m_axes->setWrapping(true);
     m_axes->setResizeMode(QListView::Adjust);
     m_axes->setMaximumHeight(m_axes->fontMetrics().height() * 4);
-    m_axes->setToolTip(tr("The ticked axes become part of the point."));
+    m_axes->setToolTip(tr("The selected axes become part of the point."));
     m_teach = new Command({.name = u"teachButton"_s,
                            .icon = u"download"_s,
                            .text = tr("Teach"),
-                           .accessible = tr("Teach a point: keep where the ticked axes stand")},
+                           .accessible = tr("Teach a point: store the positions of the selected axes")},
                           box, [this] { teach(); });
     m_goTo = new Command({.name = u"goToPointButton"_s,
                           .icon = u"arrow-bar-to-right"_s,
                           .text = tr("Go to point"),
-                          .accessible = tr("Move to the chosen point")},
+                          .accessible = tr("Go to point: the selected one")},
                          box, [this] {
                              if (const Point* point = chosenPoint())
                                  emit goToRequested(point->name);
@@ -127,7 +127,7 @@ QWidget* SequencesPage::buildPoints() {
         new Command({.name = u"removePointButton"_s,
                      .icon = u"x"_s,
                      .text = tr("Remove point"),
-                     .accessible = tr("Remove the chosen point")},
+                     .accessible = tr("Remove point: the selected one")},
                     box, [this] {
                         if (const Point* point = chosenPoint())
                             edit(tr("Remove point"), [name = point->name](Program& program) {
@@ -163,7 +163,7 @@ QWidget* SequencesPage::buildSequences() {
         {.name = u"newSequenceButton"_s,
          .icon = {},
          .text = tr("New sequence"),
-         .accessible = tr("Add an empty sequence")},
+         .accessible = tr("New sequence")},
         box, [this] {
             const std::string name = freeName(m_program.sequences, tr("Sequence").toStdString());
             edit(tr("New sequence"), [&](Program& program) { program.sequences.push_back({name, {}}); });
@@ -172,7 +172,7 @@ QWidget* SequencesPage::buildSequences() {
     m_removeSequence = new Command({.name = u"removeSequenceButton"_s,
                                     .icon = u"x"_s,
                                     .text = tr("Remove sequence"),
-                                    .accessible = tr("Remove this sequence with its rows")},
+                                    .accessible = tr("Remove sequence with its rows")},
                                    box, [this] {
                                        edit(tr("Remove sequence"), [name = sequence()](Program& program) {
                                            std::erase_if(program.sequences,
@@ -232,14 +232,13 @@ QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
         return new Command({.name = name, .icon = icon, .text = text, .accessible = sentence, .key = key},
                            box, act);
     };
-    m_addRow =
-        newCommand(u"addRowButton"_s, {}, tr("Add row"), tr("Add a row behind the chosen one"), [this] {
-            const std::size_t at = chosenRow() ? *chosenRow() + 1 : m_rows->rows().size();
-            editRows(tr("Add row"), [&](Sequence& sequence) { insertRow(sequence, at, m_rows->newRow()); });
-            m_rowTable->selectRow(static_cast<int>(at));
-        });
+    m_addRow = newCommand(u"addRowButton"_s, {}, tr("Add row"), tr("Add row after the selected one"), [this] {
+        const std::size_t at = chosenRow() ? *chosenRow() + 1 : m_rows->rows().size();
+        editRows(tr("Add row"), [&](Sequence& sequence) { insertRow(sequence, at, m_rows->newRow()); });
+        m_rowTable->selectRow(static_cast<int>(at));
+    });
     m_duplicateRow =
-        newCommand(u"duplicateRowButton"_s, {}, tr("Duplicate"), tr("Duplicate the chosen row"), [this] {
+        newCommand(u"duplicateRowButton"_s, {}, tr("Duplicate"), tr("Duplicate the selected row"), [this] {
             const std::size_t row = *chosenRow();
             editRows(tr("Duplicate row"), [&](Sequence& sequence) {
                 const Action copy = sequence.rows[row];
@@ -248,15 +247,15 @@ QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
             m_rowTable->selectRow(static_cast<int>(row) + 1);
         });
     m_removeRow =
-        newCommand(u"removeRowButton"_s, u"x"_s, tr("Remove row"), tr("Remove the chosen row"), [this] {
+        newCommand(u"removeRowButton"_s, u"x"_s, tr("Remove row"), tr("Remove row that is selected"), [this] {
             editRows(tr("Remove row"),
                      [row = *chosenRow()](Sequence& sequence) { removeRow(sequence, row); });
         });
     m_rowUp = newCommand(
-        u"rowUpButton"_s, {}, tr("Up"), tr("Move the chosen row up"), [this] { moveRow(-1); },
+        u"rowUpButton"_s, {}, tr("Up"), tr("Up: move the selected row"), [this] { moveRow(-1); },
         Qt::CTRL | Qt::SHIFT | Qt::Key_Up);
     m_rowDown = newCommand(
-        u"rowDownButton"_s, {}, tr("Down"), tr("Move the chosen row down"), [this] { moveRow(1); },
+        u"rowDownButton"_s, {}, tr("Down"), tr("Down: move the selected row"), [this] { moveRow(1); },
         Qt::CTRL | Qt::SHIFT | Qt::Key_Down);
     m_undo = newCommand(
         u"undoEditButton"_s, u"arrow-back-up"_s, tr("Undo"),
@@ -264,7 +263,7 @@ QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
         Qt::CTRL | Qt::ALT | Qt::Key_Z);
     m_redo = newCommand(
         u"redoEditButton"_s, u"arrow-forward-up"_s, tr("Redo"),
-        tr("Redo what was undone of points and sequences"), [this] { m_edits.redo(); },
+        tr("Redo the last undone change of points and sequences"), [this] { m_edits.redo(); },
         Qt::CTRL | Qt::ALT | Qt::Key_Y);
     auto* row = new QWidget(box);
     auto* layout = inARow(box, m_addRow, m_duplicateRow, m_removeRow, m_rowUp, m_rowDown, m_undo, m_redo);
@@ -279,7 +278,7 @@ QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
         return new Command({.name = name, .icon = icon, .text = text, .accessible = sentence}, box, act);
     };
     m_foresee = newCommand(u"dryRunButton"_s, u"wand"_s, tr("Dry run"),
-                           tr("Foresee the sequence on a simulated copy; nothing moves"), [this] {
+                           tr("Dry run: simulate the sequence; nothing moves"), [this] {
                                if (m_foreseeing) {
                                    m_foreseeing = false;
                                    showForesightText({});
@@ -295,23 +294,23 @@ QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
                          [this] { start(0, false); });
     m_startHere =
         newCommand(u"runFromRowButton"_s, u"player-play"_s, tr("Run from row"),
-                   tr("Run the sequence from the chosen row on"), [this] { start(*chosenRow(), false); });
+                   tr("Run from row: start at the selected row"), [this] { start(*chosenRow(), false); });
     m_pause = newCommand(u"pauseSequenceButton"_s, u"player-pause"_s, tr("Pause"),
-                         tr("Pause the sequence behind its row"), [this] {
+                         tr("Pause the sequence after its row"), [this] {
                              if (m_run->stage == SequenceStage::Paused)
                                  emit resumeRequested();
                              else
                                  emit pauseRequested();
                          });
     m_step = newCommand(u"stepSequenceButton"_s, u"arrow-right"_s, tr("Single step"),
-                        tr("Run one row of the sequence"), [this] {
+                        tr("Single step: run one row of the sequence"), [this] {
                             if (running())
                                 emit stepRequested();
                             else
                                 start(chosenRow().value_or(0), true);
                         });
     m_stop = newCommand(u"stopSequenceButton"_s, u"player-stop"_s, tr("Stop sequence"),
-                        tr("Stop the sequence and its motors"), [this] { emit stopRequested(); });
+                        tr("Stop sequence and its motors"), [this] { emit stopRequested(); });
     auto* row = new QWidget(box);
     auto* layout = inARow(box, m_foresee, m_start, m_startHere, m_pause, m_step, m_stop);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -464,9 +463,9 @@ QString SequencesPage::whyNotTaught() const {
     if (m_link.phase != LinkPhase::Connected)
         return texts::refusal(Refusal::NotConnected);
     if (m_pointName->text().simplified().isEmpty())
-        return tr("Give the point a name first.");
+        return tr("Enter a name for the point first.");
     if (chosenAxes().empty())
-        return tr("Tick at least one axis.");
+        return tr("Select at least one axis.");
     for (const ModuleIndex axis : chosenAxes())
         if (nmc::teach({axis}, m_link.modules).empty())
             return tr("%1: %2").arg(texts::moduleName(axis), texts::refusal(Refusal::PositionUnknown));
@@ -476,20 +475,20 @@ QString SequencesPage::whyNotTaught() const {
 void SequencesPage::refreshPoints() {
     m_teach->setPossible(
         whyNotTaught(),
-        tr("Keeps where the ticked axes stand now under this name; nothing moves. A point that has the name already gets the new places."));
+        tr("Stores the present positions of the selected axes under this name, replacing any point of that name. Nothing moves."));
     const Point* point = chosenPoint();
-    const QString none = tr("Choose a point in the table.");
+    const QString none = tr("Select a point in the table.");
     QString reason = none;
     QString used = none;
     if (point != nullptr) {
         reason = whyNotStarted(kMoveToPoint, 0, withMoveTo(m_machine, point->name));
         const auto user = userOfPoint(m_program, point->name);
-        used = user ? tr("Row %1 of \"%2\" moves to it.")
+        used = user ? tr("Row %1 of \"%2\" uses this point. Change that row first.")
                           .arg(user->row + 1)
                           .arg(QString::fromStdString(user->sequence))
                     : QString();
     }
-    m_goTo->setPossible(reason, tr("Moves all axes of this point there at once, each at its own velocity."));
+    m_goTo->setPossible(reason, tr("Moves all axes of this point there together, each at its own velocity."));
     m_removePoint->setPossible(locked().isEmpty() ? used : locked(),
                                tr("Removes this point; nothing moves."));
 }
@@ -499,22 +498,23 @@ void SequencesPage::refreshRows() {
     const bool any = m_sequence->currentIndex() >= 0;
     const QString reason = locked();
     const bool free = reason.isEmpty();
-    const QString noSequence = !free ? reason : any ? QString() : tr("There is no sequence yet.");
-    const QString noRow = !free ? reason : row ? QString() : tr("Choose a row in the table.");
+    const QString noSequence = !free ? reason : any ? QString() : tr("No sequence yet. Add one first.");
+    const QString noRow = !free ? reason : row ? QString() : tr("Select a row in the table.");
     for (QTableView* table : {m_pointTable, m_rowTable})
         table->setEditTriggers(free ? kEditTriggers : QAbstractItemView::NoEditTriggers);
-    m_rowTable->setToolTip(free ? tr("A double click or F2 changes what stands in a cell.") : reason);
-    look::setPossible(m_sequenceName, noSequence, tr("Another name for this sequence; Enter takes it."));
+    m_rowTable->setToolTip(free ? tr("Double-click a cell or press F2 to edit it.") : reason);
+    look::setPossible(m_sequenceName, noSequence, tr("Type a new name for this sequence, then press Enter."));
     m_newSequence->setPossible(reason, tr("Adds an empty sequence."));
     const auto caller = userOfSequence(m_program, sequence());
     m_removeSequence->setPossible(!any || !free ? noSequence
-                                  : caller      ? tr("Row %1 of \"%2\" calls it.")
-                                                 .arg(caller->row + 1)
-                                                 .arg(QString::fromStdString(caller->sequence))
-                                           : QString(),
+                                  : caller
+                                      ? tr("Row %1 of \"%2\" calls this sequence. Change that row first.")
+                                            .arg(caller->row + 1)
+                                            .arg(QString::fromStdString(caller->sequence))
+                                      : QString(),
                                   tr("Removes this sequence with its rows."));
-    m_addRow->setPossible(noSequence, tr("Adds a row behind the chosen one, or at the end."));
-    m_duplicateRow->setPossible(noRow, tr("Adds the same row again behind it."));
+    m_addRow->setPossible(noSequence, tr("Adds a row after the selected one, or at the end."));
+    m_duplicateRow->setPossible(noRow, tr("Adds a copy of the row after it."));
     m_removeRow->setPossible(noRow, tr("Removes this row."));
     const auto whyNotMoved = [&](int by) {
         if (!row || !free)
@@ -522,29 +522,29 @@ void SequencesPage::refreshRows() {
         const int to = static_cast<int>(*row) + by;
         Sequence tried = *m_program.sequence(sequence());
         if (to < 0 || !nmc::moveRow(tried, *row, static_cast<std::size_t>(to)))
-            return tr("It cannot go any farther: a repeat stays below the row that it goes back to.");
+            return tr("The row cannot move farther: a repeat must stay below the row it goes back to.");
         return QString();
     };
     m_rowUp->setPossible(whyNotMoved(-1), tr("Moves this row up."));
     m_rowDown->setPossible(whyNotMoved(1), tr("Moves this row down."));
     m_undo->setPossible(!free               ? reason
                         : m_edits.canUndo() ? QString()
-                                            : tr("There is nothing to undo."),
-                        tr("Undoes: %1").arg(m_edits.undoText()));
+                                            : tr("Nothing to undo."),
+                        tr("Undo: %1").arg(m_edits.undoText()));
     m_redo->setPossible(!free               ? reason
                         : m_edits.canRedo() ? QString()
-                                            : tr("There is nothing to redo."),
-                        tr("Does again: %1").arg(m_edits.redoText()));
+                                            : tr("Nothing to redo."),
+                        tr("Redo: %1").arg(m_edits.redoText()));
 }
 
 QString SequencesPage::whyNotStarted(const std::string& sequence, std::size_t row,
                                      const Machine& machine) const {
     if (running())
-        return tr("A sequence runs already.");
+        return tr("A sequence is already running.");
     if (m_link.phase != LinkPhase::Connected)
         return texts::refusal(Refusal::NotConnected);
     if (sequence.empty())
-        return tr("There is no sequence yet.");
+        return tr("No sequence yet. Add one first.");
     const auto problems = nmc::whyNotRun(sequence, row, machine, m_link.modules);
     return problems.empty() ? QString() : texts::sequenceProblem(problems.front());
 }
@@ -554,25 +554,25 @@ void SequencesPage::refreshRun() {
     m_start->setPossible(whyNotStarted(sequence(), 0, m_machine),
                          tr("Runs \"%1\" from its first row.").arg(name));
     m_startHere->setPossible(
-        chosenRow() ? whyNotStarted(sequence(), *chosenRow(), m_machine) : tr("Choose a row in the table."),
-        tr("Runs \"%1\" from the chosen row on. Possible where the axes stand as the rows above leave them.")
+        chosenRow() ? whyNotStarted(sequence(), *chosenRow(), m_machine) : tr("Select a row in the table."),
+        tr("Runs \"%1\" from the selected row on. The axes must be where the rows above leave them.")
             .arg(name));
-    const QString nothing = running() ? QString() : tr("No sequence runs.");
+    const QString nothing = running() ? QString() : tr("No sequence is running.");
     const bool paused = running() && m_run->stage == SequenceStage::Paused;
-    m_pause->setText(paused ? tr("Go on") : tr("Pause"));
-    m_pause->setPossible(nothing, paused ? tr("Goes on where it has paused.")
-                                         : tr("Finishes the row that is under way, then waits."));
-    m_step->setPossible(running() && !paused ? tr("It runs. Pause it first.")
+    m_pause->setText(paused ? tr("Continue") : tr("Pause"));
+    m_pause->setPossible(nothing, paused ? tr("Continues from where it paused.")
+                                         : tr("Finishes the current row, then waits."));
+    m_step->setPossible(running() && !paused ? tr("The sequence is running. Pause it first.")
                         : paused             ? QString()
                                              : whyNotStarted(sequence(), chosenRow().value_or(0), m_machine),
-                        tr("Runs one row, then waits. The first one is the chosen row."));
+                        tr("Runs one row, then waits. Starts with the selected row."));
     m_stop->setPossible(nothing, tr("Ends the sequence and stops its motors smoothly."));
     m_foresee->setText(m_foreseeing ? tr("End dry run") : tr("Dry run"));
     m_foresee->setPossible(
         m_link.phase != LinkPhase::Connected ? texts::refusal(Refusal::NotConnected)
-        : name.isEmpty()                     ? tr("There is no sequence yet.")
+        : name.isEmpty()                     ? tr("No sequence yet. Add one first.")
                                              : QString(),
-        tr("Shows how long the sequence takes, where each axis goes and what would be refused, on a simulated copy. Nothing moves."));
+        tr("Simulates the sequence: shows how long it takes, where each axis goes and what would be refused. Nothing moves."));
     look::setText(m_state, m_run ? texts::sequenceState(*m_run) : QString());
 }
 

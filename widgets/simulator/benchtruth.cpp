@@ -21,7 +21,7 @@ constexpr qsizetype kToldViolations = 8;
 
 BenchTruth::BenchTruth(QWidget* parent)
     : QWidget(parent), m_violationsSign(new GlyphLabel(this)), m_violations(new QLabel(u"–"_s, this)) {
-    look::name(this, u"simTruth"_s, tr("What the simulator knows of the module"));
+    look::name(this, u"simTruth"_s, tr("Simulator values of the module"));
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(unit, 0, unit, 0);
@@ -30,8 +30,9 @@ BenchTruth::BenchTruth(QWidget* parent)
     grid->setColumnStretch(0, 1);
     const QString counts = texts::unitCounts();
     addRow(*grid, u"shaft"_s, tr("Shaft"), counts, 7,
-           tr("Where the shaft really is, since the simulation began."));
-    addRow(*grid, u"position"_s, tr("Position counter"), counts, 0, tr("What the module believes."));
+           tr("The true position of the shaft since the simulation started."));
+    addRow(*grid, u"position"_s, tr("Position counter"), counts, 0,
+           tr("The position as the module counts it."));
     addRow(*grid, u"position_error"_s, tr("Position error"), counts, 4, tr("True, not calculated."));
     addRow(*grid, u"velocity"_s, tr("Speed"), texts::unitVelocity(), 3, tr("Of the shaft."));
     addRow(*grid, u"step_rate"_s, tr("Step rate"), tr("steps/s"), 4, tr("Negative in reverse."));
@@ -42,7 +43,7 @@ BenchTruth::BenchTruth(QWidget* parent)
 
     const int line = grid->rowCount();
     auto* label = new QLabel(tr("Violations"), this);
-    label->setToolTip(tr("What a real module would not have forgiven."));
+    label->setToolTip(tr("Protocol violations that would upset a real module."));
     m_violations->setObjectName(u"simViolations"_s);
     m_violations->setAlignment(Qt::AlignRight);
     m_violations->setFont(look::tabular(font()));
@@ -86,7 +87,7 @@ void BenchTruth::showStatistics(const QJsonObject& statistics) {
     m_violationsSign->showSeverity(count > 0 ? Severity::Attention : Severity::Normal);
     m_violationsSign->setVisible(count > 0);
     const QJsonArray entries = statistics["violations"_L1].toArray();
-    QStringList told{tr("What a real module would not have forgiven.")};
+    QStringList told{tr("Protocol violations that would upset a real module.")};
     for (qsizetype i = std::max<qsizetype>(0, entries.size() - kToldViolations); i < entries.size(); ++i) {
         const QJsonObject entry = entries[i].toObject();
         told << tr("%1 s, module %2: %3, %4")

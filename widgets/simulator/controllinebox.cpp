@@ -38,7 +38,7 @@ ControlLineBox::ControlLineBox(QWidget* parent)
     m_edit->setMaxLength(kMaxLine);
     m_edit->setPlaceholderText(u"state 1"_s);
     m_edit->setToolTip(tr(
-        "A line as nmcsim takes it, then Enter: state, set, power-cycle, break, mend, stats, time, fault. Ctrl+L comes here."));
+        "Type an nmcsim command, then press Enter: state, set, power-cycle, break, mend, stats, time, fault. Shortcut: Ctrl+L."));
     look::name(m_answer, u"simAnswer"_s, tr("The simulator's answer"));
     m_answer->setReadOnly(true);
     m_answer->setFont(fixed);

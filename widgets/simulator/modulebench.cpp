@@ -41,7 +41,7 @@ ModuleBench::ModuleBench(ModuleType type, QWidget* parent)
     : QTabWidget(parent),
       m_type(type),
       m_prefix(type == ModuleType::Step ? u"sim_step_"_s : u"sim_servo_"_s) {
-    look::name(this, m_prefix + u"bench"_s, tr("What can be done to the simulated module"));
+    look::name(this, m_prefix + u"bench"_s, tr("Simulated module controls"));
     setDocumentMode(true);
     tabBar()->setObjectName(m_prefix + u"pages"_s);
     tabBar()->setAccessibleName(tr("Pages of the simulated module"));
@@ -63,7 +63,7 @@ QAbstractButton* ModuleBench::addSwitch(QGridLayout& grid, const QString& name, 
 QAbstractButton* ModuleBench::addButton(QGridLayout& grid, int column, const QString& objectName,
                                         const QString& text, const QString& meaning) {
     auto* button = new QPushButton(text, grid.parentWidget());
-    look::name(button, m_prefix + objectName, meaning);
+    look::name(button, m_prefix + objectName, text);
     button->setToolTip(meaning);
     grid.addWidget(button, column == 0 ? grid.rowCount() : grid.rowCount() - 1, column);
     return button;
@@ -72,7 +72,7 @@ QAbstractButton* ModuleBench::addButton(QGridLayout& grid, int column, const QSt
 void ModuleBench::buildSwitches() {
     QGridLayout& grid = *newPage(*this, tr("Switches"));
     const QString pin = tr("Closed while checked.");
-    addSwitch(grid, u"power"_s, tr("Motor power"), tr("The supply of the motor, not of the module."));
+    addSwitch(grid, u"power"_s, tr("Motor power"), tr("The motor's supply, not the module's."));
     if (m_type == ModuleType::Step) {
         addSwitch(grid, u"limit1"_s, tr("Limit switch 1, forward"), pin);
         addSwitch(grid, u"limit2"_s, tr("Limit switch 2, reverse"), pin);
@@ -83,18 +83,18 @@ void ModuleBench::buildSwitches() {
         addRow(grid, {.name = u"analog"_s,
                       .label = tr("A/D input"),
                       .unit = tr("of 255"),
-                      .meaning = tr("What the converter reads at the temperature sensor."),
+                      .meaning = tr("The A/D reading of the temperature sensor."),
                       .max = 255,
                       .step = 1,
                       .sliderMax = 255});
     } else {
         addSwitch(grid, u"limit1"_s, tr("Limit switch 1"), pin);
         addSwitch(grid, u"limit2"_s, tr("Limit switch 2"), pin);
-        addSwitch(grid, u"index"_s, tr("Encoder index"), tr("Lasts until the shaft moves on."));
+        addSwitch(grid, u"index"_s, tr("Encoder index"), tr("Stays until the shaft moves."));
         addRow(grid, {.name = u"analog"_s,
-                      .label = tr("A/D input by hand"),
+                      .label = tr("Set the A/D input by hand"),
                       .unit = tr("of 255"),
-                      .meaning = tr("Unchecked, the converter reads the motor's current."),
+                      .meaning = tr("If cleared, the A/D input reads the motor current."),
                       .max = 255,
                       .none = u"auto"_s});
     }
@@ -105,10 +105,9 @@ void ModuleBench::buildSwitches() {
 
 void ModuleBench::buildCable(QGridLayout& grid) {
     m_addressBroken = new QCheckBox(tr("ADDR line broken towards the host"), grid.parentWidget());
-    look::name(m_addressBroken, m_prefix + u"addressBrokenBox"_s,
-               tr("Broken between this module and the next towards the host"));
-    m_addressBroken->setToolTip(
-        tr("Broken between this module and the next towards the host: that one does not get an address."));
+    look::name(m_addressBroken, m_prefix + u"addressBrokenBox"_s, tr("ADDR line broken towards the host"));
+    m_addressBroken->setToolTip(tr(
+        "The line is broken between this module and the next one towards the host, which then gets no address."));
     grid.addWidget(m_addressBroken, grid.rowCount(), 0, 1, 3);
     connect(m_addressBroken, &QAbstractButton::clicked, this,
             [this](bool broken) { say(broken ? u"break"_s : u"mend"_s); });
@@ -116,15 +115,15 @@ void ModuleBench::buildCable(QGridLayout& grid) {
     auto* buttons = new QGridLayout;
     grid.addLayout(buttons, grid.rowCount(), 0, 1, 3);
     connect(addButton(*buttons, 0, u"powerCycleButton"_s, tr("Power-cycle"),
-                      tr("Switches this module off and on: it forgets its address and its gains.")),
+                      tr("Switches this module off and on: it loses its address and gains.")),
             &QAbstractButton::clicked, this, [this] { say(u"power-cycle"_s); });
     connect(addButton(*buttons, 1, u"powerCycleAllButton"_s, tr("Power-cycle all"),
-                      tr("Switches all modules off and on: they forget their addresses and gains.")),
+                      tr("Switches all modules off and on: they lose their addresses and gains.")),
             &QAbstractButton::clicked, this, [this] { emit lineEntered(u"power-cycle all"_s); });
     if (m_type == ModuleType::Step)
         return;
     connect(addButton(*buttons, 0, u"overrunButton"_s, tr("Late tick"),
-                      tr("Lets one servo tick take too long: servo_overrun.")),
+                      tr("Makes one servo tick take too long: servo_overrun.")),
             &QAbstractButton::clicked, this, [this] { set(u"servo_overrun"_s, u"1"_s); });
 }
 
@@ -137,7 +136,7 @@ void ModuleBench::buildMechanics() {
         addRow(grid, {.name = u"load"_s,
                       .label = tr("Load torque"),
                       .unit = tr("N·m"),
-                      .meaning = tr("External torque; positive pulls the shaft backwards."),
+                      .meaning = tr("External torque; positive values turn the shaft in reverse."),
                       .decimals = 4,
                       .min = -100,
                       .max = 100,
@@ -158,7 +157,7 @@ void ModuleBench::buildMechanics() {
         addRow(grid, {.name = u"friction"_s,
                       .label = tr("Friction"),
                       .unit = tr("N·m"),
-                      .meaning = tr("Dry friction, which also holds the shaft at rest."),
+                      .meaning = tr("Dry friction; it also holds the shaft at rest."),
                       .decimals = 4,
                       .max = 100,
                       .step = 0.001,
@@ -170,7 +169,7 @@ void ModuleBench::buildMechanics() {
          .label = tr("Stop, reverse"),
          .unit = unit,
          .meaning = tr(
-             "A hard stop at the reverse end of the travel. It cannot be put beyond the place where the shaft is."),
+             "A hard stop at the reverse end of travel. It cannot be set past the present shaft position."),
          .min = -kMaxCounts,
          .max = kMaxCounts,
          .step = 1'000,
@@ -181,15 +180,15 @@ void ModuleBench::buildMechanics() {
          .label = tr("Stop, forward"),
          .unit = unit,
          .meaning = tr(
-             "A hard stop at the forward end of the travel. It cannot be put beyond the place where the shaft is."),
+             "A hard stop at the forward end of travel. It cannot be set past the present shaft position."),
          .min = -kMaxCounts,
          .max = kMaxCounts,
          .step = 1'000,
          .none = u"none"_s});
     m_limitsAutomatic = new QCheckBox(tr("Limit switches at the stops"), grid.parentWidget());
-    look::name(m_limitsAutomatic, m_prefix + u"limitsBox"_s, tr("Limit switches at the travel's ends"));
+    look::name(m_limitsAutomatic, m_prefix + u"limitsBox"_s, tr("Limit switches at the stops"));
     m_limitsAutomatic->setToolTip(
-        tr("The limit switches close at the travel's ends; they cannot be set by hand then."));
+        tr("The limit switches close at the ends of travel and cannot be set by hand."));
     grid.addWidget(m_limitsAutomatic, grid.rowCount(), 0, 1, 3);
     connect(m_limitsAutomatic, &QAbstractButton::clicked, this,
             [this](bool on) { set(u"limits"_s, on ? u"auto"_s : u"manual"_s); });
@@ -199,7 +198,7 @@ void ModuleBench::buildMechanics() {
             {.name = u"home_switch_at"_s,
              .label = tr("Home switch at"),
              .unit = unit,
-             .meaning = tr("The home switch is closed from there on, forward. Unchecked, it is set by hand."),
+             .meaning = tr("The home switch is closed forward of this position. If cleared, set it by hand."),
              .min = -kMaxCounts,
              .max = kMaxCounts,
              .step = 1'000,

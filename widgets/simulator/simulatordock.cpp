@@ -71,7 +71,7 @@ SimulatorDock::SimulatorDock(QWidget* parent)
 
 void SimulatorDock::buildContent() {
     look::name(m_module, u"simModuleBox"_s, tr("Simulated module"));
-    m_module->setToolTip(tr("Follows the list of modules. Has those too that the panel does not find."));
+    m_module->setToolTip(tr("Follows the module list, and includes modules that the panel did not find."));
     m_module->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_benches->addWidget(m_servo);
     m_benches->addWidget(m_step);
