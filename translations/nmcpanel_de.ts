@@ -3179,16 +3179,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Niemand hält die Motoren an, wenn dieses Programm abgeschossen wird: Es hat keinen Wächter.</translation>
     </message>
     <message>
-        <source>nmcguard belongs beside this program, and is not there. Install it again. Everything else works.</source>
-        <translation>nmcguard gehört neben dieses Programm und ist nicht da. Neu installieren. Alles andere funktioniert.</translation>
+        <source>nmcguard, a part of this program, is missing. Install the program again. Everything else works.</source>
+        <translation>nmcguard, ein Teil dieses Programms, fehlt. Das Programm neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
-        <source>This user may not start nmcguard, which lies beside this program. Everything else works.</source>
-        <translation>Dieser Benutzer darf nmcguard, das neben diesem Programm liegt, nicht starten. Alles andere funktioniert.</translation>
+        <source>This user may not start nmcguard, a part of this program. Everything else works.</source>
+        <translation>Dieser Benutzer darf nmcguard, einen Teil dieses Programms, nicht starten. Alles andere funktioniert.</translation>
     </message>
     <message>
-        <source>The nmcguard beside this program is of another version. Install both again. Everything else works.</source>
-        <translation>Das nmcguard neben diesem Programm hat eine andere Version. Beide neu installieren. Alles andere funktioniert.</translation>
+        <source>The nmcguard of this program is of another version. Install the program again. Everything else works.</source>
+        <translation>Das nmcguard dieses Programms hat eine andere Version. Das Programm neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
         <source>The computer has no memory or no file left for it. Close other programs, then connect again. Everything else works.</source>

@@ -117,17 +117,16 @@ Message guardianMissing(GuardianProblem problem) {
     switch (problem) {
         case GuardianProblem::Missing:
             m.body = Texts::tr(
-                "nmcguard belongs beside this program, and is not there. Install it again. "
+                "nmcguard, a part of this program, is missing. Install the program again. "
                 "Everything else works.");
             break;
         case GuardianProblem::NotPermitted:
-            m.body = Texts::tr(
-                "This user may not start nmcguard, which lies beside this program. Everything "
-                "else works.");
+            m.body =
+                Texts::tr("This user may not start nmcguard, a part of this program. Everything else works.");
             break;
         case GuardianProblem::WrongVersion:
             m.body = Texts::tr(
-                "The nmcguard beside this program is of another version. Install both again. "
+                "The nmcguard of this program is of another version. Install the program again. "
                 "Everything else works.");
             break;
         case GuardianProblem::Failed:
