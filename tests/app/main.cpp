@@ -3,13 +3,16 @@
 
 #include <QApplication>
 
+#include "widgets/common/look.h"
+
 int main(int argc, char** argv) {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
     // What moves here is no reason for the developer's computer to delay its sleep.
     qputenv("DBUS_SYSTEM_BUS_ADDRESS", "unix:path=/nowhere");
     testing::InitGoogleTest(&argc, argv);
-    const QApplication application(argc, argv);
+    QApplication application(argc, argv);
+    nmc::look::setUp(application);
     // Here a window that closes is one test's end, not the program's.
     QApplication::setQuitOnLastWindowClosed(false);
     return RUN_ALL_TESTS();
