@@ -65,8 +65,9 @@ QString guardFolder(const QSettings& settings) {
 GuardianPlace guardianPlace(const QSettings& settings) {
     const QString folder = guardFolder(settings);
     QDir().mkpath(folder);
-    const QString program = QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("nmcguard"));
-    return {program.toStdString(), guardReportFile(folder.toStdString())};
+    const QString program =
+        QCoreApplication::applicationDirPath() + QStringLiteral("/" NMC_GUARD_FOLDER "/nmcguard");
+    return {QDir::cleanPath(program).toStdString(), guardReportFile(folder.toStdString())};
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QLoggingCategory>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QStyle>
 #include <QTextStream>
 
 #include "app/commandline.h"
@@ -14,6 +16,8 @@
 #include "widgets/common/texts.h"
 
 namespace {
+
+Q_LOGGING_CATEGORY(startLog, "nmc.start", QtWarningMsg)
 
 constexpr int kNoDisplay = 3;
 
@@ -34,6 +38,20 @@ int say(const nmc::Say& words) {
 bool displayMissing() {
     return qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
            qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
+
+/// What came of style, icon, colours and languages on this computer.
+void logStart(const nmc::Translations& translations) {
+    if (!startLog().isInfoEnabled())
+        return;
+    const QString platform = QGuiApplication::platformName();
+    const QString style = QApplication::style()->name();
+    const QSize icon = QApplication::windowIcon().pixmap(64, 64).size();
+    const bool dark = nmc::look::isDark(QApplication::palette());
+    qCInfo(startLog).noquote().nospace()
+        << "version " NMC_VERSION ", Qt " << qVersion() << " on " << platform << ", style " << style << ", "
+        << (dark ? "dark" : "light") << ", icon " << icon.width() << "x" << icon.height() << ", language "
+        << translations.panel.language() << ", Qt's " << translations.qt.language();
 }
 
 }  // namespace
@@ -59,7 +77,7 @@ int main(int argc, char** argv) {
     nmc::look::setUp(application);
     // Once more: translators belong to the application object.
     nmc::installTranslations(translations, QLocale::system());
-    QApplication::setDesktopFileName(QStringLiteral("org.nmcpanel.NmcPanel"));
+    logStart(translations);
     QSettings settings;
     nmc::Composition composition(settings, {},
                                  QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));

@@ -3166,16 +3166,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Niemand hält die Motoren an, wenn dieses Programm abgeschossen wird: Es hat keinen Wächter.</translation>
     </message>
     <message>
-        <source>nmcguard is missing from this program&apos;s folder. Reinstall the program. Everything else works.</source>
-        <translation>nmcguard gehört neben dieses Programm und ist nicht da. Neu installieren. Alles andere funktioniert.</translation>
+        <source>nmcguard is missing. Reinstall the program. Everything else works.</source>
+        <translation>nmcguard fehlt. Das Programm neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
-        <source>Your user account may not start nmcguard in this program&apos;s folder. Reinstall the program. Everything else works.</source>
-        <translation>Das Benutzerkonto darf nmcguard im Ordner dieses Programms nicht starten. Das Programm neu installieren. Alles andere funktioniert.</translation>
+        <source>Your user account may not start nmcguard. Reinstall the program. Everything else works.</source>
+        <translation>Das Benutzerkonto darf nmcguard nicht starten. Das Programm neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
         <source>nmcguard and this program have different versions. Reinstall both. Everything else works.</source>
-        <translation>Das nmcguard neben diesem Programm hat eine andere Version. Beide neu installieren. Alles andere funktioniert.</translation>
+        <translation>nmcguard und dieses Programm haben verschiedene Versionen. Beide neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
         <source>The computer ran out of memory or open files. Close other programs, then connect again. Everything else works.</source>

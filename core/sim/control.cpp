@@ -291,9 +291,9 @@ Json answer(const Asked& asked) {
     return verb->answer(asked);
 }
 
-/// `text` and blanks up to `width`, one at least.
+/// `text` and blanks up to `width`, two at least: a manual page is made of it.
 std::string column(std::string_view text, std::size_t width) {
-    return std::string(text) + std::string(text.size() < width ? width - text.size() : 1, ' ');
+    return std::string(text) + std::string(text.size() + 2 < width ? width - text.size() : 2, ' ');
 }
 
 }  // namespace
@@ -304,8 +304,8 @@ std::string controlHelp() {
         text += "  " + column(verb.usage, 23) + std::string(verb.does) + '\n';
     text += "\nWhat set can change, of which kind of module:\n";
     for (const InputRow& row : inputTable())
-        text += "  " + column(row.name, 15) + column(toText(row.chips), 10) + std::string(row.allowed) +
-                "\n" + std::string(27, ' ') + std::string(row.meaning) + '\n';
+        text += "  " + column(row.name, 16) + column(toText(row.chips), 10) + std::string(row.allowed) +
+                "\n" + std::string(28, ' ') + std::string(row.meaning) + '\n';
     text += "\nViolations, in stats: what a real chip would not have forgiven:\n";
     for (const ViolationRow& row : violationTable())
         text += "  " + column(row.name, 23) + std::string(row.meaning) + '\n';

@@ -4,6 +4,7 @@
 #include <QApplication>
 
 #include "app/translations.h"
+#include "widgets/common/look.h"
 
 int main(int argc, char** argv) {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
@@ -11,7 +12,8 @@ int main(int argc, char** argv) {
     // What moves here is no reason for the developer's computer to delay its sleep.
     qputenv("DBUS_SYSTEM_BUS_ADDRESS", "unix:path=/nowhere");
     testing::InitGoogleTest(&argc, argv);
-    const QApplication application(argc, argv);
+    QApplication application(argc, argv);
+    nmc::look::setUp(application);
     nmc::Translations english;
     nmc::installTranslations(english, QLocale::c());
     // Here a window that closes is one test's end, not the program's.

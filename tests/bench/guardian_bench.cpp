@@ -43,14 +43,10 @@ constexpr int kLoad = 8;
     std::exit(1);
 }
 
-std::string ownFolder() {
-    return QCoreApplication::applicationDirPath().toStdString();
-}
-
 /// Sets motor 1 going, and says so; "stopped" when its guardian stopped it.
 int panel(char** arguments) {
     testing_support::LoopRig rig;
-    ProcessGuard guard({ownFolder() + "/nmcguard", arguments[2]});
+    ProcessGuard guard({NMCGUARD_PATH, arguments[2]});
     rig.loop.addGuard(guard);
     bus::EngineConfig config;
     config.baud = static_cast<std::uint32_t>(std::atoi(arguments[1]));

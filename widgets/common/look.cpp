@@ -69,6 +69,7 @@ private:
 void setUp(QApplication& application) {
     application.setStyle(QStyleFactory::create(u"Fusion"_s));
     QApplication::setWindowIcon(icons::window());
+    QApplication::setDesktopFileName(u"org.nmcpanel.NmcPanel"_s);
 }
 
 bool isDark(const QPalette& palette) {

@@ -15,7 +15,8 @@ class QWidget;
 /// Colours are computed from the palette at hand, so that light and dark need no switch.
 namespace nmc::look {
 
-/// Fusion, the window icon; call once, before the first widget is made.
+/// Fusion, the window icon, and whose window it is to the desktop; call once, before the first widget is
+/// made.
 void setUp(QApplication& application);
 
 [[nodiscard]] bool isDark(const QPalette& palette);

@@ -109,12 +109,11 @@ Message guardianMissing(GuardianProblem problem) {
               .stands = true};
     switch (problem) {
         case GuardianProblem::Missing:
-            m.body = Texts::tr(
-                "nmcguard is missing from this program's folder. Reinstall the program. Everything else works.");
+            m.body = Texts::tr("nmcguard is missing. Reinstall the program. Everything else works.");
             break;
         case GuardianProblem::NotPermitted:
             m.body = Texts::tr(
-                "Your user account may not start nmcguard in this program's folder. Reinstall the program. Everything else works.");
+                "Your user account may not start nmcguard. Reinstall the program. Everything else works.");
             break;
         case GuardianProblem::WrongVersion:
             m.body = Texts::tr(
