@@ -4191,6 +4191,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The path cannot be followed from here.</source>
         <translation>Von hier aus lässt sich die Bahn nicht abfahren.</translation>
     </message>
+    <message>
+        <source>Enable it, then move it the other way. The Amplifier page sets what a closed limit does.</source>
+        <translation>Einschalten, dann in die andere Richtung fahren. Was ein geschlossener Endschalter bewirkt, steht auf der Seite Verstärker.</translation>
+    </message>
+    <message>
+        <source>Limit switch %1 closed, and module %2 switched its motor off.</source>
+        <translation>Endschalter %1 hat geschlossen, und Modul %2 hat seinen Motor ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The limit in that direction is closed. Move the motor the other way.</source>
+        <translation>Der Endschalter in dieser Richtung ist geschlossen. In die andere Richtung fahren.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4304,6 +4316,229 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Oscillating ± %1</source>
         <translation>Schwingt um ± %1</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::AmplifierBox</name>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>3-phase commutation</source>
+        <translation>3-Phasen-Kommutierung</translation>
+    </message>
+    <message>
+        <source>For a brushless motor with Hall sensors and a 3-phase amplifier. Off: a brush motor.</source>
+        <translation>Für einen bürstenlosen Motor mit Hall-Sensoren und einen 3-Phasen-Verstärker. Aus: ein Bürstenmotor.</translation>
+    </message>
+    <message>
+        <source>Antiphase PWM</source>
+        <translation>Gegenphasige PWM</translation>
+    </message>
+    <message>
+        <source>For an amplifier that takes 50 % PWM as rest. Off: PWM and direction.</source>
+        <translation>Für einen Verstärker, bei dem 50 % PWM Stillstand bedeuten. Aus: PWM und Richtung.</translation>
+    </message>
+    <message>
+        <source>Step and direction input</source>
+        <translation>Takt- und Richtungseingang</translation>
+    </message>
+    <message>
+        <source>The motor follows step pulses at the limit pins instead of commands. The limits then protect nothing.</source>
+        <translation>Der Motor folgt Taktimpulsen an den Endschalter-Pins statt Befehlen. Die Endschalter schützen dann nichts.</translation>
+    </message>
+    <message>
+        <source>Fast path</source>
+        <translation>Schnelle Bahn</translation>
+    </message>
+    <message>
+        <source>Path points at 60 and 120 Hz instead of 30 and 60 Hz.</source>
+        <translation>Bahnpunkte mit 60 und 120 Hz statt mit 30 und 60 Hz.</translation>
+    </message>
+    <message>
+        <source>Apply…</source>
+        <translation>Anwenden…</translation>
+    </message>
+    <message>
+        <source>Apply the amplifier settings</source>
+        <translation>Anwenden der Verstärkereinstellungen</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Setzen</translation>
+    </message>
+    <message>
+        <source>Set the step multiplier</source>
+        <translation>Setzen des Taktfaktors</translation>
+    </message>
+    <message>
+        <source>Keep its address and group</source>
+        <translation>Adresse und Gruppe behalten</translation>
+    </message>
+    <message>
+        <source>It comes back at this address after a power cycle, without a search.</source>
+        <translation>Nach dem Aus- und Einschalten ist es ohne Suche wieder unter dieser Adresse da.</translation>
+    </message>
+    <message>
+        <source>Amplifier on at power-up</source>
+        <translation>Verstärker beim Einschalten an</translation>
+    </message>
+    <message>
+        <source>AMP_EN goes high by itself after each power-up.</source>
+        <translation>AMP_EN geht nach jedem Einschalten von selbst auf High.</translation>
+    </message>
+    <message>
+        <source>Servo on at power-up</source>
+        <translation>Servo beim Einschalten an</translation>
+    </message>
+    <message>
+        <source>The motor holds by itself after each power-up, with the saved gains, before any panel is there.</source>
+        <translation>Der Motor hält nach jedem Einschalten von selbst, mit den gespeicherten Reglerwerten, bevor ein Programm verbunden ist.</translation>
+    </message>
+    <message>
+        <source>Save in module…</source>
+        <translation>Im Modul speichern…</translation>
+    </message>
+    <message>
+        <source>Save in module the configuration for power-up</source>
+        <translation>Im Modul speichern, was beim Einschalten gilt</translation>
+    </message>
+    <message>
+        <source>Erase saved…</source>
+        <translation>Gespeichertes löschen…</translation>
+    </message>
+    <message>
+        <source>Erase saved configuration of the module</source>
+        <translation>Gespeichertes löschen, das im Modul steht</translation>
+    </message>
+    <message>
+        <source>Amplifier</source>
+        <translation>Verstärker</translation>
+    </message>
+    <message>
+        <source>Limit inputs</source>
+        <translation>Endschalter</translation>
+    </message>
+    <message>
+        <source>do nothing</source>
+        <translation>bewirken nichts</translation>
+    </message>
+    <message>
+        <source>stop abruptly</source>
+        <translation>stoppen abrupt</translation>
+    </message>
+    <message>
+        <source>switch the motor off</source>
+        <translation>schalten den Motor aus</translation>
+    </message>
+    <message>
+        <source>What the module does by itself when limit 1 closes in forward motion, or limit 2 in reverse. It stays armed.</source>
+        <translation>Was das Modul von selbst tut, wenn Endschalter 1 bei Vorwärtsfahrt schließt oder Endschalter 2 bei Rückwärtsfahrt. Es bleibt scharf.</translation>
+    </message>
+    <message>
+        <source>Amplifier settings of the module</source>
+        <translation>Verstärkereinstellungen des Moduls</translation>
+    </message>
+    <message>
+        <source>Step multiplier</source>
+        <translation>Taktfaktor</translation>
+    </message>
+    <message>
+        <source>Counts that one step pulse moves the motor.</source>
+        <translation>Um so viele Counts bewegt ein Taktimpuls den Motor.</translation>
+    </message>
+    <message>
+        <source>Saved in the module, for power-up</source>
+        <translation>Im Modul gespeichert, für das Einschalten</translation>
+    </message>
+    <message>
+        <source>Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor goes off, and it needs its gains again.</source>
+        <translation>Speichert diese Auswahl, die Einstellungen oben, Reglerwerte, Geschwindigkeit und Beschleunigung, wie das Modul sie jetzt hat. Sie gelten nach jedem Einschalten wieder. 3 Phasen und Gegenphase gelten auch nach einem Reset wieder. Beide Knöpfe starten das Modul neu: Sein Motor geht aus, und es braucht seine Reglerwerte noch einmal.</translation>
+    </message>
+    <message>
+        <source>? Not known: nothing was applied in this connection, and the module does not tell. It may have saved settings.</source>
+        <translation>? Nicht bekannt: In dieser Verbindung wurde nichts angewendet, und das Modul sagt es nicht. Es kann gespeicherte Einstellungen haben.</translation>
+    </message>
+    <message>
+        <source>● Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
+        <translation>● Angewendet: 3 Phasen %1, Gegenphase %2, Takt und Richtung %3, Endschalter %4.</translation>
+    </message>
+    <message>
+        <source>With step and direction the pins of the limits are its inputs: set the limit inputs to do nothing.</source>
+        <translation>Mit Takt und Richtung sind die Endschalter-Pins deren Eingänge: die Endschalter auf „bewirken nichts“ stellen.</translation>
+    </message>
+    <message>
+        <source>The module has these settings.</source>
+        <translation>Das Modul hat diese Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Takes AMP_EN low and sends these settings.</source>
+        <translation>Nimmt AMP_EN auf Low und sendet diese Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Sends the gains that the module has, with this multiplier.</source>
+        <translation>Sendet die Reglerwerte des Moduls mit diesem Faktor.</translation>
+    </message>
+    <message>
+        <source>Apply the amplifier settings first: what the module has now is not known.</source>
+        <translation>Zuerst die Verstärkereinstellungen anwenden: Was das Modul jetzt hat, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Saves what the module has now, and restarts it.</source>
+        <translation>Speichert, was das Modul jetzt hat, und startet es neu.</translation>
+    </message>
+    <message>
+        <source>Makes the module forget what it saved, and restarts it.</source>
+        <translation>Lässt das Modul vergessen, was es gespeichert hat, und startet es neu.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Apply amplifier settings</source>
+        <translation>Verstärkereinstellungen anwenden</translation>
+    </message>
+    <message>
+        <source>Apply these settings to %1? 3-phase, antiphase or step and direction that do not fit the amplifier or its wiring can destroy the amplifier, or make the motor run away once it is enabled.</source>
+        <translation>Diese Einstellungen auf %1 anwenden? 3 Phasen, Gegenphase oder Takt und Richtung, die nicht zum Verstärker oder seiner Verdrahtung passen, können den Verstärker zerstören oder den Motor beim Einschalten durchgehen lassen.</translation>
+    </message>
+    <message>
+        <source>Apply settings</source>
+        <translation>Einstellungen anwenden</translation>
+    </message>
+    <message>
+        <source>Save the configuration of %1? It comes back at each power-up, whatever is connected then. The module restarts now: its motor goes off, and it needs its gains again.</source>
+        <translation>Die Konfiguration von %1 speichern? Sie gilt nach jedem Einschalten, was auch immer dann angeschlossen ist. Das Modul startet jetzt neu: Sein Motor geht aus, und es braucht seine Reglerwerte noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its motor will be driven right after power-up, without a command.</source>
+        <translation>Sein Motor wird gleich nach dem Einschalten bestromt, ohne Befehl.</translation>
+    </message>
+    <message>
+        <source>Save in module</source>
+        <translation>Im Modul speichern</translation>
+    </message>
+    <message>
+        <source>Save and restart</source>
+        <translation>Speichern und neu starten</translation>
+    </message>
+    <message>
+        <source>Erase saved configuration</source>
+        <translation>Gespeichertes löschen</translation>
+    </message>
+    <message>
+        <source>Erase what %1 has saved? At the next power-up it starts as a new module does. It restarts now: its motor goes off, and it needs its gains again.</source>
+        <translation>Löschen, was %1 gespeichert hat? Beim nächsten Einschalten startet es wie ein neues Modul. Es startet jetzt neu: Sein Motor geht aus, und es braucht seine Reglerwerte noch einmal.</translation>
+    </message>
+    <message>
+        <source>Erase and restart</source>
+        <translation>Löschen und neu starten</translation>
     </message>
 </context>
 <context>
@@ -5462,6 +5697,18 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Home register</source>
         <translation>Referenzregister</translation>
     </message>
+    <message>
+        <source>The motor follows the points of a path.</source>
+        <translation>Der Motor folgt den Punkten einer Bahn.</translation>
+    </message>
+    <message>
+        <source>Position error reported by the chip</source>
+        <translation>Vom Chip gemeldeter Positionsfehler</translation>
+    </message>
+    <message>
+        <source>Path points left</source>
+        <translation>Verbleibende Bahnpunkte</translation>
+    </message>
 </context>
 <context>
     <name>nmc::DifferencesDialog</name>
@@ -6028,6 +6275,46 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Reset the module</source>
         <translation>Modul zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Relative (trapezoidal)</source>
+        <translation>Relativ (Trapez)</translation>
+    </message>
+    <message>
+        <source>A trapezoidal move by this many counts, from where the servo is told to be. Start it only from standstill.</source>
+        <translation>Eine Trapezfahrt um so viele Counts, von der Sollposition aus. Nur aus dem Stillstand starten.</translation>
+    </message>
+    <message>
+        <source>Advanced features on</source>
+        <translation>Erweiterte Funktionen an</translation>
+    </message>
+    <message>
+        <source>Reset Position</source>
+        <translation>Reset Position</translation>
+    </message>
+    <message>
+        <source>Send reset position</source>
+        <translation>Reset Position senden</translation>
+    </message>
+    <message>
+        <source>To 0</source>
+        <translation>Auf 0</translation>
+    </message>
+    <message>
+        <source>Relative to home</source>
+        <translation>Relativ zur Referenz</translation>
+    </message>
+    <message>
+        <source>To a value</source>
+        <translation>Auf einen Wert</translation>
+    </message>
+    <message>
+        <source>The home register is subtracted from the position. Nothing moves.</source>
+        <translation>Das Home-Register wird von der Position abgezogen. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>The position becomes this value. Nothing moves.</source>
+        <translation>Die Position wird dieser Wert. Nichts bewegt sich.</translation>
     </message>
 </context>
 <context>
@@ -6936,6 +7223,18 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Switches only the amplifier&apos;s enable line; the servo stays as it is. When off, the motor gets no current, whatever the servo does.</source>
         <translation>Stellt nur die Freigabeleitung des Verstärkers; der Servo bleibt, wie er ist. Ohne sie bekommt der Motor keinen Strom, was auch immer der Servo tut.</translation>
+    </message>
+    <message>
+        <source>Fast path</source>
+        <translation>Schnelle Bahn</translation>
+    </message>
+    <message>
+        <source>The Amplifier page sets what the module does when a limit closes.</source>
+        <translation>Was das Modul tut, wenn ein Endschalter schließt, steht auf der Seite Verstärker.</translation>
+    </message>
+    <message>
+        <source>Path points at 60 and 120 Hz instead of 30 and 60 Hz. Sent at once.</source>
+        <translation>Bahnpunkte mit 60 und 120 Hz statt mit 30 und 60 Hz. Wird sofort gesendet.</translation>
     </message>
 </context>
 <context>
@@ -9970,6 +10269,10 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Expert</source>
         <translation>Experte</translation>
+    </message>
+    <message>
+        <source>Amplifier</source>
+        <translation>Verstärker</translation>
     </message>
 </context>
 <context>
