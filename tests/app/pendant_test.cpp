@@ -136,7 +136,7 @@ TEST_F(ByHand, AnOperatorJogsAndStopsAndMovesItNoOtherWay) {
     panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(100), false});
     ASSERT_TRUE(panel.answersFor(0.5));
     EXPECT_NEAR(shaft(), before, 2);
-    EXPECT_GE(panel.count(u"Not possible for module 1"_s), 1);
+    EXPECT_GE(panel.count(u"Module 1 cannot do this now"_s), 1);
     auto* forward = panel.window().findChild<QWidget*>(u"holdForwardButton"_s);
     ASSERT_TRUE(panel.waitFor([&] { return forward->isEnabled(); })) << forward->toolTip().toStdString();
     QTest::mousePress(forward, Qt::LeftButton);

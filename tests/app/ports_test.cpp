@@ -138,7 +138,8 @@ TEST(TypedPort, ThatIsNoneSaysWhatToDo) {
     panel.askFor(QStringLiteral("/dev/ttyNone"));
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("/dev/ttyNone not found.")); }));
     panel.askFor(QStringLiteral("simulator=servo,nothing"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("There is no simulator=")); }));
+    ASSERT_TRUE(
+        panel.waitFor([&] { return panel.standing(QStringLiteral("simulator=servo,nothing not found.")); }));
     panel.askFor(file.fileName());
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("is not a serial port.")); }))
         << panel.headlines().join(QLatin1Char('\n')).toStdString();
@@ -224,7 +225,7 @@ TEST(F33_Text, NamesTheFileItsOwnerAndTheCommand) {
     error.lockFile = "/run/lock/LCK..ttyUSB0";
     error.user = "root";
     const Message m = texts::portProblem(error);
-    EXPECT_TRUE(m.body.contains(QLatin1String("The lock file /run/lock/LCK..ttyUSB0 was left by root")));
+    EXPECT_TRUE(m.body.contains(QLatin1String("root left the lock file /run/lock/LCK..ttyUSB0 behind")));
     EXPECT_EQ(m.command, QStringLiteral("sudo rm /run/lock/LCK..ttyUSB0"));
     EXPECT_EQ(m.actions.first().id, MessageAction::CopyCommand);
 }

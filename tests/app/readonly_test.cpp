@@ -65,7 +65,8 @@ TEST_F(H02_ReadOnly, WhatIsAskedForIsRefusedWithTheReason) {
     ASSERT_NO_FATAL_FAILURE(look());
     const QJsonObject before = carriedOut();
     panel.ask(intent::MotorOff{});
-    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Not possible for module 1")) == 1; }));
+    EXPECT_TRUE(
+        panel.waitFor([&] { return panel.count(QStringLiteral("Module 1 cannot do this now")) == 1; }));
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(carriedOut(), before);
     EXPECT_TRUE(moves(sim));
