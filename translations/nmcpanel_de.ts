@@ -4203,6 +4203,183 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The limit in that direction is closed. Move the motor the other way.</source>
         <translation>Der Endschalter in dieser Richtung ist geschlossen. In die andere Richtung fahren.</translation>
     </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>a number and its unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>The rate &quot;%1&quot; does not exist. Use 30, 60 or 120.</source>
+        <translation>Die Rate „%1“ gibt es nicht. Möglich sind 30, 60 oder 120.</translation>
+    </message>
+    <message>
+        <source>The file has no line that names its axes.</source>
+        <translation>Keine Zeile der Datei nennt ihre Achsen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an axis that can follow a path.</source>
+        <translation>„%1“ ist keine Achse, die einer Bahn folgen kann.</translation>
+    </message>
+    <message>
+        <source>This axis is named twice.</source>
+        <translation>Diese Achse ist doppelt genannt.</translation>
+    </message>
+    <message>
+        <source>A position is missing.</source>
+        <translation>Eine Position fehlt.</translation>
+    </message>
+    <message>
+        <source>The line has %1 positions; the file has %2 axes.</source>
+        <translation>Die Zeile hat %1 Positionen, die Datei %2 Achsen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number.</source>
+        <translation>„%1“ ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is beyond what the module can count.</source>
+        <translation>„%1“ ist mehr, als das Modul zählen kann.</translation>
+    </message>
+    <message>
+        <source>The point is %1 from the one before. At this rate at most %2 are possible.</source>
+        <translation>Der Punkt liegt %1 vom vorigen entfernt. Bei dieser Rate sind höchstens %2 möglich.</translation>
+    </message>
+    <message>
+        <source>This takes %1. The axis is limited to %2.</source>
+        <translation>Dafür sind %1 nötig. Die Achse ist auf %2 begrenzt.</translation>
+    </message>
+    <message>
+        <source>%1 is beyond the travel limit of %2.</source>
+        <translation>%1 liegt jenseits der Fahrweggrenze von %2.</translation>
+    </message>
+    <message>
+        <source>A path needs at least two points.</source>
+        <translation>Eine Bahn braucht mindestens zwei Punkte.</translation>
+    </message>
+    <message>
+        <source>A path has at most %1 points.</source>
+        <translation>Eine Bahn hat höchstens %1 Punkte.</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: %3</source>
+        <translation>Zeile %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 has no path buffer. Only a PIC-SERVO CMC or SC follows a path.</source>
+        <translation>%1 hat keinen Bahnpuffer. Nur ein PIC-SERVO CMC oder SC folgt einer Bahn.</translation>
+    </message>
+    <message>
+        <source>%1 was found as another program left it. Send its I/O control first: page Amplifier or Limits and I/O.</source>
+        <translation>%1 ist so, wie ein anderes Programm es hinterlassen hat. Erst I/O Control senden: Seite Verstärker oder Endschalter und E/A.</translation>
+    </message>
+    <message>
+        <source>%1 takes step and direction pulses. Switch that off on its page Amplifier first.</source>
+        <translation>%1 folgt Schritt- und Richtungsimpulsen. Das erst auf seiner Seite Verstärker abschalten.</translation>
+    </message>
+    <message>
+        <source>%1: a path at 30 Hz needs fast path off (page Amplifier or Limits and I/O).</source>
+        <translation>%1: Eine Bahn mit 30 Hz braucht „Fast Path“ aus (Seite Verstärker oder Endschalter und E/A).</translation>
+    </message>
+    <message>
+        <source>%1: a path at 120 Hz needs fast path on (page Amplifier or Limits and I/O).</source>
+        <translation>%1: Eine Bahn mit 120 Hz braucht „Fast Path“ ein (Seite Verstärker oder Endschalter und E/A).</translation>
+    </message>
+    <message>
+        <source>%1: a path needs the servo rate SR = 1. Apply the gains with SR 1 first.</source>
+        <translation>%1: Eine Bahn braucht die Servorate SR = 1. Erst die Reglerwerte mit SR 1 anwenden.</translation>
+    </message>
+    <message>
+        <source>%1 has not told its command position yet.</source>
+        <translation>%1 hat seine Sollposition noch nicht gemeldet.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from the first point. Choose Move to start first.</source>
+        <translation>%1 ist %2 vom ersten Punkt entfernt. Erst „Zum Anfang“ wählen.</translation>
+    </message>
+    <message>
+        <source>%1: point %2 is %3 from the one before. At this rate at most %4 are possible.</source>
+        <translation>%1: Punkt %2 liegt %3 vom vorigen entfernt. Bei dieser Rate sind höchstens %4 möglich.</translation>
+    </message>
+    <message>
+        <source>%1: point %2 takes %3. The axis is limited to %4.</source>
+        <translation>%1: Für Punkt %2 sind %3 nötig. Die Achse ist auf %4 begrenzt.</translation>
+    </message>
+    <message>
+        <source>%1: point %2 at %3 is beyond the travel limit of %4.</source>
+        <translation>%1: Punkt %2 bei %3 liegt jenseits der Fahrweggrenze von %4.</translation>
+    </message>
+    <message>
+        <source>The path does not fit this chain. Open it again.</source>
+        <translation>Die Bahn passt nicht zu dieser Kette. Erneut öffnen.</translation>
+    </message>
+    <message>
+        <source>The axes of a path start together. Put them, and no other module, into one group: Chain, Groups.</source>
+        <translation>Die Achsen einer Bahn starten gemeinsam. Sie allein in eine Gruppe aufnehmen: Kette, Gruppen.</translation>
+    </message>
+    <message>
+        <source>The path needs %1 % of the time of the bus; %2 % are available. Use a higher baud rate or a lower path rate.</source>
+        <translation>Die Bahn braucht %1 % der Zeit des Busses, verfügbar sind %2 %. Eine höhere Baudrate oder eine niedrigere Bahnrate wählen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot follow a path. Only a PIC-SERVO CMC or SC can.</source>
+        <translation>%1 kann keiner Bahn folgen. Das kann nur ein PIC-SERVO CMC oder SC.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold a known position. Enable its servo, and find home if the points count from home.</source>
+        <translation>%1 hält keine bekannte Position. Den Servo einschalten, und referenzieren, falls die Punkte von der Referenz aus zählen.</translation>
+    </message>
+    <message>
+        <source>Only moves, waits, repeats and calls can become a path.</source>
+        <translation>Nur Fahrten, Wartezeiten, Wiederholungen und Aufrufe können eine Bahn werden.</translation>
+    </message>
+    <message>
+        <source>A path cannot repeat forever.</source>
+        <translation>Eine Bahn kann sich nicht endlos wiederholen.</translation>
+    </message>
+    <message>
+        <source>Up to here the path would have more than %1 points.</source>
+        <translation>Bis hierher hätte die Bahn mehr als %1 Punkte.</translation>
+    </message>
+    <message>
+        <source>The sequence &quot;%1&quot; moves nothing.</source>
+        <translation>Der Ablauf „%1“ bewegt nichts.</translation>
+    </message>
+    <message>
+        <source>Could not open &quot;%1&quot;. %2</source>
+        <translation>„%1“ ließ sich nicht öffnen. %2</translation>
+    </message>
+    <message>
+        <source>The path is done. Each axis holds its last point.</source>
+        <translation>Die Bahn ist beendet. Jede Achse hält ihren letzten Punkt.</translation>
+    </message>
+    <message>
+        <source>The path was stopped.</source>
+        <translation>Die Bahn wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>Starting the path</source>
+        <translation>Die Bahn beginnt</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2, %3 s left, %4 points ahead in the buffer</source>
+        <translation>Punkt %1 von %2, noch %3 s, %4 Punkte voraus im Puffer</translation>
+    </message>
+    <message>
+        <source>%1. The buffer is about to run dry: the bus is too slow.</source>
+        <translation>%1. Der Puffer läuft gleich leer: Der Bus ist zu langsam.</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 Hz, %3 s</source>
+        <translation>%1 Punkte mit %2 Hz, %3 s</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -6447,7 +6624,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>✓ gesendet</translation>
     </message>
     <message>
-        <source>● edited, not sent</source>
+        <source>● not sent</source>
         <translation>● nicht gesendet</translation>
     </message>
     <message>
@@ -6463,8 +6640,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sendet alle Reglerwerte auf einmal. Der Motor bewegt sich nicht.</translation>
     </message>
     <message>
-        <source>&amp;Apply gains, live</source>
-        <translation>A&amp;lle anwenden, live</translation>
+        <source>&amp;Apply live</source>
+        <translation>A&amp;lle live anwenden</translation>
     </message>
     <message>
         <source>Restores the gains last sent. Sends nothing.</source>
@@ -9128,6 +9305,220 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::PathPlot</name>
+    <message>
+        <source>Positions of the path over time</source>
+        <translation>Positionen der Bahn über der Zeit</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>No path. Open a file, or draw one from a sequence.</source>
+        <translation>Keine Bahn. Eine Datei öffnen oder eine aus einem Ablauf zeichnen.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::PathsPage</name>
+    <message>
+        <source>Paths</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>Choice of a path</source>
+        <translation>Wahl einer Bahn</translation>
+    </message>
+    <message>
+        <source>Open path…</source>
+        <translation>Bahn öffnen…</translation>
+    </message>
+    <message>
+        <source>Open path… from a CSV file</source>
+        <translation>Bahn öffnen… aus einer CSV-Datei</translation>
+    </message>
+    <message>
+        <source>Save path…</source>
+        <translation>Bahn speichern…</translation>
+    </message>
+    <message>
+        <source>Save path… as a CSV file</source>
+        <translation>Bahn speichern… als CSV-Datei</translation>
+    </message>
+    <message>
+        <source>Sequence to draw a path from</source>
+        <translation>Ablauf, aus dem eine Bahn wird</translation>
+    </message>
+    <message>
+        <source>Rate of the path to draw</source>
+        <translation>Rate der zu zeichnenden Bahn</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Draw path</source>
+        <translation>Bahn zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw path from the moves of a sequence</source>
+        <translation>Bahn zeichnen aus den Fahrten eines Ablaufs</translation>
+    </message>
+    <message>
+        <source>The path</source>
+        <translation>Die Bahn</translation>
+    </message>
+    <message>
+        <source>Running the path</source>
+        <translation>Ausführen der Bahn</translation>
+    </message>
+    <message>
+        <source>Move to start</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>Move to start: to the first point of the path</source>
+        <translation>Zum Anfang: zum ersten Punkt der Bahn fahren</translation>
+    </message>
+    <message>
+        <source>Run path</source>
+        <translation>Bahn fahren</translation>
+    </message>
+    <message>
+        <source>Run path after a question</source>
+        <translation>Bahn fahren nach einer Frage</translation>
+    </message>
+    <message>
+        <source>Stop path</source>
+        <translation>Bahn stoppen</translation>
+    </message>
+    <message>
+        <source>Stop path: all its axes slow down</source>
+        <translation>Bahn stoppen: alle ihre Achsen bremsen ab</translation>
+    </message>
+    <message>
+        <source>Progress of the path</source>
+        <translation>Fortschritt der Bahn</translation>
+    </message>
+    <message>
+        <source>State of the path</source>
+        <translation>Zustand der Bahn</translation>
+    </message>
+    <message>
+        <source>Paths need a PIC-SERVO CMC or SC. This chain has none.</source>
+        <translation>Bahnen brauchen einen PIC-SERVO CMC oder SC. Diese Kette hat keinen.</translation>
+    </message>
+    <message>
+        <source>A path is running.</source>
+        <translation>Eine Bahn läuft.</translation>
+    </message>
+    <message>
+        <source>Open or draw a path first.</source>
+        <translation>Erst eine Bahn öffnen oder zeichnen.</translation>
+    </message>
+    <message>
+        <source>A sequence or a move to a point is running.</source>
+        <translation>Ein Ablauf oder eine Fahrt zu einem Punkt läuft.</translation>
+    </message>
+    <message>
+        <source>The unit of an axis has changed. Open or draw the path again.</source>
+        <translation>Die Einheit einer Achse hat sich geändert. Die Bahn erneut öffnen oder zeichnen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a path for this chain:</source>
+        <translation>%1 ist keine Bahn für diese Kette:</translation>
+    </message>
+    <message>
+        <source>There may be more problems after these.</source>
+        <translation>Danach kann es weitere Probleme geben.</translation>
+    </message>
+    <message>
+        <source>Reading the file…</source>
+        <translation>Die Datei wird gelesen…</translation>
+    </message>
+    <message>
+        <source>Reads positions for each point from a CSV file. Nothing moves.</source>
+        <translation>Liest die Positionen jedes Punktes aus einer CSV-Datei. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Saves the path as CSV, with its positions in the units of the axes.</source>
+        <translation>Speichert die Bahn als CSV, mit Positionen in den Einheiten der Achsen.</translation>
+    </message>
+    <message>
+        <source>Write a sequence of moves first (F3).</source>
+        <translation>Erst einen Ablauf mit Fahrten anlegen (F3).</translation>
+    </message>
+    <message>
+        <source>Turns the moves of this sequence into one motion without stops. Nothing moves.</source>
+        <translation>Macht aus den Fahrten dieses Ablaufs eine einzige Bewegung ohne Halt. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Moves each axis of the path to its first point.</source>
+        <translation>Fährt jede Achse der Bahn zu ihrem ersten Punkt.</translation>
+    </message>
+    <message>
+        <source>Runs all axes through the path, after a question.</source>
+        <translation>Fährt alle Achsen durch die Bahn, nach einer Frage.</translation>
+    </message>
+    <message>
+        <source>No path is running.</source>
+        <translation>Keine Bahn läuft.</translation>
+    </message>
+    <message>
+        <source>Stops all axes of the path; they hold where they stop.</source>
+        <translation>Stoppt alle Achsen der Bahn. Sie halten, wo sie stehen bleiben.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>A path file has a column for each axis. Axes here: %1.</source>
+        <translation>Eine Bahndatei hat eine Spalte für jede Achse. Achsen hier: %1.</translation>
+    </message>
+    <message>
+        <source>Open a path</source>
+        <translation>Bahn öffnen</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the path</source>
+        <translation>Bahn speichern</translation>
+    </message>
+    <message>
+        <source>Start of the path</source>
+        <translation>Anfang der Bahn</translation>
+    </message>
+    <message>
+        <source>All axes of the path start to move. Make sure that nothing is in their way.</source>
+        <translation>Alle Achsen der Bahn setzen sich in Bewegung. Nichts darf ihnen im Weg sein.</translation>
+    </message>
+    <message>
+        <source>Run the path</source>
+        <translation>Bahn fahren</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Run path</source>
+        <translation>Bahn &amp;fahren</translation>
+    </message>
+</context>
+<context>
     <name>nmc::Pendant</name>
     <message>
         <source>Pendant: &amp;keyboard or gamepad</source>
@@ -11308,7 +11699,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>? unbekannt</translation>
     </message>
     <message>
-        <source>● edited, not sent</source>
+        <source>● not sent</source>
         <translation>● nicht gesendet</translation>
     </message>
     <message>
@@ -11454,7 +11845,7 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>✓ gesendet</translation>
     </message>
     <message>
-        <source>● edited, not sent</source>
+        <source>● not sent</source>
         <translation>● nicht gesendet</translation>
     </message>
 </context>

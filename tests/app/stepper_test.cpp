@@ -93,7 +93,7 @@ protected:
         type("stepAccelerationTimeField", QStringLiteral("8"));
         EXPECT_EQ(text("stepAccelerationRemark"), QStringLiteral("50 000 steps/s²"))
             << "100 steps/s each 2 ms";
-        EXPECT_EQ(text("stepRunCurrentState"), QStringLiteral("● edited, not sent"));
+        EXPECT_EQ(text("stepRunCurrentState"), QStringLiteral("● not sent"));
         click("stepApplyParametersButton");
         ASSERT_TRUE(waitFor([&] { return module().stepper.parameters().has_value(); }));
     }
@@ -350,7 +350,7 @@ TEST_F(StepperPanel, TheEstopInputStopsItUnlessItIsIgnored) {
     click("stepIgnoreEstopField");
     EXPECT_EQ(text("stepParametersHint"),
               QStringLiteral("If checked, the E-stop input does not stop the motor."));
-    EXPECT_EQ(text("stepIgnoreEstopState"), QStringLiteral("● edited, not sent"));
+    EXPECT_EQ(text("stepIgnoreEstopState"), QStringLiteral("● not sent"));
     click("stepApplyParametersButton");
     ASSERT_TRUE(waitFor([&] { return module().stepper.parameters()->ignoreEstop; }));
     click("stepRunForwardButton");

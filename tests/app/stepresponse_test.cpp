@@ -106,7 +106,7 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
     table->setCurrentCell(1, 2);
     click("stepUseGainsButton");
     EXPECT_EQ(find<QLineEdit>("kdField")->text(), u"2000"_s);
-    EXPECT_EQ(find<QLabel>("kdState")->text(), u"● edited, not sent"_s);
+    EXPECT_EQ(find<QLabel>("kdState")->text(), u"● not sent"_s);
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(panel.module().gains->kd, 600) << "the module has what it had";
     EXPECT_EQ(sim.violations(), "");

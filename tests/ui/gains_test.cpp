@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QScrollArea>
+#include <QScrollBar>
 
 #include "windowtest.h"
 
@@ -50,7 +52,19 @@ TEST_F(Gains, SayWhetherTheyWereSentEditedOrNobodyKnows) {
     EXPECT_TRUE(text(u"kpState"_s).contains(u"sent"_s));
     EXPECT_FALSE(text(u"kpState"_s).contains(u"not"_s));
     type(u"kpField"_s, u"101"_s);
-    EXPECT_TRUE(text(u"kpState"_s).contains(u"edited, not sent"_s));
+    EXPECT_TRUE(text(u"kpState"_s).contains(u"not sent"_s));
+}
+
+/// A bar that came with the first digit would move the buttons away from under the mouse.
+TEST_F(Gains, NeedNoScrollBarToSaySo) {
+    window->resize(1'456, 952);
+    showServo({.version = 10, .gains = false});
+    type(u"kpField"_s, u"100"_s);
+    const QScrollArea* around = nullptr;
+    for (const QWidget* w = field(u"kpField"_s); w != nullptr && around == nullptr; w = w->parentWidget())
+        around = qobject_cast<const QScrollArea*>(w);
+    ASSERT_NE(around, nullptr);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return around->horizontalScrollBar()->maximum() == 0; }));
 }
 
 TEST_F(Gains, NeverClaimToBeReadFromTheModule) {

@@ -196,7 +196,7 @@ TEST_F(StepPanelTest, StagesParametersAndSendsThemAllAtOnce) {
     EXPECT_FALSE(button(u"stepApplyParametersButton"_s)->isEnabled());
     click(u"stepFillParametersButton"_s);
     EXPECT_EQ(intents.size(), 0);
-    EXPECT_EQ(text(u"stepRunCurrentState"_s), u"● edited, not sent"_s);
+    EXPECT_EQ(text(u"stepRunCurrentState"_s), u"● not sent"_s);
     type(u"stepRunCurrentField"_s, u"90"_s);
     click(u"stepApplyParametersButton"_s);
     const auto set = asked<stepintent::SetParameters>();
@@ -209,7 +209,7 @@ TEST_F(StepPanelTest, StagesParametersAndSendsThemAllAtOnce) {
     EXPECT_EQ(text(u"stepRunCurrentState"_s), u"✓ sent"_s);
     EXPECT_FALSE(button(u"stepRevertParametersButton"_s)->isEnabled());
     type(u"stepRunCurrentField"_s, u"91"_s);
-    EXPECT_EQ(text(u"stepRunCurrentState"_s), u"● edited, not sent"_s);
+    EXPECT_EQ(text(u"stepRunCurrentState"_s), u"● not sent"_s);
     click(u"stepRevertParametersButton"_s);
     EXPECT_EQ(field(u"stepRunCurrentField"_s)->text(), u"90"_s);
 }

@@ -337,7 +337,7 @@ TEST_F(StepResponses, GainsGoBackIntoTheFieldsUnsent) {
     EXPECT_TRUE(find(u"gainsBox"_s)->isVisible());
     EXPECT_EQ(field(u"kpField"_s)->value(), 77);
     EXPECT_EQ(field(u"kdField"_s)->value(), 770);
-    EXPECT_EQ(text(u"kpState"_s), u"● edited, not sent"_s);
+    EXPECT_EQ(text(u"kpState"_s), u"● not sent"_s);
     EXPECT_EQ(text(u"elState"_s), u"✓ sent"_s) << "the run had the same";
     EXPECT_EQ(intents.size(), 0);
     click(u"undoGainsButton"_s);

@@ -39,7 +39,7 @@ void Command::setPossible(const QString& reason, const QString& meaning) {
         shortcut().isEmpty() ? QString() : u" (%1)"_s.arg(shortcut().toString(QKeySequence::NativeText));
     QString tip = reason.isEmpty() ? meaning : reason;
     if (!key.isEmpty() && reason.isEmpty())
-        tip.endsWith(u'.') ? tip.insert(tip.size() - 1, key) : tip.append(key);
+        tip.endsWith(u'.') || tip.endsWith(u'。') ? tip.insert(tip.size() - 1, key) : tip.append(key);
     look::setPossible(m_button, reason, meaning);
     if (m_button->toolTip() != tip)
         m_button->setToolTip(tip);

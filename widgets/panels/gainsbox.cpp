@@ -390,7 +390,7 @@ void GainsBox::refreshRow(Row& row) {
             state = tr("✓ sent");
             break;
         case Known::Edited:
-            state = tr("● edited, not sent");
+            state = tr("● not sent");
             break;
     }
     look::setText(row.state, m_narrow ? state.section(u' ', 0, 0) : state);
@@ -424,7 +424,7 @@ void GainsBox::refreshApply(const QString& problem) {
     m_apply->setPossible(reason.isEmpty() ? problem : reason,
                          live ? tr("Sends all gains at once. The servo is on: they take effect immediately.")
                               : tr("Sends all gains at once. The motor does not move."));
-    m_apply->setText(live ? tr("&Apply gains, live") : tr("&Apply gains"));
+    m_apply->setText(live ? tr("&Apply live") : tr("&Apply gains"));
 }
 
 bool GainsBox::tries() const {

@@ -332,7 +332,7 @@ void StepParametersBox::refreshRow(StepParameter parameter) {
     const bool unknown = !sent && (!value || (choice && !m_kept));
     // Shape, then word, as with gains.
     const bool edited = !unknown && (!value || value != sent);
-    look::setText(row.state, unknown ? tr("? unknown") : edited ? tr("● edited, not sent") : tr("✓ sent"));
+    look::setText(row.state, unknown ? tr("? unknown") : edited ? tr("● not sent") : tr("✓ sent"));
     QFont font = this->font();
     font.setBold(edited);
     if (row.state->font().bold() != edited)

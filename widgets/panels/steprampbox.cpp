@@ -93,9 +93,7 @@ void StepRampBox::refresh() {
     look::setText(m_acceleration, time ? texts::acceleration(speeds, static_cast<int>(*time), m_cap->scale())
                                        : m_time->problemText());
     const auto loaded = stepper.accelerationTime();
-    look::setText(m_state, !loaded           ? tr("? unknown")
-                           : *loaded == time ? tr("✓ sent")
-                                             : tr("● edited, not sent"));
+    look::setText(m_state, !loaded ? tr("? unknown") : *loaded == time ? tr("✓ sent") : tr("● not sent"));
 }
 
 }  // namespace nmc
