@@ -22,6 +22,7 @@
 #include "widgets/mainwindow/operatorlock.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagepanel.h"
+#include "widgets/paths/pathsdock.h"
 
 namespace nmc {
 
@@ -294,6 +295,7 @@ void Composition::openNow(const ConnectTarget& target) {
     m_positions.begin(port, QString::fromStdString(m_machine.machine().name),
                       !isSimulator(port) && !target.readOnly);
     m_store.begin(port, isSimulator(port), target.baud, target.readOnly);
+    m_window.paths().setLatency(config.adapterLatency);
     m_window.beginPackets(packetSession(port));
     m_worker.open(m_transports ? m_transports(target) : std::move(factory), config);
     m_frameTimer.start();

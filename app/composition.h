@@ -17,6 +17,7 @@
 #include "app/machinecontroller.h"
 #include "app/messagecontroller.h"
 #include "app/motionmarker.h"
+#include "app/pathcontroller.h"
 #include "app/portcontroller.h"
 #include "app/positionkeeper.h"
 #include "app/printing.h"
@@ -177,6 +178,7 @@ private:
                                        return submit({std::move(steps), {}, {}});
                                    },
                                    this};
+    PathController m_paths;
     PortController m_ports;
     MachineController m_machine;
     FlightController m_flight{m_window, m_store};

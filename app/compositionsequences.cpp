@@ -3,6 +3,7 @@
 #include "app/composition.h"
 #include "widgets/axes/axesdock.h"
 #include "widgets/common/sequencetexts.h"
+#include "widgets/paths/pathsdock.h"
 #include "widgets/sequences/sequencesdock.h"
 
 namespace nmc {
@@ -31,6 +32,17 @@ void Composition::wireSequences() {
             [this](const std::vector<SequenceProblem>& problems) {
                 m_messages.tell(texts::sequenceNotBegun(problems.front()));
             });
+    PathsDock& paths = m_window.paths();
+    connect(&paths, &PathsDock::openRequested, this,
+            [this, &paths](const QString& file, const std::vector<PathColumn>& axes) {
+                m_paths.open(file, axes, paths.page());
+            });
+    connect(&paths, &PathsDock::placeRequested, this, [this](const Point& place) {
+        Machine machine = m_machine.machine();
+        std::erase_if(machine.program.points, [&](const Point& point) { return point.name == place.name; });
+        machine.program.points.push_back(place);
+        m_sequences.goTo(machine, place.name);
+    });
     AxesDock& axes = m_window.axes();
     connect(&axes, &AxesDock::intentRequested, this, &Composition::carryOut);
     connect(&axes, &AxesDock::homeOrderEdited, &m_machine, &MachineController::editHomeOrder);
@@ -41,6 +53,7 @@ void Composition::wireSequences() {
 
 void Composition::showSequence(const SequenceReport& report) {
     m_window.sequences().showRun(report);
+    m_window.paths().showSequence(!report.over());
     if (const auto message = texts::sequenceOver(report))
         m_messages.tell(*message);
     if (report.over() && m_scanWhenIdle)

@@ -23,6 +23,11 @@ enum class PathRate : std::uint8_t { Hz30, Hz60, Hz120 };
     return 0;
 }
 
+/// As it is called: 30, 60 or 120.
+[[nodiscard]] constexpr int nominalHertz(PathRate rate) {
+    return 1920 / ticksPerPoint(rate);
+}
+
 /// The longest segment, in counts either way: the magnitude has 14, 13 or 12 bits.
 [[nodiscard]] constexpr std::int32_t maxPathCounts(PathRate rate) {
     return 256 * ticksPerPoint(rate) - 1;

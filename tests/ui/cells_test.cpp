@@ -10,6 +10,7 @@
 
 #include "protocol/commandtable.h"
 #include "tests/model/stepfixture.h"
+#include "widgets/paths/pathsdock.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -109,7 +110,7 @@ const std::vector<Cell> kLaterCells{
     {LoadTrajectory, 0, u"expertLoadRelative"_s},
     {ResetPosition, 0x03, u"expertResetHow"_s},
     {ResetPosition, 0, u"expertResetButton"_s},
-    {AddPathPoints, 0, {}},  // of a procedure (model/path), which has no page yet
+    {AddPathPoints, 0, u"runPathButton"_s},
 };
 const std::vector<Cell> kCmcCells{
     {StopMotor, 0x20, u"expertStopAdvanced"_s},
@@ -223,6 +224,7 @@ protected:
         window->resize(1500, 1100);
         for (const char* action : {"chainDoctorAction", "groupsAction", "rateAction"})
             window->findChild<QAction*>(QLatin1StringView(action))->trigger();
+        window->paths().open();
     }
 
     void expectEachHasItsControl(const ModuleIdentity& module, const std::vector<Cell>& own) {

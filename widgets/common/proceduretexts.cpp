@@ -3,6 +3,7 @@
 #include <QDir>
 #include <cstdlib>
 
+#include "widgets/common/pathtexts.h"
 #include "widgets/common/textparts.h"
 #include "widgets/common/unitwords.h"
 
@@ -229,15 +230,6 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
             return {};  // of other kinds
     }
     return {};
-}
-
-/// Which axis it was, the modules tell.
-QString pathFailure(ProcedureFailure failure) {
-    if (failure != ProcedureFailure::StoppedShort)
-        return procedureFailure(failure);
-    return Texts::tr(
-        "A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of "
-        "the path were told to stop.");
 }
 
 /// `who`: "Module 1".

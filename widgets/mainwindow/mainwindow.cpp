@@ -36,6 +36,7 @@
 #include "widgets/messages/messagepanel.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
+#include "widgets/paths/pathsdock.h"
 #include "widgets/response/stepresponsedock.h"
 #include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopepanel.h"
@@ -458,6 +459,7 @@ void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json
 
 void MainWindow::showAllAxes() {
     m_sequences->showSession(m_session.link(), m_session.machine());
+    m_paths->showSession(m_session.link(), m_session.machine(), m_session.procedures());
     if (!m_axes->seen())
         return;
     std::vector<PanelView> views;

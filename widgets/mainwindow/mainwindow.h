@@ -42,6 +42,7 @@ class MachineMenu;
 class MessagePanel;
 class ModulePanel;
 class MonitorDock;
+class PathsDock;
 class OperatorLock;
 class Pendant;
 class Ribbon;
@@ -114,6 +115,8 @@ public:
     [[nodiscard]] MessagePanel& messages() { return *m_messages; }
     /// Points and sequences: edited, foreseen, run.
     [[nodiscard]] SequencesDock& sequences() { return *m_sequences; }
+    /// Paths of CMC and SC: opened, drawn, run.
+    [[nodiscard]] PathsDock& paths() { return *m_paths; }
     [[nodiscard]] StepResponseDock& stepResponses() { return *m_stepResponse; }
     [[nodiscard]] LoopTestsDock& loopTests() { return *m_loopTests; }
     /// All axes at once.
@@ -253,6 +256,7 @@ private:
     StepResponseDock* m_stepResponse = nullptr;
     LoopTestsDock* m_loopTests = nullptr;
     SequencesDock* m_sequences = nullptr;
+    PathsDock* m_paths = nullptr;
     AxesDock* m_axes = nullptr;
     LinkBar* m_linkBar = nullptr;
     CommandPalette* m_palette = nullptr;

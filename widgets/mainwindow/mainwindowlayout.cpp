@@ -20,6 +20,7 @@
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepage.h"
 #include "widgets/panels/modulepanel.h"
+#include "widgets/paths/pathsdock.h"
 #include "widgets/response/stepresponsedock.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/sequences/sequencesdock.h"
@@ -33,6 +34,7 @@ using namespace settingskeys;
 namespace {
 // Lines of text.
 constexpr int kStepResponseWidth = 58;
+constexpr int kPathsWidth = 52;
 constexpr int kSequencesWidth = 62;
 constexpr int kSequencesHeight = 24;
 constexpr int kLowestScope = 12;
@@ -128,8 +130,10 @@ void MainWindow::addLoopTestsDock(QDockWidget& scope, QDockWidget& messages) {
 /// Behind the scope's tab, closed.
 void MainWindow::addMotionDocks(QDockWidget& scope, QDockWidget& messages) {
     m_sequences = new SequencesDock(this);
+    m_paths = new PathsDock(this);
     m_axes = new AxesDock(this);
-    for (QDockWidget* dock : {static_cast<QDockWidget*>(m_sequences), static_cast<QDockWidget*>(m_axes)}) {
+    for (QDockWidget* dock : {static_cast<QDockWidget*>(m_sequences), static_cast<QDockWidget*>(m_paths),
+                              static_cast<QDockWidget*>(m_axes)}) {
         tabifyDockWidget(&scope, dock);
         dock->hide();
         m_docks.append(dock);
@@ -138,6 +142,12 @@ void MainWindow::addMotionDocks(QDockWidget& scope, QDockWidget& messages) {
     connect(
         m_sequences, &SequencesDock::roomWanted, this, [this, &messages] { makeRoomForSequences(messages); },
         Qt::QueuedConnection);
+    connect(m_paths, &PathsDock::opened, this, &MainWindow::showAllAxes);
+    connect(
+        m_paths, &PathsDock::roomWanted, this,
+        [this, &messages] { makeRoomBeside(messages, *m_paths, kPathsWidth); }, Qt::QueuedConnection);
+    connect(m_paths, &PathsDock::asked, this, &MainWindow::intentRequested);
+    connect(m_paths, &PathsDock::saveRequested, this, &MainWindow::saveRequested);
     connect(m_axes, &AxesDock::opened, this, &MainWindow::showAllAxes);
     connect(m_axes, &AxesDock::holdRequested, this, &MainWindow::holdRequested);
     connect(m_axes, &AxesDock::holdReleased, this, &MainWindow::holdReleased);

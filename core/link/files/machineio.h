@@ -31,7 +31,8 @@ struct FileError {
 /// A plain file, open for reading: what is none may never end, or never begin. Any thread.
 [[nodiscard]] tl::expected<std::unique_ptr<QFile>, FileError> openToRead(const QString& path);
 
-/// The whole file, if it has not more than `limit` bytes. Blocks as long as the disk does; GUI thread.
+/// The whole file, if it has not more than `limit` bytes. Blocks as long as the disk does; any
+/// thread.
 [[nodiscard]] tl::expected<std::string, FileError> readFile(const QString& path, std::size_t limit);
 
 /// All of it or nothing: a file that was there before is as it was when this fails. Blocks, too; any

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/path/pathfile.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -198,7 +200,23 @@ private:
     bool m_tooMany = false;
 };
 
+[[nodiscard]] const PathColumn& columnOf(ModuleIndex module, std::span<const PathColumn> axes) {
+    return *std::ranges::find(axes, module, &PathColumn::module);
+}
+
+/// The shortest decimal number that reads back to the same one.
+void append(std::string& text, double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text.append(digits.data(), end);
+}
+
 }  // namespace
+
+std::string pathName(ModuleIndex module, const std::string& name) {
+    const bool sayable = !name.empty() && name.find(',') == std::string::npos && !name.starts_with('#');
+    return sayable ? name : "Module " + std::to_string(module.value() + 1);
+}
 
 PathColumn pathColumn(const std::string& name, const ModuleState& module, const AxisScale& scale) {
     return {name, module.info.index, scale, travelRange(module), module.travel.fastest};
@@ -210,6 +228,21 @@ tl::expected<PathTable, std::vector<PathProblem>> readPath(std::string_view text
     if (text.starts_with(kByteOrderMark))
         text.remove_prefix(kByteOrderMark.size());
     return Reader(axes).read(text);
+}
+
+std::string pathText(const PathTable& table, std::span<const PathColumn> axes) {
+    std::string text = "# rate " + std::to_string(servo::nominalHertz(table.rate)) + '\n';
+    for (const PathTable::Column& column : table.columns)
+        text += (&column == &table.columns.front() ? "" : ", ") + columnOf(column.module, axes).name;
+    text += '\n';
+    for (std::size_t point = 0; point < table.columns.front().points.size(); ++point) {
+        for (const PathTable::Column& column : table.columns) {
+            text += &column == &table.columns.front() ? "" : ", ";
+            append(text, columnOf(column.module, axes).scale.position(column.points[point]));
+        }
+        text += '\n';
+    }
+    return text;
 }
 
 }  // namespace nmc

@@ -34,7 +34,10 @@ struct PathColumn {
     AxisScale scale{};
     std::optional<TravelRange> travel{};
     double fastest = 0.0;  ///< counts per tick; 0: as fast as a point can tell
+    bool operator==(const PathColumn&) const = default;
 };
+/// What a file calls an axis: its name, or "Module 1" for one that has none, or one with a comma.
+[[nodiscard]] std::string pathName(ModuleIndex module, const std::string& name);
 /// As its module is now.
 [[nodiscard]] PathColumn pathColumn(const std::string& name, const ModuleState& module,
                                     const AxisScale& scale);
@@ -72,5 +75,7 @@ inline constexpr std::size_t kMostPathProblems = 20;
 /// The points, or all that is wrong, by line.
 [[nodiscard]] tl::expected<PathTable, std::vector<PathProblem>> readPath(std::string_view text,
                                                                          std::span<const PathColumn> axes);
+/// The same path as a file that reads back to the count. `axes`: those of the table.
+[[nodiscard]] std::string pathText(const PathTable& table, std::span<const PathColumn> axes);
 
 }  // namespace nmc

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "link/files/backgroundjob.h"
+#include "model/path/pathfile.h"
+
+namespace nmc {
+
+class PathsPage;
+
+/// Reads path files in a thread of its own, one at a time, for the page of paths. GUI thread.
+class PathController : public QObject {
+    Q_OBJECT
+
+public:
+    explicit PathController(QObject* parent = nullptr);
+
+    /// The page is told what is in it, or why it cannot be read.
+    void open(const QString& file, const std::vector<PathColumn>& axes, PathsPage& page);
+
+private:
+    struct Reading;
+
+    void end();
+
+    BackgroundJob m_job;
+    std::shared_ptr<Reading> m_reading;
+    PathsPage* m_page = nullptr;
+};
+
+}  // namespace nmc

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "model/path/pathdrawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "base/overloaded.h"
+#include "bus/path.h"
+#include "model/module/modulescale.h"
+#include "model/module/servodefaults.h"
+#include "model/path/pathfile.h"
+#include "model/path/pathmoves.h"
+#include "model/sequence/sequencecheck.h"
+
+namespace nmc {
+
+namespace {
+
+using Kind = DrawingProblem::Kind;
+
+class Drawing {
+public:
+    Drawing(const Machine& machine, const std::vector<ModuleState>& modules, servo::PathRate rate)
+        : m_machine(machine), m_modules(modules) {
+        m_table.rate = rate;
+    }
+
+    tl::expected<PathTable, DrawingProblem> draw(const std::string& sequence) {
+        constexpr auto kAllRows = std::numeric_limits<std::size_t>::max();
+        for (const auto& [module, place] : entryState(m_machine, sequence, kAllRows).places)
+            if (!addAxis(module))
+                return tl::unexpected(*m_problem);
+        run(sequence);
+        if (!m_problem && points() == 0)
+            m_problem = {Kind::NoMove, sequence, 0, {}};
+        if (m_problem)
+            return tl::unexpected(*m_problem);
+        return std::move(m_table);
+    }
+
+    void operator()(const action::MoveTo& move) {
+        PathMoves leg{.rate = m_table.rate, .axes = {}};
+        for (const PathTable::Column& column : m_table.columns) {
+            const ModuleState& module = m_modules[column.module.value()];
+            const AxisSettings& settings = m_machine.axis(column.module);
+            const MotionSettings motion = servodefaults::motionOf(settings);
+            const double perSecond = scaleOf(module, settings).perSecond();
+            const std::int32_t place = m_places.at(column.module);
+            leg.axes.push_back({column.module,
+                                motion.velocity * move.percent / 100.0 * perSecond,
+                                motion.acceleration * perSecond * perSecond,
+                                place,
+                                {place}});
+        }
+        const Point* point = m_machine.program.point(move.point);
+        for (std::size_t i = 0; point != nullptr && i < point->axes.size(); ++i) {
+            const PointAxis& axis = point->axes[i];
+            const auto goal = goalOf(axis, m_modules[axis.module.value()]);
+            if (!goal)
+                return fail(Kind::PlaceUnknown, axis.module);
+            for (PathMoves::Axis& moved : leg.axes)
+                if (moved.module == axis.module)
+                    moved.goals = {*goal};
+            m_places[axis.module] = *goal;
+        }
+        append(pathFromMoves(leg));
+    }
+    void operator()(const action::Wait& wait) {
+        const double count = std::round(wait.seconds / toSeconds(bus::pathPeriod(m_table.rate)));
+        if (!(count <= static_cast<double>(kMostPathPoints)))
+            return fail(Kind::TooManyPoints);
+        PathTable rest{m_table.rate, {}};
+        for (const PathTable::Column& column : m_table.columns)
+            rest.columns.push_back({column.module, std::vector(static_cast<std::size_t>(std::max(count, 0.0)),
+                                                               m_places.at(column.module))});
+        append(rest);
+    }
+    /// A path is where it is; there is nothing to wait for.
+    void operator()(const action::WaitForArrival& /*wait*/) {}
+    void operator()(const action::Repeat& repeat) {
+        unsigned& done = m_rounds[&repeat];
+        if (repeat.times == 0)
+            return fail(Kind::Endless);
+        if (++done >= repeat.times)
+            m_rounds.erase(&repeat);
+        else
+            m_next = repeat.from;
+    }
+    void operator()(const action::Call& call) {
+        const DrawingProblem at = m_at;
+        const std::size_t next = m_next;
+        run(call.sequence);
+        m_at = at;
+        m_next = next;
+    }
+    /// What a path has no points for.
+    void operator()(const auto& /*other*/) { fail(Kind::NotDrawn); }
+
+private:
+    void fail(Kind kind, std::optional<ModuleIndex> module = {}) {
+        m_problem = m_at;
+        m_problem->kind = kind;
+        m_problem->module = module;
+    }
+
+    [[nodiscard]] bool addAxis(ModuleIndex index) {
+        const ModuleState* module = index.value() < m_modules.size() ? &m_modules[index.value()] : nullptr;
+        if (module == nullptr || !hasPathBuffer(module->info.identity)) {
+            fail(Kind::NoPathAxis, index);
+        } else if (const auto place = module->commandPosition(); !place) {
+            fail(Kind::PlaceUnknown, index);
+        } else {
+            m_table.columns.push_back({index, {}});
+            m_places[index] = *place;
+        }
+        return !m_problem;
+    }
+
+    void run(const std::string& name) {
+        const Sequence* sequence = m_machine.program.sequence(name);
+        std::size_t steps = 0;
+        for (m_next = 0; sequence != nullptr && m_next < sequence->rows.size() && !m_problem;) {
+            m_at = {.sequence = name, .row = m_next};
+            const Action& row = sequence->rows[m_next++];
+            std::visit(*this, row);
+            // Moves to where it stands make no points, however often they are repeated.
+            if (!m_problem && ++steps > kMostPathPoints)
+                fail(Kind::TooManyPoints);
+        }
+    }
+
+    [[nodiscard]] std::size_t points() const {
+        return m_table.columns.empty() ? 0 : m_table.columns.front().points.size();
+    }
+
+    void append(const PathTable& leg) {
+        if (!leg.columns.empty() && points() + leg.columns.front().points.size() > kMostPathPoints)
+            return fail(Kind::TooManyPoints);
+        for (std::size_t i = 0; i < leg.columns.size(); ++i)
+            m_table.columns[i].points.insert(m_table.columns[i].points.end(), leg.columns[i].points.begin(),
+                                             leg.columns[i].points.end());
+    }
+
+    const Machine& m_machine;
+    const std::vector<ModuleState>& m_modules;
+    PathTable m_table;
+    std::map<ModuleIndex, std::int32_t> m_places;
+    std::map<const action::Repeat*, unsigned> m_rounds;
+    std::size_t m_next = 0;
+    DrawingProblem m_at;
+    std::optional<DrawingProblem> m_problem;
+};
+
+}  // namespace
+
+tl::expected<PathTable, DrawingProblem> drawPath(const std::string& sequence, const Machine& machine,
+                                                 const std::vector<ModuleState>& modules,
+                                                 servo::PathRate rate) {
+    return Drawing(machine, modules, rate).draw(sequence);
+}
+
+}  // namespace nmc

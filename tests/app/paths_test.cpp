@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Paths by mouse and key, over a pseudo-terminal that nmcsim serves; the oracle is what nmcsim knows of its
+// modules.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QTableView>
+#include <cmath>
+#include <numbers>
+
+#include "panel.h"
+#include "tests/support/choosefile.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+
+class Paths : public testing::Test {
+protected:
+    explicit Paths(const QString& chain = u"servo@10"_s) : sim(chain) {}
+    void hold(std::uint8_t index) {
+        const auto tell = [&](const Intent& intent) {
+            emit panel.window().intentRequested(ModuleIndex(index), intent);
+        };
+        tell(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+        ASSERT_TRUE(panel.waitFor([&] { return module(index).gains && !module(index).awaited; }));
+        tell(intent::Enable{});
+        ASSERT_TRUE(panel.waitFor([&] { return module(index).commandPosition().has_value(); }));
+    }
+    void begin(std::uint8_t axes = 1) {
+        panel.window().resize(1'500, 1'100);
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
+        for (std::uint8_t axis = 0; axis < axes; ++axis)
+            ASSERT_NO_FATAL_FAILURE(hold(axis));
+        QTest::keyClick(panel.window().windowHandle(), Qt::Key_F3, Qt::ShiftModifier);
+    }
+    [[nodiscard]] const ModuleState& module(std::uint8_t index) {
+        return *panel.composition().store().module(ModuleIndex(index));
+    }
+    /// A swing of so many counts about 0, so many seconds long, in columns of these names.
+    QString swing(const QStringList& names, double counts, double seconds) {
+        QString text = u"# rate 60\n"_s + names.join(u',') + u'\n';
+        const int points = qRound(seconds * 61);
+        for (int n = 0; n <= points; ++n) {
+            const long at = std::lround(counts * std::sin(2 * std::numbers::pi * n / 120.0));
+            QStringList cells;
+            for (qsizetype i = 0; i < names.size(); ++i)
+                cells << QString::number(n == points ? qRound(counts) : at);
+            text += cells.join(u',') + u'\n';
+        }
+        return text;
+    }
+    void open(const QString& text) {
+        const QString name = directory.filePath(u"swing.csv"_s);
+        QFile file(name);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text.toUtf8());
+        file.close();
+        ASSERT_NO_FATAL_FAILURE(panel.click("openPathButton"));
+        auto* dialog = panel.window().findChild<QFileDialog*>(u"openPathDialog"_s);
+        ASSERT_NE(dialog, nullptr);
+        testing_support::chooseFile(*dialog, name);
+        ASSERT_TRUE(panel.waitFor([&] { return summary().contains(u"swing.csv"_s); }))
+            << summary().toStdString();
+    }
+    void run() {
+        ASSERT_NO_FATAL_FAILURE(panel.click("runPathButton"));
+        ASSERT_NO_FATAL_FAILURE(panel.click("runPathGo"));
+    }
+    [[nodiscard]] QString said(const char* label) {
+        return panel.window().findChild<QLabel*>(QLatin1String(label))->text();
+    }
+    [[nodiscard]] QString summary() { return said("pathSummary"); }
+    [[nodiscard]] QString state() { return said("pathState"); }
+    [[nodiscard]] bool holds() { return module(0).activity() == Activity::Holding; }
+    [[nodiscard]] double commanded(int address) {
+        return sim.state(address)[u"command_position"_s].toDouble();
+    }
+
+    QTemporaryDir directory;
+    NmcsimProcess sim;
+    IntentPanel panel;
+};
+
+class PathsOfTwo : public Paths {
+protected:
+    PathsOfTwo() : Paths(u"servo@10,servo@10"_s) {}
+};
+
+TEST_F(Paths, AFileIsOpenedAndRunToItsLastPoint) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 1"_s}, 500, 2)));
+    EXPECT_TRUE(summary().contains(u"123 points at 60 Hz, 2.0 s"_s)) << summary().toStdString();
+    EXPECT_TRUE(summary().contains(u"Module 1 from \u2212500 counts to 500 counts"_s))
+        << summary().toStdString();
+    ASSERT_NO_FATAL_FAILURE(run());
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Point "_s); })) << state().toStdString();
+    EXPECT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"The path is done."_s); }))
+        << state().toStdString();
+    EXPECT_EQ(commanded(1), 500);
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(Paths, NothingMovesWithoutAYes) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 1"_s}, 500, 2)));
+    ASSERT_NO_FATAL_FAILURE(panel.click("runPathButton"));
+    ASSERT_NO_FATAL_FAILURE(panel.click("cancelPathButton"));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(commanded(1), 0);
+}
+
+TEST_F(Paths, OneThatBeginsElsewhereIsMovedToFirst) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(u"Module 1\n9000\n9100\n"_s));
+    EXPECT_TRUE(panel.waitFor([&] { return state().contains(u"Choose Move to start first."_s); }))
+        << state().toStdString();
+    ASSERT_NO_FATAL_FAILURE(panel.click("pathToStartButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return commanded(1) == 9'000; }));
+    ASSERT_NO_FATAL_FAILURE(run());
+    EXPECT_TRUE(panel.waitFor([&] { return commanded(1) == 9'100; }))
+        << state().toStdString() << panel.headlines().join(u" | "_s).toStdString();
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(Paths, EscEndsOneForGood) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 1"_s}, 500, 60)));
+    ASSERT_NO_FATAL_FAILURE(run());
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    QTest::keyClick(panel.window().windowHandle(), Qt::Key_Escape);
+    ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"The path was stopped."_s); }))
+        << state().toStdString();
+    const double stood = commanded(1);
+    ASSERT_TRUE(panel.answersFor(1.0));
+    EXPECT_EQ(commanded(1), stood) << "no point comes after a stop";
+}
+
+TEST_F(Paths, ItsOwnStopButtonSlowsItDown) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 1"_s}, 500, 60)));
+    ASSERT_NO_FATAL_FAILURE(run());
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_NO_FATAL_FAILURE(panel.click("endPathButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_TRUE(panel.waitFor([&] { return state().startsWith(u"The path was stopped."_s); }))
+        << state().toStdString();
+    EXPECT_TRUE(module(0).servoOn());
+}
+
+TEST_F(PathsOfTwo, AreAGroupThatStartsTogether) {
+    ASSERT_NO_FATAL_FAILURE(begin(2));
+    ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 2"_s, u"Module 1"_s}, 300, 2)));
+    EXPECT_TRUE(panel.waitFor([&] { return state().contains(u"into one group: Chain, Groups."_s); }))
+        << state().toStdString();
+    panel.window().findChild<QAction*>(u"groupsAction"_s)->trigger();
+    for (const std::uint8_t index : {std::uint8_t{0}, std::uint8_t{1}}) {
+        auto* group = panel.window().findChild<QComboBox*>(u"group%1Box"_s.arg(index + 1));
+        ASSERT_NE(group, nullptr);
+        group->setFocus();
+        QTest::keyClick(group, Qt::Key_Down);
+        ASSERT_TRUE(panel.waitFor([&] { return module(index).info.group->group == 0x81; }));
+    }
+    ASSERT_NO_FATAL_FAILURE(run());
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"The path is done."_s); }))
+        << state().toStdString();
+    EXPECT_EQ(commanded(1), 300);
+    EXPECT_EQ(commanded(2), 300);
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(Paths, AWrongFileIsRefusedByItsLinesAndNothingMoves) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(u"Module 1,Y\n0,0\n1e,0\n9000,0\n"_s));
+    EXPECT_TRUE(summary().contains(u"Line 1: \"Y\" is not an axis that can follow a path."_s))
+        << summary().toStdString();
+    EXPECT_TRUE(summary().contains(u"Line 3, Module 1: \"1e\" is not a number."_s));
+    const auto* run = panel.window().findChild<QAbstractButton*>(u"runPathButton"_s);
+    EXPECT_FALSE(run->isEnabled());
+    EXPECT_EQ(commanded(1), 0);
+}
+
+TEST_F(Paths, OneIsDrawnFromTheMovesOfASequence) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    QTest::keyClick(panel.window().windowHandle(), Qt::Key_F3);
+    const auto teach = [&](const QString& name) {
+        auto* field = panel.window().findChild<QLineEdit*>(u"pointNameField"_s);
+        field->clear();
+        QTest::keyClicks(field, name);
+        ASSERT_NO_FATAL_FAILURE(panel.click("teachButton"));
+    };
+    ASSERT_NO_FATAL_FAILURE(
+        panel.waitFor([&] { return panel.window().findChild<QLineEdit*>(u"pointNameField"_s); }));
+    panel.ask(intent::GoTo{Counts(3'000), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)});
+    ASSERT_TRUE(panel.waitFor([&] { return commanded(1) == 3'000 && holds(); }));
+    ASSERT_NO_FATAL_FAILURE(teach(u"There"_s));
+    panel.ask(intent::GoTo{Counts(0), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)});
+    ASSERT_TRUE(panel.waitFor([&] { return commanded(1) == 0 && holds(); }));
+    ASSERT_NO_FATAL_FAILURE(panel.click("newSequenceButton"));
+    ASSERT_NO_FATAL_FAILURE(panel.click("addRowButton"));
+    QTest::keyClick(panel.window().windowHandle(), Qt::Key_F3, Qt::ShiftModifier);
+    ASSERT_NO_FATAL_FAILURE(panel.click("drawPathButton"));
+    ASSERT_TRUE(summary().contains(u"points at 60 Hz"_s)) << summary().toStdString();
+    ASSERT_NO_FATAL_FAILURE(run());
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"The path is done."_s); }))
+        << state().toStdString();
+    const int taught = panel.composition().machine().program.points.at(0).axes.at(0).counts;
+    EXPECT_NEAR(taught, 3'000, 5);
+    EXPECT_EQ(commanded(1), taught);
+    EXPECT_EQ(sim.violations(), "");
+}
+
+}  // namespace
+}  // namespace nmc

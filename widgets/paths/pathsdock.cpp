@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/paths/pathsdock.h"
+
+#include <QScrollArea>
+
+#include "widgets/common/scrolled.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+PathsDock::PathsDock(QWidget* parent)
+    : LazyDock(u"pathsDock"_s, PathsPage::tr("Paths"), Qt::SHIFT | Qt::Key_F3, parent) {}
+
+PathsPage& PathsDock::page() {
+    if (m_page == nullptr) {
+        m_page = new PathsPage(this);
+        m_page->setLatency(m_latency);
+        m_page->showSequence(m_sequenceRuns);
+        connect(m_page, &PathsPage::openRequested, this, &PathsDock::openRequested);
+        connect(m_page, &PathsPage::saveRequested, this, &PathsDock::saveRequested);
+        connect(m_page, &PathsPage::placeRequested, this, &PathsDock::placeRequested);
+        connect(m_page, &PathsPage::asked, this, &PathsDock::asked);
+        setWidget(scrolled(m_page));
+    }
+    return *m_page;
+}
+
+void PathsDock::showSession(const LinkState& link, const Machine& machine,
+                            const Session::Procedures& procedures) {
+    if (seen())
+        page().showSession(link, machine, procedures);
+}
+
+void PathsDock::showSequence(bool running) {
+    m_sequenceRuns = running;
+    if (m_page != nullptr)
+        m_page->showSequence(running);
+}
+
+void PathsDock::setLatency(Duration latency) {
+    m_latency = latency;
+    if (m_page != nullptr)
+        m_page->setLatency(latency);
+}
+
+}  // namespace nmc

@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/paths/pathspage.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "model/intent/rights.h"
+#include "model/intent/travel.h"
+#include "model/module/modulescale.h"
+#include "model/path/pathdrawing.h"
+#include "model/sequence/sequencecheck.h"
+#include "widgets/common/askdialog.h"
+#include "widgets/common/look.h"
+#include "widgets/common/pathtexts.h"
+#include "widgets/common/texts.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
+#include "widgets/paths/pathplot.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+/// Of the bar: fine enough for any width.
+constexpr int kWhole = 1'000;
+}  // namespace
+
+struct PathsPage::Basis {
+    struct Axis {
+        std::optional<Refusal> refusal;
+        std::optional<std::int32_t> place;
+        std::optional<bus::PathControl> control;
+        std::optional<servo::SetGain> gains;
+        std::optional<TravelRange> travel;
+        double fastest;
+        std::optional<bus::GroupPlace> group;
+        bool operator==(const Axis&) const = default;
+    };
+    std::shared_ptr<const LoadedPath> path;
+    std::uint32_t baud;
+    Duration latency;
+    std::vector<Axis> axes{};
+    bool operator==(const Basis&) const = default;
+};
+
+PathsPage::PathsPage(QWidget* parent) : QWidget(parent) {
+    look::name(this, u"pathsPage"_s, tr("Paths"));
+    const int unit = look::gridUnit(this);
+    m_plot = new PathPlot(this);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(unit);
+    left->addWidget(buildChoice());
+    left->addWidget(buildRun());
+    left->addStretch(1);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
+    row->setSpacing(unit);
+    row->addLayout(left, 2);
+    row->addWidget(m_plot, 3);
+    refresh();
+}
+
+PathsPage::~PathsPage() = default;
+
+QWidget* PathsPage::buildChoice() {
+    auto* box = new QWidget(this);
+    look::name(box, u"pathChoice"_s, tr("Choice of a path"));
+    m_open = new Command({.name = u"openPathButton"_s,
+                          .icon = {},
+                          .text = tr("Open path…"),
+                          .accessible = tr("Open path… from a CSV file")},
+                         box, [this] { chooseFile(); });
+    m_save = new Command({.name = u"savePathButton"_s,
+                          .icon = {},
+                          .text = tr("Save path…"),
+                          .accessible = tr("Save path… as a CSV file")},
+                         box, [this] { chooseTarget(); });
+    m_sequence = new QComboBox(box);
+    look::name(m_sequence, u"pathSequenceBox"_s, tr("Sequence to draw a path from"));
+    m_sequence->setMinimumContentsLength(10);
+    m_rate = new QComboBox(box);
+    look::name(m_rate, u"pathRateBox"_s, tr("Rate of the path to draw"));
+    for (const auto rate : {servo::PathRate::Hz30, servo::PathRate::Hz60, servo::PathRate::Hz120})
+        m_rate->addItem(tr("%1 Hz").arg(servo::nominalHertz(rate)), static_cast<int>(rate));
+    m_rate->setCurrentIndex(1);
+    m_draw = new Command({.name = u"drawPathButton"_s,
+                          .icon = u"wand"_s,
+                          .text = tr("Draw path"),
+                          .accessible = tr("Draw path from the moves of a sequence")},
+                         box, [this] { draw(); });
+    m_summary = new QLabel(box);
+    look::nameText(m_summary, u"pathSummary"_s, tr("The path"));
+    m_summary->setTextFormat(Qt::PlainText);
+    m_summary->setWordWrap(true);
+    auto* files = new QHBoxLayout;
+    files->addWidget(m_open->button());
+    files->addWidget(m_save->button());
+    files->addStretch(1);
+    auto* drawing = new QHBoxLayout;
+    drawing->addWidget(m_draw->button());
+    drawing->addWidget(m_sequence, 1);
+    drawing->addWidget(m_rate);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(files);
+    column->addLayout(drawing);
+    column->addWidget(m_summary);
+    connect(m_sequence, &QComboBox::currentIndexChanged, this, &PathsPage::refresh);
+    return box;
+}
+
+QWidget* PathsPage::buildRun() {
+    auto* box = new QWidget(this);
+    look::name(box, u"pathRun"_s, tr("Running the path"));
+    m_toStart = new Command({.name = u"pathToStartButton"_s,
+                             .icon = u"arrow-bar-to-right"_s,
+                             .text = tr("Move to start"),
+                             .accessible = tr("Move to start: to the first point of the path")},
+                            box, [this] { moveToStart(); });
+    m_run = new Command({.name = u"runPathButton"_s,
+                         .icon = u"player-play"_s,
+                         .text = tr("Run path"),
+                         .accessible = tr("Run path after a question")},
+                        box, [this] { ask(); });
+    m_end = new Command({.name = u"endPathButton"_s,
+                         .icon = u"player-stop"_s,
+                         .text = tr("Stop path"),
+                         .accessible = tr("Stop path: all its axes slow down")},
+                        box, [this] { emit asked(m_path->axes.front().module, intent::CancelProcedure{}); });
+    m_progress = new QProgressBar(box);
+    look::name(m_progress, u"pathProgress"_s, tr("Progress of the path"));
+    m_progress->setRange(0, kWhole);
+    m_state = new QLabel(box);
+    look::nameText(m_state, u"pathState"_s, tr("State of the path"));
+    m_state->setWordWrap(true);
+    m_state->setMinimumHeight(3 * fontMetrics().height());
+    m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* buttons = new QHBoxLayout;
+    for (const Command* command : {m_toStart, m_run, m_end})
+        buttons->addWidget(command->button());
+    buttons->addStretch(1);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(buttons);
+    column->addWidget(m_progress);
+    column->addWidget(m_state);
+    return box;
+}
+
+// ---- what is there ----
+
+AxisScale PathsPage::scaleOf(ModuleIndex module) const {
+    return module.value() < m_link.modules.size()
+               ? nmc::scaleOf(m_link.modules[module.value()], m_machine.axis(module))
+               : AxisScale();
+}
+
+std::vector<PathColumn> PathsPage::axesNow() const {
+    std::vector<PathColumn> axes;
+    for (const ModuleState& module : m_link.modules)
+        if (hasPathBuffer(module.info.identity)) {
+            const ModuleIndex index = module.info.index;
+            axes.push_back(pathColumn(pathName(index, m_machine.axis(index).name), module, scaleOf(index)));
+        }
+    return axes;
+}
+
+/// A unit that has changed would make other places of the same counts.
+bool PathsPage::unchanged() const {
+    const std::vector<PathColumn> now = axesNow();
+    return std::ranges::all_of(m_path->axes, [&](const PathColumn& axis) {
+        const auto same = std::ranges::find(now, axis.module, &PathColumn::module);
+        return same != now.end() && same->scale == axis.scale;
+    });
+}
+
+const ProcedureReport* PathsPage::report() const {
+    if (!m_path)
+        return nullptr;
+    const auto found = m_procedures.find(m_path->axes.front().module);
+    return found != m_procedures.end() && found->second.kind == ProcedureKind::FollowPath ? &found->second
+                                                                                          : nullptr;
+}
+
+bool PathsPage::running() const {
+    return report() != nullptr && !report()->over();
+}
+
+/// A path may have very many points: they are gone through only where an answer may be another one.
+void PathsPage::lookForObstacles() {
+    Basis basis{m_path, m_link.baud, m_latency};
+    for (const ModuleState& module : m_link.modules)
+        basis.axes.push_back({nmc::whyNot(Request::Move, module), module.commandPosition(),
+                              module.pathControl, module.gains, travelRange(module), module.travel.fastest,
+                              module.info.group});
+    if (m_basis && *m_basis == basis)
+        return;
+    const auto plan = planPath(m_path->table, m_link.modules, {m_link.baud, m_latency});
+    m_obstacle = plan ? std::nullopt : std::optional(plan.error());
+    m_basis = std::make_unique<Basis>(std::move(basis));
+}
+
+QString PathsPage::whyNoAxes() const {
+    if (m_link.phase != LinkPhase::Connected)
+        return texts::refusal(Refusal::NotConnected);
+    if (axesNow().empty())
+        return tr("Paths need a PIC-SERVO CMC or SC. This chain has none.");
+    return running() ? tr("A path is running.") : QString();
+}
+
+QString PathsPage::whyNotMoved() const {
+    if (const QString reason = whyNoAxes(); !reason.isEmpty())
+        return reason;
+    if (!m_path)
+        return tr("Open or draw a path first.");
+    if (m_sequenceRuns)
+        return tr("A sequence or a move to a point is running.");
+    return unchanged() ? QString() : tr("The unit of an axis has changed. Open or draw the path again.");
+}
+
+QString PathsPage::whyNotToStart() const {
+    if (const QString reason = whyNotMoved(); !reason.isEmpty())
+        return reason;
+    return m_obstacle && m_obstacle->kind == PathObstacle::Kind::Refused ? whyNotRun() : QString();
+}
+
+QString PathsPage::whyNotRun() const {
+    if (const QString reason = whyNotMoved(); !reason.isEmpty())
+        return reason;
+    return m_obstacle ? texts::pathObstacle(*m_obstacle, m_path->table.rate,
+                                            [this](ModuleIndex module) { return scaleOf(module); })
+                      : QString();
+}
+
+// ---- what is shown ----
+
+void PathsPage::showSession(const LinkState& link, const Machine& machine,
+                            const Session::Procedures& procedures) {
+    const bool others = m_machine.program.sequences != machine.program.sequences;
+    m_link = link;
+    m_machine = machine;
+    m_procedures = procedures;
+    if (m_path && link.connection != m_connection) {
+        m_path.reset();
+        m_problems.clear();
+        m_plot->showNothing();
+    }
+    if (others)
+        refreshSequences();
+    refresh();
+}
+
+void PathsPage::setLatency(Duration latency) {
+    m_latency = latency;
+}
+
+void PathsPage::showPath(LoadedPath path) {
+    m_reading = false;
+    m_problems.clear();
+    m_ran = false;
+    m_connection = m_link.connection;
+    m_path = std::make_shared<const LoadedPath>(std::move(path));
+    m_plot->showPath(m_path->table, m_path->axes);
+    refresh();
+}
+
+void PathsPage::showProblems(const QString& name, const std::vector<PathProblem>& problems,
+                             const std::vector<PathColumn>& axes) {
+    m_reading = false;
+    QStringList lines{tr("%1 is not a path for this chain:").arg(name)};
+    for (const PathProblem& problem : problems)
+        lines << texts::pathProblem(problem, axes);
+    if (problems.size() >= kMostPathProblems)
+        lines << tr("There may be more problems after these.");
+    m_problems = lines.join(u'\n');
+    refresh();
+}
+
+void PathsPage::showNotRead(const FileError& error) {
+    m_reading = false;
+    m_problems = texts::pathNotRead(error);
+    refresh();
+}
+
+void PathsPage::showSequence(bool running) {
+    m_sequenceRuns = running;
+    refresh();
+}
+
+void PathsPage::showReading() {
+    m_reading = true;
+    refresh();
+}
+
+void PathsPage::refreshSequences() {
+    const QString chosen = m_sequence->currentText();
+    const QSignalBlocker blocker(m_sequence);
+    m_sequence->clear();
+    for (const Sequence& sequence : m_machine.program.sequences)
+        m_sequence->addItem(QString::fromStdString(sequence.name));
+    m_sequence->setCurrentIndex(std::max(0, m_sequence->findText(chosen)));
+}
+
+void PathsPage::refresh() {
+    const QString noAxes = m_reading ? tr("Reading the file…") : whyNoAxes();
+    m_open->setPossible(noAxes, tr("Reads positions for each point from a CSV file. Nothing moves."));
+    m_save->setPossible(m_path ? QString() : tr("Open or draw a path first."),
+                        tr("Saves the path as CSV, with its positions in the units of the axes."));
+    m_draw->setPossible(!noAxes.isEmpty()          ? noAxes
+                        : m_sequence->count() == 0 ? tr("Write a sequence of moves first (F3).")
+                                                   : QString(),
+                        tr("Turns the moves of this sequence into one motion without stops. Nothing moves."));
+    if (whyNotMoved().isEmpty())
+        lookForObstacles();
+    m_toStart->setPossible(whyNotToStart(), tr("Moves each axis of the path to its first point."));
+    m_run->setPossible(whyNotRun(), tr("Runs all axes through the path, after a question."));
+    m_end->setPossible(running() ? QString() : tr("No path is running."),
+                       tr("Stops all axes of the path; they hold where they stop."));
+    QStringList summary;
+    if (!m_problems.isEmpty())
+        summary << m_problems;
+    if (m_path) {
+        summary << tr("%1: %2").arg(m_path->name, texts::pathLength(m_path->table));
+        for (std::size_t i = 0; i < m_path->axes.size(); ++i)
+            summary << texts::pathReach(m_path->table.columns[i], m_path->axes[i]);
+    } else if (m_problems.isEmpty() && whyNoAxes().isEmpty()) {
+        QStringList names;
+        for (const PathColumn& axis : axesNow())
+            names << QString::fromStdString(axis.name);
+        summary << tr("A path file has a column for each axis. Axes here: %1.").arg(names.join(u", "_s));
+    }
+    look::setText(m_summary, summary.join(u'\n'));
+    refreshProgress();
+}
+
+void PathsPage::refreshProgress() {
+    m_ran = m_ran || running();
+    const bool ofThis = m_ran && report() != nullptr;
+    const auto& path = ofThis ? report()->path : std::nullopt;
+    const double share =
+        path ? static_cast<double>(path->done) / static_cast<double>(std::max<std::size_t>(1, path->points()))
+             : 0.0;
+    m_progress->setValue(qRound(share * kWhole));
+    m_plot->showProgress(ofThis ? share : -1.0);
+    const QString reason = whyNotRun();
+    const QString state = ofThis ? texts::pathState(*report()) : QString();
+    look::setText(m_state,
+                  running() || reason.isEmpty() ? state : QStringList{state, reason}.join(u'\n').trimmed());
+}
+
+// ---- what the user does ----
+
+void PathsPage::chooseFile() {
+    QFileDialog* dialog = newFileDialog(this, u"openPathDialog"_s, tr("Open a path"),
+                                        {tr("CSV (*.csv)"), tr("All files (*)")}, QDir::homePath());
+    if (dialog == nullptr)
+        return;
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+        if (whyNoAxes().isEmpty())
+            emit openRequested(file, axesNow());
+    });
+    dialog->show();
+}
+
+void PathsPage::chooseTarget() {
+    QFileDialog* dialog =
+        newFileDialog(this, u"savePathDialog"_s, tr("Save the path"), {tr("CSV (*.csv)")}, QDir::homePath());
+    if (dialog == nullptr)
+        return;
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(u"csv"_s);
+    dialog->selectFile(QFileInfo(m_path->name).completeBaseName());
+    connect(dialog, &QFileDialog::fileSelected, this, [this, path = m_path](const QString& file) {
+        emit saveRequested(file, [path] { return pathText(path->table, path->axes); });
+    });
+    dialog->show();
+}
+
+void PathsPage::draw() {
+    const std::string sequence = m_sequence->currentText().toStdString();
+    const auto refused = nmc::whyNotRun(sequence, 0, m_machine, asOfSequence(m_link.modules));
+    if (!refused.empty()) {
+        m_problems = texts::sequenceProblem(refused.front());
+        return refresh();
+    }
+    auto table = drawPath(sequence, m_machine, m_link.modules,
+                          static_cast<servo::PathRate>(m_rate->currentData().toInt()));
+    if (!table) {
+        m_problems = texts::drawingProblem(table.error());
+        return refresh();
+    }
+    std::vector<PathColumn> axes;
+    const std::vector<PathColumn> now = axesNow();
+    for (const PathTable::Column& column : table->columns)
+        axes.push_back(*std::ranges::find(now, column.module, &PathColumn::module));
+    showPath({m_sequence->currentText(), std::move(*table), std::move(axes)});
+}
+
+/// As to a taught point: all rules of moves hold, and a stop ends it.
+void PathsPage::moveToStart() {
+    Point place{.name = tr("Start of the path").toStdString(), .axes = {}};
+    for (const PathTable::Column& column : m_path->table.columns) {
+        const auto home = m_link.modules[column.module.value()].home.place();
+        place.axes.push_back(
+            {column.module, column.points.front() - (home ? home->counts : 0), home.has_value()});
+    }
+    emit placeRequested(place);
+}
+
+QString PathsPage::question() const {
+    if (!whyNotRun().isEmpty())
+        return {};
+    QStringList lines{tr("All axes of the path start to move. Make sure that nothing is in their way.")};
+    lines << texts::pathLength(m_path->table);
+    for (std::size_t i = 0; i < m_path->axes.size(); ++i)
+        lines << texts::pathReach(m_path->table.columns[i], m_path->axes[i]);
+    return lines.join(u'\n');
+}
+
+void PathsPage::ask() {
+    AskDialog::ask({.name = u"runPathDialog"_s,
+                    .title = tr("Run the path"),
+                    .text = [this, path = m_path] { return path == m_path ? question() : QString(); },
+                    .stay = tr("&Cancel"),
+                    .stayName = u"cancelPathButton"_s,
+                    .stayIsDefault = true,
+                    .textName = u"runPathText"_s},
+                   {{tr("&Run path"), u"runPathGo"_s, [this] { run(); }}}, this);
+}
+
+/// As it can be now.
+void PathsPage::run() {
+    if (!whyNotRun().isEmpty())
+        return;
+    const auto plan = planPath(m_path->table, m_link.modules, {m_link.baud, m_latency});
+    if (!plan)
+        return refresh();
+    emit asked(m_path->axes.front().module, *plan);
+}
+
+}  // namespace nmc
