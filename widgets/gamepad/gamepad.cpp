@@ -4,9 +4,13 @@
 #define SDL_MAIN_HANDLED  // main() is ours
 #include <SDL.h>
 
+#include <QLibrary>
+#include <type_traits>
 #include <utility>
 
 namespace nmc {
+
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -16,25 +20,77 @@ constexpr int kFindInterval = 1'000;  // ms
 constexpr int kPushed = 16'384;
 constexpr int kLetGo = 8'192;
 
+/// SDL, loaded when the first pendant is switched on: with all that it needs itself, it would take a tenth of
+/// the time that the window needs to be there.
+struct Sdl {
+    decltype(&SDL_SetMainReady) setMainReady = nullptr;
+    decltype(&SDL_SetHint) setHint = nullptr;
+    decltype(&SDL_InitSubSystem) initSubSystem = nullptr;
+    decltype(&SDL_QuitSubSystem) quitSubSystem = nullptr;
+    decltype(&SDL_JoystickEventState) joystickEventState = nullptr;
+    decltype(&SDL_JoystickUpdate) joystickUpdate = nullptr;
+    decltype(&SDL_NumJoysticks) numJoysticks = nullptr;
+    decltype(&SDL_IsGameController) isGameController = nullptr;
+    decltype(&SDL_GameControllerEventState) eventState = nullptr;
+    decltype(&SDL_GameControllerOpen) open = nullptr;
+    decltype(&SDL_GameControllerClose) close = nullptr;
+    decltype(&SDL_GameControllerGetAttached) attached = nullptr;
+    decltype(&SDL_GameControllerGetButton) button = nullptr;
+    decltype(&SDL_GameControllerGetAxis) axis = nullptr;
+
+    /// False: it is not installed, or too old.
+    [[nodiscard]] bool load() {
+        QLibrary library(u"SDL2-2.0"_s, 0);
+        bool all = library.load();
+        const auto take = [&](auto& function, const char* name) {
+            function = reinterpret_cast<std::decay_t<decltype(function)>>(library.resolve(name));
+            all = all && function != nullptr;
+        };
+        take(setMainReady, "SDL_SetMainReady");
+        take(setHint, "SDL_SetHint");
+        take(initSubSystem, "SDL_InitSubSystem");
+        take(quitSubSystem, "SDL_QuitSubSystem");
+        take(joystickEventState, "SDL_JoystickEventState");
+        take(joystickUpdate, "SDL_JoystickUpdate");
+        take(numJoysticks, "SDL_NumJoysticks");
+        take(isGameController, "SDL_IsGameController");
+        take(eventState, "SDL_GameControllerEventState");
+        take(open, "SDL_GameControllerOpen");
+        take(close, "SDL_GameControllerClose");
+        take(attached, "SDL_GameControllerGetAttached");
+        take(button, "SDL_GameControllerGetButton");
+        take(axis, "SDL_GameControllerGetAxis");
+        return all;
+    }
+};
+
+Sdl& sdl() {
+    static Sdl loaded;
+    return loaded;
+}
+
 /// Without its window SDL would have no focus and hide what a pad does; the pendant minds the focus itself.
 /// Its own drivers, which talk to pads over USB, could make the window wait; the kernel's do.
 bool openSdl() {
-    SDL_SetMainReady();
-    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
-    SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
-    SDL_SetHint(SDL_HINT_JOYSTICK_HIDAPI, "0");
-    if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
+    static const bool kLoaded = sdl().load();
+    if (!kLoaded)
+        return false;
+    sdl().setMainReady();
+    sdl().setHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+    sdl().setHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+    sdl().setHint(SDL_HINT_JOYSTICK_HIDAPI, "0");
+    if (sdl().initSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
         return false;
     // Asked, not told: nobody empties its queue here.
-    SDL_JoystickEventState(SDL_IGNORE);
-    SDL_GameControllerEventState(SDL_IGNORE);
+    sdl().joystickEventState(SDL_IGNORE);
+    sdl().eventState(SDL_IGNORE);
     return true;
 }
 
 }  // namespace
 
 void Gamepad::Closer::operator()(_SDL_GameController* pad) const {
-    SDL_GameControllerClose(pad);
+    sdl().close(pad);
 }
 
 Gamepad::Gamepad(QObject* parent) : QObject(parent) {
@@ -57,17 +113,17 @@ void Gamepad::setOn(bool on) {
     m_timer.stop();
     m_pad.reset();
     release();
-    SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
+    sdl().quitSubSystem(SDL_INIT_GAMECONTROLLER);
     m_open = false;
 }
 
 void Gamepad::look() {
-    SDL_JoystickUpdate();
+    sdl().joystickUpdate();
     if (m_pad == nullptr) {
         find();
         return;
     }
-    if (SDL_GameControllerGetAttached(m_pad.get()) == SDL_TRUE) {
+    if (sdl().attached(m_pad.get()) == SDL_TRUE) {
         follow(read());
         return;
     }
@@ -78,13 +134,13 @@ void Gamepad::look() {
 }
 
 void Gamepad::find() {
-    for (int i = 0; i < SDL_NumJoysticks() && m_pad == nullptr; ++i)
-        if (SDL_IsGameController(i) == SDL_TRUE)
-            m_pad.reset(SDL_GameControllerOpen(i));
+    for (int i = 0; i < sdl().numJoysticks() && m_pad == nullptr; ++i)
+        if (sdl().isGameController(i) == SDL_TRUE)
+            m_pad.reset(sdl().open(i));
     m_timer.start(isThere() ? kReadInterval : kFindInterval);
     if (!isThere())
         return;
-    SDL_JoystickUpdate();
+    sdl().joystickUpdate();
     m_hands = {};
     m_hands = read();
     emit changed();
@@ -109,7 +165,7 @@ void Gamepad::release() {
 
 Gamepad::Hands Gamepad::read() const {
     const auto down = [this](SDL_GameControllerButton button) {
-        return SDL_GameControllerGetButton(m_pad.get(), button) != 0;
+        return sdl().button(m_pad.get(), button) != 0;
     };
     const bool stops = down(SDL_CONTROLLER_BUTTON_B);
     const bool shoulder =
@@ -118,10 +174,10 @@ Gamepad::Hands Gamepad::read() const {
 }
 
 Gamepad::Way Gamepad::way() const {
-    const int stick = SDL_GameControllerGetAxis(m_pad.get(), SDL_CONTROLLER_AXIS_LEFTX);
+    const int stick = sdl().axis(m_pad.get(), SDL_CONTROLLER_AXIS_LEFTX);
     const auto to = [this, stick](Way way, SDL_GameControllerButton button, int sign) {
         return stick * sign > (m_hands.way == way ? kLetGo : kPushed) ||
-               SDL_GameControllerGetButton(m_pad.get(), button) != 0;
+               sdl().button(m_pad.get(), button) != 0;
     };
     const bool forward = to(Way::Forward, SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 1);
     const bool reverse = to(Way::Reverse, SDL_CONTROLLER_BUTTON_DPAD_LEFT, -1);

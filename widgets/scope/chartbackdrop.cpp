@@ -14,6 +14,8 @@
 
 namespace nmc {
 
+using namespace Qt::StringLiterals;
+
 ChartBackdrop::ChartBackdrop(QObject* parent)
     : QObject(parent),
       m_chart(new QChart),
@@ -26,6 +28,7 @@ ChartBackdrop::ChartBackdrop(QObject* parent)
     for (QValueAxis* axis : {m_timeAxis, m_valueAxis}) {
         axis->setTickType(QValueAxis::TicksDynamic);
         axis->setLabelsVisible(false);
+        axis->setLabelFormat(u" "_s);  // labels that are not seen are laid out all the same
     }
     m_chart->layout()->setContentsMargins(0, 0, 0, 0);
     m_chart->setBackgroundRoundness(0);
