@@ -129,9 +129,12 @@ inline AxisSettings anyAxis() {
                                     pickWhole<std::uint8_t>(0, 255),
                                     pickWhole<std::uint16_t>(0, 16'383),
                                     pickWhole<std::uint8_t>(1, 255),
+                                    coin() ? std::optional(pickWhole<std::uint8_t>(0, 255)) : std::nullopt,
                                     coin() ? std::optional(pickWhole<std::uint8_t>(0, 255)) : std::nullopt};
     if (coin())
-        axis.io = servo::IoControl{coin(), coin(), coin(), coin()};
+        axis.io = servo::IoControl{coin(), coin(), coin(), coin(), coin()};
+    if (coin())
+        axis.fastPath = coin();
     if (coin())
         axis.parameters = step::SetParameters{pickWhole<step::SpeedMode>(0, 3),
                                               coin(),

@@ -188,7 +188,7 @@ void fields(Form& form, T& scale) {
 
 template <typename Form, As<servo::SetGain> T>
 void fields(Form& form, T& gains) {
-    [[maybe_unused]] auto& [kp, kd, ki, il, ol, cl, el, sr, db, sm] = gains;  // sm: not in files yet
+    auto& [kp, kd, ki, il, ol, cl, el, sr, db, sm] = gains;
     form.whole("Kp", kp, takenByModule(servo::kGainRange));
     form.whole("Kd", kd, takenByModule(servo::kGainRange));
     form.whole("Ki", ki, takenByModule(servo::kGainRange));
@@ -198,16 +198,17 @@ void fields(Form& form, T& gains) {
     form.whole("EL_counts", el, takenByModule(servo::kPositionErrorRange));
     form.whole("SR", sr, takenByModule(servo::kServoRateRange));
     form.whole("DB", db, takenByModule(servo::kByteRange));
+    form.whole("SM", sm, takenByModule(servo::kByteRange));
 }
 
 template <typename Form, As<servo::IoControl> T>
 void fields(Form& form, T& io) {
-    // fastPath: not in files yet
-    [[maybe_unused]] auto& [limit1Output, limit2Output, limit1IsInput, limit2IsInput, fastPath] = io;
+    auto& [limit1Output, limit2Output, limit1IsInput, limit2IsInput, fastPath] = io;
     form.flag("limit1_is_input", limit1IsInput);
     form.flag("limit2_is_input", limit2IsInput);
     form.flag("limit1_output", limit1Output);
     form.flag("limit2_output", limit2Output);
+    form.mark("fast_path", fastPath);
 }
 
 template <typename Form, As<step::SetParameters> T>
@@ -249,8 +250,8 @@ void fields(Form& form, T& settings) {
 
 template <typename Form, As<AxisSettings> T>
 void fields(Form& form, T& axis) {
-    auto& [name, expected, unit, motion, travel, backlash, homing, limitStop, analog, gains, io, parameters,
-           accelerationTime, outputNames, inputNames, pins] = axis;
+    auto& [name, expected, unit, motion, travel, backlash, homing, limitStop, analog, gains, io, fastPath,
+           parameters, accelerationTime, outputNames, inputNames, pins] = axis;
     form.text("name", name);
     form.part("expected", expected);
     // From here on the names of the numbers say what this chip counts in.
@@ -264,6 +265,7 @@ void fields(Form& form, T& axis) {
     form.part("analog", analog);
     form.part("gains", gains);
     form.part("io", io);
+    form.flag("fast_path", fastPath);
     form.part("parameters", parameters);
     form.real("acceleration_time", accelerationTime, {0, 255, true}, Need::Optional);
     form.names("output_names", outputNames);
