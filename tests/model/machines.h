@@ -156,7 +156,7 @@ inline AxisSettings anyAxis() {
 
 inline Action anyRow(const Program& program, std::size_t row, std::size_t sequence) {
     const auto axis = pickWhole<std::uint8_t>(0, 31);
-    switch (pickWhole<int>(0, 7)) {
+    switch (pickWhole<int>(0, 8)) {
         case 0:
             if (!program.points.empty())
                 return action::MoveTo{program.points.front().name, coin(), coin(),
@@ -165,10 +165,10 @@ inline Action anyRow(const Program& program, std::size_t row, std::size_t sequen
         case 1:
             return action::Wait{pick(0, 86'400)};
         case 2:
-            return action::WaitForInput{ModuleIndex(axis), pickWhole<InputPin>(0, 4), coin(),
+            return action::WaitForInput{ModuleIndex(axis), pickWhole<InputPin>(0, 16), coin(),
                                         pick(0, 86'400)};
         case 3:
-            return action::SetOutput{ModuleIndex(axis), pickWhole<unsigned>(1, 5), coin()};
+            return action::SetOutput{ModuleIndex(axis), pickWhole<unsigned>(1, 12), coin()};
         case 4:
             return action::Home{ModuleIndex(axis)};
         case 5:
@@ -180,6 +180,9 @@ inline Action anyRow(const Program& program, std::size_t row, std::size_t sequen
             if (sequence > 0)
                 return action::Call{program.sequences.front().name};
             return action::WaitForArrival{};
+        case 7:
+            return action::WaitForAnalog{ModuleIndex(axis), pickWhole<unsigned>(1, 3), coin(),
+                                         pickWhole<unsigned>(0, 255), pick(0, 86'400)};
         default:
             return action::WaitForArrival{};
     }

@@ -310,12 +310,25 @@ void fields(Form& form, T& point) {
 
 /// What a row does, in the order of Action.
 inline constexpr std::array<std::string_view, std::variant_size_v<Action>> kActionWords{
-    "move to", "wait", "wait for arrival", "wait for input", "set output", "home", "repeat", "call"};
+    "move to", "wait", "wait for arrival", "wait for input", "set output", "home",
+    "repeat",  "call", "wait for A/D"};
 inline constexpr Word<InputPin> kPinWords[] = {{InputPin::Limit1, "limit 1"},
                                                {InputPin::Limit2, "limit 2"},
                                                {InputPin::In1, "IN1"},
                                                {InputPin::In2, "IN2"},
-                                               {InputPin::HomeSwitch, "home switch"}};
+                                               {InputPin::HomeSwitch, "home switch"},
+                                               {InputPin::Io1, "IO1"},
+                                               {InputPin::Io2, "IO2"},
+                                               {InputPin::Io3, "IO3"},
+                                               {InputPin::Io4, "IO4"},
+                                               {InputPin::Io5, "IO5"},
+                                               {InputPin::Io6, "IO6"},
+                                               {InputPin::Io7, "IO7"},
+                                               {InputPin::Io8, "IO8"},
+                                               {InputPin::Io9, "IO9"},
+                                               {InputPin::Io10, "IO10"},
+                                               {InputPin::Io11, "IO11"},
+                                               {InputPin::Io12, "IO12"}};
 
 template <typename Form, As<action::MoveTo> T>
 void fields(Form& form, T& move) {
@@ -344,7 +357,7 @@ template <typename Form, As<action::SetOutput> T>
 void fields(Form& form, T& set) {
     auto& [module, output, on] = set;
     form.module("module", module);
-    form.whole("output", output, {1, 5});
+    form.whole("output", output, {1, kMaxPins});
     form.flag("on", on);
 }
 template <typename Form, As<action::Home> T>
@@ -362,6 +375,16 @@ template <typename Form, As<action::Call> T>
 void fields(Form& form, T& call) {
     auto& [sequence] = call;
     form.text("sequence", sequence);
+}
+
+template <typename Form, As<action::WaitForAnalog> T>
+void fields(Form& form, T& wait) {
+    auto& [module, input, above, level, timeout] = wait;
+    form.module("module", module);
+    form.whole("input", input, {1, kMaxAnalog});
+    form.flag("above", above);
+    form.whole("level", level, {0, 255});
+    form.seconds("timeout_s", timeout);
 }
 
 template <typename Form, As<Action> T>
