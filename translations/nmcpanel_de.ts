@@ -701,6 +701,34 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>One column per signal, every millisecond (*.csv)</source>
         <translation>Eine Spalte je Signal, jede Millisekunde (*.csv)</translation>
     </message>
+    <message>
+        <source>A/D 2</source>
+        <translation>A/D 2</translation>
+    </message>
+    <message>
+        <source>A/D 3</source>
+        <translation>A/D 3</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>Zählung</translation>
+    </message>
+    <message>
+        <source>count rate</source>
+        <translation>Zählrate</translation>
+    </message>
+    <message>
+        <source>A/D %1</source>
+        <translation>A/D %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>Zählwerte</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>Zählwerte/s</translation>
+    </message>
 </context>
 <context>
     <name>StepMeaning</name>
@@ -3640,14 +3668,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 hat diesen Ein- oder Ausgang nicht.</translation>
     </message>
     <message>
-        <source>This limit pin of %1 is set as an output.</source>
-        <translation>Dieser Endschalteranschluss von %1 ist ein Ausgang und sagt daher nichts.</translation>
-    </message>
-    <message>
-        <source>This limit pin of %1 is not set as an output. Set it on the I/O page.</source>
-        <translation>Von diesem Endschalteranschluss von %1 ist nicht bekannt, dass er ein Ausgang ist. Siehe dort die Seite E/A.</translation>
-    </message>
-    <message>
         <source>The outputs of %1 are unknown. Set them once on its I/O page.</source>
         <translation>Die Ausgänge von %1 sind nicht bekannt. Sie dort einmal auf der Seite E/A setzen.</translation>
     </message>
@@ -4379,6 +4399,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 points at %2 Hz, %3 s</source>
         <translation>%1 Punkte mit %2 Hz, %3 s</translation>
+    </message>
+    <message>
+        <source>SM, step multiplier</source>
+        <translation>SM, Taktfaktor</translation>
+    </message>
+    <message>
+        <source>Fast path</source>
+        <translation>Schnelle Bahn</translation>
+    </message>
+    <message>
+        <source>This pin of %1 is set as an output.</source>
+        <translation>Dieser Anschluss von %1 ist ein Ausgang.</translation>
+    </message>
+    <message>
+        <source>This pin of %1 is not set as an output. Set it on the I/O page.</source>
+        <translation>Dieser Anschluss von %1 ist nicht als Ausgang eingestellt. Dort auf der Seite E/A einstellen.</translation>
+    </message>
+    <message>
+        <source>The A/D value of %1 did not reach its level in time.</source>
+        <translation>Der A/D-Wert von %1 hat seine Schwelle nicht rechtzeitig erreicht.</translation>
+    </message>
+    <message>
+        <source>wait for A/D</source>
+        <translation>auf A/D warten</translation>
     </message>
 </context>
 <context>
@@ -7013,6 +7057,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Address %1 is used by %2. Nothing was sent.</source>
         <translation>Adresse %1 ist die von %2. Nichts wurde gesendet.</translation>
     </message>
+    <message>
+        <source>outputs stored</source>
+        <translation>Ausgänge abgelegt</translation>
+    </message>
+    <message>
+        <source>Store its outputs first.</source>
+        <translation>Zuerst seine Ausgänge ablegen.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::HoldFirstButton</name>
@@ -8586,6 +8638,62 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>The home switch is closed forward of this position. If cleared, set it by hand.</source>
         <translation>Der Referenzschalter ist von dort an vorwärts geschlossen. Ohne Haken wird er von Hand gestellt.</translation>
     </message>
+    <message>
+        <source>Pins</source>
+        <translation>Pins</translation>
+    </message>
+    <message>
+        <source>Level of %1</source>
+        <translation>Pegel von %1</translation>
+    </message>
+    <message>
+        <source>A/D %1</source>
+        <translation>A/D %1</translation>
+    </message>
+    <message>
+        <source>255 stands for 5 V.</source>
+        <translation>255 bedeutet 5 V.</translation>
+    </message>
+    <message>
+        <source>PWM 1 and 2</source>
+        <translation>PWM 1 und 2</translation>
+    </message>
+    <message>
+        <source>What the module puts out, of 255.</source>
+        <translation>Was das Modul ausgibt, von 255.</translation>
+    </message>
+    <message>
+        <source>Timer or counter</source>
+        <translation>Zeitgeber oder Zähler</translation>
+    </message>
+    <message>
+        <source>As the module counts.</source>
+        <translation>Wie das Modul zählt.</translation>
+    </message>
+    <message>
+        <source>An output: the module sets its level.</source>
+        <translation>Ein Ausgang: das Modul bestimmt seinen Pegel.</translation>
+    </message>
+    <message>
+        <source>High while checked.</source>
+        <translation>Mit Haken High.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>off, %1</source>
+        <translation>aus, %1</translation>
+    </message>
+    <message>
+        <source>timer, %1</source>
+        <translation>Zeitgeber, %1</translation>
+    </message>
+    <message>
+        <source>counter, %1</source>
+        <translation>Zähler, %1</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModuleContext</name>
@@ -9924,6 +10032,38 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Number</source>
         <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>%1 high</source>
+        <translation>%1 High</translation>
+    </message>
+    <message>
+        <source>%1 low</source>
+        <translation>%1 Low</translation>
+    </message>
+    <message>
+        <source>IO%1 high</source>
+        <translation>IO%1 High</translation>
+    </message>
+    <message>
+        <source>IO%1 low</source>
+        <translation>IO%1 Low</translation>
+    </message>
+    <message>
+        <source>A/D %1 above</source>
+        <translation>A/D %1 über</translation>
+    </message>
+    <message>
+        <source>A/D %1 below</source>
+        <translation>A/D %1 unter</translation>
+    </message>
+    <message>
+        <source>%1 of 255</source>
+        <translation>%1 von 255</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Binnen</translation>
     </message>
 </context>
 <context>

@@ -50,13 +50,13 @@ ModuleCommand commandFor(GroupCommand::Action action, ModuleType type) {
     };
     switch (action) {
         case GroupCommand::Action::StartMotion:
-            return inItsWords(StartMotion{});
+            return type == ModuleType::Io ? IoCommand(io::SynchOutput{}) : inItsWords(StartMotion{});
         case GroupCommand::Action::SaveAsHome:
-            return inItsWords(SaveAsHome{});
+            return type == ModuleType::Io ? IoCommand(io::SynchInput{}) : inItsWords(SaveAsHome{});
         case GroupCommand::Action::ResetPosition:
             return inItsWords(ResetPosition{});
         case GroupCommand::Action::ClearStickyBits:
-            return ServoCommand(servo::ClearStickyBits{});  // the gate keeps it from a PIC-STEP
+            return ServoCommand(servo::ClearStickyBits{});  // the gate keeps it from the others
         case GroupCommand::Action::StopSmoothly:
         case GroupCommand::Action::StopAbruptly:
         case GroupCommand::Action::MotorOff:
@@ -145,6 +145,8 @@ GroupRun::Member& GroupRun::at(ModuleIndex module) {
 /// Nothing: this look does not tell, another may.
 std::optional<MemberOutcome> GroupRun::shows(const Member& member, const StatusReport& report,
                                              TimePoint latched) const {
+    if (member.before.info().identity.type == ModuleType::Io)
+        return putOut(member, report);
     switch (m_command.action) {
         case GroupCommand::Action::StartMotion:
             return started(member, report, latched);
@@ -165,6 +167,20 @@ std::optional<MemberOutcome> GroupRun::shows(const Member& member, const StatusR
     // It was on its way, so the place is another one than the home before.
     const auto& home = member.before.home();
     return home && *home != *report.home ? MemberOutcome::Done : MemberOutcome::Unknown;
+}
+
+/// Outputs read back. What changes none of them, and what was latched, shows nowhere: only a leader's answer
+/// tells.
+std::optional<MemberOutcome> GroupRun::putOut(const Member& member, const StatusReport& report) const {
+    const IoOutputs& outputs = member.before.outputs();
+    const unsigned changed =
+        outputs.stored() && outputs.told() ? unsigned{outputs.stored()->outputs} ^ *outputs.told() : 0U;
+    if (m_command.action != GroupCommand::Action::StartMotion || changed == 0)
+        return member.looks >= kVotes ? std::optional(MemberOutcome::Unknown) : std::nullopt;
+    if (!report.pins)
+        return std::nullopt;
+    const unsigned off = (*report.pins ^ outputs.stored()->outputs) & changed;
+    return off == 0 ? MemberOutcome::Done : MemberOutcome::NotDone;
 }
 
 /// It stood: the gate has seen to that.

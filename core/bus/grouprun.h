@@ -58,6 +58,7 @@ private:
                                                      TimePoint latched) const;
     [[nodiscard]] static std::optional<MemberOutcome> reset(const Member& member, const StatusReport& report);
     [[nodiscard]] static std::optional<MemberOutcome> cleared(const StatusReport& report);
+    [[nodiscard]] std::optional<MemberOutcome> putOut(const Member& member, const StatusReport& report) const;
     [[nodiscard]] std::optional<MemberOutcome> started(const Member& member, const StatusReport& report,
                                                        TimePoint latched) const;
 

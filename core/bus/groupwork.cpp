@@ -83,6 +83,10 @@ GroupWork::Judged GroupWork::judgeGroup(const GroupCommand& command) const {
         if (!reachable(info.index))
             return {Verdict::Never, info.index};
         Verdict verdict = judge(module.belief, commandFor(command.action, info.identity.type));
+        // With nothing stored, nobody knows what it would put out.
+        if (info.identity.type == ModuleType::Io && command.action == GroupCommand::Action::StartMotion &&
+            !module.belief.outputs().stored())
+            verdict = Verdict::Never;
         if (verdict == Verdict::Never)
             return {verdict, info.index};
         if (verdict == Verdict::InMotion && module.belief.looksSince(m_commands.stepBegan()) < 2)

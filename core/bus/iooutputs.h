@@ -35,6 +35,11 @@ public:
     /// The levels of all pins; outputs read back.
     void onPins(std::uint16_t pins) { m_pins = pins; }
 
+    /// What waits for Synch Output; empty: nothing that was stored in this connection.
+    [[nodiscard]] const std::optional<io::SetSynchOutput>& stored() const { return m_stored; }
+    /// As answered; empty: not known.
+    [[nodiscard]] std::optional<std::uint16_t> told() const { return m_outputs; }
+
     void setStopOutputs(const StopOutputs& off) { m_off = off; }
     [[nodiscard]] const StopOutputs& stopOutputs() const { return m_off; }
     /// What is still to be told, one command after the other; nothing when no output that a stop takes low

@@ -97,8 +97,8 @@ struct GroupChange {
 /// One command to all members of a group, carried out in the same tick.
 struct GroupCommand {
     enum class Action : std::uint8_t {
-        StartMotion,  ///< withheld unless each member has confirmed its load
-        SaveAsHome,
+        StartMotion,      ///< withheld unless each member has confirmed its load; PIC-I/O: Synch Output
+        SaveAsHome,       ///< PIC-I/O: Synch Input
         ResetPosition,    ///< withheld while any member moves
         ClearStickyBits,  ///< PIC-SERVO only
         StopSmoothly,     ///< stops: past all that waits, and never withheld from a member that is known;

@@ -109,5 +109,13 @@ TEST_F(PicIo, OthersTakeNothingOfIt) {
     EXPECT_NE(refused(iointent::SetOutput{2, true}), std::nullopt) << "a version that nobody knows";
 }
 
+TEST_F(PicIo, ItsGroupStartsOnceItsOutputsAreStored) {
+    EXPECT_EQ(whyNot(Request::StartLoaded, module), Refusal::NothingLoaded);
+    executed(io::SetSynchOutput{0x0003, 0, 0});
+    EXPECT_EQ(whyNot(Request::StartLoaded, module), std::nullopt);
+    module.silent = true;
+    EXPECT_EQ(whyNot(Request::StartLoaded, module), Refusal::Silent);
+}
+
 }  // namespace
 }  // namespace nmc

@@ -142,6 +142,71 @@ TEST(MachineCompare, AnOldServoHasNoDeadbandToDiffer) {
     EXPECT_EQ(row(compare(file, file, {module}), {kFirst, MachinePart::Gains}), nullptr);
 }
 
+/// An SC that has its gains and knows its I/O Control: 3-phase.
+ModuleState scWith(const servo::SetGain& gains, bool fastPath) {
+    ModuleState module = moduleOf(0, ModuleType::Servo, 10);
+    module.gains = gains;
+    module.scIo = servo::ScIoControl{.threePhase = true, .fastPath = fastPath};
+    return module;
+}
+Machine scMachine(std::optional<std::uint8_t> multiplier, std::optional<bool> fastPath) {
+    Machine file;
+    file.axes.resize(1);
+    file.axes[0].expected = ModuleIdentity{ModuleType::Servo, 10};
+    file.axes[0].gains = servo::SetGain{100, 1'000, 0, 0, 255, 0, 2'000, 1, std::uint8_t{0}, multiplier};
+    file.axes[0].fastPath = fastPath;
+    return file;
+}
+
+TEST(MachineCompare, TheStepMultiplierOfAnScIsComparedAndSent) {
+    const Machine file = scMachine(std::uint8_t{5}, {});
+    const PartId gains{kFirst, MachinePart::Gains};
+    const ModuleState module = scWith(*scMachine(std::uint8_t{2}, {}).axes[0].gains, false);
+    const auto rows = compare(file, file, {module});
+    ASSERT_NE(row(rows, gains), nullptr);
+    ASSERT_EQ(row(rows, gains)->fields.size(), 1U);
+    EXPECT_EQ(row(rows, gains)->fields[0].key, "SM");
+    EXPECT_EQ(row(rows, gains)->fields[0].now, FieldValue(2.0));
+    const auto sent = sendings(file, file, {module}, {gains});
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(std::get<intent::ApplyGains>(sent[0].intent).gains.sm, 5);
+}
+
+TEST(MachineCompare, AFileWithoutAStepMultiplierLeavesItAsItIs) {
+    const Machine file = scMachine({}, {});
+    const ModuleState module = scWith(*scMachine(std::uint8_t{2}, {}).axes[0].gains, false);
+    EXPECT_EQ(row(compare(file, file, {module}), {kFirst, MachinePart::Gains}), nullptr);
+}
+
+/// Every bit of I/O Control is applied at each command: the others go as the module has them.
+TEST(MachineCompare, FastPathOfAnScGoesWithTheRestOfItsAmplifierAsItIs) {
+    const Machine file = scMachine({}, true);
+    const PartId io{kFirst, MachinePart::Io};
+    const ModuleState module = scWith(*file.axes[0].gains, false);
+    const auto rows = compare(file, file, {module});
+    ASSERT_NE(row(rows, io), nullptr);
+    EXPECT_EQ(row(rows, io)->applying, Applying::Sends);
+    const auto sent = sendings(file, file, {module}, {io});
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(std::get<intent::ControlSc>(sent[0].intent).io,
+              (servo::ScIoControl{.threePhase = true, .fastPath = true}));
+    EXPECT_EQ(row(compare(file, file, {scWith(*file.axes[0].gains, true)}), io), nullptr) << "it has it";
+}
+
+TEST(MachineCompare, FastPathOfAnScWaitsWhileItsAmplifierIsNotKnown) {
+    const Machine file = scMachine({}, true);
+    const PartId io{kFirst, MachinePart::Io};
+    ModuleState module = scWith(*file.axes[0].gains, false);
+    module.scIo.reset();
+    const auto rows = compare(file, {}, {module});
+    ASSERT_NE(row(rows, io), nullptr);
+    EXPECT_EQ(row(rows, io)->applying, Applying::KeepsUnsent);
+    EXPECT_THAT(sendings(file, {}, {module}, all(rows)),
+                testing::Each(testing::Field(&ModuleIntent::intent,
+                                             testing::VariantWith<intent::ApplyGains>(testing::_))));
+    EXPECT_EQ(applied(file, {}, {module}, all(rows)).axes[0].fastPath, true);
+}
+
 TEST(MachineCompare, NothingIsTickedThatIsSentToAServoThatIsOn) {
     auto modules = millChain();
     modules[0] = moduleOf(0, ModuleType::Servo, 4, true);

@@ -129,9 +129,12 @@ inline AxisSettings anyAxis() {
                                     pickWhole<std::uint8_t>(0, 255),
                                     pickWhole<std::uint16_t>(0, 16'383),
                                     pickWhole<std::uint8_t>(1, 255),
+                                    coin() ? std::optional(pickWhole<std::uint8_t>(0, 255)) : std::nullopt,
                                     coin() ? std::optional(pickWhole<std::uint8_t>(0, 255)) : std::nullopt};
     if (coin())
-        axis.io = servo::IoControl{coin(), coin(), coin(), coin()};
+        axis.io = servo::IoControl{coin(), coin(), coin(), coin(), coin()};
+    if (coin())
+        axis.fastPath = coin();
     if (coin())
         axis.parameters = step::SetParameters{pickWhole<step::SpeedMode>(0, 3),
                                               coin(),
@@ -153,7 +156,7 @@ inline AxisSettings anyAxis() {
 
 inline Action anyRow(const Program& program, std::size_t row, std::size_t sequence) {
     const auto axis = pickWhole<std::uint8_t>(0, 31);
-    switch (pickWhole<int>(0, 7)) {
+    switch (pickWhole<int>(0, 8)) {
         case 0:
             if (!program.points.empty())
                 return action::MoveTo{program.points.front().name, coin(), coin(),
@@ -162,10 +165,10 @@ inline Action anyRow(const Program& program, std::size_t row, std::size_t sequen
         case 1:
             return action::Wait{pick(0, 86'400)};
         case 2:
-            return action::WaitForInput{ModuleIndex(axis), pickWhole<InputPin>(0, 4), coin(),
+            return action::WaitForInput{ModuleIndex(axis), pickWhole<InputPin>(0, 16), coin(),
                                         pick(0, 86'400)};
         case 3:
-            return action::SetOutput{ModuleIndex(axis), pickWhole<unsigned>(1, 5), coin()};
+            return action::SetOutput{ModuleIndex(axis), pickWhole<unsigned>(1, 12), coin()};
         case 4:
             return action::Home{ModuleIndex(axis)};
         case 5:
@@ -177,6 +180,9 @@ inline Action anyRow(const Program& program, std::size_t row, std::size_t sequen
             if (sequence > 0)
                 return action::Call{program.sequences.front().name};
             return action::WaitForArrival{};
+        case 7:
+            return action::WaitForAnalog{ModuleIndex(axis), pickWhole<unsigned>(1, 3), coin(),
+                                         pickWhole<unsigned>(0, 255), pick(0, 86'400)};
         default:
             return action::WaitForArrival{};
     }

@@ -66,7 +66,7 @@ TEST(Recording, IsWrittenAsDescribedUnderAnyLocale) {
     header.zero = zero;
     const std::string head = recordingHead(header);
     EXPECT_THAT(head, StartsWith(kRecordingHead));
-    EXPECT_TRUE(head.ends_with('\n' + kRecordingColumnLine));
+    EXPECT_TRUE(head.ends_with('\n' + kWrittenColumnLine));
 
     ScopeSample first = sampleOf(zero - Duration(1), 1'024);
     first.error = 0.5F;
@@ -88,7 +88,7 @@ TEST(Recording, IsWrittenAsDescribedUnderAnyLocale) {
                 zero);
     appendRow(rows, ModuleIndex(1), second, zero);
     appendNote(rows, "the motors were told to stop", at(5'750'000'000), zero);
-    EXPECT_EQ(rows, kRecordingRows);
+    EXPECT_EQ(rows, kWrittenRows);
 }
 
 TEST(Recording, ARealSessionSaysSo) {
@@ -101,9 +101,9 @@ TEST(Recording, ARealSessionSaysSo) {
 TEST(Recording, HeadLinesStartWithAHashSoThatOtherReadersCanPassThemOver) {
     const std::string head = recordingHead(recordingHeader());
     std::size_t from = 0;
-    for (; from < head.size() - kRecordingColumnLine.size(); from = head.find('\n', from) + 1)
+    for (; from < head.size() - kWrittenColumnLine.size(); from = head.find('\n', from) + 1)
         EXPECT_EQ(head[from], '#') << "at byte " << from;
-    EXPECT_EQ(head.substr(from), kRecordingColumnLine);
+    EXPECT_EQ(head.substr(from), kWrittenColumnLine);
 }
 
 TEST(Recording, WhatAModuleIsCalledStaysOnItsLine) {

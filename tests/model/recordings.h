@@ -34,12 +34,22 @@ inline const std::string kRecordingHead =
     "# module 2 analog unit: V\n"
     "# module 2 analog per count: 0.5\n"
     "# module 2 analog at zero: 0\n";
+/// As before there was a PIC-I/O; such files still open.
 inline const std::string kRecordingColumnLine =
     "module,time_s,position,velocity_per_s,command,error,error_low,error_high,analog,status,aux,gap\n";
 inline const std::string kRecordingRows =
     "1,-0.000000001,1024,,1024.5,0.5,0,1,17,9,4,0\n"
     "# gains of module 1 at 0.500000000 s: kp 100 kd 1000 ki 0 il 0 ol 255 cl 0 el 2000 sr 1 db 3\n"
     "2,0.600000001,-2147483648,-12.25,,,,,255,0,63,1\n"
+    "# note at 0.750000000 s: the motors were told to stop\n";
+/// The same as they are written now.
+inline const std::string kWrittenColumnLine =
+    "module,time_s,position,velocity_per_s,command,error,error_low,error_high,analog,status,aux,gap,analog2,"
+    "analog3,counted\n";
+inline const std::string kWrittenRows =
+    "1,-0.000000001,1024,,1024.5,0.5,0,1,17,9,4,0,,,\n"
+    "# gains of module 1 at 0.500000000 s: kp 100 kd 1000 ki 0 il 0 ol 255 cl 0 el 2000 sr 1 db 3\n"
+    "2,0.600000001,-2147483648,-12.25,,,,,255,0,63,1,,,\n"
     "# note at 0.750000000 s: the motors were told to stop\n";
 inline const std::string kRecording = kRecordingHead + kRecordingColumnLine + kRecordingRows;
 

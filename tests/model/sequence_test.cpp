@@ -216,6 +216,61 @@ TEST(WhyNotRun, PinsThatAreNotThere) {
               (std::vector{Kind::NotAnInput, Kind::NoSuchPin, Kind::NoSuchPin}));
 }
 
+constexpr ModuleIndex kBox{0};
+
+/// IO1 is high, IO12 low; A/D 2 reads 100. All pins are inputs but IO3.
+ModuleState picIo() {
+    ModuleState module;
+    module.info = {kBox, BusAddress(1), {ModuleType::Io, 1}};
+    StatusReport report;
+    report.pins = 0x0001;
+    report.analogs = {0, 100, 255};
+    module.latest = report;
+    module.apply(bus::CommandExecuted{kBox, TimePoint{}, IoCommand(io::SetDirection{0x0FFB})});
+    return module;
+}
+
+TEST(PicIoRows, PinsReadAsTheyAreAndOutputsAreNoInputs) {
+    EXPECT_EQ(readPin(InputPin::Io1, picIo()), true);
+    EXPECT_EQ(readPin(InputPin::Io12, picIo()), false);
+    EXPECT_EQ(readPin(InputPin::Io3, picIo()), std::nullopt);
+    EXPECT_EQ(readPin(InputPin::Limit1, picIo()), std::nullopt);
+    EXPECT_EQ(readPin(InputPin::Io1, servoAt(0, 0)), std::nullopt);
+}
+
+TEST(PicIoRows, AnAnalogValueIsWaitedForOnItsSide) {
+    using action::WaitForAnalog;
+    EXPECT_TRUE(isMet(WaitForAnalog{kBox, 2, true, 99}, picIo()));
+    EXPECT_FALSE(isMet(WaitForAnalog{kBox, 2, true, 100}, picIo())) << "above is more than";
+    EXPECT_FALSE(isMet(WaitForAnalog{kBox, 2, false, 100}, picIo()));
+    EXPECT_TRUE(isMet(WaitForAnalog{kBox, 2, false, 101}, picIo()));
+    EXPECT_FALSE(isMet(WaitForAnalog{kBox, 1, true, 0}, picIo())) << "the other input";
+}
+
+TEST(PicIoRows, AnOutputIsToldWithTheOthersAsTheyAre) {
+    const auto wanted = outputIntent({kBox, 3, true}, picIo());
+    ASSERT_TRUE(wanted.has_value());
+    const auto steps = plan(*wanted, picIo());
+    ASSERT_TRUE(steps.has_value());
+    EXPECT_EQ(std::get<IoCommand>((*steps)[0].command), IoCommand(io::SetOutput{0x0005}));
+}
+
+TEST(PicIoRows, WhatItDoesNotHaveIsSaidBeforeARun) {
+    const auto problems = [](Action row, const ModuleState& module) {
+        return kinds(whyNotRun("Main", 0, machineOf({{}, {{"Main", {std::move(row)}}}}), {module}));
+    };
+    EXPECT_THAT(problems(action::WaitForInput{kBox, InputPin::Io1}, picIo()), IsEmpty());
+    EXPECT_THAT(problems(action::WaitForInput{kBox, InputPin::Io3}, picIo()), ElementsAre(Kind::NotAnInput));
+    EXPECT_THAT(problems(action::WaitForInput{kBox, InputPin::In1}, picIo()), ElementsAre(Kind::NoSuchPin));
+    EXPECT_THAT(problems(action::SetOutput{kBox, 3, true}, picIo()), IsEmpty());
+    EXPECT_THAT(problems(action::SetOutput{kBox, 4, true}, picIo()), ElementsAre(Kind::NotAnOutput));
+    EXPECT_THAT(problems(action::WaitForAnalog{kBox, 1}, picIo()), IsEmpty());
+    EXPECT_THAT(problems(action::WaitForAnalog{kX, 1}, servoAt(0, 0)), ElementsAre(Kind::NoSuchPin));
+    ModuleState found = picIo();
+    found.attached();
+    EXPECT_THAT(problems(action::SetOutput{kBox, 3, true}, found), ElementsAre(Kind::OutputsUnknown));
+}
+
 TEST(EntryStates, AreWhatTheRowsAboveLeave) {
     Program program = twoPoints();
     program.sequences[0].rows = {action::MoveTo{"Pick"}, action::SetOutput{kY, 2, true}, action::Repeat{0, 5},

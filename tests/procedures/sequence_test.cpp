@@ -98,6 +98,85 @@ TEST_F(Sequences, WaitsForAnInputOrItsTimeout) {
     EXPECT_EQ(report.places[0].row, 0U);
 }
 
+/// A PIC-I/O by itself: IO3 is an output, all others are inputs.
+class IoSequences : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(bench.connect());
+        bench.settle();
+        ASSERT_TRUE(bench.perform(iointent::SetDirection{0x0FFB}));
+    }
+    void start(std::vector<Action> rows) {
+        Machine machine;
+        machine.program.sequences = {{"Main", std::move(rows)}};
+        ASSERT_THAT(whyNotRun("Main", 0, machine, bench.modules), IsEmpty());
+        run.emplace(machine, "Main", 0);
+    }
+    bool turn() {
+        bench.bus.runFor(16ms);
+        bench.take();
+        if (m_operation)
+            for (const auto& finished : bench.bus.all<bus::OperationFinished>())
+                if (finished.id == *m_operation) {
+                    m_operation.reset();
+                    run->onFinished(finished.module, finished.outcome);
+                    break;
+                }
+        SequenceRun::Next next = run->next(bench.modules, bench.bus.now);
+        if (auto* send = std::get_if<SequenceRun::Send>(&next))
+            m_operation = bench.bus.submit(std::move(send->operations.front()));
+        return !run->report().over();
+    }
+    SequenceReport turns(double seconds) {
+        for (const TimePoint end = bench.bus.now + fromSeconds(seconds); bench.bus.now < end && turn();) {
+        }
+        return run->report();
+    }
+    void set(sim::Input input, unsigned number, double value) {
+        bench.bus.chain.set(kX, input, value, bench.bus.now, number);
+    }
+    [[nodiscard]] sim::IoSnapshot truth() { return *bench.bus.chain.snapshot(kX, bench.bus.now).io; }
+
+    ProcedureBench bench{{{ModuleType::Io, 1}}};
+    std::optional<SequenceRun> run;
+
+private:
+    std::optional<bus::OperationId> m_operation;
+};
+
+TEST_F(IoSequences, AnOutputIsSetWhenTheInputAndThenTheAnalogValueAreThere) {
+    start({action::WaitForInput{kX, InputPin::Io12, true, 5.0}, action::WaitForAnalog{kX, 2, true, 199, 5.0},
+           action::SetOutput{kX, 3, true}});
+    EXPECT_EQ(turns(1).places[0].row, 0U);
+    set(sim::Input::Pin, 12, 1);
+    EXPECT_EQ(turns(1).places[0].row, 1U);
+    set(sim::Input::Analog, 2, 199);
+    EXPECT_EQ(turns(1).places[0].row, 1U) << "not above";
+    EXPECT_EQ(truth().outputs & 0x0004U, 0U);
+    set(sim::Input::Analog, 2, 200);
+    EXPECT_EQ(turns(2).stage, SequenceStage::Done);
+    EXPECT_EQ(truth().outputs & 0x0FFFU, 0x0004U);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(IoSequences, AWaitForAnAnalogValueEndsInTime) {
+    start({action::WaitForAnalog{kX, 1, true, 10, 2.0}, action::SetOutput{kX, 3, true}});
+    EXPECT_EQ(turns(1.8).stage, SequenceStage::Running);
+    const SequenceReport report = turns(0.5);
+    EXPECT_EQ(report.end, SequenceEnd::AnalogTimeout);
+    EXPECT_EQ(report.module, kX);
+    EXPECT_EQ(truth().outputs, 0U);
+}
+
+TEST_F(IoSequences, AStopOfAllEndsTheWaitAndNothingIsSetBehindIt) {
+    start({action::WaitForInput{kX, InputPin::Io1, true, 5.0}, action::SetOutput{kX, 3, true}});
+    EXPECT_EQ(turns(0.5).stage, SequenceStage::Running);
+    run->onStopOfAll();
+    set(sim::Input::Pin, 1, 1);
+    EXPECT_EQ(turns(1).end, SequenceEnd::StopOfAll);
+    EXPECT_EQ(truth().outputs, 0U);
+}
+
 TEST_F(Sequences, HomesAnAxisByItsRecipe) {
     HomingRecipe recipe;
     recipe.onHomeSwitch = true;

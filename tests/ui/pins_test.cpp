@@ -2,8 +2,13 @@
 // The panel of a PIC-I/O, by mouse and keys. IO1 and IO2 are outputs, and IO1 and IO12 read high.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QLineEdit>
+#include <QTreeWidget>
 
+#include "scopehistory.h"
+#include "widgets/scope/scopeplot.h"
+#include "widgets/scope/statuslane.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -164,6 +169,48 @@ TEST_F(Pins, ASilentModuleTakesNothing) {
     EXPECT_FALSE(find<QCheckBox>(u"pin2Box"_s)->isEnabled());
     EXPECT_FALSE(find<QComboBox>(u"pin3Direction"_s)->isEnabled());
     EXPECT_EQ(text(u"ioStateLabel"_s), u"No answer"_s);
+}
+
+/// A/D 2 is in bar, 0.5 of them each count above -10; it rises by a count in 10 ms.
+TEST_F(Pins, AreOnTheScopeByTheNamesOfTheMachine) {
+    machine.axes.resize(1);
+    PinSettings& pins = machine.axes[0].pins.emplace();
+    PinSettings::in(pins.pins, 8).name = "Door";
+    PinSettings::in(pins.analog, 1) = {"Pressure", {0.5, -10, "bar"}};
+    window->showMachine(machine);
+    show();
+    HandMadeHistory made;
+    for (int i = 0; i <= 100; ++i) {
+        ScopeSample& sample = made.add(i / 100.0, 0);
+        sample.io = true;
+        sample.error = static_cast<float>(i);
+        sample.velocity = 0;
+    }
+    click(u"scopeSignalsButton"_s);
+    auto* dialog = find<QDialog>(u"scopeSignalsDialog"_s);
+    QTest::keyClicks(dialog->findChild<QLineEdit*>(u"scopeSignalsFilter"_s), u"pressure"_s);
+    const auto* table = dialog->findChild<QTreeWidget*>(u"scopeSignalsTable"_s);
+    const QTreeWidgetItem* named = table->topLevelItem(1);
+    QStringList seen, hidden;
+    for (int i = 0; i < named->childCount(); ++i)
+        (named->child(i)->isHidden() ? hidden : seen) << named->child(i)->text(0);
+    EXPECT_EQ(seen, QStringList{u"Pressure"_s});
+    EXPECT_EQ(hidden, (QStringList{u"A/D 1"_s, u"A/D 3"_s, u"count"_s, u"count rate"_s}));
+    dialog->reject();
+    for (int i = 0; i < 3; ++i) {
+        window->showHistory(made.history(), HandMadeHistory::at(1));
+        QApplication::processEvents();
+    }
+    EXPECT_FALSE(find<ScopePlot>(u"scopePlot3"_s)->traces().empty());
+    QStringList legend;
+    for (std::size_t i = 0; i < find<ScopePlot>(u"scopePlot3"_s)->traces().size(); ++i)
+        legend << find<ScopePlot>(u"scopePlot3"_s)->legendText(i);
+    ASSERT_EQ(legend.size(), 3) << legend.join(u'|').toStdString();
+    EXPECT_TRUE(legend[1].startsWith(u"Pressure, bar"_s)) << legend[1].toStdString();
+    EXPECT_GE(find<ScopePlot>(u"scopePlot3"_s)->valueRange().max, 40) << "100 x 0.5 bar - 10 bar";
+    EXPECT_LE(find<ScopePlot>(u"scopePlot3"_s)->valueRange().min, -10);
+    const auto* lane = find<StatusLane>(u"scopeStatusLane"_s);
+    EXPECT_EQ(lane->bits().size(), 12U);
 }
 
 }  // namespace

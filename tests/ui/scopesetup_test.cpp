@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "widgets/scope/scopewords.h"
+
 namespace nmc {
 namespace {
 
@@ -18,7 +20,9 @@ TEST(ScopeSetup, SurvivesTheSettingsFile) {
     setup.readings = false;
     setup.lane = true;
     setup.seconds = 30;
+    setup.set(3, {ModuleIndex(2), ScopeSignal::CountRate}, true);
     setup.bits[ModuleType::Servo] = {{ScopeBit::Byte::Aux, 2}, {ScopeBit::Byte::Status, 7}};
+    setup.bits[ModuleType::Io] = {{ScopeBit::Byte::Status, 0}, {ScopeBit::Byte::Aux, 3}};
     EXPECT_EQ(ScopeSetup::fromText(setup.toText()), setup);
 }
 
@@ -54,9 +58,37 @@ TEST(ScopeSetup, ModulesThatAreShownWhicheverIsSelectedAreKnown) {
 TEST(ScopeSetup, EveryNamedBitOfBothChipsCanBeChosen) {
     EXPECT_EQ(laneBits(ModuleType::Servo).size(), 14U);  // DS-V 5.3: 8 and 6
     EXPECT_EQ(laneBits(ModuleType::Step).size(), 14U);   // DS-S 5.2: 8 and 6
-    for (const ModuleType type : {ModuleType::Servo, ModuleType::Step})
+    EXPECT_EQ(laneBits(ModuleType::Io).size(), 12U);     // docs/family.md: its pins
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Step, ModuleType::Io})
         for (const ScopeBit& bit : usualLaneBits(type))
             EXPECT_FALSE(texts::bitName(bit, type).isEmpty());
+}
+
+TEST(ScopeModule, APicIoIsReadByTheNamesAndScalesOfItsMachine) {
+    ScopeModule module;
+    module.identity = {ModuleType::Io, 1};
+    PinSettings::in(module.pins.pins, 8).name = "Door";
+    PinSettings::in(module.pins.analog, 1) = {"Pressure", {0.5, -10, "bar"}};
+    EXPECT_EQ(texts::signalName(ScopeSignal::Analog, module), u"A/D 1"_s);
+    EXPECT_EQ(texts::signalName(ScopeSignal::Analog2, module), u"Pressure"_s);
+    EXPECT_EQ(texts::signalUnit(ScopeSignal::Analog2, module), u"bar"_s);
+    EXPECT_EQ(module.scaleOf(ScopeSignal::Analog2)(40), 10) << "40 x 0.5 bar - 10 bar";
+    EXPECT_EQ(module.scaleOf(ScopeSignal::Counter)(40), 40);
+    EXPECT_EQ(texts::bitName({ScopeBit::Byte::Aux, 0}, module), u"Door"_s);
+    EXPECT_EQ(texts::bitName({ScopeBit::Byte::Aux, 1}, module), u"IO10"_s);
+}
+
+TEST(ScopeModule, ReportsWhatItsChipHas) {
+    ScopeModule module;
+    module.identity = {ModuleType::Io, 1};
+    EXPECT_TRUE(module.reports(ScopeSignal::Analog));
+    EXPECT_TRUE(module.reports(ScopeSignal::CountRate));
+    EXPECT_FALSE(module.reports(ScopeSignal::Position));
+    EXPECT_FALSE(module.has(ScopeSignal::Error));
+    module.identity = {ModuleType::Servo, 4};
+    EXPECT_FALSE(module.reports(ScopeSignal::Analog2));
+    EXPECT_FALSE(module.has(ScopeSignal::Counter));
+    EXPECT_TRUE(module.reports(ScopeSignal::Analog));
 }
 
 }  // namespace

@@ -153,6 +153,45 @@ TEST_F(SequencePage, ASequenceIsNotOfferedToItself) {
     EXPECT_FALSE(kinds.contains(u"repeat"_s)) << "nothing stands above the first row";
 }
 
+/// A servo and a PIC-I/O.
+TEST(SequenceModels, OfferThePinsThatAModuleHas) {
+    Program program{{},
+                    {{"Main", {action::WaitForInput{ModuleIndex(0)}, action::SetOutput{ModuleIndex(0), 2}}}}};
+    RowsModel rows;
+    const auto show = [&] { rows.showRows(program, "Main", 2, {ModuleType::Servo, ModuleType::Io}); };
+    QObject::connect(&rows, &RowsModel::rowEdited, [&](int row, const Action& action) {
+        program.sequences[0].rows[static_cast<std::size_t>(row)] = action;
+        show();
+    });
+    const auto choose = [&](int row, int column, const QString& wanted) {
+        const QModelIndex cell = rows.index(row, column);
+        const auto choices = cell.data(RowsModel::ChoicesRole).toStringList();
+        ASSERT_TRUE(choices.contains(wanted)) << choices.join(u'|').toStdString();
+        EXPECT_TRUE(rows.setData(cell, static_cast<int>(choices.indexOf(wanted)), Qt::EditRole));
+    };
+    show();
+    EXPECT_EQ(rows.index(0, RowsModel::How).data().toString(), u"limit 1 active"_s);
+    choose(0, RowsModel::What, u"Module 2"_s);
+    EXPECT_EQ(rows.index(0, RowsModel::How).data().toString(), u"IO1 high"_s);
+    choose(0, RowsModel::How, u"IO12 low"_s);
+    EXPECT_EQ(program.sequences[0].rows[0],
+              Action(action::WaitForInput{ModuleIndex(1), InputPin::Io12, false}));
+    choose(1, RowsModel::What, u"Module 2"_s);
+    choose(1, RowsModel::How, u"IO7 high"_s);
+    EXPECT_EQ(program.sequences[0].rows[1], Action(action::SetOutput{ModuleIndex(1), 7, true}));
+    choose(1, RowsModel::What, u"Module 1"_s);
+    EXPECT_EQ(rows.index(1, RowsModel::How).data().toString(), u"output 1 on"_s) << "it has no seventh";
+    choose(1, RowsModel::Do, u"wait for A/D"_s);
+    EXPECT_EQ(rows.index(1, RowsModel::What).data().toString(), u"Module 2"_s) << "the first that has one";
+    choose(1, RowsModel::How, u"A/D 3 below"_s);
+    EXPECT_TRUE(rows.setData(rows.index(1, RowsModel::Number), 200, Qt::EditRole));
+    EXPECT_FALSE(rows.setData(rows.index(1, RowsModel::Number), 256, Qt::EditRole));
+    EXPECT_TRUE(rows.setData(rows.index(1, RowsModel::Within), 2.5, Qt::EditRole));
+    EXPECT_EQ(program.sequences[0].rows[1],
+              Action(action::WaitForAnalog{ModuleIndex(1), 3, false, 200, 2.5}));
+    EXPECT_EQ(rows.index(1, RowsModel::Within).data().toString(), u"within 2.5 s"_s);
+}
+
 /// What Qt demands of an item model, while programs change at random.
 TEST(SequenceModels, KeepQtsDemands) {
     sim::Random random(7);
@@ -193,7 +232,7 @@ TEST(SequenceModels, KeepQtsDemands) {
                 if (rows.rowCount() > 0) {
                     const auto cell =
                         rows.index(static_cast<int>(random.below(static_cast<std::size_t>(rows.rowCount()))),
-                                   static_cast<int>(random.below(4)));
+                                   static_cast<int>(random.below(RowsModel::ColumnCount)));
                     const auto choices = cell.data(RowsModel::ChoicesRole).toStringList();
                     if (!choices.isEmpty())
                         rows.setData(cell,

@@ -3,8 +3,11 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSlider>
 #include <QTabWidget>
@@ -54,6 +57,26 @@ QJsonObject stepState() {
             {u"travel_max"_s, 9000},
             {u"limits"_s, u"auto"_s},
             {u"home_switch_at"_s, 300}};
+}
+
+QJsonArray pins(std::initializer_list<int> set) {
+    QJsonArray all;
+    for (int pin = 1; pin <= 12; ++pin)
+        all.append(std::find(set.begin(), set.end(), pin) != set.end());
+    return all;
+}
+
+/// IO1 is an input that is high, IO2 one that is low, IO3 an output that is high.
+QJsonObject ioState() {
+    return {{u"module"_s, 1},
+            {u"type"_s, u"io"_s},
+            {u"version"_s, 1},
+            {u"pins"_s, pins({1, 3})},
+            {u"is_input"_s, pins({1, 2, 4, 5, 6, 7, 8, 9, 10, 11, 12})},
+            {u"analog"_s, QJsonArray{10, 20, 30}},
+            {u"pwm"_s, QJsonArray{100, 255}},
+            {u"timer_mode"_s, u"counter"_s},
+            {u"count"_s, 1234}};
 }
 
 class Simulator : public WindowTest {
@@ -314,6 +337,30 @@ TEST_F(Simulator, EscStopsFromTheControlLineToo) {
     QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
     QTest::keyClick(find<QLineEdit>(u"simLineEdit"_s), Qt::Key_Escape);
     EXPECT_EQ(stops.size(), 1);
+}
+
+TEST_F(Simulator, APicIoHasABenchOfItsOwn) {
+    attach();
+    answer(u"state 1"_s, ioState());
+    ASSERT_TRUE(find<QTabWidget>(u"sim_io_bench"_s)->isVisible());
+    EXPECT_TRUE(button(u"sim_io_pin1Box"_s)->isChecked());
+    EXPECT_FALSE(button(u"sim_io_pin2Box"_s)->isChecked());
+    EXPECT_TRUE(button(u"sim_io_pin3Box"_s)->isChecked());
+    EXPECT_FALSE(button(u"sim_io_pin3Box"_s)->isEnabled()) << "the module sets an output";
+    EXPECT_EQ(find<QLabel>(u"sim_io_pwm"_s)->text(), u"100 and 255"_s);
+    EXPECT_EQ(find<QLabel>(u"sim_io_count"_s)->text(), u"counter, 1,234"_s);
+    tick(u"sim_io_pin2Box"_s);
+    EXPECT_EQ(lastLine(), u"set 1 in 2 1"_s);
+    tick(u"sim_io_pin1Box"_s);
+    EXPECT_EQ(lastLine(), u"set 1 in 1 0"_s);
+    auto* field = find<QLineEdit>(u"sim_io_analog2Field"_s);
+    EXPECT_EQ(field->text(), u"20"_s);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, u"200"_s);
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(lastLine(), u"set 1 analog 2 200"_s);
+    EXPECT_FALSE(find<QLabel>(u"simTruth_analog"_s)->isVisible()) << "it has three";
 }
 
 }  // namespace

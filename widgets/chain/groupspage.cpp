@@ -177,7 +177,9 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
         const QSignalBlocker addressBlocker(row.address);
         row.address->setValue(module.info.address.value());
     }
-    look::setText(row.load, module.loadWaiting ? tr("move loaded") : QString());
+    look::setText(row.load, module.loadWaiting     ? tr("move loaded")
+                            : module.pins.stored() ? tr("outputs stored")
+                                                   : QString());
 }
 
 void GroupsPage::showLink(const LinkState& link, const std::vector<GroupSettings>& groups) {
@@ -261,7 +263,10 @@ QString GroupsPage::whyNotAll(Request request) const {
         if (!module.info.group || module.info.group->group != group())
             continue;
         if (const auto refusal = whyNot(request, module))
-            return tr("%1: %2").arg(texts::moduleName(module.info.index), texts::refusal(*refusal));
+            return tr("%1: %2").arg(texts::moduleName(module.info.index),
+                                    module.isIo() && *refusal == Refusal::NothingLoaded
+                                        ? tr("Store its outputs first.")
+                                        : texts::refusal(*refusal));
     }
     return {};
 }

@@ -52,10 +52,9 @@ QString wrong(const SequenceProblem& problem) {
         case Kind::NoSuchPin:
             return Texts::tr("%1 does not have this input or output.").arg(module);
         case Kind::NotAnInput:
-            return Texts::tr("This limit pin of %1 is set as an output.").arg(module);
+            return Texts::tr("This pin of %1 is set as an output.").arg(module);
         case Kind::NotAnOutput:
-            return Texts::tr("This limit pin of %1 is not set as an output. Set it on the I/O page.")
-                .arg(module);
+            return Texts::tr("This pin of %1 is not set as an output. Set it on the I/O page.").arg(module);
         case Kind::OutputsUnknown:
             return Texts::tr("The outputs of %1 are unknown. Set them once on its I/O page.").arg(module);
         case Kind::Unreachable:
@@ -92,6 +91,8 @@ QString why(const SequenceReport& report) {
             return Texts::tr("%1: %2").arg(module, refusal(*report.refusal));
         case SequenceEnd::InputTimeout:
             return Texts::tr("The input of %1 did not change in time.").arg(module);
+        case SequenceEnd::AnalogTimeout:
+            return Texts::tr("The A/D value of %1 did not reach its level in time.").arg(module);
         case SequenceEnd::NotHomed:
             return Texts::tr("%1 did not find home.").arg(module);
         case SequenceEnd::LinkInDoubt:
@@ -143,7 +144,8 @@ QString actionWord(std::size_t action) {
         QT_TRANSLATE_NOOP("Texts", "move to"),          QT_TRANSLATE_NOOP("Texts", "wait"),
         QT_TRANSLATE_NOOP("Texts", "wait for arrival"), QT_TRANSLATE_NOOP("Texts", "wait for input"),
         QT_TRANSLATE_NOOP("Texts", "set output"),       QT_TRANSLATE_NOOP("Texts", "find home"),
-        QT_TRANSLATE_NOOP("Texts", "repeat"),           QT_TRANSLATE_NOOP("Texts", "call")};
+        QT_TRANSLATE_NOOP("Texts", "repeat"),           QT_TRANSLATE_NOOP("Texts", "call"),
+        QT_TRANSLATE_NOOP("Texts", "wait for A/D")};
     return Texts::tr(kWords.at(action));
 }
 
@@ -159,6 +161,19 @@ QString pinWord(InputPin pin) {
             return u"IN2"_s;
         case InputPin::HomeSwitch:
             return Texts::tr("home switch");
+        case InputPin::Io1:
+        case InputPin::Io2:
+        case InputPin::Io3:
+        case InputPin::Io4:
+        case InputPin::Io5:
+        case InputPin::Io6:
+        case InputPin::Io7:
+        case InputPin::Io8:
+        case InputPin::Io9:
+        case InputPin::Io10:
+        case InputPin::Io11:
+        case InputPin::Io12:
+            return u"IO%1"_s.arg(*ioPin(pin) + 1);
     }
     return {};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/module/modulescale.h"
+#include "model/settings/pinsof.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -84,7 +85,7 @@ std::vector<ScopeModule> Session::scopeModules() const {
     for (const ModuleState& module : m_link.modules) {
         const AxisSettings& axis = m_machine.axis(module.info.index);
         modules.push_back({texts::moduleName(module.info.index), module.info.identity, scaleOf(module, axis),
-                           axis.analog, travelRange(module)});
+                           axis.analog, travelRange(module), pinsOf(axis)});
     }
     return modules;
 }

@@ -171,14 +171,21 @@ servo::HardReset AmplifierBox::wantedSaved() const {
 }
 
 void AmplifierBox::showModule() {
+    const auto& kept = m_context.settings().fastPath;
     if (const auto& now = m_context.state().scIo; now != m_shown) {
         m_shown = now;
+        m_kept.reset();
         const servo::ScIoControl shown = now.value_or(servo::ScIoControl{});
         m_limits->setCurrentIndex(m_limits->findData(static_cast<int>(shown.limitStop)));
         m_threePhase->setChecked(shown.threePhase);
         m_antiphase->setChecked(shown.antiphase);
         m_steps->setChecked(shown.stepAndDirection);
         m_fastPath->setChecked(shown.fastPath);
+    }
+    // Of a module that does not tell, what the machine has.
+    if (!m_shown && kept != m_kept) {
+        m_kept = kept;
+        m_fastPath->setChecked(kept.value_or(false));
     }
     refresh();
 }

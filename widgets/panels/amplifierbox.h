@@ -59,6 +59,7 @@ private:
     Command* m_save;
     Command* m_erase;
     std::optional<servo::ScIoControl> m_shown;
+    std::optional<bool> m_kept;  ///< fast path, with the machine
 };
 
 }  // namespace nmc

@@ -306,6 +306,9 @@ void GainsBox::showModule() {
 
 std::optional<servo::SetGain> GainsBox::entered() const {
     servo::SetGain gains;
+    // Of an SC, which has it on its page Amplifier.
+    if (const auto& known = m_kept ? m_kept : m_sent)
+        gains.sm = known->sm;
     for (const Row& row : m_rows) {
         if (!used(row.gain))
             continue;

@@ -133,18 +133,19 @@ bool CursorTable::showReadings(const ScopeStrips& strips, const History& history
             const auto source = strips.derived().source(history, {trace.module, trace.signal});
             if (source.samples == nullptr)
                 continue;
-            const double step = texts::signalStep(trace.signal, strips.modules()[trace.module.value()]);
+            const ScopeModule& module = strips.modules()[trace.module.value()];
+            const double step = texts::signalStep(trace.signal, module);
             const auto read = [&](double seconds) {
                 const auto value = source.samples->valueAt(zero + fromSeconds(seconds), source.signal);
                 return value ? std::optional(trace.scale(*value)) : std::nullopt;
             };
             const auto first = read(times[0]);
             const auto second = read(times[1]);
-            QStringList cells{
-                texts::signalName(trace.signal) + (trace.tag.isEmpty() ? QString() : u' ' + trace.tag),
-                first ? texts::numberAt(*first, step) : kNothing,
-                second ? texts::numberAt(*second, step) : kNothing,
-                first && second ? texts::numberAt(*second - *first, step) : kNothing};
+            QStringList cells{texts::signalName(trace.signal, module) +
+                                  (trace.tag.isEmpty() ? QString() : u' ' + trace.tag),
+                              first ? texts::numberAt(*first, step) : kNothing,
+                              second ? texts::numberAt(*second, step) : kNothing,
+                              first && second ? texts::numberAt(*second - *first, step) : kNothing};
             const auto& made = figures(trace, times, source, zero);
             // An average tells more than one value does.
             cells << (made ? texts::numberAt(made->mean, step / 10) : kNothing)

@@ -20,18 +20,30 @@ struct ScopeModule {
     AxisScale scale;
     AnalogScale analog;
     std::optional<TravelRange> travel{};  ///< its limits, while they are in force
+    PinSettings pins{};                   ///< PIC-I/O: names, and the scales of its A/D values
 
+    [[nodiscard]] bool isIo() const { return identity.type == ModuleType::Io; }
+    /// What one of its A/D values means.
+    [[nodiscard]] AnalogScale analogOf(ScopeSignal signal) const {
+        const auto input = analogInputOf(signal);
+        return isIo() && input ? PinSettings::of(pins.analog, *input).scale : analog;
+    }
     [[nodiscard]] LinearScale scaleOf(ScopeSignal signal) const {
-        if (signal == ScopeSignal::Analog)
-            return {analog.perCount, analog.atZero};
-        if (signal == ScopeSignal::Pwm)
+        if (analogInputOf(signal))
+            return {analogOf(signal).perCount, analogOf(signal).atZero};
+        if (signal == ScopeSignal::Pwm || signal == ScopeSignal::Counter || signal == ScopeSignal::CountRate)
             return {};
         return {scale.position(1.0), 0.0};
     }
+    /// In its samples there is nothing else in the place of this signal: a PIC-I/O has no motor, and the
+    /// others have no more than one A/D input and no counter.
+    [[nodiscard]] bool has(ScopeSignal signal) const {
+        return isIo() ? signal == ScopeSignal::Analog || isOfIo(signal) : !isOfIo(signal);
+    }
     /// A PIC-STEP follows its steps: it has no position error, no control filter, and its A/D value is no
-    /// motor current (DS-S 5.2). A PIC-I/O has no motor.
+    /// motor current (DS-S 5.2).
     [[nodiscard]] bool reports(ScopeSignal signal) const {
-        if (identity.type == ModuleType::Io)
+        if (!has(signal))
             return false;
         return identity.type != ModuleType::Step || (!isCalculated(signal) && signal != ScopeSignal::Analog);
     }

@@ -175,11 +175,12 @@ void ScopePanel::addLaneBits(QMenu& menu) {
     if (m_strips == nullptr || !m_strips->selected() ||
         m_strips->selected()->value() >= m_strips->modules().size())
         return;
-    const ModuleType type = m_strips->modules()[m_strips->selected()->value()].identity.type;
+    const ScopeModule& module = m_strips->modules()[m_strips->selected()->value()];
+    const ModuleType type = module.identity.type;
     QMenu* bits = menu.addMenu(tr("Bits of the lane"));
     const std::vector<ScopeBit> shown = m_setup.bitsOf(type);
     for (const ScopeBit& bit : laneBits(type)) {
-        QAction* action = bits->addAction(texts::bitName(bit, type));
+        QAction* action = bits->addAction(texts::bitName(bit, module));
         action->setCheckable(true);
         action->setChecked(std::find(shown.begin(), shown.end(), bit) != shown.end());
         connect(action, &QAction::toggled, this, [this, bit, type](bool wanted) {

@@ -21,7 +21,8 @@ RecordingHeader recordingHeader(const std::vector<ScopeModule>& modules, const Q
     header.simulated = simulated;
     for (std::size_t i = 0; i < modules.size(); ++i)
         header.modules.push_back({ModuleIndex(static_cast<std::uint8_t>(i)), modules[i].identity,
-                                  modules[i].name.toStdString(), modules[i].scale.unit(), modules[i].analog});
+                                  modules[i].name.toStdString(), modules[i].scale.unit(),
+                                  modules[i].analogOf(ScopeSignal::Analog), modules[i].pins});
     return header;
 }
 
@@ -44,6 +45,7 @@ ScopeRecord recordOf(const QString& title, const RecordingHeader& header, Histor
         module.scale = told->identity.type == ModuleType::Step ? AxisScale::step(told->unit)
                                                                : AxisScale::servo(told->unit, 1);
         module.analog = told->analog;
+        module.pins = told->pins;
     }
     for (std::size_t i = 0; i < record.modules.size(); ++i)
         if (record.modules[i].name.isEmpty())

@@ -14,8 +14,12 @@ namespace {
 
 // Words of the settings file: never translated, never changed.
 const std::array<QString, kScopeSignals> kSignalWords{
-    u"position"_s, u"command"_s, u"error"_s, u"velocity"_s, u"analog"_s, u"acceleration"_s, u"pwm"_s};
-static_assert(kScopeSignals == 7, "each has a word");
+    u"position"_s, u"command"_s, u"error"_s,   u"velocity"_s, u"analog"_s, u"acceleration"_s,
+    u"pwm"_s,      u"analog2"_s, u"analog3"_s, u"counter"_s,  u"rate"_s};
+static_assert(kScopeSignals == 11, "each has a word");
+
+const std::array<std::pair<QString, ModuleType>, 3> kBitWords{
+    {{u"servobits"_s, ModuleType::Servo}, {u"stepbits"_s, ModuleType::Step}, {u"iobits"_s, ModuleType::Io}}};
 
 QString toWord(const SignalRef& signal) {
     const QString word = kSignalWords[static_cast<std::size_t>(signal.signal)];
@@ -64,7 +68,9 @@ ScopeSetup ScopeSetup::usual() {
     ScopeSetup setup;
     setup.strips[0] = {{std::nullopt, ScopeSignal::Position}, {std::nullopt, ScopeSignal::Command}};
     setup.strips[1] = {{std::nullopt, ScopeSignal::Error}};
-    setup.strips[2] = {{std::nullopt, ScopeSignal::Analog}};
+    setup.strips[2] = {{std::nullopt, ScopeSignal::Analog},
+                       {std::nullopt, ScopeSignal::Analog2},
+                       {std::nullopt, ScopeSignal::Analog3}};
     return setup;
 }
 
@@ -83,7 +89,9 @@ QString ScopeSetup::toText() const {
         shares << QString::number(height);
     parts << u"heights="_s + shares.join(u',');
     for (const auto& [type, chosen] : bits)
-        parts << (type == ModuleType::Step ? u"stepbits="_s : u"servobits="_s) + toWords(chosen);
+        for (const auto& [word, of] : kBitWords)
+            if (of == type)
+                parts << word + u'=' + toWords(chosen);
     return parts.join(u';');
 }
 
@@ -112,9 +120,10 @@ ScopeSetup ScopeSetup::fromText(const QString& text) {
             if (const double seconds = value.toDouble();
                 seconds >= TimeWindow::kShortest && seconds <= TimeWindow::kLongest)
                 setup.seconds = seconds;
-        } else if (key == u"servobits"_s || key == u"stepbits"_s) {
-            setup.bits[key == u"stepbits"_s ? ModuleType::Step : ModuleType::Servo] = bitsIn(value);
         }
+        for (const auto& [word, type] : kBitWords)
+            if (key == word)
+                setup.bits[type] = bitsIn(value);
     }
     const bool nothing = std::all_of(setup.strips.begin(), setup.strips.end(),
                                      [](const auto& shown) { return shown.empty(); });

@@ -96,13 +96,17 @@ bool ScopeStrips::followsSelection() const {
     });
 }
 
-/// Of the selected module what it reports; of one that was chosen by name all that was asked for.
+/// Of the selected module what it reports; of one that was chosen by name all that was asked for and could
+/// be.
 std::vector<SignalRef> ScopeStrips::signalsOf(std::size_t strip) const {
     std::vector<SignalRef> signalsShown = m_setup.strips[strip];
-    if (m_selected && m_selected->value() < m_modules.size())
-        std::erase_if(signalsShown, [this](const SignalRef& signal) {
-            return !signal.module && !m_modules[m_selected->value()].reports(signal.signal);
-        });
+    std::erase_if(signalsShown, [this](const SignalRef& signal) {
+        const auto index = signal.module ? signal.module : m_selected;
+        if (!index || index->value() >= m_modules.size())
+            return false;
+        const ScopeModule& module = m_modules[index->value()];
+        return signal.module ? !module.has(signal.signal) : !module.reports(signal.signal);
+    });
     return signalsShown;
 }
 
@@ -122,10 +126,9 @@ void ScopeStrips::arrange() {
         plot->setTimeLabels(plot == lowest);
     shareHeight();
     m_lane->setVisible(m_setup.lane);
-    const ModuleType type = m_selected && m_selected->value() < m_modules.size()
-                                ? m_modules[m_selected->value()].identity.type
-                                : ModuleType::Servo;
-    m_lane->setBits(type, m_setup.bitsOf(type));
+    const ScopeModule module =
+        m_selected && m_selected->value() < m_modules.size() ? m_modules[m_selected->value()] : ScopeModule{};
+    m_lane->setBits(module, m_setup.bitsOf(module.identity.type));
 }
 
 void ScopeStrips::shareHeight() {
@@ -166,7 +169,7 @@ bool ScopeStrips::eventFilter(QObject* watched, QEvent* event) {
 QString ScopeStrips::labelOf(const SignalRef& signal, const ScopeModule& module) const {
     const bool reported = signal.signal == ScopeSignal::Error && hasPathBuffer(module.identity);
     const QString words =
-        tr("%1, %2").arg(reported ? tr("error, reported") : texts::signalName(signal.signal),
+        tr("%1, %2").arg(reported ? tr("error, reported") : texts::signalName(signal.signal, module),
                          texts::signalUnit(signal.signal, module));
     return signal.module ? tr("%1: %2").arg(module.name, words) : words;
 }

@@ -2,6 +2,7 @@
 #include "widgets/scope/scopewords.h"
 
 #include <QCoreApplication>
+#include <array>
 #include <cmath>
 
 #include "widgets/common/unitwords.h"
@@ -15,8 +16,19 @@ class Scope {
     Q_DECLARE_TR_FUNCTIONS(Scope)
 };
 
+/// Of a PIC-I/O, from 0.
+std::size_t pinOf(const ScopeBit& bit) {
+    return bit.bit + (bit.byte == ScopeBit::Byte::Aux ? 8U : 0U);
+}
+
 std::string_view nameOf(const ScopeBit& bit, ModuleType type) {
     const auto index = static_cast<std::size_t>(bit.bit);
+    if (type == ModuleType::Io) {
+        static constexpr std::array<std::string_view, io::kPins> kPinNames{
+            "IO1", "IO2", "IO3", "IO4", "IO5", "IO6", "IO7", "IO8", "IO9", "IO10", "IO11", "IO12"};
+        const std::size_t pin = pinOf(bit);
+        return pin < kPinNames.size() ? kPinNames.at(pin) : std::string_view{};
+    }
     if (type == ModuleType::Step)
         return (bit.byte == ScopeBit::Byte::Aux ? step::kInputBitNames : step::kStatusBitNames)[index];
     return (bit.byte == ScopeBit::Byte::Aux ? servo::kAuxBitNames : servo::kStatusBitNames)[index];
@@ -42,8 +54,24 @@ QString signalName(ScopeSignal signal) {
             return Scope::tr("acceleration");
         case ScopeSignal::Pwm:
             return Scope::tr("PWM, calculated");
+        case ScopeSignal::Analog2:
+            return Scope::tr("A/D 2");
+        case ScopeSignal::Analog3:
+            return Scope::tr("A/D 3");
+        case ScopeSignal::Counter:
+            return Scope::tr("count");
+        case ScopeSignal::CountRate:
+            return Scope::tr("count rate");
     }
     return {};
+}
+
+QString signalName(ScopeSignal signal, const ScopeModule& module) {
+    const auto input = analogInputOf(signal);
+    if (!module.isIo() || !input)
+        return signalName(signal);
+    const std::string name = PinSettings::of(module.pins.analog, *input).name;
+    return name.empty() ? Scope::tr("A/D %1").arg(*input + 1) : QString::fromStdString(name);
 }
 
 QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
@@ -55,11 +83,17 @@ QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
         case ScopeSignal::Velocity:
             return measuredVelocityUnitOf(module.scale);
         case ScopeSignal::Analog:
-            return QString::fromStdString(module.analog.unit);
+        case ScopeSignal::Analog2:
+        case ScopeSignal::Analog3:
+            return QString::fromStdString(module.analogOf(signal).unit);
         case ScopeSignal::Acceleration:
             return Scope::tr("%1/s²").arg(unitOf(module.scale));
         case ScopeSignal::Pwm:
             return Scope::tr("of 255");
+        case ScopeSignal::Counter:
+            return Scope::tr("counts");
+        case ScopeSignal::CountRate:
+            return Scope::tr("counts/s");
     }
     return {};
 }
@@ -88,6 +122,12 @@ QString bitName(const ScopeBit& bit, ModuleType type) {
     return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
 }
 
+QString bitName(const ScopeBit& bit, const ScopeModule& module) {
+    const std::string name =
+        module.isIo() ? PinSettings::of(module.pins.pins, pinOf(bit)).name : std::string();
+    return name.empty() ? bitName(bit, module.identity.type) : QString::fromStdString(name);
+}
+
 }  // namespace texts
 
 std::vector<ScopeBit> laneBits(ModuleType type) {
@@ -102,6 +142,8 @@ std::vector<ScopeBit> laneBits(ModuleType type) {
 std::vector<ScopeBit> usualLaneBits(ModuleType type) {
     constexpr auto kStatus = ScopeBit::Byte::Status;
     constexpr auto kAux = ScopeBit::Byte::Aux;
+    if (type == ModuleType::Io)
+        return laneBits(type);
     if (type == ModuleType::Step)  // moving, power; E-stop, limits, home switch
         return {{kStatus, 0}, {kStatus, 3}, {kAux, 0}, {kAux, 3}, {kAux, 4}, {kAux, 5}};
     // move_done, power_on, servo_on, pos_error, limits

@@ -11,6 +11,8 @@ namespace nmc::texts {
 
 /// "position", "error, calculated".
 [[nodiscard]] QString signalName(ScopeSignal signal);
+/// As it is called on this machine, where it has a name.
+[[nodiscard]] QString signalName(ScopeSignal signal, const ScopeModule& module);
 /// "counts", "mm/s", "V".
 [[nodiscard]] QString signalUnit(ScopeSignal signal, const ScopeModule& module);
 /// The steps, in that unit, in which a value makes sense.
@@ -24,6 +26,8 @@ namespace nmc::texts {
 
 /// The data sheet's own name.
 [[nodiscard]] QString bitName(const ScopeBit& bit, ModuleType type);
+/// The same, but the machine's name of a pin.
+[[nodiscard]] QString bitName(const ScopeBit& bit, const ScopeModule& module);
 
 }  // namespace nmc::texts
 

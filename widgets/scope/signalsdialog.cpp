@@ -46,9 +46,9 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
         titles << tr("Strip %1").arg(strip);
     m_table->setHeaderLabels(titles);
     m_table->setToolTip(tr("Select the strips of each signal. Empty strips are hidden."));
-    addRows(tr("The selected module"), std::nullopt);
+    addRows(tr("The selected module"), std::nullopt, nullptr);
     for (std::size_t i = 0; i < modules.size(); ++i)
-        addRows(modules[i].name, ModuleIndex(static_cast<std::uint8_t>(i)));
+        addRows(modules[i].name, ModuleIndex(static_cast<std::uint8_t>(i)), &modules[i]);
     m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->header()->setStretchLastSection(false);
     connect(m_table, &QTreeWidget::itemChanged, this, &SignalsDialog::take);
@@ -75,19 +75,22 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
     resize(em * 34, em * 24);
 }
 
-void SignalsDialog::addRows(const QString& title, std::optional<ModuleIndex> module) {
+void SignalsDialog::addRows(const QString& title, std::optional<ModuleIndex> module, const ScopeModule* of) {
     auto* group = new QTreeWidgetItem(m_table, {title});
     bool used = !module;
     for (std::size_t i = 0; i < kScopeSignals; ++i) {
         const auto signal = static_cast<ScopeSignal>(i);
-        auto* row = new QTreeWidgetItem(group, {texts::signalName(signal)});
+        if (of != nullptr && !of->has(signal))
+            continue;
+        const QString name = of != nullptr ? texts::signalName(signal, *of) : texts::signalName(signal);
+        auto* row = new QTreeWidgetItem(group, {name});
         row->setData(0, kModuleRole, module ? static_cast<int>(module->value()) : -1);
         row->setData(0, kSignalRole, static_cast<int>(signal));
         row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
         for (std::size_t strip = 0; strip < ScopeSetup::kStrips; ++strip) {
             used = used || m_setup.shows(strip, {module, signal});
             row->setToolTip(static_cast<int>(strip) + 1,
-                            tr("%1: %2 in strip %3").arg(title, texts::signalName(signal)).arg(strip + 1));
+                            tr("%1: %2 in strip %3").arg(title, name).arg(strip + 1));
         }
     }
     group->setExpanded(used);

@@ -23,7 +23,7 @@ signals:
     void setupChosen(const nmc::ScopeSetup& setup);
 
 private:
-    void addRows(const QString& title, std::optional<ModuleIndex> module);
+    void addRows(const QString& title, std::optional<ModuleIndex> module, const ScopeModule* of);
     void take(QTreeWidgetItem* item, int column);
     void showSetup();
     void filter(const QString& text);

@@ -24,10 +24,14 @@ StatusLane::StatusLane(QWidget* parent) : QWidget(parent) {
     m_geometry.top = 1;
 }
 
-void StatusLane::setBits(ModuleType type, std::vector<ScopeBit> bits) {
-    if (m_type == type && m_bits == bits)
+void StatusLane::setBits(const ScopeModule& module, std::vector<ScopeBit> bits) {
+    QStringList names;
+    for (const ScopeBit& bit : bits)
+        names << texts::bitName(bit, module);
+    if (m_type == module.identity.type && m_bits == bits && m_names == names)
         return;
-    m_type = type;
+    m_type = module.identity.type;
+    m_names = names;
     m_bits = std::move(bits);
     updateGeometry();
     update();
@@ -39,8 +43,8 @@ int StatusLane::rowHeight() const {
 
 int StatusLane::labelWidth() const {
     int width = 0;
-    for (const ScopeBit& bit : m_bits)
-        width = qMax(width, fontMetrics().horizontalAdvance(texts::bitName(bit, m_type)));
+    for (const QString& name : m_names)
+        width = qMax(width, fontMetrics().horizontalAdvance(name));
     return width + fontMetrics().height() / 2;
 }
 
@@ -94,7 +98,7 @@ void StatusLane::renderTo(QPainter& painter) {
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(QRectF(0, row.top(), row.left() - fontMetrics().height() / 3.0, row.height()),
                          Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
-                         texts::bitName(m_bits[i], m_type));
+                         m_names[static_cast<qsizetype>(i)]);
         painter.setClipRect(row);
         paintBit(painter, m_bits[i], row);
     }

@@ -18,7 +18,7 @@ class StatusLane : public QWidget {
 public:
     explicit StatusLane(QWidget* parent = nullptr);
 
-    void setBits(ModuleType type, std::vector<ScopeBit> bits);
+    void setBits(const ScopeModule& module, std::vector<ScopeBit> bits);
     [[nodiscard]] const std::vector<ScopeBit>& bits() const { return m_bits; }
     /// Null: nothing to show.
     void showFrame(const ScopePlot::View& view, const ModuleHistory* history);
@@ -47,6 +47,7 @@ private:
 
     ModuleType m_type = ModuleType::Servo;
     std::vector<ScopeBit> m_bits;
+    QStringList m_names;
     std::vector<Piece> m_pieces;
     PlotGeometry m_geometry;
     std::optional<CursorTimes> m_cursors;

@@ -172,11 +172,11 @@ void TriggerBar::addSources(const std::optional<ModuleIndex>& module, const Scop
     };
     for (std::size_t i = 0; i < kScopeSignals; ++i) {
         // It looks at samples.
-        if (const auto signal = static_cast<ScopeSignal>(i); !isDerived(signal))
-            add({module, signal}, texts::signalName(signal));
+        if (const auto signal = static_cast<ScopeSignal>(i); !isDerived(signal) && of.has(signal))
+            add({module, signal}, texts::signalName(signal, of));
     }
     for (const ScopeBit& bit : laneBits(of.identity.type))
-        add({module, bit}, texts::bitName(bit, of.identity.type));
+        add({module, bit}, texts::bitName(bit, of));
 }
 
 const TriggerBar::Source* TriggerBar::source() const {

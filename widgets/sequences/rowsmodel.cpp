@@ -6,6 +6,7 @@
 
 #include "base/overloaded.h"
 #include "model/sequence/sequencecheck.h"
+#include "protocol/iocommands.h"
 #include "widgets/common/sequencetexts.h"
 #include "widgets/common/words.h"
 #include "widgets/sequences/tablerows.h"
@@ -16,8 +17,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kPins = 5;
-constexpr int kOutputs = 5;
+constexpr int kMotorPins = 5;
+constexpr int kMotorOutputs = 5;
+constexpr int kIoPins = io::kPins;
+constexpr int kAnalogInputs = 3;
+constexpr double kDay = 86'400.0;
 
 int placeOf(const std::vector<std::string>& names, const std::string& name) {
     const auto found = std::ranges::find(names, name);
@@ -59,8 +63,10 @@ ModuleIndex moduleAt(int choice) {
 
 }  // namespace
 
-void RowsModel::showRows(const Program& program, const std::string& sequence, int modules) {
-    const bool otherwise = program != m_program || sequence != m_sequence || modules != m_modules;
+void RowsModel::showRows(const Program& program, const std::string& sequence, int modules,
+                         const std::vector<ModuleType>& types) {
+    const bool otherwise =
+        program != m_program || sequence != m_sequence || modules != m_modules || types != m_types;
     if (!otherwise)
         return;
     const Sequence* shown = program.sequence(sequence);
@@ -71,6 +77,7 @@ void RowsModel::showRows(const Program& program, const std::string& sequence, in
     m_program = program;
     m_sequence = sequence;
     m_modules = modules;
+    m_types = types;
     m_rows = rows;
     if (!m_rows.empty())
         emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
@@ -100,7 +107,8 @@ Action RowsModel::actionOf(std::size_t kind, std::size_t row) const {
         action::SetOutput{},
         action::Home{},
         action::Repeat{row > 0 ? row - 1 : 0, 2},
-        action::Call{m_callable.empty() ? std::string() : m_callable.front()}};
+        action::Call{m_callable.empty() ? std::string() : m_callable.front()},
+        action::WaitForAnalog{.module = firstIo()}};
     return all[kind];
 }
 
@@ -110,11 +118,34 @@ std::vector<std::size_t> RowsModel::possibleActions(std::size_t row) const {
         const Action action = actionOf(kind, row);
         const bool lacks = (std::holds_alternative<action::MoveTo>(action) && m_program.points.empty()) ||
                            (std::holds_alternative<action::Repeat>(action) && row == 0) ||
-                           (std::holds_alternative<action::Call>(action) && m_callable.empty());
+                           (std::holds_alternative<action::Call>(action) && m_callable.empty()) ||
+                           (std::holds_alternative<action::WaitForAnalog>(action) && !isIo(firstIo()));
         if (!lacks || kind == m_rows[row].index())
             kinds.push_back(kind);
     }
     return kinds;
+}
+
+bool RowsModel::isIo(ModuleIndex module) const {
+    return module.value() < m_types.size() && m_types[module.value()] == ModuleType::Io;
+}
+
+/// The first module where there is none.
+ModuleIndex RowsModel::firstIo() const {
+    const auto found = std::ranges::find(m_types, ModuleType::Io);
+    return moduleAt(found != m_types.end() ? static_cast<int>(found - m_types.begin()) : 0);
+}
+
+void RowsModel::takeModule(action::WaitForInput& wait, ModuleIndex module) const {
+    wait.module = module;
+    if (isIo(module) != ioPin(wait.pin).has_value())
+        wait.pin = isIo(module) ? InputPin::Io1 : InputPin::Limit1;
+}
+
+void RowsModel::takeModule(action::SetOutput& set, ModuleIndex module) const {
+    set.module = module;
+    if (!isIo(module) && set.output > kMotorOutputs)
+        set.output = 1;
 }
 
 QStringList RowsModel::moduleNames() const {
@@ -130,6 +161,8 @@ RowsModel::Cell RowsModel::cell(std::size_t row, int column) const {
         return how(action);
     if (column == Number)
         return number(action);
+    if (column == Within)
+        return within(action);
     if (column == What)
         return what(row);
     Cell cell;
@@ -162,37 +195,46 @@ RowsModel::Cell RowsModel::what(std::size_t row) const {
                                   cell.choices << tr("from row %1 on").arg(i + 1);
                               return cell;
                           },
-                          [&](const AnyOf<action::WaitForInput, action::SetOutput, action::Home> auto& one) {
-                              return ofModule(one.module);
-                          },
+                          [&](const AnyOf<action::WaitForInput, action::SetOutput, action::Home,
+                                          action::WaitForAnalog> auto& one) { return ofModule(one.module); },
                           [](const AnyOf<action::Wait, action::WaitForArrival> auto&) { return Cell{}; },
                       },
                       m_rows[row]);
 }
 
-RowsModel::Cell RowsModel::how(const Action& action) {
+/// A module's pins or outputs, each with both levels; a PIC-I/O says them as its sheet does.
+RowsModel::Cell RowsModel::how(const Action& action) const {
     Cell cell;
     if (const auto* move = std::get_if<action::MoveTo>(&action)) {
         cell.choices = {tr("together"), tr("together, next row at once"), tr("one after the other"),
                         tr("one after the other, next row at once")};
         cell.chosen = (move->together ? 0 : 2) + (move->waits ? 0 : 1);
     } else if (const auto* wait = std::get_if<action::WaitForInput>(&action)) {
-        for (int pin = 0; pin < kPins; ++pin)
-            for (const QString& level : {tr("%1 active"), tr("%1 not active")})
-                cell.choices << level.arg(texts::pinWord(static_cast<InputPin>(pin)));
-        cell.chosen = static_cast<int>(wait->pin) * 2 + (wait->active ? 0 : 1);
+        const bool io = ioPin(wait->pin).has_value();
+        for (int pin = 0; pin < (io ? kIoPins : kMotorPins); ++pin)
+            for (const QString& level :
+                 {io ? tr("%1 high") : tr("%1 active"), io ? tr("%1 low") : tr("%1 not active")})
+                cell.choices << level.arg(texts::pinWord(static_cast<InputPin>(io ? kMotorPins + pin : pin)));
+        cell.chosen = static_cast<int>(ioPin(wait->pin).value_or(static_cast<unsigned>(wait->pin))) * 2 +
+                      (wait->active ? 0 : 1);
     } else if (const auto* set = std::get_if<action::SetOutput>(&action)) {
-        for (int output = 1; output <= kOutputs; ++output)
-            for (const QString& level : {tr("output %1 on"), tr("output %1 off")})
+        const bool io = isIo(set->module) || set->output > kMotorOutputs;
+        for (int output = 1; output <= (io ? kIoPins : kMotorOutputs); ++output)
+            for (const QString& level :
+                 {io ? tr("IO%1 high") : tr("output %1 on"), io ? tr("IO%1 low") : tr("output %1 off")})
                 cell.choices << level.arg(output);
         cell.chosen = static_cast<int>(set->output - 1) * 2 + (set->on ? 0 : 1);
+    } else if (const auto* analog = std::get_if<action::WaitForAnalog>(&action)) {
+        for (int input = 1; input <= kAnalogInputs; ++input)
+            for (const QString& side : {tr("A/D %1 above"), tr("A/D %1 below")})
+                cell.choices << side.arg(input);
+        cell.chosen = static_cast<int>(analog->input - 1) * 2 + (analog->above ? 0 : 1);
     }
     return cell;
 }
 
 RowsModel::Cell RowsModel::number(const Action& action) {
     Cell cell;
-    constexpr double kDay = 86'400.0;
     if (const auto* move = std::get_if<action::MoveTo>(&action)) {
         cell = {.number = move->percent, .min = 1, .max = 100};
         cell.text = tr("%1 % of its velocity").arg(move->percent);
@@ -202,10 +244,23 @@ RowsModel::Cell RowsModel::number(const Action& action) {
     } else if (const auto* input = std::get_if<action::WaitForInput>(&action)) {
         cell = {.number = input->timeout, .min = 0, .max = kDay};
         cell.text = tr("within %1 s").arg(texts::readout(input->timeout));
+    } else if (const auto* analog = std::get_if<action::WaitForAnalog>(&action)) {
+        cell = {.number = analog->level, .min = 0, .max = 255};
+        cell.text = tr("%1 of 255").arg(analog->level);
     } else if (const auto* repeat = std::get_if<action::Repeat>(&action)) {
         cell = {.number = repeat->times, .min = 0, .max = 1'000'000};
         cell.text = repeat->times == 0 ? tr("forever")
                                        : tr("%n times in all", nullptr, static_cast<int>(repeat->times));
+    }
+    return cell;
+}
+
+/// Of a row whose number is something else.
+RowsModel::Cell RowsModel::within(const Action& action) {
+    Cell cell;
+    if (const auto* analog = std::get_if<action::WaitForAnalog>(&action)) {
+        cell = {.number = analog->timeout, .min = 0, .max = kDay};
+        cell.text = tr("within %1 s").arg(texts::readout(analog->timeout));
     }
     return cell;
 }
@@ -227,20 +282,25 @@ void RowsModel::choose(Action& action, std::size_t row, int column, int choice) 
                        move.waits = !second;
                    },
                    [&](action::WaitForInput& wait) {
+                       if (column == What)
+                           return takeModule(wait, moduleAt(choice));
+                       wait.pin = ioPin(wait.pin) ? inputPin(static_cast<unsigned>(choice / 2))
+                                                  : static_cast<InputPin>(choice / 2);
+                       wait.active = !second;
+                   },
+                   [&](action::SetOutput& set) {
+                       if (column == What)
+                           return takeModule(set, moduleAt(choice));
+                       set.output = static_cast<unsigned>(choice / 2 + 1);
+                       set.on = !second;
+                   },
+                   [&](action::WaitForAnalog& wait) {
                        if (column == What) {
                            wait.module = moduleAt(choice);
                            return;
                        }
-                       wait.pin = static_cast<InputPin>(choice / 2);
-                       wait.active = !second;
-                   },
-                   [&](action::SetOutput& set) {
-                       if (column == What) {
-                           set.module = moduleAt(choice);
-                           return;
-                       }
-                       set.output = static_cast<unsigned>(choice / 2 + 1);
-                       set.on = !second;
+                       wait.input = static_cast<unsigned>(choice / 2 + 1);
+                       wait.above = !second;
                    },
                    [&](action::Home& home) { home.module = moduleAt(choice); },
                    [&](action::Repeat& repeat) { repeat.from = index; },
@@ -294,8 +354,10 @@ QVariant RowsModel::headerData(int section, Qt::Orientation orientation, int rol
             return tr("What");
         case How:
             return tr("How");
-        default:
+        case Number:
             return tr("Number");
+        default:
+            return tr("Within");
     }
 }
 
@@ -326,6 +388,12 @@ bool RowsModel::setData(const QModelIndex& index, const QVariant& value, int rol
                 [&](action::Wait& wait) { wait.seconds = number; },
                 [&](action::WaitForInput& wait) { wait.timeout = number; },
                 [&](action::Repeat& repeat) { repeat.times = static_cast<unsigned>(number); },
+                [&](action::WaitForAnalog& wait) {
+                    if (index.column() == Within)
+                        wait.timeout = number;
+                    else
+                        wait.level = static_cast<unsigned>(number);
+                },
                 [](AnyOf<action::WaitForArrival, action::SetOutput, action::Home, action::Call> auto&) {},
             },
             action);

@@ -5,24 +5,27 @@
 #include <optional>
 
 #include "model/sequence/sequence.h"
+#include "protocol/moduletype.h"
 
 namespace nmc {
 
-/// The rows of one sequence as a table to be edited: what is done, with what, how, and its number. It changes
-/// nothing by itself; what its user wants is told, and comes back by showRows().
+/// The rows of one sequence as a table to be edited: what is done, with what, how, its number, and within
+/// which time. It changes nothing by itself; what its user wants is told, and comes back by showRows().
 class RowsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Do, What, How, Number, ColumnCount };
+    enum Column { Do, What, How, Number, Within, ColumnCount };
     enum Role {
         ChoicesRole = Qt::UserRole,  ///< QStringList; the edit role is the index of the chosen one
         RangeRole,                   ///< QPointF of a number: from x to y
     };
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Of the sequence of that name; empty where there is none. `modules`: how many can be chosen.
-    void showRows(const Program& program, const std::string& sequence, int modules);
+    /// Of the sequence of that name; empty where there is none. `modules`: how many can be chosen; `types`:
+    /// of those of which it is known, by ModuleIndex.
+    void showRows(const Program& program, const std::string& sequence, int modules,
+                  const std::vector<ModuleType>& types = {});
     /// The row that is next or under way in a run.
     void markRow(std::optional<std::size_t> row);
     [[nodiscard]] const std::vector<Action>& rows() const { return m_rows; }
@@ -53,8 +56,14 @@ private:
     };
     [[nodiscard]] Cell cell(std::size_t row, int column) const;
     [[nodiscard]] Cell what(std::size_t row) const;
-    [[nodiscard]] static Cell how(const Action& action);
+    [[nodiscard]] Cell how(const Action& action) const;
     [[nodiscard]] static Cell number(const Action& action);
+    [[nodiscard]] static Cell within(const Action& action);
+    [[nodiscard]] bool isIo(ModuleIndex module) const;
+    [[nodiscard]] ModuleIndex firstIo() const;
+    /// The pin that was meant, or the first of those the module has.
+    void takeModule(action::WaitForInput& wait, ModuleIndex module) const;
+    void takeModule(action::SetOutput& set, ModuleIndex module) const;
     [[nodiscard]] std::vector<std::size_t> possibleActions(std::size_t row) const;
     [[nodiscard]] Action actionOf(std::size_t kind, std::size_t row) const;
     void choose(Action& action, std::size_t row, int column, int choice) const;
@@ -65,6 +74,7 @@ private:
     std::vector<Action> m_rows;
     std::vector<std::string> m_callable;  ///< sequences that do not lead back to this one
     int m_modules = 0;
+    std::vector<ModuleType> m_types;
     std::optional<std::size_t> m_marked;
 };
 

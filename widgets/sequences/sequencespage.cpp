@@ -425,7 +425,15 @@ void SequencesPage::showProgram() {
         m_sequenceName->setText(m_sequence->currentText());
     m_points->showPoints(m_program.points, [this](ModuleIndex module) { return scaleOf(module); });
     const auto modules = static_cast<int>(std::max(m_link.modules.size(), m_machine.axes.size()));
-    m_rows->showRows(m_program, sequence(), modules);
+    std::vector<ModuleType> types;
+    for (int i = 0; i < modules; ++i) {
+        const auto number = static_cast<std::size_t>(i);
+        const auto& expected = m_machine.axis(ModuleIndex(static_cast<std::uint8_t>(i))).expected;
+        types.push_back(number < m_link.modules.size() ? m_link.modules[number].info.identity.type
+                        : expected                     ? expected->type
+                                                       : ModuleType::Servo);
+    }
+    m_rows->showRows(m_program, sequence(), modules, types);
     refresh();
 }
 

@@ -72,7 +72,7 @@ void BenchTruth::showState(const QJsonObject& state) {
     for (const QString& key : {u"shaft"_s, u"position"_s})
         look::setText(m_rows[key].unit, step ? texts::unitSteps() : texts::unitCounts());
     for (auto row = m_rows.cbegin(); row != m_rows.cend(); ++row) {
-        const bool known = state.contains(row.key());
+        const bool known = state[row.key()].isDouble();  // a PIC-I/O has several of some, in its own bench
         for (QWidget* part : {row->label, row->value, row->unit})
             part->setVisible(known);
         const double value = state[row.key()].toDouble();

@@ -3,6 +3,8 @@
 
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QJsonArray>
+#include <QLabel>
 #include <QPushButton>
 #include <cmath>
 
@@ -18,6 +20,9 @@ namespace {
 constexpr double kMaxCounts = 2'000'000'000;
 /// Of a hard stop from the shaft, when the user asks for one: five turns.
 constexpr double kTravel = 10'000;
+constexpr int kPins = 12;
+constexpr int kPinsInARow = 4;
+constexpr int kAnalogInputs = 3;
 
 /// A stepper's pins stand in an object of their own.
 QJsonValue valueOf(const QJsonObject& state, const QString& name) {
@@ -40,11 +45,15 @@ QGridLayout* newPage(QTabWidget& tabs, const QString& title) {
 ModuleBench::ModuleBench(ModuleType type, QWidget* parent)
     : QTabWidget(parent),
       m_type(type),
-      m_prefix(type == ModuleType::Step ? u"sim_step_"_s : u"sim_servo_"_s) {
+      m_prefix(type == ModuleType::Step ? u"sim_step_"_s
+               : type == ModuleType::Io ? u"sim_io_"_s
+                                        : u"sim_servo_"_s) {
     look::name(this, m_prefix + u"bench"_s, tr("Simulated module controls"));
     setDocumentMode(true);
     tabBar()->setObjectName(m_prefix + u"pages"_s);
     tabBar()->setAccessibleName(tr("Pages of the simulated module"));
+    if (type == ModuleType::Io)
+        return buildPins();
     buildSwitches();
     buildMechanics();
 }
@@ -103,6 +112,66 @@ void ModuleBench::buildSwitches() {
     grid.setColumnStretch(0, 1);
 }
 
+void ModuleBench::buildPins() {
+    QGridLayout& grid = *newPage(*this, tr("Pins"));
+    auto* pins = new QGridLayout;
+    grid.addLayout(pins, 0, 0, 1, 3);
+    for (int pin = 0; pin < kPins; ++pin) {
+        const QString text = u"IO%1"_s.arg(pin + 1);
+        auto* box = new QCheckBox(text, grid.parentWidget());
+        look::name(box, m_prefix + u"pin%1Box"_s.arg(pin + 1), tr("Level of %1").arg(text));
+        pins->addWidget(box, pin / kPinsInARow, pin % kPinsInARow);
+        connect(box, &QAbstractButton::clicked, this,
+                [this, pin](bool on) { set(u"in"_s, u"%1 %2"_s.arg(pin + 1).arg(on ? 1 : 0)); });
+        m_pins.append(box);
+    }
+    for (int input = 1; input <= kAnalogInputs; ++input)
+        addRow(grid, {.name = u"analog%1"_s.arg(input),
+                      .label = tr("A/D %1").arg(input),
+                      .unit = tr("of 255"),
+                      .meaning = tr("255 stands for 5 V."),
+                      .max = 255,
+                      .step = 1,
+                      .sliderMax = 255});
+    const auto addValue = [&](const QString& objectName, const QString& text, const QString& meaning) {
+        auto* label = new QLabel(text, grid.parentWidget());
+        auto* value = new QLabel(u"–"_s, grid.parentWidget());
+        look::nameText(value, m_prefix + objectName, text);
+        label->setToolTip(meaning);
+        value->setFont(look::tabular(font()));
+        const int row = grid.rowCount();
+        grid.addWidget(label, row, 0);
+        grid.addWidget(value, row, 1, 1, 2);
+        return value;
+    };
+    m_pwm = addValue(u"pwm"_s, tr("PWM 1 and 2"), tr("What the module puts out, of 255."));
+    m_count = addValue(u"count"_s, tr("Timer or counter"), tr("As the module counts."));
+    buildCable(grid);
+    grid.setRowStretch(grid.rowCount(), 1);
+    grid.setColumnStretch(0, 1);
+}
+
+void ModuleBench::showPins(const QJsonObject& state) {
+    const QJsonArray levels = state["pins"_L1].toArray();
+    const QJsonArray inputs = state["is_input"_L1].toArray();
+    for (int pin = 0; pin < m_pins.size(); ++pin) {
+        m_pins[pin]->setChecked(levels[pin].toBool());
+        look::setPossible(m_pins[pin],
+                          inputs[pin].toBool() ? QString() : tr("An output: the module sets its level."),
+                          tr("High while checked."));
+    }
+    const QJsonArray analog = state["analog"_L1].toArray();
+    for (int input = 0; input < m_rows.size(); ++input)
+        m_rows[input]->showValue(analog[input]);
+    const QJsonArray pwm = state["pwm"_L1].toArray();
+    look::setText(m_pwm, tr("%1 and %2").arg(pwm[0].toInt()).arg(pwm[1].toInt()));
+    const QString mode = state["timer_mode"_L1].toString();
+    const QString count = texts::grouped(state["count"_L1].toInteger());
+    look::setText(m_count, mode == "off"_L1     ? tr("off, %1").arg(count)
+                           : mode == "timer"_L1 ? tr("timer, %1").arg(count)
+                                                : tr("counter, %1").arg(count));
+}
+
 void ModuleBench::buildCable(QGridLayout& grid) {
     m_addressBroken = new QCheckBox(tr("ADDR line broken towards the host"), grid.parentWidget());
     look::name(m_addressBroken, m_prefix + u"addressBrokenBox"_s, tr("ADDR line broken towards the host"));
@@ -120,7 +189,7 @@ void ModuleBench::buildCable(QGridLayout& grid) {
     connect(addButton(*buttons, 1, u"powerCycleAllButton"_s, tr("Power-cycle all"),
                       tr("Switches all modules off and on: they lose their addresses and gains.")),
             &QAbstractButton::clicked, this, [this] { emit lineEntered(u"power-cycle all"_s); });
-    if (m_type == ModuleType::Step)
+    if (m_type != ModuleType::Servo)
         return;
     connect(addButton(*buttons, 0, u"overrunButton"_s, tr("Late tick"),
                       tr("Makes one servo tick take too long: servo_overrun.")),
@@ -210,7 +279,13 @@ void ModuleBench::buildMechanics() {
 void ModuleBench::addRow(QGridLayout& grid, BenchQuantity quantity) {
     auto* row = new BenchRow(std::move(quantity), m_prefix, grid.parentWidget());
     row->addTo(grid);
-    connect(row, &BenchRow::entered, this, &ModuleBench::set);
+    connect(row, &BenchRow::entered, this, [this](const QString& name, const QString& value) {
+        // A PIC-I/O has three of them: "analog2" is "analog 2" in a control line.
+        if (m_type == ModuleType::Io)
+            set(u"analog"_s, name.last(1) + u' ' + value);
+        else
+            set(name, value);
+    });
     m_rows.append(row);
 }
 
@@ -231,10 +306,12 @@ void ModuleBench::setModule(int number) {
 }
 
 void ModuleBench::showState(const QJsonObject& state) {
+    m_addressBroken->setChecked(state["addr_broken"_L1].toBool());
+    if (m_type == ModuleType::Io)
+        return showPins(state);
     const bool limitsAutomatic = state["limits"_L1].toString() == "auto"_L1;
     const bool homeAutomatic = state["home_switch_at"_L1].isDouble();
     m_limitsAutomatic->setChecked(limitsAutomatic);
-    m_addressBroken->setChecked(state["addr_broken"_L1].toBool());
     for (const Switch& one : m_switches) {
         one.box->setChecked(valueOf(state, one.name).toBool());
         const bool follows = (limitsAutomatic && one.name.startsWith("limit"_L1)) ||

@@ -10,16 +10,18 @@
 
 class QAbstractButton;
 class QGridLayout;
+class QLabel;
 
 namespace nmc {
 
-/// What can be done to one simulated module by hand: its switches, its power and its cable on one page, its
-/// load and its travel on the other. Shows the simulator's `state`, and asks for changes as control lines.
+/// What can be done to one simulated module by hand: its switches or pins, its power and its cable on one
+/// page, of a motor its load and its travel on the other. Shows the simulator's `state`, and asks for changes
+/// as control lines.
 class ModuleBench : public QTabWidget {
     Q_OBJECT
 
 public:
-    /// Servo or stepper; the control names of the two differ.
+    /// Servo, stepper or PIC-I/O; the control names differ.
     explicit ModuleBench(ModuleType type, QWidget* parent = nullptr);
 
     /// Module `number`, counting from 1, is the one to change; what was typed for another is forgotten.
@@ -38,6 +40,8 @@ private:
     };
 
     void buildSwitches();
+    void buildPins();
+    void showPins(const QJsonObject& state);
     void buildCable(QGridLayout& grid);
     void buildMechanics();
     QAbstractButton* addSwitch(QGridLayout& grid, const QString& name, const QString& text,
@@ -53,6 +57,9 @@ private:
     int m_number = 1;
     QList<Switch> m_switches;
     QList<BenchRow*> m_rows;
+    QList<QAbstractButton*> m_pins;  ///< IO1 first
+    QLabel* m_pwm = nullptr;
+    QLabel* m_count = nullptr;
     QAbstractButton* m_limitsAutomatic = nullptr;
     QAbstractButton* m_addressBroken = nullptr;
 };

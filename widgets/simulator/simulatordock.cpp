@@ -49,6 +49,7 @@ SimulatorDock::SimulatorDock(QWidget* parent)
       m_benches(new QStackedWidget(this)),
       m_servo(new ModuleBench(ModuleType::Servo, this)),
       m_step(new ModuleBench(ModuleType::Step, this)),
+      m_io(new ModuleBench(ModuleType::Io, this)),
       m_truth(new BenchTruth(this)),
       m_line(new ControlLineBox(this)) {
     look::name(this, u"simulatorDock"_s, windowTitle());
@@ -58,8 +59,8 @@ SimulatorDock::SimulatorDock(QWidget* parent)
     m_timer.setInterval(kPollMs);
     connect(&m_timer, &QTimer::timeout, this, &SimulatorDock::tick);
     connect(m_module, &QComboBox::currentIndexChanged, this, &SimulatorDock::chooseModule);
-    connect(m_servo, &ModuleBench::lineEntered, this, &SimulatorDock::change);
-    connect(m_step, &ModuleBench::lineEntered, this, &SimulatorDock::change);
+    for (const ModuleBench* bench : {m_servo, m_step, m_io})
+        connect(bench, &ModuleBench::lineEntered, this, &SimulatorDock::change);
     connect(m_line, &ControlLineBox::lineEntered, this, [this](const QString& line) {
         m_typed.append(line);
         if (m_typed.size() > kMaxTyped)
@@ -75,6 +76,7 @@ void SimulatorDock::buildContent() {
     m_module->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_benches->addWidget(m_servo);
     m_benches->addWidget(m_step);
+    m_benches->addWidget(m_io);
     const int unit = look::gridUnit(this);
     auto* choice = new QHBoxLayout;
     choice->setContentsMargins(unit, unit / 2, unit, 0);
@@ -159,8 +161,8 @@ void SimulatorDock::showSelected(std::optional<ModuleIndex> module) {
 
 void SimulatorDock::chooseModule() {
     const int number = m_module->currentIndex() + 1;
-    m_servo->setModule(number);
-    m_step->setModule(number);
+    for (ModuleBench* bench : {m_servo, m_step, m_io})
+        bench->setModule(number);
     m_polled.clear();
     if (isVisible())
         poll();
@@ -233,10 +235,7 @@ void SimulatorDock::showState(const QJsonObject& state) {
                             : kind == "io"_L1 ? ModuleType::Io
                                               : ModuleType::Servo;
     look::setText(m_type, texts::moduleType({type, static_cast<std::uint8_t>(state["version"_L1].toInt())}));
-    m_benches->setVisible(type != ModuleType::Io);  // whose pins the control line sets
-    if (type == ModuleType::Io)
-        return;
-    ModuleBench* bench = type == ModuleType::Step ? m_step : m_servo;
+    ModuleBench* bench = type == ModuleType::Step ? m_step : type == ModuleType::Io ? m_io : m_servo;
     m_benches->setCurrentWidget(bench);
     // What was asked before the latest change would undo it on the screen for a moment.
     if (!m_outdated)

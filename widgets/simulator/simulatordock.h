@@ -69,6 +69,7 @@ private:
     QStackedWidget* m_benches;
     ModuleBench* m_servo;
     ModuleBench* m_step;
+    ModuleBench* m_io;
     BenchTruth* m_truth;
     ControlLineBox* m_line;
     QTimer m_timer;

@@ -163,6 +163,7 @@ private:
     void setUp(const ModuleState& real) {
         const ModuleIndex index = real.info.index;
         setPins(real);
+        setDirections(real);
         if (real.gains)
             tell(index, intent::ApplyGains{*real.gains});
         if (real.io)
@@ -187,6 +188,8 @@ private:
             set(sim::Input::Limit1, real.latest->servoStatus().limit1());
             set(sim::Input::Limit2, real.latest->servoStatus().limit2());
         }
+        if (real.isIo() && real.latest)
+            setIo(index(real), *real.latest);
         if (!real.isStepper())
             return;
         const step::InputsByte inputs = real.stepper.inputs();
@@ -196,6 +199,26 @@ private:
         set(sim::Input::In2, inputs.in2());
         set(sim::Input::HomeSwitch, inputs.homeSwitch());
         set(sim::Input::Estop, inputs.estop());
+    }
+    static ModuleIndex index(const ModuleState& real) { return real.info.index; }
+    void setIo(ModuleIndex index, const StatusReport& real) {
+        for (unsigned pin = 0; real.pins && pin < io::kPins; ++pin)
+            m_bus.simulated().set(index, sim::Input::Pin, unsigned{*real.pins} >> pin & 1U, m_bus.now(),
+                                  pin + 1);
+        for (unsigned i = 0; i < real.analogs.size(); ++i)
+            if (const auto& value = real.analogs.at(i))
+                m_bus.simulated().set(index, sim::Input::Analog, *value, m_bus.now(), i + 1);
+    }
+    /// And what its outputs were told. Unknown, they are as unknown to the copy.
+    void setDirections(const ModuleState& real) {
+        if (!real.isIo() || !real.pins.inputs() || !real.latest)
+            return;
+        tell(index(real), iointent::SetDirection{*real.pins.inputs()});
+        const unsigned outputs = io::kAllPins & ~unsigned{*real.pins.inputs()};
+        const unsigned levels = real.pins.levels(*real.latest).value_or(0);
+        for (unsigned pin = 0; pin < io::kPins; ++pin)
+            if ((outputs & levels) >> pin & 1U)
+                tell(index(real), iointent::SetOutput{pin, true});
     }
     void tell(ModuleIndex index, const Intent& intent) {
         if (auto steps = plan(intent, m_modules[index.value()])) {
@@ -208,8 +231,8 @@ private:
 
     bool turn() {
         take(m_bus.runFor(kTurn));
-        if (const auto wait = waitsFor())
-            assumeInput(*wait);
+        if (const Action* row = currentRow())
+            assumeWaited(*row);
         SequenceRun::Next next = m_run->next(m_modules, m_bus.now());
         if (auto* send = std::get_if<SequenceRun::Send>(&next))
             for (std::vector<bus::Step>& steps : send->operations)
@@ -218,21 +241,35 @@ private:
             assumeHome(*ask);
         return !m_run->report().over();
     }
-    [[nodiscard]] std::optional<action::WaitForInput> waitsFor() const {
+    [[nodiscard]] const Action* currentRow() const {
         const SequenceReport::Place& place = m_run->report().places.back();
         const Sequence* sequence = m_run->machine().program.sequence(place.sequence);
-        if (sequence == nullptr || place.row >= sequence->rows.size())
-            return std::nullopt;
-        const auto* wait = std::get_if<action::WaitForInput>(&sequence->rows[place.row]);
-        if (wait == nullptr || readPin(wait->pin, m_modules[wait->module.value()]) == wait->active)
-            return std::nullopt;
-        return *wait;
+        return sequence != nullptr && place.row < sequence->rows.size() ? &sequence->rows[place.row]
+                                                                        : nullptr;
+    }
+    /// What a row waits for comes at once.
+    void assumeWaited(const Action& row) {
+        if (const auto* wait = std::get_if<action::WaitForInput>(&row)) {
+            if (readPin(wait->pin, m_modules[wait->module.value()]) != wait->active)
+                assumeInput(*wait);
+        } else if (const auto* analog = std::get_if<action::WaitForAnalog>(&row)) {
+            if (!isMet(*analog, m_modules[analog->module.value()]))
+                assumeAnalog(*analog);
+        }
     }
     void assumeInput(const action::WaitForInput& wait) {
         constexpr sim::Input kInputs[] = {sim::Input::Limit1, sim::Input::Limit2, sim::Input::In1,
                                           sim::Input::In2, sim::Input::HomeSwitch};
-        m_bus.simulated().set(wait.module, kInputs[static_cast<std::size_t>(wait.pin)],
-                              wait.active ? 1.0 : 0.0, m_bus.now());
+        const auto pin = ioPin(wait.pin);
+        m_bus.simulated().set(wait.module,
+                              pin ? sim::Input::Pin : kInputs[static_cast<std::size_t>(wait.pin)],
+                              wait.active ? 1.0 : 0.0, m_bus.now(), pin ? *pin + 1 : 0);
+        m_result.inputsAssumed = true;
+    }
+    /// As far as the converter goes: one count beyond the level would do, but not at its end.
+    void assumeAnalog(const action::WaitForAnalog& wait) {
+        m_bus.simulated().set(wait.module, sim::Input::Analog, wait.above ? 255.0 : 0.0, m_bus.now(),
+                              wait.input);
         m_result.inputsAssumed = true;
     }
     /// Where the switch is nobody knows; where home is, perhaps.

@@ -77,6 +77,10 @@ std::optional<Refusal> whyNotIo(Request request, const ModuleState& module) {
         case Request::ControlIo:
         case Request::ResetModule:
             return whyNotTold(request, module);
+        case Request::StartLoaded:  // of its group: Synch Output
+            if (const auto refusal = whyNotTold(request, module))
+                return refusal;
+            return module.pins.stored() ? std::nullopt : std::optional(Refusal::NothingLoaded);
         case Request::Enable:
         case Request::Move:
         case Request::Load:
@@ -90,7 +94,6 @@ std::optional<Refusal> whyNotIo(Request request, const ModuleState& module) {
         case Request::ResetPosition:
         case Request::SaveAsHome:
         case Request::DeclarePosition:
-        case Request::StartLoaded:
         case Request::StopHere:
         case Request::DrivePwm:
         case Request::CheckDirection:

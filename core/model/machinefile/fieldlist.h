@@ -27,6 +27,14 @@ public:
             add(key, Quantity::Plain, text);
     }
     void flag(std::string_view key, bool flag) { add(key, Quantity::Plain, flag); }
+    void flag(std::string_view key, const std::optional<bool>& flag) {
+        if (flag)
+            add(key, Quantity::Plain, *flag);
+    }
+    void mark(std::string_view key, bool marked) {
+        if (marked)
+            flag(key, true);
+    }
     void real(std::string_view key, double number, Bounds /*bounds*/, Need /*need*/ = {}) {
         add(key, Quantity::Plain, number);
     }

@@ -60,6 +60,15 @@ public:
         if (const JsonValue* value = typed(key, JsonValue::Kind::Flag, Wanted::YesOrNo, Need::Required))
             flag = value->flag;
     }
+    void flag(std::string_view key, std::optional<bool>& flag) {
+        if (m_object.find(key) != nullptr)
+            this->flag(key, flag.emplace());
+    }
+    /// A flag that is left out where it is false.
+    void mark(std::string_view key, bool& flag) {
+        if (m_object.find(key) != nullptr)
+            this->flag(key, flag);
+    }
     void real(std::string_view key, double& number, Bounds bounds, Need need = Need::Required) {
         const JsonValue* value = typed(key, JsonValue::Kind::Number, Wanted::Number, need);
         if (value != nullptr && within(key, *value, bounds))

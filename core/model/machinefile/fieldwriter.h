@@ -42,6 +42,13 @@ public:
 
     void text(std::string_view key, const std::string& text) { at(key) = withoutControls(text); }
     void flag(std::string_view key, bool flag) { at(key) = flag; }
+    void flag(std::string_view key, const std::optional<bool>& flag) {
+        if (flag)
+            at(key) = *flag;
+        else
+            drop(key);
+    }
+    void mark(std::string_view key, bool flag) { this->flag(key, flag ? std::optional(true) : std::nullopt); }
     void real(std::string_view key, double number, Bounds /*bounds*/, Need /*need*/ = {}) {
         at(key) = std::isfinite(number) ? number : 0.0;
     }

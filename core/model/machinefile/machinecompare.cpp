@@ -38,11 +38,16 @@ bool forOther(const AxisSettings& axis, const ModuleState* module) {
     return module != nullptr && axis.expected && *axis.expected != module->info.identity;
 }
 
-/// The file's gains as this module takes them: an old one has no deadband.
+/// The file's gains as this module takes them: an old one has no deadband, and only an SC a step multiplier,
+/// which stays where the file does not say it (gainsplan.cpp).
 std::optional<servo::SetGain> gainsFor(const AxisSettings& axis, const ModuleState* module) {
     std::optional<servo::SetGain> gains = axis.gains;
     if (gains && module != nullptr && module->info.identity.version < servo::kDeadbandVersion)
         gains->db.reset();
+    if (gains && module != nullptr && !isSc(module->info.identity))
+        gains->sm.reset();
+    else if (gains && module != nullptr && !gains->sm && module->gains)
+        gains->sm = module->gains->sm;
     return gains;
 }
 
@@ -175,7 +180,10 @@ Fields axisFields(const AxisSettings& axis, MachinePart part) {
         case MachinePart::Gains:
             return layout::listed(axis.gains);
         case MachinePart::Io:
-            return layout::listed(axis.io);
+            if (axis.io)
+                layout::fields(list, *axis.io);
+            list.flag("fast_path", axis.fastPath);
+            break;
         case MachinePart::Parameters:
             return layout::listed(axis.parameters);
         case MachinePart::MachineName:
@@ -217,12 +225,29 @@ std::vector<FieldDifference> differing(const Fields& file, const Fields& now) {
 Fields sentFields(const ModuleState& module, MachinePart part) {
     if (part == MachinePart::Gains)
         return layout::listed(module.gains);
+    if (part == MachinePart::Io && isSc(module.info.identity)) {
+        FieldList list;
+        if (module.scIo)
+            list.flag("fast_path", module.scIo->fastPath);
+        return list.fields();
+    }
     if (part == MachinePart::Io)
         return layout::listed(module.io);
     return layout::listed(module.stepper.parameters());
 }
 
-std::optional<Intent> intentOf(const AxisSettings& axis, MachinePart part) {
+/// I/O Control of an SC applies every bit: nothing while the others are not known.
+std::optional<Intent> fastPathOf(const AxisSettings& axis, const ModuleState& module) {
+    if (!axis.fastPath || !module.scIo)
+        return std::nullopt;
+    servo::ScIoControl io = *module.scIo;
+    io.fastPath = *axis.fastPath;
+    return intent::ControlSc{io};
+}
+
+std::optional<Intent> intentOf(const AxisSettings& axis, MachinePart part, const ModuleState& module) {
+    if (part == MachinePart::Io && isSc(module.info.identity))
+        return fastPathOf(axis, module);
     if (part == MachinePart::Gains && axis.gains)
         return intent::ApplyGains{*axis.gains};
     if (part == MachinePart::Io && axis.io)
@@ -235,6 +260,8 @@ std::optional<Intent> intentOf(const AxisSettings& axis, MachinePart part) {
 std::optional<Refusal> whyNotSent(MachinePart part, const ModuleState& module) {
     if (part == MachinePart::Parameters)
         return whyNot(Request::SetParameters, module);
+    if (part == MachinePart::Io && isSc(module.info.identity))
+        return whyNot(Request::ControlSc, module);
     return whyNot(part == MachinePart::Io ? Request::ControlIo : Request::ApplyGains, module);
 }
 
@@ -322,7 +349,7 @@ private:
         }
         row.fields = std::move(toSend);
         row.refusal = whyNotSent(row.id.part, module);
-        if (!row.refusal && intentOf(file, row.id.part))
+        if (!row.refusal && intentOf(file, row.id.part, module))
             row.applying = Applying::Sends;
         row.wanted = !module.driveOn();
     }
@@ -381,6 +408,7 @@ void take(const PartId& id, const AxisSettings& from, AxisSettings& into) {
             break;
         case MachinePart::Io:
             into.io = from.io;
+            into.fastPath = from.fastPath;
             break;
         case MachinePart::Parameters:
             into.parameters = from.parameters;
@@ -462,7 +490,8 @@ std::vector<ModuleIntent> sendings(const Machine& file, const Machine& now,
     std::vector<ModuleIntent> intents;
     for (const Difference& row : chosenOf(compare(file, now, modules), chosen))
         if (row.applying == Applying::Sends)
-            if (auto intent = intentOf(file.axis(*row.id.module), row.id.part))
+            if (auto intent =
+                    intentOf(file.axis(*row.id.module), row.id.part, *connected(modules, row.id.module)))
                 intents.push_back({*row.id.module, std::move(*intent)});
     return intents;
 }

@@ -188,7 +188,7 @@ void fields(Form& form, T& scale) {
 
 template <typename Form, As<servo::SetGain> T>
 void fields(Form& form, T& gains) {
-    [[maybe_unused]] auto& [kp, kd, ki, il, ol, cl, el, sr, db, sm] = gains;  // sm: not in files yet
+    auto& [kp, kd, ki, il, ol, cl, el, sr, db, sm] = gains;
     form.whole("Kp", kp, takenByModule(servo::kGainRange));
     form.whole("Kd", kd, takenByModule(servo::kGainRange));
     form.whole("Ki", ki, takenByModule(servo::kGainRange));
@@ -198,16 +198,17 @@ void fields(Form& form, T& gains) {
     form.whole("EL_counts", el, takenByModule(servo::kPositionErrorRange));
     form.whole("SR", sr, takenByModule(servo::kServoRateRange));
     form.whole("DB", db, takenByModule(servo::kByteRange));
+    form.whole("SM", sm, takenByModule(servo::kByteRange));
 }
 
 template <typename Form, As<servo::IoControl> T>
 void fields(Form& form, T& io) {
-    // fastPath: not in files yet
-    [[maybe_unused]] auto& [limit1Output, limit2Output, limit1IsInput, limit2IsInput, fastPath] = io;
+    auto& [limit1Output, limit2Output, limit1IsInput, limit2IsInput, fastPath] = io;
     form.flag("limit1_is_input", limit1IsInput);
     form.flag("limit2_is_input", limit2IsInput);
     form.flag("limit1_output", limit1Output);
     form.flag("limit2_output", limit2Output);
+    form.mark("fast_path", fastPath);
 }
 
 template <typename Form, As<step::SetParameters> T>
@@ -249,8 +250,8 @@ void fields(Form& form, T& settings) {
 
 template <typename Form, As<AxisSettings> T>
 void fields(Form& form, T& axis) {
-    auto& [name, expected, unit, motion, travel, backlash, homing, limitStop, analog, gains, io, parameters,
-           accelerationTime, outputNames, inputNames, pins] = axis;
+    auto& [name, expected, unit, motion, travel, backlash, homing, limitStop, analog, gains, io, fastPath,
+           parameters, accelerationTime, outputNames, inputNames, pins] = axis;
     form.text("name", name);
     form.part("expected", expected);
     // From here on the names of the numbers say what this chip counts in.
@@ -264,6 +265,7 @@ void fields(Form& form, T& axis) {
     form.part("analog", analog);
     form.part("gains", gains);
     form.part("io", io);
+    form.flag("fast_path", fastPath);
     form.part("parameters", parameters);
     form.real("acceleration_time", accelerationTime, {0, 255, true}, Need::Optional);
     form.names("output_names", outputNames);
@@ -308,12 +310,25 @@ void fields(Form& form, T& point) {
 
 /// What a row does, in the order of Action.
 inline constexpr std::array<std::string_view, std::variant_size_v<Action>> kActionWords{
-    "move to", "wait", "wait for arrival", "wait for input", "set output", "home", "repeat", "call"};
+    "move to", "wait", "wait for arrival", "wait for input", "set output", "home",
+    "repeat",  "call", "wait for A/D"};
 inline constexpr Word<InputPin> kPinWords[] = {{InputPin::Limit1, "limit 1"},
                                                {InputPin::Limit2, "limit 2"},
                                                {InputPin::In1, "IN1"},
                                                {InputPin::In2, "IN2"},
-                                               {InputPin::HomeSwitch, "home switch"}};
+                                               {InputPin::HomeSwitch, "home switch"},
+                                               {InputPin::Io1, "IO1"},
+                                               {InputPin::Io2, "IO2"},
+                                               {InputPin::Io3, "IO3"},
+                                               {InputPin::Io4, "IO4"},
+                                               {InputPin::Io5, "IO5"},
+                                               {InputPin::Io6, "IO6"},
+                                               {InputPin::Io7, "IO7"},
+                                               {InputPin::Io8, "IO8"},
+                                               {InputPin::Io9, "IO9"},
+                                               {InputPin::Io10, "IO10"},
+                                               {InputPin::Io11, "IO11"},
+                                               {InputPin::Io12, "IO12"}};
 
 template <typename Form, As<action::MoveTo> T>
 void fields(Form& form, T& move) {
@@ -342,7 +357,7 @@ template <typename Form, As<action::SetOutput> T>
 void fields(Form& form, T& set) {
     auto& [module, output, on] = set;
     form.module("module", module);
-    form.whole("output", output, {1, 5});
+    form.whole("output", output, {1, kMaxPins});
     form.flag("on", on);
 }
 template <typename Form, As<action::Home> T>
@@ -360,6 +375,16 @@ template <typename Form, As<action::Call> T>
 void fields(Form& form, T& call) {
     auto& [sequence] = call;
     form.text("sequence", sequence);
+}
+
+template <typename Form, As<action::WaitForAnalog> T>
+void fields(Form& form, T& wait) {
+    auto& [module, input, above, level, timeout] = wait;
+    form.module("module", module);
+    form.whole("input", input, {1, kMaxAnalog});
+    form.flag("above", above);
+    form.whole("level", level, {0, 255});
+    form.seconds("timeout_s", timeout);
 }
 
 template <typename Form, As<Action> T>

@@ -25,6 +25,9 @@ constexpr std::string_view kMeaning =
     "# command = where the module was told to be by that time (calculated) in counts or steps\n"
     "# error = command minus position (calculated) and the true error is from error_low to error_high\n"
     "# analog = the A/D byte, which stands for analog at zero + byte x analog per count\n"
+    "# PIC-I/O: position = its counter or timer and analog2 and analog3 = its other A/D bytes\n"
+    "# PIC-I/O: status = levels of IO1 (1) to IO8 (128) and aux = levels of IO9 (1) to IO12 (8)\n"
+    "# PIC-I/O: counted = 1 where the reply had the counter, which otherwise stands as it was\n"
     "# status and aux = bytes as in the data sheet, decimal, aux of a PIC-STEP being its inputs\n"
     "# gap = 1 where replies of this module are missing before the row\n"
     "# Divide by counts per unit to get the unit of the module.\n"
@@ -56,8 +59,9 @@ std::string typeText(ModuleType type) {
             return number + " (PIC-SERVO)";
         case ModuleType::Step:
             return number + " (PIC-STEP)";
-        case ModuleType::Adc:
         case ModuleType::Io:
+            return number + " (PIC-I/O)";
+        case ModuleType::Adc:
             break;
     }
     return number;
@@ -77,11 +81,43 @@ void appendModule(std::string& out, const RecordingModule& module) {
     entry(words::kAnalogUnit, module.analog.unit);
     entry(words::kAnalogPerCount, textOf(module.analog.perCount));
     entry(words::kAnalogAtZero, textOf(module.analog.atZero));
+    const auto numbered = [](std::string_view word, std::size_t i, std::string_view key) {
+        return std::string(word) + std::to_string(i + 1) + ' ' + std::string(key);
+    };
+    for (std::size_t i = 0; i < module.pins.pins.size(); ++i)
+        entry(numbered(words::kPin, i, words::kName), module.pins.pins[i].name);
+    for (std::size_t i = 0; i < module.pins.analog.size(); ++i) {
+        const AnalogInput& input = module.pins.analog[i];
+        entry(numbered(words::kAnalogInput, i, words::kName), input.name);
+        entry(numbered(words::kAnalogInput, i, words::kInputUnit), input.scale.unit);
+        entry(numbered(words::kAnalogInput, i, words::kInputPerCount), textOf(input.scale.perCount));
+        entry(numbered(words::kAnalogInput, i, words::kInputAtZero), textOf(input.scale.atZero));
+    }
 }
 
 void appendColumnNames(std::string& out) {
     for (const std::string_view name : kRecordingColumns)
         out.append(name) += name == kRecordingColumns.back() ? '\n' : ',';
+}
+
+void appendBytes(std::string& out, const ScopeSample& sample) {
+    for (const int byte : {+sample.analog, +sample.status, +sample.aux}) {
+        out += ',';
+        appendNumber(out, byte);
+    }
+    out += sample.gapBefore ? ",1" : ",0";
+}
+
+/// The rest of a PIC-I/O's row, from its position on.
+void appendPins(std::string& out, const ScopeSample& sample) {
+    appendNumber(out, static_cast<std::int32_t>(sample.counter()));
+    out += ",,,,,";
+    appendBytes(out, sample);
+    out += ',';
+    appendReal(out, sample.error);
+    out += ',';
+    appendReal(out, sample.velocity);
+    out += sample.counted ? ",1\n" : ",0\n";
 }
 
 }  // namespace
@@ -105,6 +141,8 @@ void appendRow(std::string& out, ModuleIndex module, const ScopeSample& sample, 
     out += ',';
     appendTime(out, sample.time - zero);
     out += ',';
+    if (sample.io)
+        return appendPins(out, sample);
     appendNumber(out, sample.position);
     out += ',';
     appendReal(out, sample.velocity);
@@ -116,11 +154,8 @@ void appendRow(std::string& out, ModuleIndex module, const ScopeSample& sample, 
     appendReal(out, sample.errorLow);
     out += ',';
     appendReal(out, sample.errorHigh);
-    for (const int byte : {+sample.analog, +sample.status, +sample.aux}) {
-        out += ',';
-        appendNumber(out, byte);
-    }
-    out += sample.gapBefore ? ",1\n" : ",0\n";
+    appendBytes(out, sample);
+    out += ",,,\n";
 }
 
 void appendGains(std::string& out, const GainsChange& change, TimePoint zero) {

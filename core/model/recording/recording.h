@@ -29,8 +29,8 @@
 ///     # module 1 analog per count: 0.0196
 ///     # module 1 analog at zero: 0
 ///     # ... what the columns mean ...
-///     module,time_s,position,velocity_per_s,command,error,error_low,error_high,analog,status,aux,gap
-///     1,0.012000000,1024,,1024.5,0.5,0,1,17,9,4,0
+///     module,time_s,position,...,error_high,analog,status,aux,gap,analog2,analog3,counted
+///     1,0.012000000,1024,,1024.5,0.5,0,1,17,9,4,0,,,
 ///     # gains of module 1 at 0.500000000 s: kp 100 kd 1000 ki 0 il 0 ol 255 cl 0 el 2000 sr 1 db 0
 ///     # note at 0.750000000 s: the motors were told to stop
 ///
@@ -44,6 +44,7 @@ struct RecordingModule {
     std::string name;  ///< UTF-8
     AxisUnit unit;
     AnalogScale analog;
+    PinSettings pins{};  ///< PIC-I/O: names and scales; others of its settings are not kept
 
     bool operator==(const RecordingModule&) const = default;
 };
@@ -77,11 +78,16 @@ enum class RecordingColumn : std::uint8_t {
     Status,
     Aux,
     Gap,
+    // PIC-I/O only
+    Analog2,
+    Analog3,
+    Counted,
 };
 /// By RecordingColumn.
-inline constexpr std::array<std::string_view, 12> kRecordingColumns{
-    "module",    "time_s",     "position", "velocity_per_s", "command", "error",
-    "error_low", "error_high", "analog",   "status",         "aux",     "gap"};
+inline constexpr std::array<std::string_view, 15> kRecordingColumns{
+    "module", "time_s",    "position",   "velocity_per_s", "command",
+    "error",  "error_low", "error_high", "analog",         "status",
+    "aux",    "gap",       "analog2",    "analog3",        "counted"};
 
 /// Everything above the first row.
 [[nodiscard]] std::string recordingHead(const RecordingHeader& header);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/recording/recordingwords.h"
+#include "protocol/iocommands.h"
 
 namespace nmc::comments {
 
@@ -83,6 +84,48 @@ bool takeText(std::string_view key, std::string_view value, RecordingModule& mod
     return false;
 }
 
+/// The number from 1 before a key, as one from 0, and takes it; nothing where there is none.
+std::optional<std::size_t> numberBefore(std::string_view& key, double most) {
+    std::string_view rest = key;
+    const auto number = cells::whole(nextWord(rest), {1, most});
+    if (!number)
+        return std::nullopt;
+    key = rest;
+    return static_cast<std::size_t>(*number - 1);
+}
+
+/// What hangs on a PIC-I/O. True when it was one of these.
+bool takePinEntry(std::string_view key, const NumberEntry& entry, PinSettings& pins,
+                  std::optional<RecordingProblem>& problem) {
+    if (skip(key, words::kPin)) {
+        const auto pin = numberBefore(key, io::kPins);
+        if (!pin || key != words::kName)
+            return false;
+        PinSettings::in(pins.pins, *pin).name = entry.text;
+        return true;
+    }
+    if (!skip(key, words::kAnalogInput))
+        return false;
+    const auto input = numberBefore(key, 3);
+    if (!input)
+        return false;
+    const std::size_t known = pins.analog.size();
+    AnalogInput& analog = PinSettings::in(pins.analog, *input);
+    for (std::size_t i = known; i < pins.analog.size(); ++i)
+        pins.analog[i].scale.unit.clear();  // what is not in the file is empty, not the usual
+    if (key == words::kName)
+        analog.name = entry.text;
+    else if (key == words::kInputUnit)
+        analog.scale.unit = entry.text;
+    else if (key == words::kInputPerCount)
+        problem = entry.realInto(analog.scale.perCount, kAnyReal);
+    else if (key == words::kInputAtZero)
+        problem = entry.realInto(analog.scale.atZero, kAnyReal);
+    else
+        return false;
+    return true;
+}
+
 std::optional<RecordingProblem> takeModuleEntry(std::string_view key, std::string_view value,
                                                 RecordingHeader& header) {
     const std::string_view field = key;
@@ -102,6 +145,9 @@ std::optional<RecordingProblem> takeModuleEntry(std::string_view key, std::strin
         return number.realInto(module.analog.perCount, kAnyReal);
     if (key == words::kAnalogAtZero)
         return number.realInto(module.analog.atZero, kAnyReal);
+    std::optional<RecordingProblem> problem;
+    if (takePinEntry(key, number, module.pins, problem))
+        return problem;
     const auto unit = std::find(words::kUnits.begin(), words::kUnits.end(), value);
     if (!takeText(key, value, module) && key == words::kUnit && unit != words::kUnits.end())
         module.unit.kind = static_cast<UnitKind>(unit - words::kUnits.begin());

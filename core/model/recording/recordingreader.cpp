@@ -165,10 +165,14 @@ void RecordingReader::takeRow(std::string_view line) {
     wholeCell(Column::Module, number, comments::kModules);
     timeCell(sample.time);
     wholeCell(Column::Position, sample.position, kPositions);
-    realCell(Column::Velocity, sample.velocity);
-    realCell(Column::Error, sample.error);
-    realCell(Column::ErrorLow, sample.errorLow);
-    realCell(Column::ErrorHigh, sample.errorHigh);
+    if (cell(Column::Counted).empty()) {
+        realCell(Column::Velocity, sample.velocity);
+        realCell(Column::Error, sample.error);
+        realCell(Column::ErrorLow, sample.errorLow);
+        realCell(Column::ErrorHigh, sample.errorHigh);
+    } else {
+        pinCells(sample);
+    }
     wholeCell(Column::Analog, sample.analog, comments::kBytes);
     wholeCell(Column::Status, sample.status, comments::kBytes);
     wholeCell(Column::Aux, sample.aux, comments::kBytes);
@@ -184,6 +188,23 @@ void RecordingReader::takeRow(std::string_view line) {
     sample.gapBefore = gap == 1;
     ++m_samples;
     m_takers.sample(ModuleIndex(static_cast<std::uint8_t>(number - 1)), sample);
+}
+
+/// Rows of a PIC-I/O, whose values are in a motor's places of a sample (scopesample.h).
+void RecordingReader::pinCells(ScopeSample& sample) {
+    const auto byteCell = [this](RecordingColumn column, float& number) {
+        int byte = -1;
+        wholeCell(column, byte, comments::kBytes);
+        if (byte >= 0)
+            number = static_cast<float>(byte);
+    };
+    int counted = 0;
+    wholeCell(RecordingColumn::Counted, counted, {0, 1});
+    byteCell(RecordingColumn::Analog2, sample.error);
+    byteCell(RecordingColumn::Analog3, sample.velocity);
+    sample.setCounter(static_cast<std::uint32_t>(sample.position));
+    sample.io = true;
+    sample.counted = counted == 1;
 }
 
 std::string_view RecordingReader::cell(RecordingColumn column) const {

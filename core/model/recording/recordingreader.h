@@ -77,6 +77,7 @@ private:
     template <typename Number>
     void wholeCell(RecordingColumn column, Number& number, cells::Bounds bounds);
     void realCell(RecordingColumn column, float& number);
+    void pinCells(ScopeSample& sample);
     void timeCell(TimePoint& time);
     [[nodiscard]] std::string_view cell(RecordingColumn column) const;
     void refuse(RecordingProblem problem);

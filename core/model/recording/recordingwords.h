@@ -26,6 +26,13 @@ inline constexpr std::string_view kPerUnit = "counts per unit";
 inline constexpr std::string_view kAnalogUnit = "analog unit";
 inline constexpr std::string_view kAnalogPerCount = "analog per count";
 inline constexpr std::string_view kAnalogAtZero = "analog at zero";
+// PIC-I/O: the first A/D input's scale is that above. Followed by a number from 1, a space and one of the
+// keys.
+inline constexpr std::string_view kPin = "pin ";
+inline constexpr std::string_view kAnalogInput = "analog ";
+inline constexpr std::string_view kInputUnit = "unit";
+inline constexpr std::string_view kInputPerCount = "per count";
+inline constexpr std::string_view kInputAtZero = "at zero";
 /// By UnitKind.
 inline constexpr std::array<std::string_view, 5> kUnits{"counts or steps", "turns", "degrees", "millimetres",
                                                         "own"};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "model/recording/numbertext.h"
@@ -12,8 +13,10 @@ namespace nmc {
 
 namespace {
 
-constexpr std::array kSignals{ScopeSignal::Position, ScopeSignal::Velocity, ScopeSignal::Command,
-                              ScopeSignal::Error, ScopeSignal::Analog};
+constexpr std::array kMotorSignals{ScopeSignal::Position, ScopeSignal::Velocity, ScopeSignal::Command,
+                                   ScopeSignal::Error, ScopeSignal::Analog};
+constexpr std::array kIoSignals{ScopeSignal::Analog, ScopeSignal::Analog2, ScopeSignal::Analog3,
+                                ScopeSignal::Counter};
 
 /// Part of a column's name: no separator, no quote, no blank, and no slash, which makes a tree.
 [[nodiscard]] std::string wordOf(std::string_view text) {
@@ -61,14 +64,16 @@ public:
                                     : name.empty()                         ? ",module" + number
                                                    : ",module" + number + '_' + name) +
                                    '/';
+        if (m_io)
+            return appendIoNames(out, prefix);
         const std::string unit = unitOf(m_module);
         out += prefix + "position_" + unit + prefix + "velocity_" + unit + "_per_s" + prefix + "command_" +
                unit + prefix + "error_" + unit + prefix + "analog_" + wordOf(m_module.analog.unit) + prefix +
                "status";
     }
-    static void appendEmpty(std::string& out) { out.append(kSignals.size() + 1, ','); }
+    void appendEmpty(std::string& out) const { out.append(m_signals.size() + 1, ','); }
     void append(std::string& out, const ScopeSample& sample) const {
-        for (const ScopeSignal signal : kSignals)
+        for (const ScopeSignal signal : m_signals)
             appendCell(out, signal, valueOf(sample, signal));
         appendStatus(out, sample);
     }
@@ -79,10 +84,10 @@ public:
         if (before->time == time)
             return append(out, *before);
         const double share = toSeconds(time - before->time) / toSeconds(after->time - before->time);
-        for (const ScopeSignal signal : kSignals) {
+        for (const ScopeSignal signal : m_signals) {
             const auto from = valueOf(*before, signal);
             const auto to = valueOf(*after, signal);
-            const bool whole = signal == ScopeSignal::Analog;
+            const bool whole = m_io || signal == ScopeSignal::Analog;
             appendCell(out, signal,
                        whole        ? from
                        : from && to ? std::optional(*from + share * (*to - *from))
@@ -92,10 +97,28 @@ public:
     }
 
 private:
+    /// As they are called on this machine; the pins are bits of one number, IO1 is 1.
+    void appendIoNames(std::string& out, const std::string& prefix) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const AnalogInput input = PinSettings::of(m_module.pins.analog, i);
+            const std::string name = input.name.empty() ? "AD" + textOf(i + 1) : wordOf(input.name);
+            out += prefix + name + '_' + wordOf(input.scale.unit);
+        }
+        out += prefix + "count" + prefix + "pins";
+        for (std::size_t i = 0; i < m_module.pins.pins.size(); ++i)
+            if (const std::string& name = m_module.pins.pins[i].name; !name.empty())
+                out += "_IO" + textOf(i + 1) + '_' + wordOf(name);
+    }
     void appendCell(std::string& out, ScopeSignal signal, std::optional<double> value) const {
         out += ',';
         if (!value)
             return;
+        if (m_io) {
+            const auto input = analogInputOf(signal);
+            const AnalogScale scale =
+                input ? PinSettings::of(m_module.pins.analog, *input).scale : AnalogScale{1, 0, {}};
+            return appendNumber(out, scale.atZero + *value * scale.perCount);
+        }
         const double perUnit = m_module.unit.kind == UnitKind::Native ? 1.0 : m_module.unit.countsPerUnit;
         appendNumber(out, signal == ScopeSignal::Analog
                               ? m_module.analog.atZero + *value * m_module.analog.perCount
@@ -103,11 +126,14 @@ private:
     }
     static void appendStatus(std::string& out, const ScopeSample& sample) {
         out += ',';
-        appendNumber(out, static_cast<int>(sample.status));
+        appendNumber(out, sample.status + (sample.io ? sample.aux << 8U : 0));
     }
 
     RecordingModule m_module;
     const ModuleHistory& m_history;
+    bool m_io = m_module.identity.type == ModuleType::Io;
+    std::span<const ScopeSignal> m_signals =
+        m_io ? std::span<const ScopeSignal>(kIoSignals) : std::span<const ScopeSignal>(kMotorSignals);
 };
 
 void appendSparse(std::string& out, const std::vector<WideModule>& modules, TimePoint zero) {
@@ -124,7 +150,7 @@ void appendSparse(std::string& out, const std::vector<WideModule>& modules, Time
     for (const Row& row : rows) {
         appendTime(out, row.sample.time - zero);
         for (std::size_t i = 0; i < modules.size(); ++i)
-            i == row.module ? modules[i].append(out, row.sample) : WideModule::appendEmpty(out);
+            i == row.module ? modules[i].append(out, row.sample) : modules[i].appendEmpty(out);
         out += '\n';
     }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "model/scope/countrate.h"
 #include "model/scope/measuredacceleration.h"
 #include "model/scope/pwmoutput.h"
 
@@ -24,6 +25,8 @@ public:
         m_gains.reset();
         if (m_of.signal == ScopeSignal::Pwm)
             m_maker = PwmOutput();
+        else if (m_of.signal == ScopeSignal::CountRate)
+            m_maker = CountRate();
         else
             m_maker = MeasuredAcceleration();
     }
@@ -45,6 +48,9 @@ private:
         if (auto* pwm = std::get_if<PwmOutput>(&m_maker)) {
             if (const auto made = pwm->take(sample, m_gains))
                 keep(made->time, made->likely, made->low, made->high, made->gapBefore);
+        } else if (auto* rate = std::get_if<CountRate>(&m_maker)) {
+            if (const auto made = rate->take(sample))
+                keep(made->time, made->value, made->value, made->value, made->gapBefore);
         } else if (const auto made = std::get<MeasuredAcceleration>(m_maker).take(sample)) {
             keep(made->time, made->value, made->value, made->value, made->gapBefore);
         }
@@ -64,7 +70,7 @@ private:
     std::uint64_t m_taken = 0;
     std::size_t m_gainsTaken = 0;
     std::optional<servo::SetGain> m_gains;
-    std::variant<MeasuredAcceleration, PwmOutput> m_maker;
+    std::variant<MeasuredAcceleration, PwmOutput, CountRate> m_maker;
 };
 
 DerivedSignals::DerivedSignals() = default;

@@ -16,6 +16,8 @@ constexpr double kRange = 4294967296.0;  ///< positions go round (DS-V 4.5)
 }  // namespace
 
 std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
+    if (sample.report.pins)
+        return takePins(sample);
     m_command.apply(sample);
     // A brief reply has neither; they stand as they were last reported.
     m_aux = sample.report.aux.value_or(m_aux);
@@ -28,7 +30,9 @@ std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
     made.analog = m_analog;
     made.status = sample.report.status;
     made.aux = m_aux;
-    made.gapBefore = missingBefore(sample);
+    const bool wrapped =
+        !m_recent.empty() && std::abs(std::int64_t{made.position} - m_recent.back().position) > INT32_MAX;
+    made.gapBefore = missingBefore(sample.time) || wrapped;
     if (made.gapBefore)
         m_recent.clear();
     made.velocity = velocity({made.time, made.position});
@@ -41,6 +45,26 @@ std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
         setError(made, {error, error + (command->low - command->position),
                         error + (command->high - command->position)});
     }
+    return made;
+}
+
+/// A brief reply has only the pins, and not every one has the counter.
+ScopeSample ScopeFeed::takePins(const bus::Sample& sample) {
+    ScopeSample made;
+    made.time = sample.time;
+    made.io = true;
+    made.counted = sample.report.counter.has_value();
+    for (std::size_t i = 0; i < m_analogs.size(); ++i)
+        m_analogs.at(i) = sample.report.analogs.at(i).value_or(m_analogs.at(i));
+    m_counter = sample.report.counter.value_or(m_counter);
+    made.setCounter(m_counter);
+    made.analog = m_analogs[0];
+    made.error = m_analogs[1];
+    made.velocity = m_analogs[2];
+    made.status = static_cast<std::uint8_t>(*sample.report.pins & 0xFFU);
+    made.aux = static_cast<std::uint8_t>(*sample.report.pins >> 8U);
+    made.gapBefore = missingBefore(sample.time);
+    m_recent.assign(1, {made.time, made.position});
     return made;
 }
 
@@ -59,16 +83,14 @@ void ScopeFeed::breakHere() {
     m_interval.reset();
 }
 
-bool ScopeFeed::missingBefore(const bus::Sample& sample) {
+bool ScopeFeed::missingBefore(TimePoint time) {
     if (m_recent.empty())
         return true;
-    const Place& last = m_recent.back();
-    const Duration since = sample.time - last.time;
-    const bool wrapped = std::abs(std::int64_t{*sample.report.position} - last.position) > INT32_MAX;
+    const Duration since = time - m_recent.back().time;
     const bool missing = m_interval && since > kMissingAfter * *m_interval + kPatience;
     // A slower pace is the usual one at once, a faster one by and by.
     m_interval = !m_interval || missing ? since : *m_interval + (since - *m_interval) / 8;
-    return missing || wrapped;
+    return missing;
 }
 
 float ScopeFeed::velocity(const Place& here) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 
@@ -21,7 +22,7 @@ public:
     static constexpr int kMissingAfter = 3;
 
     void apply(const bus::CommandExecuted& executed) { m_command.apply(executed); }
-    /// Nothing of a status without a position.
+    /// Nothing of a status without a position or, of a PIC-I/O, without pins.
     [[nodiscard]] std::optional<ScopeSample> take(const bus::Sample& sample);
     /// Whether a command was carried out is not known, or the module has restarted: the command position is
     /// unknown until a command fixes it again.
@@ -37,7 +38,8 @@ private:
         TimePoint time;
         std::int32_t position;
     };
-    [[nodiscard]] bool missingBefore(const bus::Sample& sample);
+    [[nodiscard]] ScopeSample takePins(const bus::Sample& sample);
+    [[nodiscard]] bool missingBefore(TimePoint time);
     [[nodiscard]] float velocity(const Place& here);
     void setError(ScopeSample& sample, CommandEstimate error);
 
@@ -46,6 +48,9 @@ private:
     std::optional<Duration> m_interval;
     std::uint8_t m_aux = 0;
     std::uint8_t m_analog = 0;
+    // PIC-I/O, as last reported
+    std::array<std::uint8_t, 3> m_analogs{};
+    std::uint32_t m_counter = 0;
 };
 
 }  // namespace nmc

@@ -16,12 +16,17 @@ enum class ScopeSignal : std::uint8_t {
     Command,  ///< calculated command position
     Error,    ///< calculated position error
     Velocity,
-    Analog,        ///< A/D: motor current where the sense resistor is fitted (DS-V 3)
+    Analog,        ///< A/D: motor current where the sense resistor is fitted (DS-V 3); A/D 1 of a PIC-I/O
     Acceleration,  ///< from positions
-    Pwm            ///< calculated: what the control filter makes of the calculated error (DS-V 4.3)
+    Pwm,           ///< calculated: what the control filter makes of the calculated error (DS-V 4.3)
+    // PIC-I/O (docs/family.md)
+    Analog2,
+    Analog3,
+    Counter,  ///< or timer
+    CountRate
 };
 
-inline constexpr std::size_t kScopeSignals = 7;
+inline constexpr std::size_t kScopeSignals = 11;
 
 /// Calculated from what was sent, because the chip does not report it: sometimes not known.
 [[nodiscard]] constexpr bool isCalculated(ScopeSignal signal) {
@@ -30,10 +35,38 @@ inline constexpr std::size_t kScopeSignals = 7;
 
 /// No sample has it: it is made of several of them, and only for as long as it is looked at (DerivedSignals).
 [[nodiscard]] constexpr bool isDerived(ScopeSignal signal) {
-    return signal == ScopeSignal::Acceleration || signal == ScopeSignal::Pwm;
+    return signal == ScopeSignal::Acceleration || signal == ScopeSignal::Pwm ||
+           signal == ScopeSignal::CountRate;
 }
 
-/// Counts, counts/s or A/D counts; nothing if unknown, or derived.
+/// Only a PIC-I/O has it, and of the others only Analog.
+[[nodiscard]] constexpr bool isOfIo(ScopeSignal signal) {
+    return signal >= ScopeSignal::Analog2;
+}
+
+/// Which of a PIC-I/O's A/D inputs, from 0; nothing: none of them.
+[[nodiscard]] constexpr std::optional<std::size_t> analogInputOf(ScopeSignal signal) {
+    switch (signal) {
+        case ScopeSignal::Analog:
+            return 0;
+        case ScopeSignal::Analog2:
+            return 1;
+        case ScopeSignal::Analog3:
+            return 2;
+        case ScopeSignal::Position:
+        case ScopeSignal::Command:
+        case ScopeSignal::Error:
+        case ScopeSignal::Velocity:
+        case ScopeSignal::Acceleration:
+        case ScopeSignal::Pwm:
+        case ScopeSignal::Counter:
+        case ScopeSignal::CountRate:
+            break;
+    }
+    return std::nullopt;
+}
+
+/// Counts, counts/s or A/D counts; nothing if unknown, or derived. The sample is of a module that has it.
 [[nodiscard]] inline std::optional<double> valueOf(const ScopeSample& sample, ScopeSignal signal) {
     double value = 0;
     switch (signal) {
@@ -44,16 +77,22 @@ inline constexpr std::size_t kScopeSignals = 7;
             value = sample.command();
             break;
         case ScopeSignal::Error:
+        case ScopeSignal::Analog2:
             value = static_cast<double>(sample.error);
             break;
         case ScopeSignal::Velocity:
+        case ScopeSignal::Analog3:
             value = static_cast<double>(sample.velocity);
+            break;
+        case ScopeSignal::Counter:
+            value = sample.counter();
             break;
         case ScopeSignal::Analog:
             value = sample.analog;
             break;
         case ScopeSignal::Acceleration:
         case ScopeSignal::Pwm:
+        case ScopeSignal::CountRate:
             return std::nullopt;
     }
     if (std::isnan(value))
@@ -61,9 +100,9 @@ inline constexpr std::size_t kScopeSignals = 7;
     return value;
 }
 
-/// One bit of what the module says of itself (DS-V 5.3, DS-S 5.2).
+/// One bit of what the module says of itself (DS-V 5.3, DS-S 5.2), or a pin of a PIC-I/O.
 struct ScopeBit {
-    /// The second byte: auxiliary status, inputs of a PIC-STEP.
+    /// The second byte: auxiliary status, inputs of a PIC-STEP. PIC-I/O: IO1 to IO8, and IO9 to IO12.
     enum class Byte : std::uint8_t { Status, Aux };
     Byte byte = Byte::Status;
     std::uint8_t bit = 0;  ///< 0..7

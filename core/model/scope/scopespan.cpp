@@ -5,8 +5,11 @@ namespace nmc {
 
 namespace {
 
-constexpr std::uint8_t bitOf(ScopeSignal signal) {
-    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(signal));
+/// A pair of extremes; a PIC-I/O's values are in the places of a motor's (ScopeSample).
+enum class Place : std::uint8_t { Position, Command, Error, Velocity, Analog };
+
+constexpr std::uint8_t bitOf(Place place) {
+    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(place));
 }
 
 /// Takes in what follows. Returns whether the lowest comes first.
@@ -46,16 +49,16 @@ ScopeSpan ScopeSpan::of(const ScopeSample& sample) {
 
 void ScopeSpan::add(const ScopeSpan& next) {
     std::uint8_t order = 0;
-    const auto take = [&](ScopeSignal signal, auto& low, auto& high, auto nextLow, auto nextHigh) {
-        const std::uint8_t bit = bitOf(signal);
+    const auto take = [&](Place place, auto& low, auto& high, auto nextLow, auto nextHigh) {
+        const std::uint8_t bit = bitOf(place);
         if (widen(low, high, (lowFirst & bit) != 0, nextLow, nextHigh, (next.lowFirst & bit) != 0))
             order = static_cast<std::uint8_t>(order | bit);
     };
-    take(ScopeSignal::Position, positionLow, positionHigh, next.positionLow, next.positionHigh);
-    take(ScopeSignal::Command, commandLow, commandHigh, next.commandLow, next.commandHigh);
-    take(ScopeSignal::Error, errorLow, errorHigh, next.errorLow, next.errorHigh);
-    take(ScopeSignal::Velocity, velocityLow, velocityHigh, next.velocityLow, next.velocityHigh);
-    take(ScopeSignal::Analog, analogLow, analogHigh, next.analogLow, next.analogHigh);
+    take(Place::Position, positionLow, positionHigh, next.positionLow, next.positionHigh);
+    take(Place::Command, commandLow, commandHigh, next.commandLow, next.commandHigh);
+    take(Place::Error, errorLow, errorHigh, next.errorLow, next.errorHigh);
+    take(Place::Velocity, velocityLow, velocityHigh, next.velocityLow, next.velocityHigh);
+    take(Place::Analog, analogLow, analogHigh, next.analogLow, next.analogHigh);
     lowFirst = order;
     widen(bandLow, bandHigh, true, next.bandLow, next.bandHigh, true);
     statusAll &= next.statusAll;
@@ -67,20 +70,28 @@ void ScopeSpan::add(const ScopeSpan& next) {
 }
 
 ScopeSpan::Extremes ScopeSpan::extremes(ScopeSignal signal) const {
-    const bool order = (lowFirst & bitOf(signal)) != 0;
+    const auto made = [this](Place place, auto low, auto high, double offset = 0) -> Extremes {
+        return {static_cast<double>(low) + offset, static_cast<double>(high) + offset,
+                (lowFirst & bitOf(place)) != 0};
+    };
     switch (signal) {
         case ScopeSignal::Position:
-            return {static_cast<double>(positionLow), static_cast<double>(positionHigh), order};
+            return made(Place::Position, positionLow, positionHigh);
+        case ScopeSignal::Counter:
+            return made(Place::Position, positionLow, positionHigh, ScopeSample::kTopBit);
         case ScopeSignal::Command:
-            return {commandLow, commandHigh, order};
+            return made(Place::Command, commandLow, commandHigh);
         case ScopeSignal::Error:
-            return {static_cast<double>(errorLow), static_cast<double>(errorHigh), order};
+        case ScopeSignal::Analog2:
+            return made(Place::Error, errorLow, errorHigh);
         case ScopeSignal::Velocity:
-            return {static_cast<double>(velocityLow), static_cast<double>(velocityHigh), order};
+        case ScopeSignal::Analog3:
+            return made(Place::Velocity, velocityLow, velocityHigh);
         case ScopeSignal::Analog:
-            return {static_cast<double>(analogLow), static_cast<double>(analogHigh), order};
+            return made(Place::Analog, analogLow, analogHigh);
         case ScopeSignal::Acceleration:
         case ScopeSignal::Pwm:
+        case ScopeSignal::CountRate:
             break;
     }
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

@@ -29,7 +29,7 @@ struct ScopeSpan {
     std::uint8_t analogLow = 0, analogHigh = 0;
     std::uint8_t statusAll = 0, statusAny = 0;  ///< bits that were set all the time; at any time
     std::uint8_t auxAll = 0, auxAny = 0;
-    std::uint8_t lowFirst = 0;  ///< a bit for each ScopeSignal
+    std::uint8_t lowFirst = 0;  ///< a bit for each of the five pairs above that are signals
     /// Data is missing right before.
     bool gapBefore : 1 = false;
     // Whether a calculated value joins on to its neighbours.

@@ -13,10 +13,11 @@ double bounded(double value, double least, double most) {
     return value > least ? std::min(value, most) : least;
 }
 
-/// Positions are 32 bits on the chip and wrap.
+/// Positions and counters are 32 bits on the chip and wrap.
 bool wraps(const std::variant<ScopeSignal, ScopeBit>& source) {
     const auto* signal = std::get_if<ScopeSignal>(&source);
-    return signal != nullptr && (*signal == ScopeSignal::Position || *signal == ScopeSignal::Command);
+    return signal != nullptr && (*signal == ScopeSignal::Position || *signal == ScopeSignal::Command ||
+                                 *signal == ScopeSignal::Counter);
 }
 
 }  // namespace

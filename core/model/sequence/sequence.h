@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -31,8 +32,37 @@ struct Point {
     bool operator==(const Point&) const = default;
 };
 
-/// What a sequence can wait for: a limit pin of either chip that is an input, and the others of a PIC-STEP.
-enum class InputPin : std::uint8_t { Limit1, Limit2, In1, In2, HomeSwitch };
+/// What a sequence can wait for: a limit pin of either chip that is an input, the others of a PIC-STEP, and
+/// the pins of a PIC-I/O.
+enum class InputPin : std::uint8_t {
+    Limit1,
+    Limit2,
+    In1,
+    In2,
+    HomeSwitch,
+    Io1,
+    Io2,
+    Io3,
+    Io4,
+    Io5,
+    Io6,
+    Io7,
+    Io8,
+    Io9,
+    Io10,
+    Io11,
+    Io12
+};
+
+/// Which of a PIC-I/O's pins, from 0; nothing: of another chip.
+[[nodiscard]] constexpr std::optional<unsigned> ioPin(InputPin pin) {
+    if (pin < InputPin::Io1)
+        return std::nullopt;
+    return static_cast<unsigned>(pin) - static_cast<unsigned>(InputPin::Io1);
+}
+[[nodiscard]] constexpr InputPin inputPin(unsigned ioPin) {
+    return static_cast<InputPin>(static_cast<unsigned>(InputPin::Io1) + ioPin);
+}
 
 /// The rows of a sequence.
 namespace action {
@@ -55,11 +85,12 @@ struct WaitForArrival {
 struct WaitForInput {
     ModuleIndex module;
     InputPin pin = InputPin::Limit1;
-    bool active = true;
+    bool active = true;     ///< PIC-I/O: high
     double timeout = 10.0;  ///< s; then the sequence fails
     bool operator==(const WaitForInput&) const = default;
 };
-/// OUT1..OUT5 of a PIC-STEP; the limit pins 1 and 2 of a PIC-SERVO, where they are outputs (DS-V 5.2).
+/// OUT1..OUT5 of a PIC-STEP; IO1..IO12 of a PIC-I/O and the limit pins 1 and 2 of a PIC-SERVO, where they are
+/// outputs (DS-V 5.2).
 struct SetOutput {
     ModuleIndex module;
     unsigned output = 1;
@@ -81,10 +112,20 @@ struct Call {
     std::string sequence;
     bool operator==(const Call&) const = default;
 };
+/// Of a PIC-I/O: until it is above the level, or below.
+struct WaitForAnalog {
+    ModuleIndex module;
+    unsigned input = 1;  ///< 1..3
+    bool above = true;
+    unsigned level = 128;   ///< 0..255
+    double timeout = 10.0;  ///< s; then the sequence fails
+    bool operator==(const WaitForAnalog&) const = default;
+};
 }  // namespace action
 
-using Action = std::variant<action::MoveTo, action::Wait, action::WaitForArrival, action::WaitForInput,
-                            action::SetOutput, action::Home, action::Repeat, action::Call>;
+using Action =
+    std::variant<action::MoveTo, action::Wait, action::WaitForArrival, action::WaitForInput,
+                 action::SetOutput, action::Home, action::Repeat, action::Call, action::WaitForAnalog>;
 
 struct Sequence {
     std::string name;  ///< UTF-8; not empty, and no other sequence has it

@@ -19,6 +19,15 @@ const ModuleState* find(const std::vector<ModuleState>& modules, ModuleIndex ind
     return index.value() < modules.size() ? &modules[index.value()] : nullptr;
 }
 
+bool hasBit(std::uint16_t mask, unsigned bit) {
+    return ((unsigned{mask} >> bit) & 1U) != 0;
+}
+
+/// As it was told in this connection; `pin` from 0.
+bool isIoOutput(unsigned pin, const ModuleState& module) {
+    return pin < io::kPins && module.pins.inputs() && !hasBit(*module.pins.inputs(), pin);
+}
+
 /// Whether `wanted` is called by the rows of `sequence`, or is it.
 bool leadsTo(const Program& program, const std::string& sequence, const std::string& wanted,
              std::set<std::string>& seen) {
@@ -145,7 +154,13 @@ public:
         if (module == nullptr || readPin(wait.pin, *module))
             return;
         const bool limit = wait.pin == InputPin::Limit1 || wait.pin == InputPin::Limit2;
-        report(limit && module->isServo() ? Kind::NotAnInput : Kind::NoSuchPin, wait.module);
+        const bool output = (limit && module->isServo()) || (ioPin(wait.pin) && module->isIo());
+        report(output ? Kind::NotAnInput : Kind::NoSuchPin, wait.module);
+    }
+    void operator()(const action::WaitForAnalog& wait) {
+        const ModuleState* module = present(wait.module);
+        if (module != nullptr && !readAnalog(wait.input, *module))
+            report(Kind::NoSuchPin, wait.module);
     }
     void operator()(const action::SetOutput& set) {
         const ModuleState* module = present(set.module);
@@ -158,9 +173,10 @@ public:
         }
         const bool servoPin = module->isServo() && set.output <= 2;
         const bool stepperPin = module->isStepper() && set.output <= 5;
-        report(stepperPin ? Kind::OutputsUnknown
-               : servoPin ? Kind::NotAnOutput
-                          : Kind::NoSuchPin,
+        const bool ioPin = module->isIo() && set.output <= io::kPins;
+        report(stepperPin || (ioPin && !module->pins.inputs()) ? Kind::OutputsUnknown
+               : servoPin || ioPin                             ? Kind::NotAnOutput
+                                                               : Kind::NoSuchPin,
                set.module);
         m_problems.back().output = set.output;
     }
@@ -234,6 +250,10 @@ private:
         if (module.isStepper()) {
             const auto outputs = module.stepper.outputs();
             return outputs ? std::optional((*outputs >> (output - 1U) & 1U) != 0) : std::nullopt;
+        }
+        if (module.isIo()) {
+            const auto levels = module.latest ? module.pins.levels(*module.latest) : std::nullopt;
+            return levels ? std::optional(hasBit(*levels, output - 1U)) : std::nullopt;
         }
         if (!module.io)
             return std::nullopt;
@@ -400,6 +420,12 @@ std::optional<bool> readPin(InputPin pin, const ModuleState& module) {
             return status.limit2();
         return std::nullopt;
     }
+    if (module.isIo()) {
+        const auto number = ioPin(pin);
+        if (!number || isIoOutput(*number, module) || !module.latest->pins)
+            return std::nullopt;
+        return hasBit(*module.latest->pins, *number);
+    }
     if (!module.isStepper())
         return std::nullopt;
     const step::InputsByte inputs = module.stepper.inputs();
@@ -414,8 +440,32 @@ std::optional<bool> readPin(InputPin pin, const ModuleState& module) {
             return inputs.in2();
         case InputPin::HomeSwitch:
             return inputs.homeSwitch();
+        case InputPin::Io1:
+        case InputPin::Io2:
+        case InputPin::Io3:
+        case InputPin::Io4:
+        case InputPin::Io5:
+        case InputPin::Io6:
+        case InputPin::Io7:
+        case InputPin::Io8:
+        case InputPin::Io9:
+        case InputPin::Io10:
+        case InputPin::Io11:
+        case InputPin::Io12:
+            break;
     }
     return std::nullopt;
+}
+
+std::optional<unsigned> readAnalog(unsigned input, const ModuleState& module) {
+    if (!module.isIo() || !module.latest || input < 1 || input > module.latest->analogs.size())
+        return std::nullopt;
+    return module.latest->analogs.at(input - 1);
+}
+
+bool isMet(const action::WaitForAnalog& wait, const ModuleState& module) {
+    const auto value = readAnalog(wait.input, module);
+    return value && (wait.above ? *value > wait.level : *value < wait.level);
 }
 
 std::optional<Intent> outputIntent(const action::SetOutput& set, const ModuleState& module) {
@@ -423,6 +473,11 @@ std::optional<Intent> outputIntent(const action::SetOutput& set, const ModuleSta
         const unsigned bit = 1U << (set.output - 1U);
         const unsigned now = *module.stepper.outputs();
         return stepintent::SetOutputs{static_cast<std::uint8_t>(set.on ? now | bit : now & ~bit)};
+    }
+    if (module.isIo()) {
+        const unsigned pin = set.output - 1U;
+        return isIoOutput(pin, module) ? std::optional<Intent>(iointent::SetOutput{pin, set.on})
+                                       : std::nullopt;
     }
     if (!module.isServo() || !module.io)
         return std::nullopt;
@@ -467,9 +522,8 @@ std::set<ModuleIndex> modulesOf(const Program& program, const std::string& seque
                                    for (const PointAxis& axis : point->axes)
                                        modules.insert(axis.module);
                            },
-                           [&](const AnyOf<action::WaitForInput, action::SetOutput, action::Home> auto& one) {
-                               modules.insert(one.module);
-                           },
+                           [&](const AnyOf<action::WaitForInput, action::SetOutput, action::Home,
+                                           action::WaitForAnalog> auto& one) { modules.insert(one.module); },
                            [&](const action::Call& call) { self(self, call.sequence); },
                            [](const AnyOf<action::Wait, action::WaitForArrival, action::Repeat> auto&) {},
                        },

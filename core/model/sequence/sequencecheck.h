@@ -39,9 +39,9 @@ struct SequenceProblem {
         TaughtElsewhere,  ///< point `name`: `module` was taught before its home was known, and now it is
         NoRecipe,         ///< `module` has not been told how to find home
         NoSuchPin,        ///< `module` does not have it
-        NotAnInput,       ///< a limit pin that is an output
-        NotAnOutput,      ///< a limit pin that is an input
-        OutputsUnknown,   ///< `module` was not told its outputs in this connection
+        NotAnInput,       ///< a limit pin, or one of a PIC-I/O, that is an output
+        NotAnOutput,      ///< a limit pin, or one of a PIC-I/O, that is an input
+        OutputsUnknown,   ///< `module` was not told its outputs, or their directions, in this connection
         // Of starting in the middle: what a run from the top would have done before that row.
         Unreachable,  ///< a repeat for ever stands above
         NotThere,     ///< `module` does not stand where the rows above leave it: at point `name`, or its home
@@ -103,6 +103,10 @@ struct EntryState {
                                                        const AxisSettings& settings);
 /// Nothing: the module has no such pin, or it is an output.
 [[nodiscard]] std::optional<bool> readPin(InputPin pin, const ModuleState& module);
+/// Of 255. Nothing: the module has no such input.
+[[nodiscard]] std::optional<unsigned> readAnalog(unsigned input, const ModuleState& module);
+/// Whether what is waited for is there.
+[[nodiscard]] bool isMet(const action::WaitForAnalog& wait, const ModuleState& module);
 /// Nothing: there is no such output, or how the others are is not known.
 [[nodiscard]] std::optional<Intent> outputIntent(const action::SetOutput& set, const ModuleState& module);
 [[nodiscard]] intent::Home homeIntent(const AxisSettings& settings);

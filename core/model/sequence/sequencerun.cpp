@@ -350,6 +350,18 @@ SequenceRun::Next SequenceRun::perform(const action::WaitForInput& wait, const M
     return rowDone();
 }
 
+SequenceRun::Next SequenceRun::perform(const action::WaitForAnalog& wait, const Modules& modules,
+                                       TimePoint now) {
+    const ModuleState* module = find(modules, wait.module);
+    if (module == nullptr || !isMet(wait, *module)) {
+        if (toSeconds(now - *m_rowBegan) >= wait.timeout)
+            endBy(SequenceEnd::AnalogTimeout, wait.module);
+        return Wait{};
+    }
+    ++m_report.places.back().row;
+    return rowDone();
+}
+
 SequenceRun::Next SequenceRun::perform(const action::SetOutput& set, const Modules& modules,
                                        TimePoint /*now*/) {
     if (!std::exchange(m_rowSent, true)) {

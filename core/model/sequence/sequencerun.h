@@ -38,6 +38,7 @@ enum class SequenceEnd : std::uint8_t {
     WentOff,      ///< the motor of `module` went off by itself
     Refused,      ///< for `refusal`
     InputTimeout,
+    AnalogTimeout,
     NotHomed,  ///< `module` has not found its home
     // Doubts: nothing is known to be wrong with the machine.
     LinkInDoubt,
@@ -156,6 +157,7 @@ private:
     [[nodiscard]] Next perform(const action::Wait& wait, const Modules& modules, TimePoint now);
     [[nodiscard]] Next perform(const action::WaitForArrival& wait, const Modules& modules, TimePoint now);
     [[nodiscard]] Next perform(const action::WaitForInput& wait, const Modules& modules, TimePoint now);
+    [[nodiscard]] Next perform(const action::WaitForAnalog& wait, const Modules& modules, TimePoint now);
     [[nodiscard]] Next perform(const action::SetOutput& set, const Modules& modules, TimePoint now);
     [[nodiscard]] Next perform(const action::Home& home, const Modules& modules, TimePoint now);
     [[nodiscard]] Next perform(const action::Repeat& repeat, const Modules& modules, TimePoint now);

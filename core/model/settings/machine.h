@@ -104,6 +104,9 @@ struct AxisSettings {
     // PIC-SERVO
     std::optional<servo::SetGain> gains;  ///< as they stand in the fields, sent or not
     std::optional<servo::IoControl> io;
+    /// SC: of its I/O Control only this is kept; the rest can destroy an amplifier, and is for the hand that
+    /// asks.
+    std::optional<bool> fastPath;
     // PIC-STEP
     std::optional<step::SetParameters> parameters;  ///< as they stand in the fields, sent or not
     double accelerationTime = 0.0;                  ///< 1..255, of profiles; 0: not set

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "model/scope/scopesample.h"
+
+namespace nmc {
+
+/// The frequency of a PIC-I/O's counter or timer, behind its prescaler, from the counts of the last 100 ms,
+/// or of two replies where polls are rarer. Pure.
+class CountRate {
+public:
+    static constexpr Duration kTime = std::chrono::milliseconds(100);
+    /// More than the timer's 5.0 MHz is no counting but a counter that was cleared (docs/family.md).
+    static constexpr double kMost = 5.5e6;
+
+    struct Value {
+        TimePoint time;
+        double value = 0;  ///< counts/s
+        bool gapBefore = false;
+    };
+    /// In the order of time; a sample without a counter of its own makes nothing.
+    [[nodiscard]] std::optional<Value> take(const ScopeSample& sample);
+
+private:
+    struct Look {
+        TimePoint time;
+        std::uint32_t count;
+    };
+    std::deque<Look> m_looks;  ///< back to kTime before the last, and one beyond
+    bool m_gap = true;
+};
+
+}  // namespace nmc

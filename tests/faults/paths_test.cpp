@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line's faults while points of a path are added: none is added twice or left out, or the path ends for
+// all its axes, says why, and nothing of it is sent any more. The procedure's own ends are in
+// tests/procedures/pathends_test.cpp.
+#include <sstream>
+#include <string>
+
+#include "sim/faultspec.h"
+#include "tests/procedures/pathbench.h"
+
+namespace nmc::test {
+namespace {
+
+using namespace std::chrono_literals;
+using servo::PathRate;
+
+constexpr std::size_t kPoints = 600;  ///< 10 s
+
+class FaultyPath : public testing::Test {
+protected:
+    void hold(std::size_t axes = 1) {
+        ASSERT_TRUE(bench.hold());
+        if (axes > 1) {
+            ASSERT_TRUE(bench.group());
+        }
+        table = bench.swings(PathRate::Hz60, kPoints);
+        table.columns.resize(axes);
+    }
+    /// In the words of simulator.md.
+    void fault(const std::string& line) {
+        std::vector<std::string> words;
+        std::istringstream stream(line);
+        for (std::string word; stream >> word;)
+            words.push_back(word);
+        const auto spec = sim::parseFault(std::vector<std::string_view>(words.begin(), words.end()), scs(2));
+        ASSERT_TRUE(spec.has_value()) << spec.error();
+        ASSERT_TRUE(bench.bus.chain.inject(*spec, bench.bus.now).has_value());
+    }
+    /// It was done and on each point, or it ended for a reason and is over.
+    void expectWholeOrOver(const ProcedureReport& report) {
+        if (report.stage == ProcedureStage::Done)
+            for (std::uint8_t i = 0; i < table.columns.size(); ++i)
+                EXPECT_TRUE(bench.wasOnEachPoint(table, i)) << int{i};
+        else
+            expectOver();
+    }
+    void expectOver() {
+        const auto last = bench.bus.last<bus::PathProgress>();
+        ASSERT_TRUE(last.has_value());
+        EXPECT_TRUE(last->end.has_value());
+        bench.bus.chain.clearFaults(bench.bus.now);
+        bench.bus.runFor(5s);  // what is owed is made good
+        const std::size_t since = bench.bus.sent.size();
+        for (std::uint8_t i = 0; i < bench.modules.size(); ++i) {
+            EXPECT_TRUE(bench.stands(i)) << int{i};
+            EXPECT_FALSE(bench.bus.servo(i).later->pathMode) << int{i};
+        }
+        EXPECT_EQ(bench.frames(since), 0U);
+    }
+
+    PathBench bench{scs(2)};
+    PathTable table;
+};
+
+class FaultyPathLine : public FaultyPath, public testing::WithParamInterface<const char*> {};
+
+TEST_P(FaultyPathLine, AddsEachPointOnceOrEnds) {
+    hold();
+    bench.follow(table);
+    ASSERT_TRUE(bench.runToPoint(60));
+    fault(GetParam());
+    expectWholeOrOver(bench.goOn());
+}
+TEST_P(FaultyPathLine, EndsForBothAxesWhereItEnds) {
+    hold(2);
+    bench.follow(table);
+    ASSERT_TRUE(bench.runToPoint(60));
+    fault(GetParam());
+    expectWholeOrOver(bench.goOn());
+}
+INSTANTIATE_TEST_SUITE_P(Line, FaultyPathLine,
+                         testing::Values("bus drop cmd p=.002", "bus drop status p=.002",
+                                         "bus flip cmd p=.002", "bus flip status p=.002",
+                                         "bus dup cmd p=.002", "bus dup status p=.002",
+                                         "module 1 cksum p=.05", "module 1 silent on=add_path_points n=1",
+                                         "module 1 ignore=add_path_points n=1",
+                                         "module 1 delay on=add_path_points t=60ms..80ms n=3"));
+
+TEST_F(FaultyPath, AModuleThatFallsSilentEndsItForAll) {
+    hold(2);
+    bench.follow(table);
+    ASSERT_TRUE(bench.runToPoint(60));
+    fault("module 2 silent");
+    const ProcedureReport report = bench.goOn();
+    EXPECT_NE(report.stage, ProcedureStage::Done);
+    expectOver();
+}
+
+TEST_F(FaultyPath, AStopWhileALineDropsBytesEndsIt) {
+    hold(2);
+    bench.follow(table);
+    ASSERT_TRUE(bench.runToPoint(60));
+    fault("bus drop cmd p=.01");
+    fault("bus drop status p=.01");
+    const auto stopped = bench.bus.stopAll();
+    ASSERT_TRUE(stopped.has_value());
+    EXPECT_NE(bench.goOn().stage, ProcedureStage::Done);
+    expectOver();
+}
+
+}  // namespace
+}  // namespace nmc::test
