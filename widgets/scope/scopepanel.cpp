@@ -99,20 +99,23 @@ void ScopePanel::buildStrips() {
         setup.heights = heights;
         change(setup);
     });
+    m_stripsAndReadings = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_stripsAndReadings->addWidget(m_strips, 1);
+    m_layout->addLayout(m_stripsAndReadings, 1);
+    applyModules();
+}
+
+/// With the first cursors.
+void ScopePanel::buildReadings() {
     m_readings = new CursorPanel(this);
     m_readings->setUnfolded(m_setup.readings);
-    m_readings->hide();
     connect(m_readings, &CursorPanel::unfoldRequested, this, [this](bool unfolded) {
         ScopeSetup setup = m_setup;
         setup.readings = unfolded;
         change(setup);
     });
-    m_stripsAndReadings = new QBoxLayout(QBoxLayout::TopToBottom);
-    m_stripsAndReadings->addWidget(m_strips, 1);
     m_stripsAndReadings->addWidget(m_readings);
-    m_layout->addLayout(m_stripsAndReadings, 1);
     placeReadings();
-    applyModules();
 }
 
 /// Below the strips; beside them where these would become too low.
@@ -144,7 +147,8 @@ void ScopePanel::setSetup(const ScopeSetup& setup) {
     m_bar->showSetup(setup);
     if (m_strips != nullptr) {
         m_strips->setSetup(setup);
-        m_readings->setUnfolded(setup.readings);
+        if (m_readings != nullptr)
+            m_readings->setUnfolded(setup.readings);
         placeReadings();
     } else {
         m_trigger->setWindow(setup.seconds);
@@ -266,7 +270,10 @@ void ScopePanel::setCursorsShown(bool shown) {
         shown ? std::optional(CursorTimes{time.left() + time.width() / 3, time.left() + time.width() * 2 / 3})
               : std::nullopt);
     m_bar->showCursors(shown);
-    m_readings->setVisible(shown);
+    if (shown && m_readings == nullptr)
+        buildReadings();
+    if (m_readings != nullptr)
+        m_readings->setVisible(shown);
     touch();
 }
 
@@ -377,7 +384,8 @@ void ScopePanel::draw(const History& history, double now) {
         m_touched = false;
     }
     m_strips->showFrame(history, now);
-    const bool upToDate = !m_readings->isVisible() || m_readings->showReadings(*m_strips, history);
+    const bool upToDate =
+        m_readings == nullptr || !m_readings->isVisible() || m_readings->showReadings(*m_strips, history);
     if (!upToDate || m_strips->isBehind())
         touch();
     const QString title = m_record  ? m_record->title

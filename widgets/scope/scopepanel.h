@@ -70,6 +70,7 @@ private:
     void connectBar();
     void addFileButtons();
     void buildStrips();
+    void buildReadings();
     void placeReadings();
     void move(const std::function<void(ScopeStrips&)>& how);
     void setPaused(bool paused);
@@ -96,7 +97,7 @@ private:
     TriggerControl* m_trigger;
     QList<QAction*> m_menuActions;
     ScopeStrips* m_strips = nullptr;
-    CursorPanel* m_readings = nullptr;
+    CursorPanel* m_readings = nullptr;  ///< there since the first cursors
     QBoxLayout* m_stripsAndReadings = nullptr;
     ScopeSetup m_setup = ScopeSetup::usual();
     std::vector<ScopeModule> m_modules;

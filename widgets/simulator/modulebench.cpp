@@ -52,8 +52,10 @@ ModuleBench::ModuleBench(ModuleType type, QWidget* parent)
     setDocumentMode(true);
     tabBar()->setObjectName(m_prefix + u"pages"_s);
     tabBar()->setAccessibleName(tr("Pages of the simulated module"));
-    if (type == ModuleType::Io)
-        return buildPins();
+    if (type == ModuleType::Io) {
+        buildPins();
+        return;
+    }
     buildSwitches();
     buildMechanics();
 }

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/simulator/simulatorbench.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+#include "widgets/simulator/benchtruth.h"
+#include "widgets/simulator/controllinebox.h"
+#include "widgets/simulator/modulebench.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kPollMs = 200;
+constexpr int kTicksPerStatistics = 5;
+/// A question that has waited so long went down with an earlier connection.
+constexpr int kPatience = 10;
+/// Typed lines that wait at most; an answer that never comes must not keep them.
+constexpr int kMaxTyped = 64;
+/// Wants the room its page wants; Qt's own never asks for more than 24 lines.
+class Page : public QScrollArea {
+public:
+    using QScrollArea::QScrollArea;
+    [[nodiscard]] QSize sizeHint() const override { return widget()->sizeHint(); }
+};
+
+const QString kStatistics = u"stats"_s;
+const QString kState = u"state "_s;
+
+}  // namespace
+
+SimulatorBench::SimulatorBench(QWidget* parent)
+    : QWidget(parent),
+      m_module(new QComboBox(this)),
+      m_type(look::newMutedLabel({}, this)),
+      m_benches(new QStackedWidget(this)),
+      m_servo(new ModuleBench(ModuleType::Servo, this)),
+      m_step(new ModuleBench(ModuleType::Step, this)),
+      m_io(new ModuleBench(ModuleType::Io, this)),
+      m_truth(new BenchTruth(this)),
+      m_line(new ControlLineBox(this)) {
+    look::name(this, u"simulatorBench"_s, tr("Simulator"));
+    buildContent();
+    m_timer.setInterval(kPollMs);
+    connect(&m_timer, &QTimer::timeout, this, &SimulatorBench::tick);
+    connect(m_module, &QComboBox::currentIndexChanged, this, &SimulatorBench::chooseModule);
+    for (const ModuleBench* bench : {m_servo, m_step, m_io})
+        connect(bench, &ModuleBench::lineEntered, this, &SimulatorBench::change);
+    connect(m_line, &ControlLineBox::lineEntered, this, [this](const QString& line) {
+        m_typed.append(line);
+        if (m_typed.size() > kMaxTyped)
+            m_typed.removeFirst();
+        change(line);
+    });
+}
+
+void SimulatorBench::buildContent() {
+    look::name(m_module, u"simModuleBox"_s, tr("Simulated module"));
+    m_module->setToolTip(tr("Follows the module list, and includes modules that the panel did not find."));
+    m_module->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_benches->addWidget(m_servo);
+    m_benches->addWidget(m_step);
+    m_benches->addWidget(m_io);
+    const int unit = look::gridUnit(this);
+    auto* choice = new QHBoxLayout;
+    choice->setContentsMargins(unit, unit / 2, unit, 0);
+    choice->addWidget(m_module);
+    choice->addWidget(m_type, 1);
+    auto* page = new QWidget(this);
+    auto* parts = new QVBoxLayout(page);
+    parts->setContentsMargins(0, 0, 0, 0);
+    parts->addWidget(m_benches);
+    parts->addWidget(m_truth);
+    parts->addStretch(1);
+    auto* scroll = new Page(this);
+    look::name(scroll, u"simScroll"_s, tr("Simulator"));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(page);
+    scroll->setMinimumWidth(page->minimumSizeHint().width() + unit * 2);
+    // The line stays in sight: whatever else is refused is told there.
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(unit / 2);
+    layout->addLayout(choice);
+    layout->addWidget(scroll, 1);
+    layout->addWidget(m_line);
+}
+
+void SimulatorBench::begin() {
+    m_followed.reset();
+    m_typed.clear();
+    m_polled.clear();
+    m_truth->forget();
+    m_line->forget();
+}
+
+void SimulatorBench::offerModules(int count) {
+    setModules(std::max(m_module->count(), count));
+}
+
+void SimulatorBench::setModules(int count) {
+    if (count == m_module->count())
+        return;
+    const QSignalBlocker blocker(m_module);
+    while (m_module->count() > count)
+        m_module->removeItem(m_module->count() - 1);
+    while (m_module->count() < count)
+        m_module->addItem(texts::moduleName(ModuleIndex(static_cast<std::uint8_t>(m_module->count()))));
+    chooseModule();
+}
+
+void SimulatorBench::showSelected(std::optional<ModuleIndex> module) {
+    if (module == m_followed || !module.has_value())
+        return;
+    m_followed = module;
+    m_module->setCurrentIndex(module->value());
+}
+
+void SimulatorBench::chooseModule() {
+    const int number = m_module->currentIndex() + 1;
+    for (ModuleBench* bench : {m_servo, m_step, m_io})
+        bench->setModule(number);
+    m_polled.clear();
+    if (isVisible())
+        poll();
+}
+
+QString SimulatorBench::stateLine() const {
+    return kState + QString::number(m_module->currentIndex() + 1);
+}
+
+void SimulatorBench::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_timer.start();
+}
+
+void SimulatorBench::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    m_timer.stop();
+}
+
+void SimulatorBench::tick() {
+    if (m_ticks++ % kTicksPerStatistics == 0)
+        emit lineEntered(kStatistics);
+    if (m_polled.isEmpty() || ++m_waited > kPatience)
+        poll();
+}
+
+void SimulatorBench::poll() {
+    if (m_module->currentIndex() < 0)
+        return;
+    m_polled = stateLine();
+    m_outdated = false;
+    m_waited = 0;
+    emit lineEntered(m_polled);
+}
+
+void SimulatorBench::change(const QString& line) {
+    m_outdated = true;
+    emit lineEntered(line);
+}
+
+void SimulatorBench::showAnswer(const QString& line, const QByteArray& json) {
+    const QJsonObject answer = QJsonDocument::fromJson(json).object();
+    const bool typed = m_typed.removeOne(line);
+    if (line == kStatistics) {
+        setModules(static_cast<int>(answer["modules"_L1].toArray().size()));
+        m_truth->showStatistics(answer);
+    } else if (line == m_polled) {
+        m_polled.clear();
+        showState(answer);
+    }
+    const bool question = line == kStatistics || line.startsWith(kState);
+    if (typed || !question)
+        m_line->showAnswer(line, json);
+    if (!question && m_polled.isEmpty() && isVisible())
+        poll();  // at once, so that a click is seen to have worked
+}
+
+void SimulatorBench::showState(const QJsonObject& state) {
+    if (state.contains("error"_L1))
+        return;
+    m_truth->showState(state);
+    const QString kind = state["type"_L1].toString();
+    const ModuleType type = kind == "step"_L1 ? ModuleType::Step
+                            : kind == "io"_L1 ? ModuleType::Io
+                                              : ModuleType::Servo;
+    look::setText(m_type, texts::moduleType({type, static_cast<std::uint8_t>(state["version"_L1].toInt())}));
+    ModuleBench* bench = type == ModuleType::Step ? m_step : type == ModuleType::Io ? m_io : m_servo;
+    m_benches->setCurrentWidget(bench);
+    // What was asked before the latest change would undo it on the screen for a moment.
+    if (!m_outdated)
+        bench->showState(state);
+}
+
+}  // namespace nmc

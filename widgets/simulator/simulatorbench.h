@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QStringList>
+#include <QTimer>
+#include <QWidget>
+#include <optional>
+
+#include "base/strong.h"
+
+class QComboBox;
+class QJsonObject;
+class QLabel;
+class QStackedWidget;
+
+namespace nmc {
+
+class BenchTruth;
+class ControlLineBox;
+class ModuleBench;
+
+/// What stands in the Simulator dock: switches, power, cables and loads of one simulated module, its true
+/// state, and a line for everything else. Asks for what it shows while it is seen.
+class SimulatorBench : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SimulatorBench(QWidget* parent);
+
+    /// Another simulator: nothing of the one before is known or waited for.
+    void begin();
+    /// So many modules at least: the panel may not find them all.
+    void offerModules(int count);
+    /// Follows the selection where it changes; the bench's own choice may differ, and reaches modules that
+    /// the panel cannot find.
+    void showSelected(std::optional<ModuleIndex> module);
+    /// The answer to a lineEntered().
+    void showAnswer(const QString& line, const QByteArray& json);
+
+signals:
+    void lineEntered(const QString& line);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void buildContent();
+    void chooseModule();
+    void setModules(int count);
+    void change(const QString& line);
+    void tick();
+    void poll();
+    void showState(const QJsonObject& state);
+    [[nodiscard]] QString stateLine() const;
+
+    QComboBox* m_module;
+    QLabel* m_type;
+    QStackedWidget* m_benches;
+    ModuleBench* m_servo;
+    ModuleBench* m_step;
+    ModuleBench* m_io;
+    BenchTruth* m_truth;
+    ControlLineBox* m_line;
+    QTimer m_timer;
+    std::optional<ModuleIndex> m_followed;
+    QStringList m_typed;      ///< lines of the user's that wait for their answer
+    QString m_polled;         ///< the state line that waits for its answer; empty: none
+    bool m_outdated = false;  ///< something was changed since m_polled was asked
+    int m_ticks = 0;
+    int m_waited = 0;  ///< ticks since m_polled was asked
+};
+
+}  // namespace nmc
