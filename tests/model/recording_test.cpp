@@ -175,13 +175,20 @@ rc::Gen<float> anyFloat() {
 rc::Gen<ScopeSample> anySample() {
     using std::chrono::nanoseconds;
     constexpr std::int64_t kYear = 31'536'000'000'000'000;
-    return rc::gen::build<ScopeSample>(
-        rc::gen::set(&ScopeSample::time, rc::gen::map(rc::gen::inRange<std::int64_t>(-kYear, kYear), at)),
-        rc::gen::set(&ScopeSample::position, rc::gen::arbitrary<std::int32_t>()),
-        rc::gen::set(&ScopeSample::error, anyFloat()), rc::gen::set(&ScopeSample::errorLow, anyFloat()),
-        rc::gen::set(&ScopeSample::errorHigh, anyFloat()), rc::gen::set(&ScopeSample::velocity, anyFloat()),
-        rc::gen::set(&ScopeSample::analog), rc::gen::set(&ScopeSample::status),
-        rc::gen::set(&ScopeSample::aux), rc::gen::set(&ScopeSample::gapBefore));
+    const auto withGap = [](ScopeSample sample, bool gap) {
+        sample.gapBefore = gap;
+        return sample;
+    };
+    return rc::gen::apply(
+        withGap,
+        rc::gen::build<ScopeSample>(
+            rc::gen::set(&ScopeSample::time, rc::gen::map(rc::gen::inRange<std::int64_t>(-kYear, kYear), at)),
+            rc::gen::set(&ScopeSample::position, rc::gen::arbitrary<std::int32_t>()),
+            rc::gen::set(&ScopeSample::error, anyFloat()), rc::gen::set(&ScopeSample::errorLow, anyFloat()),
+            rc::gen::set(&ScopeSample::errorHigh, anyFloat()),
+            rc::gen::set(&ScopeSample::velocity, anyFloat()), rc::gen::set(&ScopeSample::analog),
+            rc::gen::set(&ScopeSample::status), rc::gen::set(&ScopeSample::aux)),
+        rc::gen::arbitrary<bool>());
 }
 
 void requireSame(const ScopeSample& read, const ScopeSample& written, Duration later) {
