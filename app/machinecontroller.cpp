@@ -111,8 +111,8 @@ void MachineController::noteSent(ModuleIndex module, const Intent& intent) {
         axis.gains = apply->gains;
     else if (const auto* control = std::get_if<intent::ControlIo>(&intent))
         axis.io = control->io;
-    else if (const auto* control = std::get_if<intent::ControlSc>(&intent))
-        axis.fastPath = control->io.fastPath;
+    else if (const auto* amplifier = std::get_if<intent::ControlSc>(&intent))
+        axis.fastPath = amplifier->io.fastPath;
     else if (const auto* set = std::get_if<stepintent::SetParameters>(&intent))
         axis.parameters = set->parameters;
     if (axis != m_machine.axis(module))
