@@ -52,10 +52,12 @@ ModuleBench::ModuleBench(ModuleType type, QWidget* parent)
     setDocumentMode(true);
     tabBar()->setObjectName(m_prefix + u"pages"_s);
     tabBar()->setAccessibleName(tr("Pages of the simulated module"));
-    if (type == ModuleType::Io)
-        return buildPins();
-    buildSwitches();
-    buildMechanics();
+    if (type == ModuleType::Io) {
+        buildPins();
+    } else {
+        buildSwitches();
+        buildMechanics();
+    }
 }
 
 QAbstractButton* ModuleBench::addSwitch(QGridLayout& grid, const QString& name, const QString& text,
