@@ -153,10 +153,10 @@ TEST(Recording, OfAHistoryHasItsSamplesAndGainsInTheOrderOfTime) {
     std::string expected = recordingHead(header);
     expected +=
         "# gains of module 1 at -0.000000005 s: kp 1 kd 2 ki 3 il 4 ol 5 cl 6 el 7 sr 8\n"
-        "2,0.000000000,100,,,,,,0,0,0,0\n"
-        "1,0.000000010,200,,,,,,0,0,0,0\n"
+        "2,0.000000000,100,,,,,,0,0,0,0,,,\n"
+        "1,0.000000010,200,,,,,,0,0,0,0,,,\n"
         "# gains of module 1 at 0.000000015 s: kp 9 kd 2 ki 3 il 4 ol 5 cl 6 el 7 sr 8\n"
-        "2,0.000000020,300,,,,,,0,0,0,0\n"
+        "2,0.000000020,300,,,,,,0,0,0,0,,,\n"
         "# gains of module 2 at 0.000000025 s: kp 10 kd 2 ki 3 il 4 ol 5 cl 6 el 7 sr 8\n"
         "# note at 0.000000030 s: gains of module 2 unknown\n";
     EXPECT_EQ(recordingOf(header, history), expected);
