@@ -38,6 +38,10 @@ protected:
     }
     /// It was done and on each point, or it ended for a reason and is over.
     void expectWholeOrOver(const ProcedureReport& report) {
+        std::uint64_t struck = 0;
+        for (const sim::FaultReport& strikes : bench.bus.chain.faults())
+            struck += strikes.struck;
+        EXPECT_GT(struck, 0U);
         if (report.stage == ProcedureStage::Done)
             for (std::uint8_t i = 0; i < table.columns.size(); ++i)
                 EXPECT_TRUE(bench.wasOnEachPoint(table, i)) << int{i};

@@ -153,10 +153,10 @@ TEST(Recording, OfAHistoryHasItsSamplesAndGainsInTheOrderOfTime) {
     std::string expected = recordingHead(header);
     expected +=
         "# gains of module 1 at -0.000000005 s: kp 1 kd 2 ki 3 il 4 ol 5 cl 6 el 7 sr 8\n"
-        "2,0.000000000,100,,,,,,0,0,0,0\n"
-        "1,0.000000010,200,,,,,,0,0,0,0\n"
+        "2,0.000000000,100,,,,,,0,0,0,0,,,\n"
+        "1,0.000000010,200,,,,,,0,0,0,0,,,\n"
         "# gains of module 1 at 0.000000015 s: kp 9 kd 2 ki 3 il 4 ol 5 cl 6 el 7 sr 8\n"
-        "2,0.000000020,300,,,,,,0,0,0,0\n"
+        "2,0.000000020,300,,,,,,0,0,0,0,,,\n"
         "# gains of module 2 at 0.000000025 s: kp 10 kd 2 ki 3 il 4 ol 5 cl 6 el 7 sr 8\n"
         "# note at 0.000000030 s: gains of module 2 unknown\n";
     EXPECT_EQ(recordingOf(header, history), expected);
@@ -175,13 +175,20 @@ rc::Gen<float> anyFloat() {
 rc::Gen<ScopeSample> anySample() {
     using std::chrono::nanoseconds;
     constexpr std::int64_t kYear = 31'536'000'000'000'000;
-    return rc::gen::build<ScopeSample>(
-        rc::gen::set(&ScopeSample::time, rc::gen::map(rc::gen::inRange<std::int64_t>(-kYear, kYear), at)),
-        rc::gen::set(&ScopeSample::position, rc::gen::arbitrary<std::int32_t>()),
-        rc::gen::set(&ScopeSample::error, anyFloat()), rc::gen::set(&ScopeSample::errorLow, anyFloat()),
-        rc::gen::set(&ScopeSample::errorHigh, anyFloat()), rc::gen::set(&ScopeSample::velocity, anyFloat()),
-        rc::gen::set(&ScopeSample::analog), rc::gen::set(&ScopeSample::status),
-        rc::gen::set(&ScopeSample::aux), rc::gen::set(&ScopeSample::gapBefore));
+    const auto withGap = [](ScopeSample sample, bool gap) {
+        sample.gapBefore = gap;
+        return sample;
+    };
+    return rc::gen::apply(
+        withGap,
+        rc::gen::build<ScopeSample>(
+            rc::gen::set(&ScopeSample::time, rc::gen::map(rc::gen::inRange<std::int64_t>(-kYear, kYear), at)),
+            rc::gen::set(&ScopeSample::position, rc::gen::arbitrary<std::int32_t>()),
+            rc::gen::set(&ScopeSample::error, anyFloat()), rc::gen::set(&ScopeSample::errorLow, anyFloat()),
+            rc::gen::set(&ScopeSample::errorHigh, anyFloat()),
+            rc::gen::set(&ScopeSample::velocity, anyFloat()), rc::gen::set(&ScopeSample::analog),
+            rc::gen::set(&ScopeSample::status), rc::gen::set(&ScopeSample::aux)),
+        rc::gen::arbitrary<bool>());
 }
 
 void requireSame(const ScopeSample& read, const ScopeSample& written, Duration later) {

@@ -395,6 +395,7 @@ QString machineField(const QString& key) {
         {u"limit2_output"_s, QT_TRANSLATE_NOOP("Texts", "Limit 2 as an output")},
         {u"SM"_s, QT_TRANSLATE_NOOP("Texts", "SM, step multiplier")},
         {u"fast_path"_s, QT_TRANSLATE_NOOP("Texts", "Fast path")},
+        {u"sc_fast_path"_s, QT_TRANSLATE_NOOP("Texts", "Fast path")},
         {u"speed_mode"_s, QT_TRANSLATE_NOOP("Texts", "Speed mode")},
         {u"minimum_profile_speed"_s, QT_TRANSLATE_NOOP("Texts", "Minimum profile speed")},
         {u"run_current"_s, QT_TRANSLATE_NOOP("Texts", "Run current")},

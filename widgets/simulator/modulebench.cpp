@@ -54,10 +54,10 @@ ModuleBench::ModuleBench(ModuleType type, QWidget* parent)
     tabBar()->setAccessibleName(tr("Pages of the simulated module"));
     if (type == ModuleType::Io) {
         buildPins();
-        return;
+    } else {
+        buildSwitches();
+        buildMechanics();
     }
-    buildSwitches();
-    buildMechanics();
 }
 
 QAbstractButton* ModuleBench::addSwitch(QGridLayout& grid, const QString& name, const QString& text,

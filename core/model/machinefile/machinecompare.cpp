@@ -25,6 +25,9 @@ constexpr MachinePart kMachineParts[] = {MachinePart::MachineName, MachinePart::
                                          MachinePart::Groups,      MachinePart::Program,
                                          MachinePart::HomeOrder,   MachinePart::OperatorRights};
 
+/// A CMC has it among its limit pins.
+constexpr std::string_view kScFastPath = "sc_fast_path";
+
 bool isSent(MachinePart part) {
     return part == MachinePart::Gains || part == MachinePart::Io || part == MachinePart::Parameters;
 }
@@ -182,7 +185,7 @@ Fields axisFields(const AxisSettings& axis, MachinePart part) {
         case MachinePart::Io:
             if (axis.io)
                 layout::fields(list, *axis.io);
-            list.flag("fast_path", axis.fastPath);
+            list.flag(kScFastPath, axis.fastPath);
             break;
         case MachinePart::Parameters:
             return layout::listed(axis.parameters);
@@ -228,7 +231,7 @@ Fields sentFields(const ModuleState& module, MachinePart part) {
     if (part == MachinePart::Io && isSc(module.info.identity)) {
         FieldList list;
         if (module.scIo)
-            list.flag("fast_path", module.scIo->fastPath);
+            list.flag(kScFastPath, module.scIo->fastPath);
         return list.fields();
     }
     if (part == MachinePart::Io)
