@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
 #include <QLoggingCategory>
+#include <QProxyStyle>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QStyle>
 #include <QTextStream>
 
 #include "app/commandline.h"
@@ -45,7 +45,8 @@ void logStart(const nmc::Translations& translations) {
     if (!startLog().isInfoEnabled())
         return;
     const QString platform = QGuiApplication::platformName();
-    const QString style = QApplication::style()->name();
+    const auto* own = qobject_cast<const QProxyStyle*>(QApplication::style());
+    const QString style = own != nullptr ? own->baseStyle()->name() : QApplication::style()->name();
     const QSize icon = QApplication::windowIcon().pixmap(64, 64).size();
     const bool dark = nmc::look::isDark(QApplication::palette());
     qCInfo(startLog).noquote().nospace()

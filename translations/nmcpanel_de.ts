@@ -168,6 +168,41 @@
     </message>
 </context>
 <context>
+    <name>FirstSteps</name>
+    <message>
+        <source>Fill in gains</source>
+        <translation>Reglerwerte eintragen</translation>
+    </message>
+    <message>
+        <source>Apply gains</source>
+        <translation>Reglerwerte anwenden</translation>
+    </message>
+    <message>
+        <source>Enable servo</source>
+        <translation>Servo einschalten</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>Take the starting values, or type your own. Nothing is sent yet.</source>
+        <translation>Startwerte nehmen oder eigene eingeben. Noch wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Sends the gains to the module. The motor does not move.</source>
+        <translation>Sendet die Reglerwerte an das Modul. Der Motor bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>New wiring? Run the direction check on page Axis first.</source>
+        <translation>Neu verdrahtet? Zuerst die Richtungsprüfung auf der Seite Achse ausführen.</translation>
+    </message>
+    <message>
+        <source>The motor moves while you hold the button. Esc stops it from anywhere.</source>
+        <translation>Der Motor bewegt sich, solange die Taste gehalten wird. Esc stoppt ihn von überall.</translation>
+    </message>
+</context>
+<context>
     <name>Gains</name>
     <message>
         <source>Position gain</source>
@@ -437,6 +472,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>&amp;Find a command…</source>
         <translation>Befehl &amp;finden…</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
     </message>
 </context>
 <context>
@@ -5356,6 +5399,25 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::ColourChoice</name>
+    <message>
+        <source>&amp;System</source>
+        <translation>&amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>Hoher &amp;Kontrast</translation>
+    </message>
+</context>
+<context>
     <name>nmc::CommandPalette</name>
     <message>
         <source>Find a command</source>
@@ -6536,6 +6598,29 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The position becomes this value. Nothing moves.</source>
         <translation>Die Position wird dieser Wert. Nichts bewegt sich.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::FirstSteps</name>
+    <message>
+        <source>Show me</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Show me: the next step</source>
+        <translation>Zeigen: den nächsten Schritt</translation>
+    </message>
+    <message>
+        <source>Shows the control for the next step. Sends nothing.</source>
+        <translation>Zeigt das Bedienelement für den nächsten Schritt. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Schritt %1 von %2: %3</translation>
     </message>
 </context>
 <context>
@@ -8097,12 +8182,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>NMC Panel - %1</source>
         <translation>NMC Panel - %1</translation>
-    </message>
-    <message>
-        <source>Choose a port and connect.
-Without hardware, choose the simulator.</source>
-        <translation>Einen Port wählen und verbinden.
-Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>No module</source>
@@ -10996,6 +11075,57 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Edges with these gains: %1</source>
         <translation>Flanken mit diesen Reglerwerten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StartPage</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Start the simulator</source>
+        <translation>Simulator starten</translation>
+    </message>
+    <message>
+        <source>Needs no hardware. Three simulated modules to try everything on; no real motor moves.</source>
+        <translation>Braucht keine Hardware. Drei simulierte Module zum Ausprobieren; kein echter Motor bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Opens the port and looks for modules. Nothing moves.</source>
+        <translation>Öffnet den Port und sucht Module. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Connects to the built-in simulator.</source>
+        <translation>Verbindet mit dem eingebauten Simulator.</translation>
+    </message>
+    <message>
+        <source>Choose a serial port…</source>
+        <translation>Seriellen Port wählen …</translation>
+    </message>
+    <message>
+        <source>No serial port found. Plug in the adapter of the modules: it shows up here.</source>
+        <translation>Kein serieller Port gefunden. Den Adapter der Module einstecken: Er erscheint hier.</translation>
+    </message>
+    <message>
+        <source>%1 Bd.</source>
+        <translation>%1 Bd.</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd.</source>
+        <translation>%1, %2 Bd.</translation>
+    </message>
+    <message>
+        <source>Connect to %1</source>
+        <translation>Mit %1 verbinden</translation>
+    </message>
+    <message>
+        <source>Needs the modules powered, and their cable plugged in.</source>
+        <translation>Die Module müssen versorgt und ihr Kabel eingesteckt sein.</translation>
+    </message>
+    <message>
+        <source>Other ports are in the list above.</source>
+        <translation>Andere Ports stehen in der Liste oben.</translation>
     </message>
 </context>
 <context>

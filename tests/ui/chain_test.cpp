@@ -94,7 +94,11 @@ TEST_F(ChainList, F41_AnUnknownTypeHasAReadOnlyPanel) {
 }
 
 TEST_F(ChainList, WithoutAChainTheMiddleSaysWhatToDo) {
-    EXPECT_TRUE(text(u"emptyPanel"_s).contains(u"Choose a port"_s));
+    EXPECT_TRUE(find(u"startPage"_s)->isVisible());
+    LinkState lost;
+    lost.phase = LinkPhase::Lost;
+    window->showLink(lost);
+    EXPECT_EQ(text(u"emptyPanel"_s), u"No module"_s);
     EXPECT_TRUE(find(u"emptyPanel"_s)->isVisible());
     showServo();
     EXPECT_FALSE(find(u"emptyPanel"_s)->isVisible());

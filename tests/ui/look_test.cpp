@@ -1,33 +1,109 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/look.h"
 
+#include <QAction>
 #include <QApplication>
+#include <QMenu>
 #include <QPainter>
 
 #include "widgets/common/glyphs.h"
 #include "widgets/common/icons.h"
+#include "widgets/common/palettes.h"
 #include "windowtest.h"
 
 namespace nmc {
 namespace {
 
-class Look : public testing::TestWithParam<bool> {
+/// One of the program's own, or the desktop's that the tests run on.
+struct Named {
+    const char* name;
+    look::Colours colours;
+};
+void PrintTo(const Named& named, std::ostream* out) {
+    *out << named.name;
+}
+
+class Look : public testing::TestWithParam<Named> {
 protected:
-    QPalette palette = GetParam() ? darkPalette() : QApplication::palette();
+    /// As a window has it.
+    static QPalette inWindow(const QPalette& palette) {
+        QWidget widget;
+        widget.setPalette(palette);
+        look::adoptPlaceholders(&widget);
+        look::adoptHighlight(&widget);
+        return widget.palette();
+    }
+    [[nodiscard]] QColor of(QPalette::ColorRole role, QPalette::ColorGroup group = QPalette::Active) const {
+        return palette.color(group, role);
+    }
+    QPalette palette =
+        inWindow(GetParam().colours == look::Colours::System ? QApplication::palette()
+                                                             : look::paletteOf(GetParam().colours));
+    double least =
+        GetParam().colours == look::Colours::HighContrast ? 7.0 : 4.5;  // WCAG 2.1, 1.4.6 and 1.4.3
 };
 
-TEST_P(Look, TextContrastIsFourAndAHalf) {
-    const QColor window = palette.color(QPalette::Window);
-    const QColor base = palette.color(QPalette::Base);
-    EXPECT_GE(look::contrast(look::mutedText(palette), window), 4.5);
-    EXPECT_GE(look::contrast(look::mutedText(palette), base), 4.5);
+/// The formula of WCAG 2.1 ("relative luminance", "contrast ratio"), by hand for two greys and a red.
+TEST(LookOfContrast, IsThatOfWcag) {
+    EXPECT_NEAR(look::contrast(Qt::white, Qt::black), 21.0, 1e-9);
+    EXPECT_NEAR(look::contrast(QColor(0x77, 0x77, 0x77), Qt::white), 4.478, 0.001);
+    EXPECT_NEAR(look::contrast(Qt::red, Qt::white), (1.0 + 0.05) / (0.2126 + 0.05), 1e-6);
+}
+
+TEST_P(Look, TextHasItsContrastOnWhateverItStands) {
+    struct Pair {
+        QPalette::ColorRole text, ground;
+    };
+    for (const auto group : {QPalette::Active, QPalette::Inactive})
+        for (const Pair& pair : {Pair{QPalette::WindowText, QPalette::Window},
+                                 {QPalette::WindowText, QPalette::Base},
+                                 {QPalette::Text, QPalette::Base},
+                                 {QPalette::Text, QPalette::AlternateBase},
+                                 {QPalette::ButtonText, QPalette::Button},
+                                 {QPalette::ToolTipText, QPalette::ToolTipBase},
+                                 {QPalette::HighlightedText, QPalette::Highlight},
+                                 {QPalette::PlaceholderText, QPalette::Base}})
+            EXPECT_GE(look::contrast(of(pair.text, group), of(pair.ground, group)),
+                      pair.text == QPalette::HighlightedText ? 4.5 : least)
+                << group << ' ' << pair.text << ' ' << pair.ground;
+}
+
+/// Labels of plots and statuses are in Text or in the muted colour.
+TEST_P(Look, QuietTextHasItToo) {
+    for (const auto ground : {QPalette::Window, QPalette::Base})
+        EXPECT_GE(look::contrast(look::mutedText(palette), of(ground)), least) << ground;
+    EXPECT_GE(look::contrast(look::mutedText(palette), look::selectionTint(palette)), 4.5);
+    EXPECT_GE(look::contrast(of(QPalette::Text), look::selectionTint(palette)), 4.5);
+}
+
+TEST_P(Look, KindsOfMessagesHaveItToo) {
     for (Severity severity : {Severity::Normal, Severity::Attention, Severity::Fault}) {
-        EXPECT_GE(look::contrast(palette.color(QPalette::WindowText), look::severityTint(severity, palette)),
-                  4.5);
+        EXPECT_GE(look::contrast(of(QPalette::WindowText), look::severityTint(severity, palette)), 4.5);
         EXPECT_GE(
             look::contrast(look::onSeverityFill(severity, palette), look::severityFill(severity, palette)),
             4.5);
     }
+}
+
+/// WCAG asks nothing of it; it can be read all the same, and told from what is enabled.
+TEST_P(Look, DisabledTextIsQuieterAndStillThere) {
+    if (GetParam().colours == look::Colours::System)
+        return;  // the desktop's affair
+    for (const auto& [text, ground] :
+         {std::pair{QPalette::WindowText, QPalette::Window}, std::pair{QPalette::Text, QPalette::Base},
+          std::pair{QPalette::ButtonText, QPalette::Button}}) {
+        const double disabled = look::contrast(of(text, QPalette::Disabled), of(ground, QPalette::Disabled));
+        EXPECT_GE(disabled, 3.0);
+        EXPECT_LT(disabled, look::contrast(of(text), of(ground)) * 0.75);
+    }
+}
+
+TEST_P(Look, LinksHaveItToo) {
+    if (GetParam().colours == look::Colours::System)
+        return;  // the desktop's affair, and there is none in the window
+    for (const auto role : {QPalette::Link, QPalette::LinkVisited})
+        for (const auto ground : {QPalette::Window, QPalette::Base})
+            EXPECT_GE(look::contrast(of(role), of(ground)), least) << role;
 }
 
 TEST_P(Look, TracesStandOutFromTheirBackground) {
@@ -52,9 +128,20 @@ TEST_P(Look, EachStateHasAShapeOfItsOwn) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Palettes, Look, testing::Bool(), [](const testing::TestParamInfo<bool>& dark) {
-    return dark.param ? "Dark" : "Light";
-});
+INSTANTIATE_TEST_SUITE_P(Palettes, Look,
+                         testing::Values(Named{"System", look::Colours::System},
+                                         Named{"Light", look::Colours::Light},
+                                         Named{"Dark", look::Colours::Dark},
+                                         Named{"HighContrast", look::Colours::HighContrast}),
+                         [](const auto& named) { return std::string(named.param.name); });
+
+TEST(LookOfPalettes, AreWhatTheyAreCalled) {
+    EXPECT_FALSE(look::isDark(look::paletteOf(look::Colours::Light)));
+    EXPECT_TRUE(look::isDark(look::paletteOf(look::Colours::Dark)));
+    EXPECT_FALSE(look::isHighContrast(look::paletteOf(look::Colours::Light)));
+    EXPECT_FALSE(look::isHighContrast(look::paletteOf(look::Colours::Dark)));
+    EXPECT_TRUE(look::isHighContrast(look::paletteOf(look::Colours::HighContrast)));
+}
 
 class LookOfWindow : public WindowTest {};
 
@@ -81,6 +168,71 @@ TEST_F(LookOfWindow, WhatStandsInAnEmptyFieldIsReadable) {
                       4.5)
                 << group;
     }
+}
+
+class ColourMenu : public LookOfWindow {
+protected:
+    ~ColourMenu() override { look::useColours(look::Colours::System); }
+    /// Through the menus, by keyboard.
+    void choose(const QString& name) {
+        auto* action = window->findChild<QAction*>(name + u"ColoursAction"_s);
+        auto* menu = find<QMenu>(u"coloursMenu"_s);
+        menu->popup(window->mapToGlobal(QPoint(50, 50)));
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+        QApplication::processEvents();
+    }
+    /// What stands on the screen there.
+    QColor ground(const QString& name) {
+        QWidget* widget = find(name);
+        return window->grab(QRect(widget->mapTo(window.get(), QPoint(2, 2)), QSize(1, 1)))
+            .toImage()
+            .pixelColor(0, 0);
+    }
+};
+
+TEST_F(ColourMenu, ChangesEverythingWhileItRuns) {
+    showServo();
+    const QPalette before = window->palette();
+    for (const auto& [name, colours] : {std::pair{u"dark"_s, look::Colours::Dark},
+                                        std::pair{u"highContrast"_s, look::Colours::HighContrast},
+                                        std::pair{u"light"_s, look::Colours::Light}}) {
+        choose(name);
+        const QPalette wanted = look::paletteOf(colours);
+        EXPECT_EQ(ground(u"connectionBar"_s), wanted.color(QPalette::Window)) << name.toStdString();
+        for (const QString& label : {u"stateLabel"_s, u"moduleType"_s, u"kpState"_s, u"linkLabel"_s})
+            EXPECT_GE(look::contrast(find<QLabel>(label)->palette().color(QPalette::WindowText),
+                                     wanted.color(QPalette::Window)),
+                      4.5)
+                << name.toStdString() << ' ' << label.toStdString();
+        const QPalette fields = find(u"kpField"_s)->palette();
+        for (const auto role : {QPalette::Text, QPalette::PlaceholderText})
+            EXPECT_GE(look::contrast(fields.color(role), fields.color(QPalette::Base)), 4.5)
+                << name.toStdString();
+    }
+    choose(u"system"_s);
+    EXPECT_EQ(window->palette().color(QPalette::Window), before.color(QPalette::Window));
+    EXPECT_EQ(window->palette().color(QPalette::Base), before.color(QPalette::Base));
+}
+
+TEST_F(ColourMenu, IsKeptForTheNextStart) {
+    choose(u"dark"_s);
+    window.reset();
+    look::useColours(look::Colours::System);
+    window = std::make_unique<MainWindow>(settings);
+    EXPECT_TRUE(window->findChild<QAction*>(u"darkColoursAction"_s)->isChecked());
+    EXPECT_TRUE(look::isDark(window->palette()));
+}
+
+/// White frames upon black: Fusion's own would be black.
+TEST_F(ColourMenu, HighContrastHasFramesThatAreSeen) {
+    showServo();
+    choose(u"highContrast"_s);
+    QWidget* field = find(u"kpField"_s);
+    const QImage picture = field->grab().toImage();
+    double best = 1.0;
+    for (int x = 0; x < picture.width(); ++x)
+        best = std::max(best, look::contrast(picture.pixelColor(x, 0), Qt::black));
+    EXPECT_GE(best, 3.0) << "WCAG 2.1, 1.4.11";
 }
 
 TEST_F(LookOfWindow, EveryIconIsThere) {

@@ -7,6 +7,7 @@
 #include "widgets/chain/chainmodel.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/palettes.h"
 
 namespace nmc {
 
@@ -130,9 +131,7 @@ void ChainDelegate::paintStill(QPainter& painter, const QStyleOptionViewItem& op
     const int unit = unitOf(option);
     if (option.state.testFlag(QStyle::State_Selected)) {
         // A tint and a bar, not the full highlight: the states keep their colours and their contrast.
-        QColor tint = palette.color(QPalette::Active, QPalette::Highlight);
-        tint.setAlphaF(look::isDark(palette) ? 0.30F : 0.16F);
-        painter.fillRect(r, tint);
+        painter.fillRect(r, look::selectionTint(palette));
         painter.fillRect(QRect(r.left(), r.top(), qMax(3, unit / 2), r.height()),
                          palette.color(QPalette::Active, QPalette::Highlight));
     }

@@ -7,11 +7,12 @@
 #include <QFontMetricsF>
 #include <QIcon>
 #include <QLabel>
-#include <QStyleFactory>
 #include <array>
 #include <cmath>
 
+#include "widgets/common/accessibility.h"
 #include "widgets/common/icons.h"
+#include "widgets/common/palettes.h"
 
 namespace nmc::look {
 
@@ -67,9 +68,10 @@ private:
 }  // namespace
 
 void setUp(QApplication& application) {
-    application.setStyle(QStyleFactory::create(u"Fusion"_s));
+    application.setStyle(newStyle());
     QApplication::setWindowIcon(icons::window());
     QApplication::setDesktopFileName(u"org.nmcpanel.NmcPanel"_s);
+    accessibility::setUp();
 }
 
 bool isDark(const QPalette& palette) {
@@ -86,9 +88,12 @@ QColor mutedText(const QPalette& palette) {
     const QColor text = palette.color(QPalette::Active, QPalette::WindowText);
     const QColor window = palette.color(QPalette::Active, QPalette::Window);
     const QColor base = palette.color(QPalette::Active, QPalette::Base);
+    const QColor selected = selectionTint(palette);
+    const double least = isHighContrast(palette) ? 7.0 : 4.6;
     for (float share = 0.42F; share > 0.0F; share -= 0.06F) {
         const QColor colour = mix(text, window, share);
-        if (contrast(colour, window) >= 4.6 && contrast(colour, base) >= 4.6)
+        if (contrast(colour, window) >= least && contrast(colour, base) >= least &&
+            contrast(colour, selected) >= 4.6)
             return colour;
     }
     return text;

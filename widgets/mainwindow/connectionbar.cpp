@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "protocol/baud.h"
+#include "widgets/common/accessibility.h"
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -98,6 +99,8 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     connect(m_port, &PortBox::aboutToOpen, this, &ConnectionBar::portsRequested);
     connect(m_port, &QComboBox::activated, this, [this] { m_chosen = port(); });
     connect(m_port->lineEdit(), &QLineEdit::returnPressed, m_connect, &QAbstractButton::click);
+    connect(m_port, &QComboBox::currentTextChanged, this, &ConnectionBar::choiceChanged);
+    connect(m_baud, &QComboBox::currentIndexChanged, this, &ConnectionBar::choiceChanged);
     connect(m_connect, &QPushButton::clicked, this, [this] { requestConnect(false); });
     connect(m_readOnly, &QAction::triggered, this, [this] { requestConnect(true); });
     connect(m_disconnect, &QPushButton::clicked, this, &ConnectionBar::disconnectRequested);
@@ -142,6 +145,7 @@ void ConnectionBar::fillPorts() {
         m_port->setEditText(typed);
         m_port->lineEdit()->setModified(true);
     }
+    emit choiceChanged();
 }
 
 void ConnectionBar::showPorts(const QList<PortEntry>& ports) {
@@ -163,6 +167,26 @@ void ConnectionBar::choosePort(const QString& port, quint32 baud) {
     const int index = m_baud->findData(baud);
     if (index >= 0)
         m_baud->setCurrentIndex(index);
+    emit choiceChanged();
+}
+
+void ConnectionBar::connectTo(const QString& port) {
+    choosePort(port, baud());
+    requestConnect(false);
+}
+
+PortEntry ConnectionBar::serialPort() const {
+    const QString chosen = port();
+    for (const PortEntry& entry : m_ports)
+        if (entry.name == chosen)
+            return entry;
+    if (!chosen.isEmpty() && !chosen.startsWith(kSimulatorPort))
+        return {chosen, {}};
+    return m_ports.isEmpty() ? PortEntry{} : m_ports.front();
+}
+
+QString ConnectionBar::simulator() const {
+    return m_chosen.startsWith(kSimulatorPort) ? m_chosen : kSimulatorPort;
 }
 
 const QWidget& ConnectionBar::stopButton() const {
@@ -215,13 +239,16 @@ void ConnectionBar::showLink(const LinkState& state) {
     const QString seen = u"%1 %2"_s.arg(static_cast<int>(state.phase)).arg(moving);
     if (seen != m_linkSeen) {
         m_linkSeen = seen;
-        if (moving || !open)
+        if (moving || !open) {
             m_stopResult->clear();
+            m_stopResult->setAccessibleName({});
+        }
     }
 }
 
 void ConnectionBar::showStopResult(const QString& text) {
     look::setText(m_stopResult, text);
+    accessibility::announce(*m_stopResult, text);
 }
 
 }  // namespace nmc

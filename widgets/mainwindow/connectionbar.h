@@ -43,6 +43,14 @@ public:
     /// The simulator and the chosen port are always in the list, whatever is plugged in.
     void showPorts(const QList<PortEntry>& ports);
     void choosePort(const QString& port, quint32 baud);
+    /// The port as chosen, where it is a serial one, or else the first that is listed; without a name: none.
+    [[nodiscard]] PortEntry serialPort() const;
+    /// How many are listed.
+    [[nodiscard]] qsizetype serialPorts() const { return m_ports.size(); }
+    /// The simulator with the chain that was chosen last.
+    [[nodiscard]] QString simulator() const;
+    /// Chooses it, and connects as Connect does.
+    void connectTo(const QString& port);
     /// Opens the list of ports, as a click on it would.
     void openPorts();
     void showLink(const LinkState& state);
@@ -60,6 +68,8 @@ signals:
     void disconnectRequested();
     void stopAllRequested();
     void portsRequested();
+    /// Ports, port or rate.
+    void choiceChanged();
 
 private:
     void fillPorts();

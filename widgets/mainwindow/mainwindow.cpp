@@ -15,9 +15,11 @@
 #include "widgets/common/askdialog.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
+#include "widgets/common/palettes.h"
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
+#include "widgets/mainwindow/colourchoice.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/escfilter.h"
 #include "widgets/mainwindow/linkbar.h"
@@ -30,6 +32,7 @@
 #include "widgets/mainwindow/repeatfilter.h"
 #include "widgets/mainwindow/ribbon.h"
 #include "widgets/mainwindow/settingskeys.h"
+#include "widgets/mainwindow/startpage.h"
 #include "widgets/mainwindow/wheelfilter.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
@@ -55,11 +58,13 @@ constexpr int kPrepareInterval = 100;  // ms
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent),
       m_settings(settings),
+      m_colours(new ColourChoice(settings, this)),
       m_focus(new FocusKeeper(*this)),
       m_machineMenu(new MachineMenu(this)),
       m_chainMenu(new ChainMenu(m_session.machine(), m_session.link(), this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
     look::adoptPlaceholders(this);
+    look::adoptHighlight(this);
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
     new WheelFilter(this);  // before the first box asks for the focus by the wheel
@@ -94,6 +99,7 @@ void MainWindow::buildTop() {
     menuBar->setNativeMenuBar(false);
     look::name(menuBar, u"menuBar"_s, tr("Menus"));
     m_bar = new ConnectionBar(top);
+    m_start = new StartPage(*m_bar, m_panel);
     fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_docks);
     buildRibbons(top);
     m_banner = new Banner(top);
@@ -228,8 +234,10 @@ void MainWindow::showOperator() {
 
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
+    if (event->type() == QEvent::PaletteChange) {
         look::adoptPlaceholders(this);
+        look::adoptHighlight(this);
+    }
 }
 
 bool MainWindow::focusNextPrevChild(bool next) {
@@ -308,7 +316,7 @@ void MainWindow::showSession() {
 QString MainWindow::nothingText() const {
     switch (m_session.link().phase) {
         case LinkPhase::Disconnected:
-            return tr("Choose a port and connect.\nWithout hardware, choose the simulator.");
+            break;  // the start page says what to do
         case LinkPhase::Connecting:
             return texts::link(m_session.link());
         case LinkPhase::Connected:
@@ -336,7 +344,10 @@ void MainWindow::showSelected() {
         m_stepResponse->showModule(view);
         m_loopTests->showModule(view);
     } else {
-        m_panel->showNothing(nothingText());
+        if (m_session.link().phase == LinkPhase::Disconnected)
+            m_panel->showInstead(*m_start);
+        else
+            m_panel->showNothing(nothingText(), m_session.link().phase == LinkPhase::Connecting);
         m_stepResponse->showNothing();
         m_loopTests->showNothing();
     }

@@ -34,6 +34,7 @@ class AxesDock;
 class Banner;
 class Bell;
 class ChainView;
+class ColourChoice;
 class ConnectionBar;
 class FocusKeeper;
 class LinkBar;
@@ -52,6 +53,7 @@ class LoopTestsDock;
 struct TuningReport;
 class SequencesDock;
 class SimulatorDock;
+class StartPage;
 class StepResponseDock;
 struct KeptRun;
 
@@ -111,6 +113,7 @@ public:
     [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
     [[nodiscard]] ChainMenu& chainMenu() { return *m_chainMenu; }
     [[nodiscard]] Bell& bell() { return *m_bell; }
+    [[nodiscard]] ColourChoice& colours() { return *m_colours; }
     [[nodiscard]] OperatorLock& operatorLock() { return *m_operator; }
     [[nodiscard]] MessagePanel& messages() { return *m_messages; }
     /// Points and sequences: edited, foreseen, run.
@@ -232,6 +235,7 @@ private:
     [[nodiscard]] QString nothingText() const;
 
     QSettings& m_settings;
+    ColourChoice* m_colours;
     Session m_session;
     FocusKeeper* m_focus;
     MachineMenu* m_machineMenu;
@@ -247,6 +251,7 @@ private:
     Bell* m_bell = nullptr;
     Banner* m_banner = nullptr;
     ModulePanel* m_panel = nullptr;
+    StartPage* m_start = nullptr;
     ChainView* m_chain = nullptr;
     ScopePanel* m_scope = nullptr;
     QDockWidget* m_scopeDock = nullptr;  ///< its place

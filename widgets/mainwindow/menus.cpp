@@ -13,6 +13,7 @@
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
+#include "widgets/mainwindow/colourchoice.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/mainwindow/operatorlock.h"
 #include "widgets/scope/scopefiles.h"
@@ -106,6 +107,10 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
         view->addAction(toggle);
     }
     view->addSeparator();
+    QMenu* colours = view->addMenu(Menus::tr("&Colours"));
+    look::name(colours, u"coloursMenu"_s, Menus::tr("Colours"));
+    colours->setToolTipsVisible(true);
+    colours->addActions(window.colours().actions());
     view->addAction(window.bell().action());
     QObject::connect(add(view, Menus::tr("&Reset layout"), u"resetLayoutAction"_s), &QAction::triggered,
                      &window, &MainWindow::resetLayout);

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/accessibility.h"
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/icons.h"
@@ -139,6 +140,7 @@ void Banner::present() {
     }
     if (message == nullptr) {
         hide();
+        setAccessibleName(tr("Important message"));
         return;
     }
     m_glyph->showSeverity(message->severity);
@@ -147,8 +149,7 @@ void Banner::present() {
     const auto others = static_cast<int>(m_active.size()) - 1;
     m_all->setText(others > 0 ? tr("%1 more…").arg(others) : tr("Read all…"));
     setToolTip(message->details);
-    setAccessibleDescription(texts::severity(message->severity) + u": "_s + message->headline + u' ' +
-                             message->body);
+    setAccessibleDescription(message->body);
     for (const Message::Action& action : message->actions) {
         auto* button = new QPushButton(action.text, this);
         look::name(button, u"bannerAction_"_s + nmc::objectName(action.id), action.text);
@@ -159,6 +160,12 @@ void Banner::present() {
     }
     show();
     update();
+    // Repeats, and buttons that come and go, are no news.
+    const QString words = message->severity == Severity::Normal
+                              ? message->headline
+                              : texts::severity(message->severity) + u": "_s + message->headline;
+    if (accessibleName() != words)
+        accessibility::announce(*this, words);
 }
 
 void Banner::paintEvent(QPaintEvent* /*event*/) {

@@ -145,17 +145,20 @@ HoldButton* ModulePage::holdButton(bool reverse) {
     return nullptr;
 }
 
+/// Not the focus: the next press of Space would be a command. And not before the window is active again,
+/// which takes tool tips away.
+void ModulePage::pointTo(QWidget& control) {
+    QTimer::singleShot(kWindowChanges, &control, [&control] {
+        QToolTip::showText(control.mapToGlobal(control.rect().center()), control.toolTip(), &control);
+    });
+}
+
 void ModulePage::showCommand(const QString& name) {
     for (const Command* command : commands()) {
         if (command->button()->objectName() != name)
             continue;
         reveal(*command->box());
-        // Not the focus: the next press of Space would be a command. And not before the window is active
-        // again, which takes tool tips away.
-        QPushButton* button = command->button();
-        QTimer::singleShot(kWindowChanges, button, [button] {
-            QToolTip::showText(button->mapToGlobal(button->rect().center()), button->toolTip(), button);
-        });
+        pointTo(*command->button());
     }
 }
 

@@ -52,6 +52,8 @@ protected:
 
     ModuleContext m_context;
 
+    /// Its tool tip says what it does, or why not.
+    static void pointTo(QWidget& control);
     /// Brings the tab to the front that the box stands on.
     void reveal(const QWidget& box);
     /// What is for tuning; nothing where there is none.

@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <utility>
 
+#include "widgets/common/accessibility.h"
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
 #include "widgets/panels/genericpanel.h"
@@ -63,6 +64,10 @@ std::unique_ptr<ModulePage> ModulePanel::build(const PanelView& view) {
     ModuleContext& context = page->context();
     connect(&context, &ModuleContext::asked, this,
             [this, module](const Intent& intent) { emit intentRequested(module, intent); });
+    connect(&context, &ModuleContext::changed, this, [this, at = page.get()] {
+        if (at == m_current)
+            accessibility::setBusy(*this, at->context().busy());
+    });
     connect(&context, &ModuleContext::edited, this,
             [this, module](const AxisSettings& settings) { emit settingsEdited(module, settings); });
     connect(&context, &ModuleContext::holdAsked, this, &ModulePanel::holdRequested);
@@ -202,20 +207,29 @@ void ModulePanel::resizeEvent(QResizeEvent* event) {
 void ModulePanel::showModule(const PanelView& view) {
     if (!view.module.isKnown()) {
         endHold();
+        accessibility::setBusy(*this, false);
         m_generic->showModule(view);
         bringUp(m_generic);
         return;
     }
     ModulePage& page = pageOf(view);
     page.showModule(view);
+    accessibility::setBusy(*this, page.context().busy());
     // What was held there ends with the page in sight.
     bringUp(&page);
 }
 
-void ModulePanel::showNothing(const QString& text) {
+void ModulePanel::showNothing(const QString& text, bool waiting) {
     endHold();
+    accessibility::setBusy(*this, waiting);
     look::setText(m_empty, text);
     bringUp(m_empty);
+}
+
+void ModulePanel::showInstead(QWidget& page) {
+    endHold();
+    accessibility::setBusy(*this, false);
+    bringUp(&page);
 }
 
 }  // namespace nmc

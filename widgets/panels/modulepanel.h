@@ -30,8 +30,10 @@ public:
     void showModule(const PanelView& view);
     /// Builds the page of a module that has none yet, for when it is shown. False: it has one, or needs none.
     bool prepare(const PanelView& view);
-    /// No module: `text` says why and what to do.
-    void showNothing(const QString& text);
+    /// No module: `text` says why and what to do. `waiting`: one may come at any moment.
+    void showNothing(const QString& text, bool waiting = false);
+    /// The same, with a page of the caller's.
+    void showInstead(QWidget& page);
     /// A new connection: nothing that was typed, found or remembered for the modules of the last one is left.
     void forgetModules();
     /// The chain is looked for anew: low speeds again.

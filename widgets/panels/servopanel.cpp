@@ -10,7 +10,9 @@
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/directioncheckbox.h"
 #include "widgets/panels/expertbox.h"
+#include "widgets/panels/firststeps.h"
 #include "widgets/panels/gainsbox.h"
+#include "widgets/panels/holdbutton.h"
 #include "widgets/panels/homingbox.h"
 #include "widgets/panels/iobox.h"
 #include "widgets/panels/jogbox.h"
@@ -55,12 +57,29 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     m_pages->addTab(new DetailsBox(m_context, this), tr("Details"));
     m_pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
     layOut(head, left, m_pages);
+    m_steps = new FirstSteps(m_context, this);
+    layout()->addWidget(m_steps);
+    connect(m_steps, &FirstSteps::placeWanted, this, &ServoPanel::showPlaceOf);
     connect(m_gains, &GainsBox::stepResponseWanted, this, &ServoPanel::stepResponseWanted);
+}
+
+void ServoPanel::showPlaceOf(FirstStep step) {
+    switch (step) {
+        case FirstStep::FillInGains:
+            return showCommand(u"fillGainsButton"_s);
+        case FirstStep::ApplyGains:
+            return showCommand(u"applyGainsButton"_s);
+        case FirstStep::Enable:
+            return showCommand(u"enableButton"_s);
+        case FirstStep::Jog:
+            return pointTo(*holdButton(false));
+    }
 }
 
 void ServoPanel::resizeEvent(QResizeEvent* event) {
     ModulePage::resizeEvent(event);
     m_gains->setNarrow(width() < fontMetrics().height() * kColumn);
+    m_steps->giveRoomBack();
 }
 
 void ServoPanel::revealTuning() {

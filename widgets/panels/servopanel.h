@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/module/firststep.h"
 #include "widgets/panels/modulepage.h"
 
 class QTabWidget;
 
 namespace nmc {
 
+class FirstSteps;
 class GainsBox;
 
 /// Everything one PIC-SERVO can be asked for. Motion and jog are always in sight; the rest shares the pages
@@ -25,9 +27,11 @@ protected:
 
 private:
     void revealTuning() override;
+    void showPlaceOf(FirstStep step);
 
     QTabWidget* m_pages;
     GainsBox* m_gains;
+    FirstSteps* m_steps;
 };
 
 }  // namespace nmc

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/accessibility.h"
+
+#include <QAccessible>
+#include <QAccessibleWidget>
+
+namespace nmc::accessibility {
+
+namespace {
+
+constexpr const char* kBusy = "accessibleBusy";
+
+class Alert : public QAccessibleWidget {
+public:
+    explicit Alert(QWidget* widget) : QAccessibleWidget(widget, QAccessible::AlertMessage) {}
+};
+
+class Panel : public QAccessibleWidget {
+public:
+    explicit Panel(QWidget* widget) : QAccessibleWidget(widget, QAccessible::Grouping) {}
+
+    [[nodiscard]] QAccessible::State state() const override {
+        QAccessible::State state = QAccessibleWidget::state();
+        state.busy = object()->property(kBusy).toBool();
+        return state;
+    }
+};
+
+/// Qt 6.4's own reads beyond its list when it is asked for a child that has just gone (a scroll bar, say),
+/// and the program with it. This one knows no such child.
+class ScrollArea : public QAccessibleWidget {
+public:
+    explicit ScrollArea(QWidget* widget) : QAccessibleWidget(widget, QAccessible::Client) {}
+};
+
+QAccessibleInterface* interfaceOf(const QString& className, QObject* object) {
+    if (className == QLatin1String("nmc::Banner"))
+        return new Alert(static_cast<QWidget*>(object));
+    if (className == QLatin1String("nmc::ModulePanel") || className == QLatin1String("nmc::FirstSteps"))
+        return new Panel(static_cast<QWidget*>(object));
+    if (className == QLatin1String("QScrollArea"))
+        return new ScrollArea(static_cast<QWidget*>(object));
+    return nullptr;
+}
+
+}  // namespace
+
+void setUp() {
+    QAccessible::installFactory(interfaceOf);
+}
+
+void announce(QWidget& region, const QString& words) {
+    if (region.accessibleName() != words)
+        region.setAccessibleName(words);
+    QAccessibleEvent alert(&region, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+}
+
+void setBusy(QWidget& panel, bool busy) {
+    if (panel.property(kBusy).toBool() == busy)
+        return;
+    panel.setProperty(kBusy, busy);
+    QAccessible::State changed;
+    changed.busy = true;
+    QAccessibleStateChangeEvent event(&panel, changed);
+    QAccessible::updateAccessibility(&event);
+}
+
+}  // namespace nmc::accessibility

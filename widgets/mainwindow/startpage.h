@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+namespace nmc {
+
+class ChoiceButton;
+class ConnectionBar;
+
+/// The middle of the window while nothing is connected: the serial port and the simulator as two large
+/// choices, each with what it needs. They do what the connection bar does with its port, rate and Connect.
+class StartPage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `bar` must outlive it.
+    StartPage(ConnectionBar& bar, QWidget* parent);
+
+private:
+    void refresh();
+    void connectToSerialPort();
+
+    ConnectionBar& m_bar;
+    ChoiceButton* m_serial;
+    ChoiceButton* m_simulator;
+};
+
+}  // namespace nmc

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/firststeps.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "widgets/common/elidedlabel.h"
+#include "widgets/common/look.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kWide = 46;  ///< lines of text, from which on all steps have room
+
+class Texts {
+    Q_DECLARE_TR_FUNCTIONS(FirstSteps)
+};
+
+QString nameOf(FirstStep step) {
+    switch (step) {
+        case FirstStep::FillInGains:
+            return Texts::tr("Fill in gains");
+        case FirstStep::ApplyGains:
+            return Texts::tr("Apply gains");
+        case FirstStep::Enable:
+            return Texts::tr("Enable servo");
+        case FirstStep::Jog:
+            return Texts::tr("Jog");
+    }
+    return {};
+}
+
+QString hintFor(FirstStep step) {
+    switch (step) {
+        case FirstStep::FillInGains:
+            return Texts::tr("Take the starting values, or type your own. Nothing is sent yet.");
+        case FirstStep::ApplyGains:
+            return Texts::tr("Sends the gains to the module. The motor does not move.");
+        case FirstStep::Enable:
+            return Texts::tr("New wiring? Run the direction check on page Axis first.");
+        case FirstStep::Jog:
+            return Texts::tr("The motor moves while you hold the button. Esc stops it from anywhere.");
+    }
+    return {};
+}
+
+}  // namespace
+
+FirstSteps::FirstSteps(ModuleContext& context, QWidget* parent)
+    : QFrame(parent),
+      m_context(context),
+      m_hint(newMutedLine(this)),
+      m_show(new QPushButton(tr("Show me"), this)) {
+    look::name(this, u"firstSteps"_s, tr("First steps"));
+    m_hint->setObjectName(u"firstStepHint"_s);
+    look::name(m_show, u"firstStepButton"_s, tr("Show me: the next step"));
+    m_show->setToolTip(tr("Shows the control for the next step. Sends nothing."));
+    const int unit = look::gridUnit(this);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(unit * 2, unit / 3, unit, unit / 3);
+    layout->setSpacing(unit * 2);
+    for (std::size_t i = 0; i < m_steps.size(); ++i) {
+        m_steps[i] = new QLabel(this);
+        m_steps[i]->setObjectName(u"firstStep%1"_s.arg(i + 1));
+        layout->addWidget(m_steps[i]);
+    }
+    layout->addWidget(m_hint, 1);
+    layout->addWidget(m_show);
+    connect(m_show, &QPushButton::clicked, this, [this] {
+        if (m_next)
+            emit placeWanted(*m_next);
+    });
+    // Not whenSeen(): it hides itself.
+    connect(&m_context, &ModuleContext::changed, this, &FirstSteps::refresh);
+    refresh();
+}
+
+void FirstSteps::giveRoomBack() {
+    QSizePolicy policy = sizePolicy();
+    policy.setRetainSizeWhenHidden(false);
+    setSizePolicy(policy);
+}
+
+void FirstSteps::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    if (m_next)
+        refreshSteps(*m_next);
+}
+
+void FirstSteps::refresh() {
+    const ModuleState& module = m_context.state();
+    const bool mayAct = m_context.connected() && !module.silent && !module.readOnly && !module.rights;
+    m_next = mayAct ? nextFirstStep(module, m_context.settings()) : std::nullopt;
+    if (m_next) {
+        refreshSteps(*m_next);
+        look::keepRoom(this);
+    }
+    setVisible(m_next.has_value());
+}
+
+/// Shape, then word: a check for what is done, an arrow at the next.
+void FirstSteps::refreshSteps(FirstStep next) {
+    const bool wide = width() >= fontMetrics().height() * kWide;
+    for (std::size_t i = 0; i < m_steps.size(); ++i) {
+        const auto step = static_cast<FirstStep>(i);
+        const QString mark = step < next    ? u"✓"_s
+                             : step == next ? u"▸ %1."_s.arg(i + 1)
+                                            : u"%1."_s.arg(i + 1);
+        look::setText(m_steps[i], mark + u' ' + nameOf(step));
+        QFont font = this->font();
+        font.setBold(step == next);
+        if (m_steps[i]->font().bold() != font.bold())
+            m_steps[i]->setFont(font);
+        m_steps[i]->setVisible(wide || step == next);
+    }
+    look::setText(m_hint, hintFor(next));
+    setAccessibleDescription(
+        tr("Step %1 of %2: %3").arg(static_cast<int>(next) + 1).arg(m_steps.size()).arg(nameOf(next)));
+}
+
+}  // namespace nmc
