@@ -2,7 +2,7 @@
 #include "widgets/mainwindow/menus.h"
 
 #include <QAction>
-#include <QCoreApplication>
+#include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
@@ -11,6 +11,7 @@
 #include "widgets/chain/chainmenu.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
+#include "widgets/help/manualwindow.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/mainwindow.h"
@@ -52,6 +53,18 @@ void openAbout(MainWindow& window) {
 void openSafety(MainWindow& window) {
     const Message safety = texts::safety();
     openBox(window, u"safetyDialog"_s, Menus::tr("Safety"), safety.headline, safety.body);
+}
+
+/// Made when it is asked for; it remembers what was read.
+void openManual(MainWindow& window, const QString& page) {
+    auto* manual = window.findChild<ManualWindow*>();
+    if (manual == nullptr)
+        manual = new ManualWindow(Manual(), &window);
+    manual->openAt(page);
+}
+
+void openManual(MainWindow& window, const QWidget* about) {
+    openManual(window, Manual().pageOf(about));
 }
 
 QAction* add(QMenu* menu, const QString& text, const QString& objectName) {
@@ -112,6 +125,13 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
 
     QMenu* help = bar.addMenu(Menus::tr("&Help"));
     look::name(help, u"helpMenu"_s, Menus::tr("Help"));
+    QAction* manual = add(help, Menus::tr("&Manual"), u"manualAction"_s);
+    manual->setShortcut(QKeySequence(Qt::Key_F1));
+    manual->setShortcutContext(Qt::ApplicationShortcut);  // in every window
+    QObject::connect(manual, &QAction::triggered, &window,
+                     [&window] { openManual(window, QApplication::focusWidget()); });
+    QObject::connect(add(help, Menus::tr("&Keyboard shortcuts"), u"keysAction"_s), &QAction::triggered,
+                     &window, [&window] { openManual(window, u"keys.md"_s); });
     QAction* find = add(help, Menus::tr("&Find a command…"), u"findCommandAction"_s);
     find->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
     QObject::connect(find, &QAction::triggered, &window, &MainWindow::openPalette);
