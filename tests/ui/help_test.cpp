@@ -171,7 +171,7 @@ TEST_F(Help, WordsOfThePageAreFoundOneAfterTheOther) {
     strike(Qt::Key_F, Qt::ControlModifier);
     QTest::keyClicks(find<QLineEdit>(u"manualSearchField"_s), u"xyzzy"_s);
     strike(Qt::Key_Return);
-    EXPECT_EQ(text(u"manualFoundLabel"_s), u"Not on this page"_s);
+    EXPECT_EQ(text(u"manualFoundLabel"_s), u"Not found on this page"_s);
     EXPECT_TRUE(find(u"manualWindow"_s)->isVisible());
 }
 

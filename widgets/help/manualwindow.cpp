@@ -115,14 +115,14 @@ QPushButton* ManualWindow::newButton(const QString& objectName, const QString& t
 }
 
 void ManualWindow::buildTop(QHBoxLayout& top) {
-    m_back = newButton(u"manualBackButton"_s, tr("Back"), tr("Back to what you read before (%1)."),
+    m_back = newButton(u"manualBackButton"_s, tr("Back"), tr("Goes back to the previous page (%1)."),
                        Qt::ALT | Qt::Key_Left);
-    m_forward = newButton(u"manualForwardButton"_s, tr("Forward"), tr("Forward again (%1)."),
+    m_forward = newButton(u"manualForwardButton"_s, tr("Forward"), tr("Goes forward again (%1)."),
                           Qt::ALT | Qt::Key_Right);
     m_search = new QLineEdit(this);
     look::name(m_search, u"manualSearchField"_s, tr("Search this page"));
     m_search->setPlaceholderText(m_search->accessibleName());
-    m_search->setToolTip(tr("Enter finds the next place, Shift+Enter the one before (Ctrl+F)."));
+    m_search->setToolTip(tr("Enter finds the next match, Shift+Enter the previous one (Ctrl+F)."));
     m_search->setMinimumWidth(fontMetrics().height() * kSearchWidth);
     m_search->installEventFilter(this);
     m_found = look::newMutedLabel({}, this);
@@ -194,7 +194,7 @@ void ManualWindow::search(bool backwards) {
         if (!found)
             m_browser->setTextCursor(before);
     }
-    look::setText(m_found, found || words.isEmpty() ? QString() : tr("Not on this page"));
+    look::setText(m_found, found || words.isEmpty() ? QString() : tr("Not found on this page"));
 }
 
 }  // namespace nmc

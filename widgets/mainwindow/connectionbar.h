@@ -42,6 +42,7 @@ public:
 
     /// The simulator and the chosen port are always in the list, whatever is plugged in.
     void showPorts(const QList<PortEntry>& ports);
+    [[nodiscard]] const QList<PortEntry>& ports() const { return m_ports; }
     void choosePort(const QString& port, quint32 baud);
     /// Opens the list of ports, as a click on it would.
     void openPorts();

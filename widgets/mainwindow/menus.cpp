@@ -11,7 +11,6 @@
 #include "widgets/chain/chainmenu.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
-#include "widgets/help/manualwindow.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/mainwindow.h"
@@ -55,18 +54,6 @@ void openSafety(MainWindow& window) {
     openBox(window, u"safetyDialog"_s, Menus::tr("Safety"), safety.headline, safety.body);
 }
 
-/// Made when it is asked for; it remembers what was read.
-void openManual(MainWindow& window, const QString& page) {
-    auto* manual = window.findChild<ManualWindow*>();
-    if (manual == nullptr)
-        manual = new ManualWindow(Manual(), &window);
-    manual->openAt(page);
-}
-
-void openManual(MainWindow& window, const QWidget* about) {
-    openManual(window, Manual().pageOf(about));
-}
-
 QAction* add(QMenu* menu, const QString& text, const QString& objectName) {
     QAction* action = menu->addAction(text);
     action->setObjectName(objectName);
@@ -75,8 +62,7 @@ QAction* add(QMenu* menu, const QString& text, const QString& objectName) {
 
 }  // namespace
 
-void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
-               const QList<QDockWidget*>& docks) {
+void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, const QList<QDockWidget*>& docks) {
     QMenu* file = bar.addMenu(Menus::tr("&File"));
     look::name(file, u"fileMenu"_s, Menus::tr("File"));
     window.machineMenu().addTo(*file);
@@ -129,14 +115,16 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
     manual->setShortcut(QKeySequence(Qt::Key_F1));
     manual->setShortcutContext(Qt::ApplicationShortcut);  // in every window
     QObject::connect(manual, &QAction::triggered, &window,
-                     [&window] { openManual(window, QApplication::focusWidget()); });
+                     [&window] { window.openManualAt(QApplication::focusWidget()); });
     QObject::connect(add(help, Menus::tr("&Keyboard shortcuts"), u"keysAction"_s), &QAction::triggered,
-                     &window, [&window] { openManual(window, u"keys.md"_s); });
+                     &window, [&window] { window.openManual(u"keys.md"_s); });
     QAction* find = add(help, Menus::tr("&Find a command…"), u"findCommandAction"_s);
     find->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
     QObject::connect(find, &QAction::triggered, &window, &MainWindow::openPalette);
     QObject::connect(add(help, Menus::tr("&Safety"), u"safetyAction"_s), &QAction::triggered, &window,
                      [&window] { openSafety(window); });
+    QObject::connect(add(help, Menus::tr("&Report a problem…"), u"reportProblemAction"_s),
+                     &QAction::triggered, &window, &MainWindow::openProblemReport);
     QObject::connect(add(help, Menus::tr("&About NMC Panel"), u"aboutAction"_s), &QAction::triggered, &window,
                      [&window] { openAbout(window); });
 }
