@@ -438,6 +438,34 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>&amp;Find a command…</source>
         <translation>Befehl &amp;finden…</translation>
     </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>S&amp;ystem</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem…</source>
+        <translation>&amp;Problem melden…</translation>
+    </message>
+    <message>
+        <source>The new language takes effect the next time you start NMC Panel.</source>
+        <translation>Die neue Sprache gilt ab dem nächsten Start von NMC Panel.</translation>
+    </message>
 </context>
 <context>
     <name>MessageLines</name>
@@ -4892,7 +4920,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>nmc::Bell</name>
     <message>
-        <source>S&amp;ounds</source>
+        <source>So&amp;unds</source>
         <translation>&amp;Töne</translation>
     </message>
     <message>
@@ -5053,7 +5081,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <name>nmc::ChainMenu</name>
     <message>
         <source>Chain &amp;doctor…</source>
-        <translation>Kettendia&amp;gnose…</translation>
+        <translation>Ketten&amp;diagnose…</translation>
     </message>
     <message>
         <source>Compares the expected modules with those found, and shows where the chain probably breaks.</source>
@@ -8021,6 +8049,57 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>NMC Panel - Manual</source>
+        <translation>NMC Panel - Handbuch</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>Seiten des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Search this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>The manual is not installed. It belongs in %1.</source>
+        <translation>Das Handbuch ist nicht installiert. Es gehört nach %1.</translation>
+    </message>
+    <message>
+        <source>Goes back to the previous page (%1).</source>
+        <translation>Geht zurück zur vorigen Seite (%1).</translation>
+    </message>
+    <message>
+        <source>Goes forward again (%1).</source>
+        <translation>Geht wieder vorwärts (%1).</translation>
+    </message>
+    <message>
+        <source>Enter finds the next match, Shift+Enter the previous one (Ctrl+F).</source>
+        <translation>Enter findet den nächsten Treffer, Umschalt+Enter den vorigen (Strg+F).</translation>
+    </message>
+    <message>
+        <source>Not found on this page</source>
+        <translation>Auf dieser Seite nicht gefunden</translation>
+    </message>
+</context>
+<context>
     <name>nmc::MessageList</name>
     <message>
         <source>Messages</source>
@@ -8696,8 +8775,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die&amp;selbe noch einmal</translation>
     </message>
     <message>
-        <source>&amp;Enter operator mode</source>
-        <translation>Bedienermodus be&amp;ginnen</translation>
+        <source>E&amp;nter operator mode</source>
+        <translation>&amp;Bedienermodus beginnen</translation>
     </message>
     <message>
         <source>P&amp;IN</source>
@@ -8736,11 +8815,11 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>Leave o&amp;perator mode…</source>
-        <translation>&amp;Bedienermodus verlassen…</translation>
+        <translation>Be&amp;dienermodus verlassen…</translation>
     </message>
     <message>
         <source>O&amp;perator mode…</source>
-        <translation>&amp;Bedienermodus…</translation>
+        <translation>Be&amp;dienermodus…</translation>
     </message>
     <message>
         <source>Asks for the PIN.</source>
@@ -9440,6 +9519,45 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>= %1 Bd</source>
         <translation>= %1 Bd</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Problem melden</translation>
+    </message>
+    <message>
+        <source>Nothing is sent. Read the report below, save it, and attach the file where you describe the problem. It contains neither your PIN nor the name of your home folder.</source>
+        <translation>Es wird nichts gesendet. Den Bericht unten lesen, speichern und die Datei dort anhängen, wo das Problem beschrieben wird. Er enthält weder die PIN noch den Namen des persönlichen Ordners.</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>&amp;Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>Text of the report</source>
+        <translation>Text des Berichts</translation>
     </message>
 </context>
 <context>

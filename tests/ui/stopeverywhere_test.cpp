@@ -127,6 +127,7 @@ const std::array kWindows{
     Opened{"About", "aboutDialog", [](StopEverywhere& t) { t.trigger(u"aboutAction"_s); }},
     Opened{"Manual", "manualWindow", [](StopEverywhere& t) { t.trigger(u"manualAction"_s); }},
     Opened{"Report", "reportDialog", [](StopEverywhere& t) { t.trigger(u"reportProblemAction"_s); }},
+    Opened{"Language", "languageDialog", [](StopEverywhere& t) { t.trigger(u"languageAction_de"_s); }},
     Opened{"Safety", "safetyDialog", [](StopEverywhere& t) { t.trigger(u"safetyAction"_s); }},
     Opened{"SavingAs", "saveMachineDialog", [](StopEverywhere& t) { t.trigger(u"saveMachineAsAction"_s); }},
     Opened{"OpeningARecording", "openRecordingDialog",

@@ -93,7 +93,7 @@ void MainWindow::buildTop() {
     menuBar->setNativeMenuBar(false);
     look::name(menuBar, u"menuBar"_s, tr("Menus"));
     m_bar = new ConnectionBar(top);
-    fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_docks);
+    fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_docks, m_settings);
     buildRibbons(top);
     m_banner = new Banner(top);
     auto* layout = new QVBoxLayout(top);
