@@ -12,8 +12,10 @@
 #include "app/unixsignals.h"
 #include "link/connection/crashburst.h"
 #include "link/ports/portlist.h"
+#include "widgets/common/languages.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
+#include "widgets/help/manual.h"
 
 namespace {
 
@@ -40,7 +42,7 @@ bool displayMissing() {
            qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
-/// What came of style, icon, colours and languages on this computer.
+/// What came of style, icon, colours, languages and manual on this computer.
 void logStart(const nmc::Translations& translations) {
     if (!startLog().isInfoEnabled())
         return;
@@ -52,18 +54,22 @@ void logStart(const nmc::Translations& translations) {
     qCInfo(startLog).noquote().nospace()
         << "version " NMC_VERSION ", Qt " << qVersion() << " on " << platform << ", style " << style << ", "
         << (dark ? "dark" : "light") << ", icon " << icon.width() << "x" << icon.height() << ", language "
-        << translations.panel.language() << ", Qt's " << translations.qt.language();
+        << translations.panel.language() << ", Qt's " << translations.qt.language() << ", manual of "
+        << nmc::Manual().pages().size() << " pages";
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     nameApplication();
+    QSettings settings;
+    const QLocale locale = nmc::languages::localeOf(settings.value(nmc::languages::kSetting).toString());
+    QLocale::setDefault(locale);
     nmc::Translations translations;
     nmc::Start start;
     {
         const QCoreApplication withoutDisplay(argc, argv);
-        nmc::installTranslations(translations, QLocale::system());
+        nmc::installTranslations(translations, locale);
         const auto asked = nmc::readCommandLine(QCoreApplication::arguments(), nmc::serialPorts);
         if (const auto* words = std::get_if<nmc::Say>(&asked))
             return say(*words);
@@ -77,9 +83,8 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     nmc::look::setUp(application);
     // Once more: translators belong to the application object.
-    nmc::installTranslations(translations, QLocale::system());
+    nmc::installTranslations(translations, locale);
     logStart(translations);
-    QSettings settings;
     nmc::Composition composition(settings, {},
                                  QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
     const nmc::UnixSignals signalsOfTheSystem(composition.worker());

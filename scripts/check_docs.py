@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks that the documentation hangs together: what comments cite exists, and so does what pages link to.
 
-In comments of the code and the tests: a page (link.md) is in docs/, or beside the file; its sections (link.md 2.3;
+In comments of the code and the tests: a page (link.md) is in docs/, docs/manual/, or beside the file; its sections (link.md 2.3;
 simulator.md, Faults; interface.md, "Moving") are headings of that page; a fault (F-42, faults.md H-02, N7) has a row in
 docs/faults.md; a section of a data sheet (DS-V 5.2) is in the key of docs/protocol.md. In all Markdown: every relative
 link and its anchor. In docs/manual: an anchor that is no heading is the object name of a widget.
@@ -71,7 +71,8 @@ def sheet_sections():
 
 
 def page_of(name, beside):
-    return next((page for page in (DOCS / name, beside.parent / name, ROOT / name) if page.exists()), None)
+    places = (DOCS, DOCS / "manual", beside.parent, ROOT)
+    return next((place / name for place in places if (place / name).exists()), None)
 
 
 def check_citation(where, page, rest):

@@ -481,6 +481,34 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Colours</source>
         <translation>Farben</translation>
     </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>The new language takes effect the next time you start NMC Panel.</source>
+        <translation>Die neue Sprache gilt ab dem nächsten Start von NMC Panel.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>S&amp;ystem</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem…</source>
+        <translation>&amp;Problem melden…</translation>
+    </message>
 </context>
 <context>
     <name>MessageLines</name>
@@ -5156,12 +5184,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>nmc::Bell</name>
     <message>
-        <source>S&amp;ounds</source>
-        <translation>&amp;Töne</translation>
-    </message>
-    <message>
         <source>Plays a sound on each fault, and when a sequence, homing or a series of steps ends.</source>
         <translation>Ein Ton bei jedem Fehler und am Ende eines Ablaufs, einer Referenzfahrt oder von Schritten um N.</translation>
+    </message>
+    <message>
+        <source>So&amp;unds</source>
+        <translation>&amp;Töne</translation>
     </message>
 </context>
 <context>
@@ -8329,6 +8357,57 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>NMC Panel - Manual</source>
+        <translation>NMC Panel - Handbuch</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>Seiten des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Goes back to the previous page (%1).</source>
+        <translation>Geht zurück zur vorigen Seite (%1).</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Goes forward again (%1).</source>
+        <translation>Geht wieder vorwärts (%1).</translation>
+    </message>
+    <message>
+        <source>Search this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>Enter finds the next match, Shift+Enter the previous one (Ctrl+F).</source>
+        <translation>Enter findet den nächsten Treffer, Umschalt+Enter den vorigen (Strg+F).</translation>
+    </message>
+    <message>
+        <source>The manual is not installed. It belongs in %1.</source>
+        <translation>Das Handbuch ist nicht installiert. Es gehört nach %1.</translation>
+    </message>
+    <message>
+        <source>Not found on this page</source>
+        <translation>Auf dieser Seite nicht gefunden</translation>
+    </message>
+</context>
+<context>
     <name>nmc::MessageList</name>
     <message>
         <source>Messages</source>
@@ -9060,10 +9139,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die&amp;selbe noch einmal</translation>
     </message>
     <message>
-        <source>&amp;Enter operator mode</source>
-        <translation>Bedienermodus be&amp;ginnen</translation>
-    </message>
-    <message>
         <source>P&amp;IN</source>
         <translation>P&amp;IN</translation>
     </message>
@@ -9090,6 +9165,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Wrong PIN. %1</source>
         <translation>Das ist nicht die PIN. %1</translation>
+    </message>
+    <message>
+        <source>E&amp;nter operator mode</source>
+        <translation>&amp;Bedienermodus beginnen</translation>
     </message>
 </context>
 <context>
@@ -10021,6 +10100,45 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::ReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Problem melden</translation>
+    </message>
+    <message>
+        <source>Nothing is sent. Read the report below, save it, and attach the file where you describe the problem. It contains neither your PIN nor the name of your home folder.</source>
+        <translation>Es wird nichts gesendet. Den Bericht unten lesen, speichern und die Datei dort anhängen, wo das Problem beschrieben wird. Er enthält weder die PIN noch den Namen des persönlichen Ordners.</translation>
+    </message>
+    <message>
+        <source>Text of the report</source>
+        <translation>Text des Berichts</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>&amp;Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+</context>
+<context>
     <name>nmc::RowDelegate</name>
     <message>
         <source>Number of the row</source>
@@ -10937,7 +11055,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::SimulatorDock</name>
+    <name>nmc::SimulatorBench</name>
     <message>
         <source>Simulator</source>
         <translation>Simulator</translation>
@@ -10949,6 +11067,13 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Follows the module list, and includes modules that the panel did not find.</source>
         <translation>Folgt der Modulliste. Enthält auch Module, die das Programm nicht findet.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SimulatorDock</name>
+    <message>
+        <source>Simulator</source>
+        <translation>Simulator</translation>
     </message>
 </context>
 <context>

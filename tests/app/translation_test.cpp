@@ -4,11 +4,11 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
-#include <QFileInfo>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
 #include "app/translations.h"
+#include "widgets/common/languages.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -57,10 +57,10 @@ TEST(Translation, NumbersAgreeWithTheirNoun) {
     EXPECT_EQ(texts::countOfModules(2), u"2 Module"_s);
 }
 
-class TranslationFile : public testing::TestWithParam<const char*> {};
+class TranslationFile : public testing::TestWithParam<std::string> {};
 
 TEST_P(TranslationFile, IsFinished) {
-    QFile file(QFileInfo(QStringLiteral(TS_PATH)).dir().filePath(QLatin1String(GetParam())));
+    QFile file(QDir(QStringLiteral(TS_DIR)).filePath(QString::fromStdString(GetParam())));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     QXmlStreamReader xml(&file);
     QString source;
@@ -89,7 +89,21 @@ TEST_P(TranslationFile, IsFinished) {
     EXPECT_GT(messages, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, TranslationFile, testing::Values("nmcpanel_de.ts", "nmcpanel_en.ts"));
+/// Whatever lies there.
+std::vector<std::string> translationFiles() {
+    std::vector<std::string> files;
+    for (const QString& file : QDir(QStringLiteral(TS_DIR)).entryList({u"nmcpanel_*.ts"_s}))
+        files.push_back(file.toStdString());
+    return files;
+}
+INSTANTIATE_TEST_SUITE_P(Languages, TranslationFile, testing::ValuesIn(translationFiles()),
+                         [](const auto& file) { return file.param.substr(9, file.param.size() - 12); });
+
+TEST(Translation, EachFileIsALanguageThatIsOffered) {
+    EXPECT_EQ(static_cast<std::size_t>(languages::available().size()), translationFiles().size());
+    for (const QString& language : languages::available())
+        EXPECT_EQ(QLocale(language).name().section(u'_', 0, 0), language);
+}
 
 }  // namespace
 }  // namespace nmc

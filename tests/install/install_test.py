@@ -74,13 +74,17 @@ class Folder(unittest.TestCase):
                 "QT_QPA_PLATFORM": "offscreen", "QT_LOGGING_RULES": "nmc.start=true;nmc.link=true",
                 "DBUS_SYSTEM_BUS_ADDRESS": "unix:path=/nowhere"}
 
-    def start_to_first_paint(self, prefix, language):
+    def start_to_first_paint(self, prefix, language, settings=""):
         """What the installed panel says of itself."""
-        said = run(prefix / "bin/nmcpanel", "--simulator=servo", "--quit-after-first-paint",
-                   env=self.environment(language), cwd="/")
+        environment = self.environment(language)
+        folder = Path(environment["HOME"]) / ".config/nmcpanel"
+        folder.mkdir(parents=True)
+        (folder / "NMC Panel.conf").write_text(settings)
+        said = run(prefix / "bin/nmcpanel", "--simulator=servo", "--quit-after-first-paint", env=environment, cwd="/")
         match = re.search(r"^nmc\.start: version (.+), Qt .+ on (.+), style (.+), (.+), icon (.+), language (.*), "
-                          r"Qt's (.*)$", said, re.MULTILINE)
+                          r"Qt's (.*), manual of (\d+) pages$", said, re.MULTILINE)
         self.assertTrue(match, said)
+        self.assertEqual(int(match[8]), len([*SOURCE.glob("docs/manual/*.md")]))
         return dict(zip(("version", "platform", "style", "colours", "icon", "language", "qt"), match.groups()))
 
     def check_german(self, prefix):
@@ -96,6 +100,11 @@ class Folder(unittest.TestCase):
         self.assertEqual((said["style"], said["icon"], said["language"], said["qt"]), ("fusion", "64x64", "", ""))
         self.assertIn("Show this help.",
                       run(prefix / "bin/nmcpanel", "--help", env=self.environment("en_GB.UTF-8")))
+
+    def check_choice(self, prefix):
+        """The language that was chosen, whatever the system speaks."""
+        self.assertEqual(self.start_to_first_paint(prefix, "en_GB.UTF-8", "[General]\nlanguage=de\n")["language"], "de")
+        self.assertEqual(self.start_to_first_paint(prefix, "de_DE.UTF-8", "[General]\nlanguage=en\n")["language"], "")
 
     def version(self, prefix):
         return run(prefix / "bin/nmcpanel", "--version", env=self.environment()).split()[-1]
@@ -186,6 +195,7 @@ class InstalledPrograms(Folder):
             self.assertNotRegex(run("readelf", "--dynamic", self.folder / "root/usr/bin" / name), "RPATH|RUNPATH")
         self.check_german(self.folder / "root/usr")
         self.check_english(self.folder / "root/usr")
+        self.check_choice(self.folder / "root/usr")
         (self.folder / "root/usr").rename(self.folder / "elsewhere")
         self.check_german(self.folder / "elsewhere")
         self.check_guardian(self.folder / "elsewhere")
@@ -297,7 +307,7 @@ class Package(Folder):
         self.assertRegex(self.field("Maintainer"), r"^.+ <.+@.+>$")
         for library in ("libqt6widgets6", "libqt6charts6", "libqt6svg6", "libqt6serialport6", "libsdl2-2.0-0"):
             self.assertRegex(self.field("Depends"), rf"\b{re.escape(library)} \(>= ")
-        for recommended in ("qt6-translations-l10n", "qt6-wayland"):
+        for recommended in ("fonts-noto-cjk", "qt6-translations-l10n", "qt6-wayland"):
             self.assertIn(recommended, self.field("Recommends"))
 
     def test_has_the_same_programs_without_debug_symbols(self):

@@ -2,6 +2,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QGridLayout>
 #include <QLabel>
@@ -13,7 +14,8 @@
 #include <QSlider>
 #include <QTabWidget>
 
-#include "app/translations.h"
+#include "inlanguage.h"
+#include "widgets/machine/machinemenu.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -170,29 +172,21 @@ TEST_F(Controls, EachIsReachedByTab) {
 
 /// Of the module panel only one page is there at a time, and of its tabs only one; hidden ones do not listen.
 struct Panel {
+    ModuleType type;
     const char* panel;
     const char* pages;
-    QLocale::Language language;
 };
-void PrintTo(const Panel& panel, std::ostream* out) {
-    *out << panel.panel << ", " << QLocale::languageToString(panel.language).toStdString();
-}
+constexpr std::array kPanels{Panel{ModuleType::Servo, "servoPanel", "servoPages"},
+                             Panel{ModuleType::Step, "stepPanel", "stepPages"}};
 
-/// In force before the window is built.
-struct Spoken : testing::WithParamInterface<Panel> {
-    Spoken() { installTranslations(translations, QLocale(GetParam().language)); }
-    Translations translations;
-};
-
-class Mnemonics : public Spoken, public Controls {
+class Mnemonics : public testing::WithParamInterface<std::string>, public InLanguage, public Controls {
 protected:
-    Mnemonics() {
-        showSimulatedServo();
-        if (GetParam().panel == std::string_view("servoPanel"))
-            return;
-        ModuleState stepper = Servo{}.state();
-        stepper.info.identity = {ModuleType::Step, 1};
-        window->showLink(connectedTo({stepper}));
+    Mnemonics() : InLanguage(GetParam()) { showSimulatedServo(); }
+    void show(const Panel& shown) {
+        panel = shown;
+        ModuleState module = Servo{}.state();
+        module.info.identity = {panel.type, 1};
+        window->showLink(connectedTo({module}));
     }
     /// As far as it is one in the panel and on the tab that are looked at.
     [[nodiscard]] bool listens(const QWidget* widget, const QWidget* tab) const {
@@ -200,9 +194,9 @@ protected:
         const QWidget* above = widget->parentWidget();
         for (; above != nullptr; child = above, above = above->parentWidget()) {
             if (above->objectName() == u"modulePanel"_s)
-                return child->objectName() == QLatin1String(GetParam().panel);
+                return child->objectName() == QLatin1String(panel.panel);
             if (above->objectName() == u"qt_tabwidget_stackedwidget"_s &&
-                above->parentWidget()->objectName() == QLatin1String(GetParam().pages) && child != tab)
+                above->parentWidget()->objectName() == QLatin1String(panel.pages) && child != tab)
                 return false;
         }
         return true;
@@ -230,21 +224,64 @@ protected:
                 check(label->text(), label->buddy()->objectName());
         EXPECT_GT(owners.size(), 15) << owners.keys().join(u' ').toStdString();
     }
+    Panel panel = kPanels.front();
 };
 
 TEST_P(Mnemonics, DoNotCollide) {
-    auto* tabs = find<QTabWidget>(QLatin1String(GetParam().pages));
-    for (int i = 0; i < tabs->count(); ++i) {
-        SCOPED_TRACE(tabs->tabText(i).toStdString());
-        expectNoneTwice(tabs->widget(i));
+    for (const Panel& each : kPanels) {
+        show(each);
+        auto* tabs = find<QTabWidget>(QLatin1String(panel.pages));
+        for (int i = 0; i < tabs->count(); ++i) {
+            SCOPED_TRACE(tabs->tabText(i).toStdString());
+            expectNoneTwice(tabs->widget(i));
+        }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Panels, Mnemonics,
-                         testing::Values(Panel{"servoPanel", "servoPages", QLocale::English},
-                                         Panel{"stepPanel", "stepPages", QLocale::English},
-                                         Panel{"servoPanel", "servoPages", QLocale::German},
-                                         Panel{"stepPanel", "stepPages", QLocale::German}));
+TEST_P(Mnemonics, DoNotCollideWithinAMenu) {
+    window->machineMenu().showFile({{}, {}, false, {u"/tmp/mill.json"_s}});
+    int seen = 0;
+    for (const QMenu* menu : window->findChildren<QMenu*>()) {
+        QHash<QString, QString> owners;
+        for (const QAction* action : menu->actions()) {
+            const QString key = QKeySequence::mnemonic(action->text()).toString();
+            if (key.isEmpty())
+                continue;
+            ++seen;
+            EXPECT_FALSE(owners.contains(key))
+                << menu->objectName().toStdString() << ", " << key.toStdString() << ": "
+                << action->text().toStdString() << " and " << owners.value(key).toStdString();
+            owners.insert(key, action->text());
+        }
+    }
+    EXPECT_GT(seen, 20);
+}
+
+/// Each in a window of its own, where its letters are.
+TEST_P(Mnemonics, DoNotCollideWithinADialog) {
+    for (const QString& action : {u"chainDoctorAction"_s, u"operatorAction"_s, u"scopeSignalsAction"_s,
+                                  u"manualAction"_s, u"reportProblemAction"_s, u"restartNetworkAction"_s})
+        window->findChild<QAction*>(action)->trigger();
+    window->machineMenu().showDifferences(u"mill.json"_s, {});
+    int seen = 0;
+    for (const QDialog* dialog : window->findChildren<QDialog*>()) {
+        QHash<QString, QString> owners;
+        for (const QAbstractButton* control : dialog->findChildren<QAbstractButton*>()) {
+            const QString key = QKeySequence::mnemonic(control->text()).toString();
+            if (key.isEmpty() || control->window() != dialog || !control->isVisible())
+                continue;
+            ++seen;
+            EXPECT_FALSE(owners.contains(key))
+                << dialog->objectName().toStdString() << ", " << key.toStdString() << ": "
+                << control->objectName().toStdString() << " and " << owners.value(key).toStdString();
+            owners.insert(key, control->objectName());
+        }
+    }
+    EXPECT_GT(seen, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, Mnemonics, testing::ValuesIn(allLanguages()),
+                         [](const auto& language) { return language.param; });
 
 TEST_F(Controls, EachDockHasAMenuEntry) {
     for (const QString& dock : {u"chainDock"_s, u"scopeDock"_s, u"messagesDock"_s}) {

@@ -63,8 +63,10 @@ TEST_F(Manual, NamesEveryKey) {
         }
         collectKeys();
     }
+    window->findChild<QAction*>(u"manualAction"_s)->trigger();
+    collectKeys();
     // Of the window, of a dock that is made when it is shown, of a page of each module.
-    for (const QString& key : {u"F5"_s, u"Ctrl+Alt+Z"_s, u"Ctrl+0"_s, u"Ctrl+L"_s})
+    for (const QString& key : {u"F5"_s, u"Ctrl+Alt+Z"_s, u"Ctrl+0"_s, u"Ctrl+L"_s, u"F1"_s, u"Ctrl+F"_s})
         ASSERT_TRUE(keys.contains(key)) << key.toStdString();
     const QSet<QString> told = keysOfThePage();
     for (auto key = keys.cbegin(); key != keys.cend(); ++key)

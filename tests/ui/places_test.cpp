@@ -3,7 +3,7 @@
 #include <QAbstractButton>
 #include <QTabBar>
 
-#include "app/translations.h"
+#include "inlanguage.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/modulepage.h"
 #include "windowtest.h"
@@ -11,17 +11,11 @@
 namespace nmc {
 namespace {
 
-/// Before the window, which is made in its language.
-struct InLanguage {
-    explicit InLanguage(const QString& name) { installTranslations(translations, QLocale(name)); }
-    Translations translations;
-};
-
-using Setting = std::tuple<const char*, QSize>;
+using Setting = std::tuple<std::string, QSize>;
 
 class Places : public testing::WithParamInterface<Setting>, public InLanguage, public WindowTest {
 protected:
-    Places() : InLanguage(QLatin1String(std::get<0>(GetParam()))) {
+    Places() : InLanguage(std::get<0>(GetParam())) {
         window->resize(std::get<1>(GetParam()));
         showServo();
         settle();
@@ -228,10 +222,10 @@ TEST_P(Places, OfTheActionsOfAMessageAreWithinTheWindow) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Screens, Places,
-                         testing::Combine(testing::Values("en", "de_DE"),
+                         testing::Combine(testing::ValuesIn(allLanguages()),
                                           testing::Values(QSize(1280, 800), QSize(800, 600))),
                          [](const testing::TestParamInfo<Setting>& setting) {
-                             return std::string(std::get<0>(setting.param)) +
+                             return std::get<0>(setting.param) +
                                     std::to_string(std::get<1>(setting.param).width());
                          });
 

@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of both panels, light and dark, kept as artefacts of the run; and that nothing in them is cut off.
-// Run once for each scale (tests/ui/CMakeLists.txt).
+// Run once for each scale (tests/ui/CMakeLists.txt). In every language that there is a translation for.
+#include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QPushButton>
 #include <QTabWidget>
 
+#include "inlanguage.h"
 #include "widgets/common/look.h"
 #include "windowtest.h"
 
 namespace nmc {
 namespace {
 
-class Screenshots : public WindowTest, public testing::WithParamInterface<bool> {
+struct Shown {
+    std::string language;
+    bool dark;
+};
+void PrintTo(const Shown& shown, std::ostream* out) {
+    *out << shown.language << (shown.dark ? ", dark" : ", light");
+}
+
+class Screenshots : public testing::WithParamInterface<Shown>, public InLanguage, public WindowTest {
 protected:
-    Screenshots() {
-        if (GetParam())
+    Screenshots() : InLanguage(GetParam().language) {
+        if (GetParam().dark)
             QApplication::setPalette(darkPalette());
         window->resize(1600, 1200);
     }
@@ -39,14 +49,17 @@ protected:
         for (int i = 0; i < tabs->count(); ++i) {
             tabs->setCurrentIndex(i);
             QApplication::processEvents();
-            const QString file = u"%1-%2-%3-%4.png"_s.arg(panel)
-                                     .arg(i)
-                                     .arg(GetParam() ? u"dark"_s : u"light"_s)
-                                     .arg(window->devicePixelRatioF());
-            ASSERT_TRUE(QDir().mkpath(QStringLiteral(SCREENSHOT_DIR)));
-            EXPECT_TRUE(window->grab().save(QStringLiteral(SCREENSHOT_DIR "/") + file));
+            save(*window, u"%1-%2"_s.arg(panel).arg(i));
             expectNothingCut(tabs->tabText(i));
         }
+    }
+    void save(QWidget& widget, const QString& what) {
+        const QString file = u"%1-%2-%3-%4.png"_s
+                                 .arg(what, GetParam().dark ? u"dark"_s : u"light"_s,
+                                      QString::fromStdString(GetParam().language))
+                                 .arg(window->devicePixelRatioF());
+        ASSERT_TRUE(QDir().mkpath(QStringLiteral(SCREENSHOT_DIR)));
+        EXPECT_TRUE(widget.grab().save(QStringLiteral(SCREENSHOT_DIR "/") + file));
     }
     void expectNothingCut(const QString& page) {
         for (const QPushButton* button : window->findChildren<QPushButton*>()) {
@@ -90,7 +103,38 @@ TEST_P(Screenshots, OfTheStepResponse) {
     keep(u"stepresponse"_s, u"servoPages"_s);
 }
 
-INSTANTIATE_TEST_SUITE_P(Palettes, Screenshots, testing::Bool());
+TEST_P(Screenshots, OfTheIoPanel) {
+    ModuleState module = Servo{}.state();
+    module.info.identity = {ModuleType::Io, 1};
+    window->showLink(connectedTo({module}));
+    QApplication::processEvents();
+    save(*window, u"io"_s);
+    expectNothingCut(u"ioPanel"_s);
+}
+
+TEST_P(Screenshots, OfTheDialogs) {
+    showServo();
+    for (const QString& action :
+         {u"chainDoctorAction"_s, u"groupsAction"_s, u"operatorAction"_s, u"scopeSignalsAction"_s,
+          u"manualAction"_s, u"reportProblemAction"_s, u"restartNetworkAction"_s, u"aboutAction"_s}) {
+        window->findChild<QAction*>(action)->trigger();
+        QApplication::processEvents();
+        QWidget* dialog = QApplication::activeWindow();
+        ASSERT_NE(dialog, nullptr);
+        save(*dialog, dialog->objectName() + u'-' + action);
+        expectNothingCut(action);
+    }
+}
+
+std::vector<Shown> allShown() {
+    std::vector<Shown> all{{"en", true}};
+    for (const std::string& language : allLanguages())
+        all.push_back({language, false});
+    return all;
+}
+INSTANTIATE_TEST_SUITE_P(As, Screenshots, testing::ValuesIn(allShown()), [](const auto& shown) {
+    return shown.param.language + (shown.param.dark ? "Dark" : "Light");
+});
 
 /// By their grey alone, on a print or to who cannot tell the colours apart.
 TEST(Greyscale, TheSeveritiesDifferWithoutTheirColours) {

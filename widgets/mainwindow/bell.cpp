@@ -16,7 +16,7 @@ constexpr qint64 kPauseMs = 1'000;
 }
 
 Bell::Bell(QSettings& settings, QObject* parent)
-    : QObject(parent), m_action(new QAction(tr("S&ounds"), this)) {
+    : QObject(parent), m_action(new QAction(tr("So&unds"), this)) {
     m_action->setObjectName(u"soundsAction"_s);
     m_action->setCheckable(true);
     m_action->setChecked(settings.value(settingskeys::kSounds, true).toBool());

@@ -42,6 +42,7 @@ public:
 
     /// The simulator and the chosen port are always in the list, whatever is plugged in.
     void showPorts(const QList<PortEntry>& ports);
+    [[nodiscard]] const QList<PortEntry>& ports() const { return m_ports; }
     void choosePort(const QString& port, quint32 baud);
     /// The port as chosen, where it is a serial one, or else the first that is listed; without a name: none.
     [[nodiscard]] PortEntry serialPort() const;

@@ -100,7 +100,7 @@ void MainWindow::buildTop() {
     look::name(menuBar, u"menuBar"_s, tr("Menus"));
     m_bar = new ConnectionBar(top);
     m_start = new StartPage(*m_bar, m_panel);
-    fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_docks);
+    fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_docks, m_settings);
     buildRibbons(top);
     m_banner = new Banner(top);
     auto* layout = new QVBoxLayout(top);

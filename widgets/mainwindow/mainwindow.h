@@ -144,6 +144,11 @@ public:
     void connectReadOnly();
     /// What the selected module can be told, as it is now.
     void fillModuleMenu(QMenu& menu);
+    /// The manual, at "keys.md", or at what is said there of this widget.
+    void openManual(const QString& page);
+    void openManualAt(const QWidget* widget);
+    /// Everything that helps to find out what went wrong, to be read, and saved.
+    void openProblemReport();
     /// Every command of the window, to be found by its words.
     void openPalette();
 

@@ -2,13 +2,16 @@
 #include "widgets/mainwindow/menus.h"
 
 #include <QAction>
-#include <QCoreApplication>
+#include <QActionGroup>
+#include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QSettings>
 
 #include "widgets/chain/chainmenu.h"
+#include "widgets/common/languages.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
@@ -61,10 +64,37 @@ QAction* add(QMenu* menu, const QString& text, const QString& objectName) {
     return action;
 }
 
+/// Kept at once, and read at the next start.
+void chooseLanguage(MainWindow& window, QSettings& settings, const QString& language) {
+    if (settings.value(languages::kSetting).toString() == language)
+        return;
+    settings.setValue(languages::kSetting, language);
+    openBox(window, u"languageDialog"_s, Menus::tr("Language"),
+            Menus::tr("The new language takes effect the next time you start NMC Panel."), {});
+}
+
+/// Each under its own name, so that who cannot read the others finds it.
+void addLanguages(QMenu& view, MainWindow& window, QSettings& settings) {
+    QMenu* menu = view.addMenu(Menus::tr("&Language"));
+    look::name(menu, u"languageMenu"_s, Menus::tr("Language"));
+    auto* group = new QActionGroup(menu);
+    const QString chosen = settings.value(languages::kSetting).toString();
+    for (const QString& language : QStringList{QString()} + languages::available()) {
+        const QString text = language.isEmpty() ? Menus::tr("&System") : languages::nameOf(language);
+        QAction* action =
+            add(menu, text, u"languageAction_"_s + (language.isEmpty() ? u"system"_s : language));
+        action->setCheckable(true);
+        action->setChecked(language == chosen);
+        group->addAction(action);
+        QObject::connect(action, &QAction::triggered, &window,
+                         [&window, &settings, language] { chooseLanguage(window, settings, language); });
+    }
+}
+
 }  // namespace
 
-void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
-               const QList<QDockWidget*>& docks) {
+void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, const QList<QDockWidget*>& docks,
+               QSettings& settings) {
     QMenu* file = bar.addMenu(Menus::tr("&File"));
     look::name(file, u"fileMenu"_s, Menus::tr("File"));
     window.machineMenu().addTo(*file);
@@ -112,16 +142,26 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
     colours->setToolTipsVisible(true);
     colours->addActions(window.colours().actions());
     view->addAction(window.bell().action());
+    addLanguages(*view, window, settings);
     QObject::connect(add(view, Menus::tr("&Reset layout"), u"resetLayoutAction"_s), &QAction::triggered,
                      &window, &MainWindow::resetLayout);
 
     QMenu* help = bar.addMenu(Menus::tr("&Help"));
     look::name(help, u"helpMenu"_s, Menus::tr("Help"));
+    QAction* manual = add(help, Menus::tr("&Manual"), u"manualAction"_s);
+    manual->setShortcut(QKeySequence(Qt::Key_F1));
+    manual->setShortcutContext(Qt::ApplicationShortcut);  // in every window
+    QObject::connect(manual, &QAction::triggered, &window,
+                     [&window] { window.openManualAt(QApplication::focusWidget()); });
+    QObject::connect(add(help, Menus::tr("&Keyboard shortcuts"), u"keysAction"_s), &QAction::triggered,
+                     &window, [&window] { window.openManual(u"keys.md"_s); });
     QAction* find = add(help, Menus::tr("&Find a command…"), u"findCommandAction"_s);
     find->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
     QObject::connect(find, &QAction::triggered, &window, &MainWindow::openPalette);
     QObject::connect(add(help, Menus::tr("&Safety"), u"safetyAction"_s), &QAction::triggered, &window,
                      [&window] { openSafety(window); });
+    QObject::connect(add(help, Menus::tr("&Report a problem…"), u"reportProblemAction"_s),
+                     &QAction::triggered, &window, &MainWindow::openProblemReport);
     QObject::connect(add(help, Menus::tr("&About NMC Panel"), u"aboutAction"_s), &QAction::triggered, &window,
                      [&window] { openAbout(window); });
 }

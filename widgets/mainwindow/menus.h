@@ -6,12 +6,15 @@
 class QAction;
 class QDockWidget;
 class QMenuBar;
+class QSettings;
 
 namespace nmc {
 
 class MainWindow;
 
-/// File, Chain, Module, View and Help. `connectReadOnly` goes into Chain; View has a toggle for each dock.
-void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, const QList<QDockWidget*>& docks);
+/// File, Chain, Module, View and Help. `connectReadOnly` goes into Chain; View has a toggle for each dock,
+/// and the languages, which `settings` keeps.
+void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, const QList<QDockWidget*>& docks,
+               QSettings& settings);
 
 }  // namespace nmc

@@ -60,7 +60,7 @@ OperatorDialog::OperatorDialog(const OperatorRights& rights, QWidget* window) : 
     }
     m_pin = newPinField(u"operatorPinField"_s, tr("P&IN to leave operator mode, at least 4 characters"));
     m_again = newPinField(u"operatorPinAgainField"_s, tr("PIN &again"));
-    addEnd(tr("&Enter operator mode"), u"operatorBeginButton"_s, [this] { lock(); });
+    addEnd(tr("E&nter operator mode"), u"operatorBeginButton"_s, [this] { lock(); });
 }
 
 OperatorDialog::OperatorDialog(std::function<bool(const QString&)> isPin, const QString& forgotten,

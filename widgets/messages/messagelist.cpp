@@ -88,6 +88,13 @@ std::vector<MessageEntry> MessageList::shownEntries() const {
     return entries;
 }
 
+std::vector<MessageEntry> MessageList::entries() const {
+    std::vector<MessageEntry> entries;
+    for (const MessageRow* row : m_rows)
+        entries.push_back(row->entry());
+    return entries;
+}
+
 void MessageList::showWhetherEmpty() {
     m_empty->setVisible(shownEntries().empty());
     look::setText(m_empty, m_rows.isEmpty() ? tr("No messages. Problems appear here, and when they end.")

@@ -36,6 +36,8 @@ public:
     void setFilter(const MessageFilter& filter);
     /// Of the rows that the filter lets pass, newest first.
     [[nodiscard]] std::vector<MessageEntry> shownEntries() const;
+    /// Of all rows, newest first.
+    [[nodiscard]] std::vector<MessageEntry> entries() const;
     /// The rows, newest first; those that are filtered out are hidden.
     [[nodiscard]] const QList<MessageRow*>& rows() const { return m_rows; }
 

@@ -7,6 +7,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
 #include "widgets/monitor/packetmonitor.h"
+#include "widgets/monitor/packetsaving.h"
 
 namespace nmc {
 
@@ -38,6 +39,12 @@ PacketMonitor& MonitorDock::page() {
 
 bool MonitorDock::recording() const {
     return m_page != nullptr && m_page->recording();
+}
+
+QString MonitorDock::lastPackets(int most) const {
+    if (m_page == nullptr)
+        return {};
+    return QString::fromStdString(nmc::lastPackets(m_page->log(), static_cast<std::uint64_t>(most)));
 }
 
 void MonitorDock::begin(const PacketSession& session) {

@@ -27,6 +27,9 @@ public:
     void showLink(const LinkState& link);
     void showFigures(const LinkFigures& figures);
     [[nodiscard]] bool recording() const;
+    [[nodiscard]] const LinkFigures& figures() const { return m_figures; }
+    /// At most so many, as text; empty: none were recorded.
+    [[nodiscard]] QString lastPackets(int most) const;
 
     /// The content; built if need be.
     PacketMonitor& page();

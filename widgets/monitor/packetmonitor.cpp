@@ -133,6 +133,10 @@ void PacketMonitor::showPackets(std::vector<bus::ExchangeRecord> records) {
     showSummary();
 }
 
+const PacketLog& PacketMonitor::log() const {
+    return m_model->log();
+}
+
 void PacketMonitor::setSeen(bool seen) {
     m_seen = seen;
     updateRecording();

@@ -17,6 +17,7 @@ namespace nmc {
 class CounterTable;
 class PacketModel;
 class PacketView;
+class PacketLog;
 struct PacketSession;
 
 /// Every exchange with time, bytes, meaning and verdict; and the counters of the link. It wants records only
@@ -39,6 +40,7 @@ public:
     /// Somebody can see it: not so behind another dock's tab.
     void setSeen(bool seen);
     [[nodiscard]] bool recording() const { return m_recording; }
+    [[nodiscard]] const PacketLog& log() const;
 
 signals:
     void recordingChanged(bool recording);

@@ -10,10 +10,10 @@ namespace nmc {
 
 namespace {
 
-std::string textOf(const PacketLog& log) {
-    std::string text = texts::packetTextHead(log.session(), log.dropped()).toStdString() + "\n\n";
+std::string linesOf(const PacketLog& log, std::uint64_t first) {
+    std::string text;
     const std::string gap = texts::packetGap().toStdString();
-    for (std::uint64_t i = log.first(); i < log.end(); ++i) {
+    for (std::uint64_t i = first; i < log.end(); ++i) {
         const PacketEntry& entry = log.at(i);
         if (entry.afterGap)
             text += "... " + gap + '\n';
@@ -23,11 +23,20 @@ std::string textOf(const PacketLog& log) {
     return text;
 }
 
+std::string textOf(const PacketLog& log) {
+    return texts::packetTextHead(log.session(), log.dropped()).toStdString() + "\n\n" +
+           linesOf(log, log.first());
+}
+
 }  // namespace
 
 FileContent packetFile(PacketLog log, const QString& path) {
     const bool replayable = path.endsWith(kPacketLogSuffix, Qt::CaseInsensitive);
     return [log = std::move(log), replayable] { return replayable ? writePacketFile(log) : textOf(log); };
+}
+
+std::string lastPackets(const PacketLog& log, std::uint64_t most) {
+    return linesOf(log, log.size() > most ? log.end() - most : log.first());
 }
 
 }  // namespace nmc

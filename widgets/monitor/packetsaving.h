@@ -13,5 +13,7 @@ inline const QString kPacketLogSuffix = QStringLiteral(".nmclog");
 
 /// The whole log as a file of that name has it.
 [[nodiscard]] FileContent packetFile(PacketLog log, const QString& path);
+/// At most so many, the last ones, as text for people; empty: there are none.
+[[nodiscard]] std::string lastPackets(const PacketLog& log, std::uint64_t most);
 
 }  // namespace nmc

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/help/manual.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTabWidget>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextTable>
+#include <algorithm>
+#include <utility>
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString read(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+const QRegularExpression& ownAnchor() {
+    static const QRegularExpression expression(u"<a id=\"(\\w+)\"></a>"_s);
+    return expression;
+}
+
+/// As GitHub makes it, and scripts/check_docs.py.
+QString slug(const QString& heading) {
+    static const QRegularExpression dropped(u"[^\\w\\- ]"_s, QRegularExpression::UseUnicodePropertiesOption);
+    return heading.trimmed().toLower().remove(dropped).replace(u' ', u'-');
+}
+
+/// From there on the first character that can be seen and has no name yet: of several names only one outlives
+/// toHtml().
+void anchor(QTextDocument& document, int position, const QString& name) {
+    QTextCursor cursor(&document);
+    do {
+        while (!document.characterAt(position).isPrint() && position + 1 < document.characterCount())
+            ++position;
+        cursor.setPosition(position++);
+        cursor.movePosition(QTextCursor::NextCharacter, QTextCursor::KeepAnchor);
+    } while (!cursor.charFormat().anchorNames().isEmpty() && !cursor.atEnd());
+    QTextCharFormat format;
+    format.setAnchor(true);
+    format.setAnchorNames({name});
+    cursor.mergeCharFormat(format);
+}
+
+void anchorHeadings(QTextDocument& document) {
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+        if (block.blockFormat().headingLevel() > 0)
+            anchor(document, block.position(), slug(block.text()));
+}
+
+/// Qt's reader of Markdown keeps no anchors, so a name between two marks that no text has stands for each.
+void anchorMarks(QTextDocument& document) {
+    static const QRegularExpression mark(u"\uE000\\w+\uE001"_s);
+    // The last first, or one would name the mark that follows it.
+    QTextCursor found(&document);
+    found.movePosition(QTextCursor::End);
+    while (!(found = document.find(mark, found, QTextDocument::FindBackward)).isNull()) {
+        const QString name = found.selectedText().chopped(1).mid(1);
+        found.removeSelectedText();
+        anchor(document, found.position(), name);
+    }
+}
+
+/// Markdown has no table without a row of headings.
+bool isBlank(const QTextTable& table, int row) {
+    for (int column = 0; column < table.columns(); ++column) {
+        const QTextTableCell cell = table.cellAt(row, column);
+        if (cell.firstCursorPosition() != cell.lastCursorPosition())
+            return false;
+    }
+    return true;
+}
+
+void ruleTables(QTextDocument& document) {
+    for (QTextFrame* frame : document.rootFrame()->childFrames())
+        if (auto* table = qobject_cast<QTextTable*>(frame)) {
+            QTextTableFormat format = table->format();
+            format.setBorder(1);
+            format.setBorderCollapse(true);
+            format.setBorderBrush(QColor(0x80, 0x80, 0x80));
+            format.setCellPadding(4);
+            format.setCellSpacing(0);
+            table->setFormat(format);
+            if (isBlank(*table, 0))
+                table->removeRows(0, 1);
+        }
+}
+
+}  // namespace
+
+QString Manual::installedFolder() {
+    return QDir::cleanPath(QCoreApplication::applicationDirPath() +
+                           QStringLiteral("/" NMC_DOCUMENT_FOLDER "/docs/manual"));
+}
+
+Manual::Manual(QString folder) : m_folder(std::move(folder)) {
+    static const QRegularExpression row(u"^\\| \\[[^\\]]*\\]\\(([\\w-]+\\.md)\\)"_s,
+                                        QRegularExpression::MultilineOption);
+    add(kIndex);
+    for (const auto& named : row.globalMatch(read(m_folder + u'/' + kIndex)))
+        add(named.captured(1));
+}
+
+void Manual::add(const QString& file) {
+    const QString text = read(m_folder + u'/' + file);
+    if (text.isEmpty())
+        return;
+    m_pages.append({file, text.section(u'\n', 0, 0).remove(u"# "_s)});
+    for (const auto& own : ownAnchor().globalMatch(text))
+        m_anchors.insert(own.captured(1), file);
+}
+
+QString Manual::anchored(const QWidget& widget) const {
+    const auto page = m_anchors.find(widget.objectName());
+    return page == m_anchors.end() ? QString() : *page + u'#' + widget.objectName();
+}
+
+QString Manual::pageOf(const QWidget* widget) const {
+    for (; widget != nullptr; widget = widget->parentWidget()) {
+        if (const QString page = anchored(*widget); !page.isEmpty())
+            return page;
+        const auto* tabs = qobject_cast<const QTabWidget*>(widget);
+        if (tabs == nullptr || tabs->currentWidget() == nullptr)
+            continue;
+        for (const QWidget* shown : tabs->currentWidget()->findChildren<QWidget*>())
+            if (const QString page = anchored(*shown); !page.isEmpty())
+                return page;
+    }
+    return kIndex;
+}
+
+QString Manual::html(const QString& markdown) {
+    QTextDocument document;
+    document.setMarkdown(QString(markdown).replace(ownAnchor(), u"\uE000\\1\uE001"_s));
+    anchorMarks(document);
+    anchorHeadings(document);
+    ruleTables(document);
+    return document.toHtml();
+}
+
+}  // namespace nmc

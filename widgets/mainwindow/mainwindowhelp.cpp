@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The manual, and the report of a problem.
+#include "widgets/help/manualwindow.h"
+#include "widgets/help/problemreport.h"
+#include "widgets/help/reportdialog.h"
+#include "widgets/mainwindow/connectionbar.h"
+#include "widgets/mainwindow/mainwindow.h"
+#include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagepanel.h"
+#include "widgets/monitor/monitordock.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int kReportedPackets = 500;
+}  // namespace
+
+/// Made when it is asked for; it remembers what was read.
+void MainWindow::openManual(const QString& page) {
+    auto* manual = findChild<ManualWindow*>();
+    if (manual == nullptr)
+        manual = new ManualWindow(Manual(), this);
+    manual->openAt(page);
+}
+
+void MainWindow::openManualAt(const QWidget* widget) {
+    openManual(Manual().pageOf(widget));
+}
+
+void MainWindow::openProblemReport() {
+    auto* dialog = findChild<ReportDialog*>();
+    if (dialog == nullptr) {
+        const QString report =
+            problemReport({m_settings, m_session.link(), m_monitor->figures(), m_bar->ports(),
+                           m_monitor->lastPackets(kReportedPackets),
+                           QString::fromStdString(messageText(m_messages->list().entries()))});
+        dialog = new ReportDialog(report, this);
+        connect(dialog, &ReportDialog::saveRequested, this, &MainWindow::saveRequested);
+    }
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+}
+
+}  // namespace nmc
