@@ -189,6 +189,29 @@ TEST_F(Help, TheWindowLeavesStopAllInSight) {
     }
 }
 
+TEST_F(Help, LinksCanBeReadOnEveryPalette) {
+    window->setFocus();
+    strike(Qt::Key_F1);
+    for (const QPalette& palette : {darkPalette(), QPalette(Qt::white, Qt::black)}) {
+        QApplication::setPalette(palette);  // while it is open
+        QApplication::processEvents();
+        int links = 0;
+        for (QTextBlock block = browser().document()->begin(); block.isValid(); block = block.next())
+            for (auto part = block.begin(); !part.atEnd(); ++part) {
+                const QTextCharFormat format = part.fragment().charFormat();
+                if (format.anchorHref().isEmpty())
+                    continue;
+                ++links;
+                EXPECT_GE(
+                    look::contrast(format.foreground().color(), browser().palette().color(QPalette::Base)),
+                    4.5)
+                    << format.anchorHref().toStdString();
+            }
+        EXPECT_GT(links, 10);
+    }
+    QApplication::setPalette(QPalette());
+}
+
 class HelpPage : public Help, public testing::WithParamInterface<std::string> {
 protected:
     HelpPage() : file(QString::fromStdString(GetParam())) {

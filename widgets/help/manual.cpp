@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QPalette>
 #include <QRegularExpression>
 #include <QTabWidget>
 #include <QTextBlock>
@@ -11,6 +12,8 @@
 #include <QTextTable>
 #include <algorithm>
 #include <utility>
+
+#include "widgets/common/look.h"
 
 namespace nmc {
 
@@ -94,6 +97,21 @@ void ruleTables(QTextDocument& document) {
         }
 }
 
+/// As the palette has it, and as far towards the text's colour as it takes to be read: 4.5:1.
+QColor linkColour(const QPalette& palette) {
+    const QColor text = palette.color(QPalette::Text);
+    const QColor link = palette.color(QPalette::Link);
+    constexpr int kSteps = 8;
+    for (int step = 0; step < kSteps; ++step) {
+        const auto mixed = [step](int from, int to) { return from + (to - from) * step / kSteps; };
+        const QColor colour(mixed(link.red(), text.red()), mixed(link.green(), text.green()),
+                            mixed(link.blue(), text.blue()));
+        if (look::contrast(colour, palette.color(QPalette::Base)) >= 4.5)
+            return colour;
+    }
+    return text;
+}
+
 }  // namespace
 
 QString Manual::installedFolder() {
@@ -143,7 +161,10 @@ QString Manual::html(const QString& markdown) {
     anchorMarks(document);
     anchorHeadings(document);
     ruleTables(document);
-    return document.toHtml();
+    // Qt has written the palette's own into the page.
+    const QPalette palette;
+    return document.toHtml().replace(u"color:"_s + palette.color(QPalette::Link).name(),
+                                     u"color:"_s + linkColour(palette).name());
 }
 
 }  // namespace nmc
