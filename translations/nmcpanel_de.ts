@@ -6932,6 +6932,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Keeps the gains that are being tried.</source>
         <translation>Die Reglerwerte, die probiert werden, bleiben.</translation>
     </message>
+    <message>
+        <source>Apply live: all gains</source>
+        <translation>Alle live anwenden: Reglerwerte</translation>
+    </message>
 </context>
 <context>
     <name>nmc::GenericPanel</name>

@@ -428,6 +428,7 @@ void GainsBox::refreshApply(const QString& problem) {
                          live ? tr("Sends all gains at once. The servo is on: they take effect immediately.")
                               : tr("Sends all gains at once. The motor does not move."));
     m_apply->setText(live ? tr("&Apply live") : tr("&Apply gains"));
+    m_apply->button()->setAccessibleName(live ? tr("Apply live: all gains") : tr("Apply gains: all"));
 }
 
 bool GainsBox::tries() const {
