@@ -474,7 +474,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Befehl &amp;finden…</translation>
     </message>
     <message>
-        <source>&amp;Colours</source>
+        <source>Colour&amp;s</source>
         <translation>&amp;Farben</translation>
     </message>
     <message>
@@ -5345,7 +5345,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <name>nmc::ChainMenu</name>
     <message>
         <source>Chain &amp;doctor…</source>
-        <translation>Kettendia&amp;gnose…</translation>
+        <translation>Kettendiagn&amp;ose…</translation>
     </message>
     <message>
         <source>Compares the expected modules with those found, and shows where the chain probably breaks.</source>
@@ -8805,8 +8805,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Pins</translation>
     </message>
     <message>
-        <source>Level of %1</source>
-        <translation>Pegel von %1</translation>
+        <source>%1: level</source>
+        <translation>%1: Pegel</translation>
     </message>
     <message>
         <source>A/D %1</source>
@@ -9187,7 +9187,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>O&amp;perator mode…</source>
-        <translation>&amp;Bedienermodus…</translation>
+        <translation>Be&amp;dienermodus…</translation>
     </message>
     <message>
         <source>Asks for the PIN.</source>

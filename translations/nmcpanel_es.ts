@@ -474,7 +474,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>&amp;Buscar un comando…</translation>
     </message>
     <message>
-        <source>&amp;Colours</source>
+        <source>Colour&amp;s</source>
         <translation>Co&amp;lores</translation>
     </message>
     <message>
@@ -4944,7 +4944,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>N&amp;ame</source>
-        <translation>N&amp;ombre</translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Unit of the axis</source>
@@ -4976,7 +4976,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Un&amp;it</source>
-        <translation>Un&amp;idad</translation>
+        <translation>Unidad</translation>
     </message>
     <message>
         <source>Counts in 1 unit</source>
@@ -5008,7 +5008,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Max &amp;jog speed</source>
-        <translation>Vel. de &amp;jog máx.</translation>
+        <translation>Vel. de jog máx.</translation>
     </message>
     <message>
         <source>A/D scale, per count</source>
@@ -5950,7 +5950,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Clear stic&amp;ky bits</source>
-        <translation>Borrar bits enc&amp;lavados</translation>
+        <translation>Borrar bits enclavados</translation>
     </message>
     <message>
         <source>Details</source>
@@ -6746,7 +6746,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Start&amp;ing values</source>
-        <translation>Valores i&amp;niciales</translation>
+        <translation>Valores iniciales</translation>
     </message>
     <message>
         <source>Gains</source>
@@ -7100,7 +7100,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>C&amp;lear sticky bits</source>
-        <translation>Borrar bits enc&amp;lavados</translation>
+        <translation>Borrar bits enclavados</translation>
     </message>
     <message>
         <source>Clear the sticky bits of this group</source>
@@ -7504,7 +7504,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Amplifier enabled (&amp;AMP_EN)</source>
-        <translation>Amp&amp;lificador habilitado (AMP_EN)</translation>
+        <translation>Ampli&amp;ficador habilitado (AMP_EN)</translation>
     </message>
     <message>
         <source>Amplifier enabled (AMP_EN)</source>
@@ -8805,8 +8805,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Pines</translation>
     </message>
     <message>
-        <source>Level of %1</source>
-        <translation>Nivel de %1</translation>
+        <source>%1: level</source>
+        <translation>%1: nivel</translation>
     </message>
     <message>
         <source>A/D %1</source>
@@ -8926,19 +8926,19 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Run &amp;reverse</source>
-        <translation>Marcha at&amp;rás</translation>
+        <translation>At&amp;rás</translation>
     </message>
     <message>
         <source>Run reverse until stopped</source>
-        <translation>Marcha atrás hasta parar</translation>
+        <translation>Atrás: marcha hasta la orden de parada</translation>
     </message>
     <message>
         <source>R&amp;un forward</source>
-        <translation>Marcha ad&amp;elante</translation>
+        <translation>Ad&amp;elante</translation>
     </message>
     <message>
         <source>Run forward until stopped</source>
-        <translation>Marcha adelante hasta parar</translation>
+        <translation>Adelante: marcha hasta la orden de parada</translation>
     </message>
     <message>
         <source>Moves to the position, then holds.</source>
@@ -11845,7 +11845,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>b&amp;y this distance</source>
-        <translation>en e&amp;sta distancia</translation>
+        <translation>en esta distancia</translation>
     </message>
     <message>
         <source>By this distance from the present position</source>
@@ -11877,19 +11877,19 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Run &amp;reverse</source>
-        <translation>Marcha at&amp;rás</translation>
+        <translation>At&amp;rás</translation>
     </message>
     <message>
         <source>Run reverse until stopped</source>
-        <translation>Marcha atrás hasta parar</translation>
+        <translation>Atrás: marcha hasta la orden de parada</translation>
     </message>
     <message>
         <source>R&amp;un forward</source>
-        <translation>Marcha ad&amp;elante</translation>
+        <translation>Ad&amp;elante</translation>
     </message>
     <message>
         <source>Run forward until stopped</source>
-        <translation>Marcha adelante hasta parar</translation>
+        <translation>Adelante: marcha hasta la orden de parada</translation>
     </message>
     <message>
         <source>Load o&amp;nly</source>
@@ -12055,7 +12055,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Start&amp;ing values</source>
-        <translation>Valores i&amp;niciales</translation>
+        <translation>Valores iniciales</translation>
     </message>
     <message>
         <source>Revert</source>

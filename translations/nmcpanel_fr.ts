@@ -474,7 +474,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>&amp;Rechercher une commande…</translation>
     </message>
     <message>
-        <source>&amp;Colours</source>
+        <source>Colour&amp;s</source>
         <translation>Co&amp;uleurs</translation>
     </message>
     <message>
@@ -4944,7 +4944,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>N&amp;ame</source>
-        <translation>&amp;Nom</translation>
+        <translation>Nom</translation>
     </message>
     <message>
         <source>Unit of the axis</source>
@@ -5008,7 +5008,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Max &amp;jog speed</source>
-        <translation>Vitesse de &amp;jog max.</translation>
+        <translation>Vitesse de jog max.</translation>
     </message>
     <message>
         <source>A/D scale, per count</source>
@@ -5950,7 +5950,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Clear stic&amp;ky bits</source>
-        <translation>Effacer les bits mémori&amp;sés</translation>
+        <translation>Effacer les bits mémorisés</translation>
     </message>
     <message>
         <source>Details</source>
@@ -6746,7 +6746,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Start&amp;ing values</source>
-        <translation>&amp;Valeurs de départ</translation>
+        <translation>Valeurs de départ</translation>
     </message>
     <message>
         <source>Gains</source>
@@ -7504,7 +7504,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Amplifier enabled (&amp;AMP_EN)</source>
-        <translation>Am&amp;plificateur actif (AMP_EN)</translation>
+        <translation>Amplificate&amp;ur actif (AMP_EN)</translation>
     </message>
     <message>
         <source>Amplifier enabled (AMP_EN)</source>
@@ -8805,8 +8805,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Broches</translation>
     </message>
     <message>
-        <source>Level of %1</source>
-        <translation>Niveau de %1</translation>
+        <source>%1: level</source>
+        <translation>%1&#xa0;: niveau</translation>
     </message>
     <message>
         <source>A/D %1</source>
@@ -11893,7 +11893,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Load o&amp;nly</source>
-        <translation>Charger se&amp;ulement</translation>
+        <translation>Charger seuleme&amp;nt</translation>
     </message>
     <message>
         <source>Load only, start later</source>
@@ -12055,7 +12055,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Start&amp;ing values</source>
-        <translation>&amp;Valeurs de départ</translation>
+        <translation>Valeurs de départ</translation>
     </message>
     <message>
         <source>Revert</source>

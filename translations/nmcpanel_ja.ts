@@ -474,7 +474,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>コマンドを検索(&amp;F)…</translation>
     </message>
     <message>
-        <source>&amp;Colours</source>
+        <source>Colour&amp;s</source>
         <translation>配色(&amp;S)</translation>
     </message>
     <message>
@@ -8792,8 +8792,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ピン一覧</translation>
     </message>
     <message>
-        <source>Level of %1</source>
-        <translation>%1のレベル</translation>
+        <source>%1: level</source>
+        <translation>%1：レベル</translation>
     </message>
     <message>
         <source>A/D %1</source>

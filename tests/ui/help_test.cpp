@@ -310,6 +310,7 @@ TEST_F(Help, EachAnchorOfTheManualIsAWidget) {
     window->machineMenu().showDifferences(u"mill.json"_s, {});
     showServo();
     click(u"workOutUnitButton"_s);
+    click(u"scopeCursorsButton"_s);
     look();
     EXPECT_TRUE(wanted.isEmpty()) << wanted.values().join(u' ').toStdString();
 }

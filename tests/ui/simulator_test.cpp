@@ -12,6 +12,7 @@
 #include <QSlider>
 #include <QTabWidget>
 
+#include "widgets/common/words.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -348,7 +349,7 @@ TEST_F(Simulator, APicIoHasABenchOfItsOwn) {
     EXPECT_TRUE(button(u"sim_io_pin3Box"_s)->isChecked());
     EXPECT_FALSE(button(u"sim_io_pin3Box"_s)->isEnabled()) << "the module sets an output";
     EXPECT_EQ(find<QLabel>(u"sim_io_pwm"_s)->text(), u"100 and 255"_s);
-    EXPECT_EQ(find<QLabel>(u"sim_io_count"_s)->text(), u"counter, 1,234"_s);
+    EXPECT_EQ(find<QLabel>(u"sim_io_count"_s)->text(), u"counter, "_s + texts::grouped(1'234));
     tick(u"sim_io_pin2Box"_s);
     EXPECT_EQ(lastLine(), u"set 1 in 2 1"_s);
     tick(u"sim_io_pin1Box"_s);

@@ -3,6 +3,7 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSettings>
@@ -344,6 +345,9 @@ void MainWindow::showSelected() {
         m_stepResponse->showModule(view);
         m_loopTests->showModule(view);
     } else {
+        // It may stand open, with what the module that was here could be told.
+        if (auto* menu = findChild<QMenu*>(u"moduleMenu"_s))
+            menu->close();
         if (m_session.link().phase == LinkPhase::Disconnected)
             m_panel->showInstead(*m_start);
         else

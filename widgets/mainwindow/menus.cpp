@@ -137,7 +137,7 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, cons
         view->addAction(toggle);
     }
     view->addSeparator();
-    QMenu* colours = view->addMenu(Menus::tr("&Colours"));
+    QMenu* colours = view->addMenu(Menus::tr("Colour&s"));
     look::name(colours, u"coloursMenu"_s, Menus::tr("Colours"));
     colours->setToolTipsVisible(true);
     colours->addActions(window.colours().actions());

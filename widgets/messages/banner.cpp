@@ -42,6 +42,7 @@ Banner::Banner(QWidget* parent)
     m_headline->setFont(bold);
     m_glyph->setFont(look::scaled(font(), 1.4));
     m_all->setFlat(true);
+    m_all->setText(tr("Read all…"));  // as high as its words are in this language, from the start
     m_all->setToolTip(tr("Shows the full text and all other messages in the message list."));
     look::name(m_all, u"bannerAll"_s, tr("Show the message list"));
     connect(m_all, &QPushButton::clicked, this, [this] { emit allWanted(m_shown); });

@@ -121,7 +121,7 @@ void ModuleBench::buildPins() {
     for (int pin = 0; pin < kPins; ++pin) {
         const QString text = u"IO%1"_s.arg(pin + 1);
         auto* box = new QCheckBox(text, grid.parentWidget());
-        look::name(box, m_prefix + u"pin%1Box"_s.arg(pin + 1), tr("Level of %1").arg(text));
+        look::name(box, m_prefix + u"pin%1Box"_s.arg(pin + 1), tr("%1: level").arg(text));
         pins->addWidget(box, pin / kPinsInARow, pin % kPinsInARow);
         connect(box, &QAbstractButton::clicked, this,
                 [this, pin](bool on) { set(u"in"_s, u"%1 %2"_s.arg(pin + 1).arg(on ? 1 : 0)); });
