@@ -44,7 +44,7 @@ Banner::Banner(QWidget* parent)
     m_all->setFlat(true);
     m_all->setText(tr("Read all…"));  // as high as its words are in this language, from the start
     m_all->setToolTip(tr("Shows the full text and all other messages in the message list."));
-    look::name(m_all, u"bannerAll"_s, tr("Show the message list"));
+    look::name(m_all, u"bannerAll"_s, m_all->text());
     connect(m_all, &QPushButton::clicked, this, [this] { emit allWanted(m_shown); });
     m_dismiss->setIcon(icons::tinted(u"x"_s));
     m_dismiss->setAutoRaise(true);
@@ -149,6 +149,7 @@ void Banner::present() {
     m_body->setText(message->body);
     const auto others = static_cast<int>(m_active.size()) - 1;
     m_all->setText(others > 0 ? tr("%1 more…").arg(others) : tr("Read all…"));
+    m_all->setAccessibleName(m_all->text());
     setToolTip(message->details);
     setAccessibleDescription(message->body);
     for (const Message::Action& action : message->actions) {
