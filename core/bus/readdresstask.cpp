@@ -13,6 +13,7 @@ namespace {
 constexpr unsigned kFirstAddress = 1;
 constexpr unsigned kLastAddress = 0x7F;
 constexpr unsigned kMoves = 3;  ///< to a module that is provably where it was
+constexpr unsigned kLooks = 3;  ///< a question does no harm, and its answer may be late or lost
 
 }  // namespace
 
@@ -39,6 +40,7 @@ void ReaddressTask::begin(ModuleIndex module, Stage stage, bool fits, bool busy)
     }
     m_module = module;
     m_to.reset();
+    m_looks = 0;
     m_stage = stage;
     m_done = false;
 }
@@ -142,10 +144,15 @@ Line::Script ReaddressTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimeP
             m_stage = right ? Stage::Rate : Stage::Probe;
             break;
         case Stage::Probe:
+            if (!right && ++m_looks < kLooks)
+                break;
+            m_looks = 0;
             m_done = right;
             m_stage = Stage::Rate;
             break;
         case Stage::Identify:
+            if (!right && ++m_looks < kLooks)
+                break;
             m_done = right && end.report.identity == m_chain.belief(*m_module).info().identity;
             m_stage = Stage::Over;
             if (m_done)

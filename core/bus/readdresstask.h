@@ -70,6 +70,7 @@ private:
     Payload m_reset;                 ///< of Stage::Reset
     std::optional<BusAddress> m_to;  ///< another address
     unsigned m_moves = 0;            ///< so often it was told
+    unsigned m_looks = 0;            ///< at the module where it should be, in vain
     Stage m_stage = Stage::Over;
     bool m_done = false;  ///< what the stages so far have shown; Over tells it
 };

@@ -152,6 +152,20 @@ TEST_P(YRestarted, GivesNoAddressWhileAMotorMoves) {
     EXPECT_EQ(bus.sends("AA 00 21", from), 0U);
 }
 
+/// A computer that is busy comes too late for an answer now and then.
+TEST_P(YRestarted, IsAskedAgainWhereAnAnswerIsLost) {
+    ASSERT_TRUE(scanAgain());
+    bus.runFor(1s);
+    int lost = 0;
+    bus.losesReply = [&lost](ByteSpan command) {
+        const bool looks = command.size() > 2 && command[1] == 2 && (command[2] & 0x0FU) == 0x03;
+        return looks && lost++ < 2;
+    };
+    EXPECT_TRUE(readdress());
+    EXPECT_GE(lost, 3) << "two in vain, and one more";
+    EXPECT_EQ(bus.last<Readdressed>()->module.address, BusAddress(2));
+}
+
 TEST_P(YRestarted, SaysWhenItDoesNotAnswer) {
     ASSERT_TRUE(scanAgain());
     bus.runFor(1s);
