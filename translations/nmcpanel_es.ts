@@ -230,15 +230,15 @@
     </message>
     <message>
         <source>Position error limit</source>
-        <translation>Límite de error de posición</translation>
+        <translation>Límite de error</translation>
     </message>
     <message>
         <source>Servo rate divisor</source>
-        <translation>Divisor del ciclo de servo</translation>
+        <translation>Divisor de ciclo</translation>
     </message>
     <message>
         <source>Deadband compensation</source>
-        <translation>Compensación de banda muerta</translation>
+        <translation>Banda muerta</translation>
     </message>
     <message>
         <source>Kp, position gain: output per count of position error. Set Kd first; then raise Kp with small, fast test moves until the motor starts to overshoot, and back off a little.</source>
@@ -302,7 +302,7 @@
     </message>
     <message>
         <source>no current limit</source>
-        <translation>sin límite de corriente</translation>
+        <translation>sin límite</translation>
     </message>
     <message>
         <source>limits above (odd)</source>
@@ -4944,7 +4944,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>N&amp;ame</source>
-        <translation>Nombre</translation>
+        <translation>&amp;Nombre de eje</translation>
     </message>
     <message>
         <source>Unit of the axis</source>
@@ -4976,7 +4976,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Un&amp;it</source>
-        <translation>Unidad</translation>
+        <translation>Unidad &amp;física</translation>
     </message>
     <message>
         <source>Counts in 1 unit</source>
@@ -5008,7 +5008,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Max &amp;jog speed</source>
-        <translation>Vel. de jog máx.</translation>
+        <translation>Jog ha&amp;sta</translation>
     </message>
     <message>
         <source>A/D scale, per count</source>
@@ -5950,7 +5950,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Clear stic&amp;ky bits</source>
-        <translation>Borrar bits enclavados</translation>
+        <translation>Borrar bit&amp;s enclavados</translation>
     </message>
     <message>
         <source>Details</source>
@@ -6746,7 +6746,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Start&amp;ing values</source>
-        <translation>Valores iniciales</translation>
+        <translation>Valores i&amp;niciales</translation>
     </message>
     <message>
         <source>Gains</source>
@@ -6798,7 +6798,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>&amp;Apply live</source>
-        <translation>Aplicar &amp;ganancias ya</translation>
+        <translation>Aplicar ganancia&amp;s ya</translation>
     </message>
     <message>
         <source>Restores the gains last sent. Sends nothing.</source>
@@ -7100,7 +7100,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>C&amp;lear sticky bits</source>
-        <translation>Borrar bits enclavados</translation>
+        <translation>Borrar bit&amp;s enclavados</translation>
     </message>
     <message>
         <source>Clear the sticky bits of this group</source>
@@ -8898,11 +8898,11 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>&amp;Go</source>
-        <translation>&amp;Ir</translation>
+        <translation>Despla&amp;zar</translation>
     </message>
     <message>
         <source>Go to the position</source>
-        <translation>Ir a la posición</translation>
+        <translation>Desplazar a la posición</translation>
     </message>
     <message>
         <source>Ve&amp;locity</source>
@@ -8914,7 +8914,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Acceleratio&amp;n</source>
-        <translation>Aceleració&amp;n</translation>
+        <translation>Acelerac&amp;ión</translation>
     </message>
     <message>
         <source>Acceleration</source>
@@ -9371,7 +9371,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <name>nmc::PanelHead</name>
     <message>
         <source>&amp;Enable servo</source>
-        <translation>Habilitar &amp;servo</translation>
+        <translation>Habili&amp;tar servo</translation>
     </message>
     <message>
         <source>Enable servo of this module</source>
@@ -9443,7 +9443,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>&amp;Enable amplifier</source>
-        <translation>Habilitar ampli&amp;ficador</translation>
+        <translation>&amp;Habilitar amplificador</translation>
     </message>
     <message>
         <source>Enable amplifier of this module</source>
@@ -10311,7 +10311,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Sho&amp;w</source>
-        <translation>Mos&amp;trar</translation>
+        <translation>Ran&amp;go</translation>
     </message>
     <message>
         <source>Signals…</source>
@@ -11845,7 +11845,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>b&amp;y this distance</source>
-        <translation>en esta distancia</translation>
+        <translation>en es&amp;ta distancia</translation>
     </message>
     <message>
         <source>By this distance from the present position</source>
@@ -11861,7 +11861,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>&amp;Position</source>
-        <translation>P&amp;osición</translation>
+        <translation>Pos&amp;ición</translation>
     </message>
     <message>
         <source>Trave&amp;l speed</source>
@@ -11869,11 +11869,11 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>&amp;Go</source>
-        <translation>&amp;Ir</translation>
+        <translation>Despla&amp;zar</translation>
     </message>
     <message>
         <source>Go to the position</source>
-        <translation>Ir a la posición</translation>
+        <translation>Desplazar a la posición</translation>
     </message>
     <message>
         <source>Run &amp;reverse</source>
@@ -11893,7 +11893,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Load o&amp;nly</source>
-        <translation>Solo car&amp;gar</translation>
+        <translation>S&amp;olo cargar</translation>
     </message>
     <message>
         <source>Load only, start later</source>
@@ -12055,7 +12055,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Start&amp;ing values</source>
-        <translation>Valores iniciales</translation>
+        <translation>Valores i&amp;niciales</translation>
     </message>
     <message>
         <source>Revert</source>

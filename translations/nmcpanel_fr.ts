@@ -230,7 +230,7 @@
     </message>
     <message>
         <source>Position error limit</source>
-        <translation>Limite d’erreur de position</translation>
+        <translation>Limite d’erreur</translation>
     </message>
     <message>
         <source>Servo rate divisor</source>
@@ -238,7 +238,7 @@
     </message>
     <message>
         <source>Deadband compensation</source>
-        <translation>Compensation de zone morte</translation>
+        <translation>Zone morte</translation>
     </message>
     <message>
         <source>Kp, position gain: output per count of position error. Set Kd first; then raise Kp with small, fast test moves until the motor starts to overshoot, and back off a little.</source>
@@ -302,7 +302,7 @@
     </message>
     <message>
         <source>no current limit</source>
-        <translation>pas de limite de courant</translation>
+        <translation>sans limite</translation>
     </message>
     <message>
         <source>limits above (odd)</source>
@@ -4944,7 +4944,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>N&amp;ame</source>
-        <translation>Nom</translation>
+        <translation>No&amp;m</translation>
     </message>
     <message>
         <source>Unit of the axis</source>
@@ -5008,7 +5008,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Max &amp;jog speed</source>
-        <translation>Vitesse de jog max.</translation>
+        <translation>Jog jus&amp;qu’à</translation>
     </message>
     <message>
         <source>A/D scale, per count</source>
@@ -5950,7 +5950,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Clear stic&amp;ky bits</source>
-        <translation>Effacer les bits mémorisés</translation>
+        <translation>Effacer les bits &amp;mémorisés</translation>
     </message>
     <message>
         <source>Details</source>
@@ -6746,7 +6746,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Start&amp;ing values</source>
-        <translation>Valeurs de départ</translation>
+        <translation>Vale&amp;urs de départ</translation>
     </message>
     <message>
         <source>Gains</source>
@@ -7100,7 +7100,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>C&amp;lear sticky bits</source>
-        <translation>&amp;Effacer les bits mémorisés</translation>
+        <translation>Effacer les bits &amp;mémorisés</translation>
     </message>
     <message>
         <source>Clear the sticky bits of this group</source>
@@ -7504,7 +7504,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Amplifier enabled (&amp;AMP_EN)</source>
-        <translation>Amplificate&amp;ur actif (AMP_EN)</translation>
+        <translation>A&amp;mplificateur actif (AMP_EN)</translation>
     </message>
     <message>
         <source>Amplifier enabled (AMP_EN)</source>
@@ -8898,11 +8898,11 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>&amp;Go</source>
-        <translation>A&amp;ller</translation>
+        <translation>&amp;Y aller</translation>
     </message>
     <message>
         <source>Go to the position</source>
-        <translation>Aller à la position</translation>
+        <translation>Y aller : à la position</translation>
     </message>
     <message>
         <source>Ve&amp;locity</source>
@@ -8926,7 +8926,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Run &amp;reverse</source>
-        <translation>Marche a&amp;rrière</translation>
+        <translation>Ma&amp;rche arrière</translation>
     </message>
     <message>
         <source>Run reverse until stopped</source>
@@ -9395,7 +9395,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>&amp;Motor off</source>
-        <translation>Couper le &amp;moteur</translation>
+        <translation>Couper &amp;le moteur</translation>
     </message>
     <message>
         <source>Motor off: this module</source>
@@ -11869,15 +11869,15 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>&amp;Go</source>
-        <translation>A&amp;ller</translation>
+        <translation>&amp;Y aller</translation>
     </message>
     <message>
         <source>Go to the position</source>
-        <translation>Aller à la position</translation>
+        <translation>Y aller : à la position</translation>
     </message>
     <message>
         <source>Run &amp;reverse</source>
-        <translation>Marche a&amp;rrière</translation>
+        <translation>Ma&amp;rche arrière</translation>
     </message>
     <message>
         <source>Run reverse until stopped</source>
@@ -12055,7 +12055,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Start&amp;ing values</source>
-        <translation>Valeurs de départ</translation>
+        <translation>Vale&amp;urs de départ</translation>
     </message>
     <message>
         <source>Revert</source>

@@ -234,7 +234,7 @@
     </message>
     <message>
         <source>Servo rate divisor</source>
-        <translation>サーボレート分周比</translation>
+        <translation>分周比</translation>
     </message>
     <message>
         <source>Deadband compensation</source>
@@ -302,7 +302,7 @@
     </message>
     <message>
         <source>no current limit</source>
-        <translation>電流制限なし</translation>
+        <translation>制限なし</translation>
     </message>
     <message>
         <source>limits above (odd)</source>
