@@ -10,6 +10,9 @@ namespace {
 
 /// Probes of silent modules between two looks for one that has restarted.
 constexpr unsigned kLookEvery = 4;
+/// It may be in the midst of what it made of the others' bytes, and take the first question for the rest of
+/// that.
+constexpr unsigned kAsks = 3;
 
 }  // namespace
 
@@ -61,7 +64,11 @@ Next RestartSearch::next(TimePoint /*now*/) {
 
 Line::Script RestartSearch::onEnd(const bus::Ask& ask, const ReplyEnd& end, TimePoint now) {
     if (!ask.module) {
-        onUnaddressed(end);
+        const bool again = unanswered(end.result) && m_chain.rate() != kPowerUpBaud && ++m_asks < kAsks;
+        if (again)
+            m_stage = Stage::Ask;
+        else
+            onUnaddressed(end);
     } else if (!m_others.empty()) {
         const bool again = !unanswered(end.result) || m_again;
         if (unanswered(end.result) && m_again)
@@ -76,6 +83,7 @@ Line::Script RestartSearch::onEnd(const bus::Ask& ask, const ReplyEnd& end, Time
 }
 
 void RestartSearch::onUnaddressed(const ReplyEnd& end) {
+    m_asks = 0;
     m_unaddressed.reset();
     if (unanswered(end.result) || m_chain.anyRestarted())
         return;

@@ -54,6 +54,7 @@ private:
     std::optional<ModuleIdentity> m_unaddressed;
     std::vector<ModuleIndex> m_others;
     bool m_again = false;  ///< the module in front of them has been asked once
+    unsigned m_asks = 0;   ///< at the rate of power-up, in vain, in a row
     unsigned m_probes = 0;
     bool m_quiet = false;  ///< until takeQuiet(); never at the rate of power-up
 };

