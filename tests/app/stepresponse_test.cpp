@@ -59,12 +59,36 @@ protected:
     [[nodiscard]] const std::vector<KeptRun>& runs() {
         return find<StepResponsePage>("stepResponsePage")->runs();
     }
-    void step() {
+    void stepOnce() {
         const std::size_t before = runs().size();
         click("stepResponseButton");
         EXPECT_FALSE(find<QAbstractButton>("stepResponseButton")->isEnabled()) << "one at a time";
         ASSERT_TRUE(panel.waitFor([&] { return runs().size() == before + 1; }))
             << find<QLabel>("stepResponseState")->text().toStdString();
+        goal += 100;
+    }
+    /// As somebody would who reads "samples missing, repeat": so it reads on a busy machine.
+    void step() {
+        ASSERT_NO_FATAL_FAILURE(stepOnce());
+        for (int again = 0; again < 10 && samplesMissing(); ++again) {
+            find<QTableWidget>("stepRunTable")->setCurrentCell(0, 2);
+            click("stepRemoveButton");
+            ASSERT_NO_FATAL_FAILURE(stepOnce());
+        }
+    }
+    [[nodiscard]] bool samplesMissing() {
+        const auto* results = find<QTableWidget>("stepResults");
+        for (int row = 0; row < results->rowCount(); ++row)
+            if (results->item(row, 0)->text() == u"samples missing, repeat"_s)
+                return true;
+        return false;
+    }
+    /// How many of one module were taken while that step was recorded.
+    [[nodiscard]] std::size_t statusesOf(std::uint8_t module, const StepTaken& step) {
+        const ModuleHistory* history = panel.composition().store().history().module(ModuleIndex(module));
+        return history == nullptr ? 0
+                                  : history->countBetween(step.at, step.at + fromSeconds(step.record),
+                                                          ScopeSignal::Position);
     }
     QString result(int row, int column) {
         return find<QTableWidget>("stepResults")->item(row, column)->text();
@@ -72,20 +96,21 @@ protected:
 
     NmcsimProcess sim{u"servo,servo,servo"_s};
     IntentPanel panel;
+    int goal = 0;  ///< counts, of the last step
 };
 
 TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) {
     ASSERT_NO_FATAL_FAILURE(begin());
     ASSERT_NO_FATAL_FAILURE(step());
-    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 100, 3);
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), goal, 3);
     EXPECT_TRUE(sim.state(1)[u"servo_on"_s].toBool()) << "it holds there";
     const KeptRun& first = runs().front();
     EXPECT_TRUE(first.run.metrics.rise);
     EXPECT_TRUE(first.run.metrics.settling);
     ASSERT_TRUE(first.run.metrics.steadyError);
     EXPECT_NEAR(first.run.metrics.steadyError->value, 0, 3);
-    // Three modules share 115 200 Bd; nearly all of it is this one's: a status takes about a millisecond.
-    EXPECT_LT(first.run.metrics.interval, 0.0025);
+    // Three modules share the line; nearly all of it is this one's.
+    EXPECT_GT(statusesOf(0, first.run.taken), 10 * statusesOf(1, first.run.taken));
     ASSERT_TRUE(first.run.pwm);
     // (200 x 100 + 2000 x 100 - 20 x 200) / 256 is 843, far above the limit.
     EXPECT_EQ(result(6, 0), u"limited to 255"_s);
@@ -94,13 +119,14 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
 
     applyGains(200, 600);
     ASSERT_NO_FATAL_FAILURE(step());
-    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 200, 3);
-    EXPECT_EQ(result(0, 0), u"2"_s);
-    EXPECT_EQ(result(0, 1), u"1"_s);
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), goal, 3);
+    const QString firstNumber = QString::number(runs().front().number);
+    EXPECT_EQ(result(0, 0), QString::number(runs()[1].number));
+    EXPECT_EQ(result(0, 1), firstNumber);
     ASSERT_TRUE(runs()[1].run.metrics.overshoot);
     EXPECT_GT(runs()[1].run.metrics.overshoot->value, runs()[0].run.metrics.overshoot->value + 5)
         << "with a third of the damping";
-    EXPECT_TRUE(find<StepPlot>("stepPlot")->legendText(1).startsWith(u"B: run 1"_s));
+    EXPECT_TRUE(find<StepPlot>("stepPlot")->legendText(1).startsWith(u"B: run "_s + firstNumber));
 
     auto* table = find<QTableWidget>("stepRunTable");
     table->setCurrentCell(1, 2);
