@@ -2,7 +2,6 @@
 #include "app/pathcontroller.h"
 
 #include <QFileInfo>
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -53,9 +52,7 @@ void PathController::end() {
         return m_page->showNotRead(*reading->error);
     if (!reading->table)
         return m_page->showProblems(name, reading->table.error(), reading->axes);
-    std::vector<PathColumn> axes;
-    for (const PathTable::Column& column : reading->table->columns)
-        axes.push_back(*std::ranges::find(reading->axes, column.module, &PathColumn::module));
+    std::vector<PathColumn> axes = columnsOf(*reading->table, reading->axes);
     m_page->showPath({name, std::move(*reading->table), std::move(axes)});
 }
 

@@ -178,10 +178,10 @@ std::vector<PathColumn> PathsPage::axesNow() const {
 
 /// A unit that has changed would make other places of the same counts.
 bool PathsPage::unchanged() const {
-    const std::vector<PathColumn> now = axesNow();
-    return std::ranges::all_of(m_path->axes, [&](const PathColumn& axis) {
-        const auto same = std::ranges::find(now, axis.module, &PathColumn::module);
-        return same != now.end() && same->scale == axis.scale;
+    return std::ranges::all_of(m_path->axes, [this](const PathColumn& axis) {
+        const std::size_t place = axis.module.value();
+        return place < m_link.modules.size() && hasPathBuffer(m_link.modules[place].info.identity) &&
+               scaleOf(axis.module) == axis.scale;
     });
 }
 
@@ -214,7 +214,8 @@ void PathsPage::lookForObstacles() {
 QString PathsPage::whyNoAxes() const {
     if (m_link.phase != LinkPhase::Connected)
         return texts::refusal(Refusal::NotConnected);
-    if (axesNow().empty())
+    if (std::ranges::none_of(m_link.modules,
+                             [](const ModuleState& module) { return hasPathBuffer(module.info.identity); }))
         return tr("Paths need a PIC-SERVO CMC or SC. This chain has none.");
     return running() ? tr("A path is running.") : QString();
 }
@@ -229,15 +230,12 @@ QString PathsPage::whyNotMoved() const {
     return unchanged() ? QString() : tr("The unit of an axis has changed. Open or draw the path again.");
 }
 
-QString PathsPage::whyNotToStart() const {
-    if (const QString reason = whyNotMoved(); !reason.isEmpty())
-        return reason;
-    return m_obstacle && m_obstacle->kind == PathObstacle::Kind::Refused ? whyNotRun() : QString();
+QString PathsPage::whyNotRun() const {
+    const QString reason = whyNotMoved();
+    return reason.isEmpty() ? obstacleText() : reason;
 }
 
-QString PathsPage::whyNotRun() const {
-    if (const QString reason = whyNotMoved(); !reason.isEmpty())
-        return reason;
+QString PathsPage::obstacleText() const {
     return m_obstacle ? texts::pathObstacle(*m_obstacle, m_path->table.rate,
                                             [this](ModuleIndex module) { return scaleOf(module); })
                       : QString();
@@ -271,6 +269,9 @@ void PathsPage::showPath(LoadedPath path) {
     m_ran = false;
     m_connection = m_link.connection;
     m_path = std::make_shared<const LoadedPath>(std::move(path));
+    m_about = {texts::pathLength(m_path->table)};
+    for (std::size_t i = 0; i < m_path->axes.size(); ++i)
+        m_about << texts::pathReach(m_path->table.columns[i], m_path->axes[i]);
     m_plot->showPath(m_path->table, m_path->axes);
     refresh();
 }
@@ -321,19 +322,21 @@ void PathsPage::refresh() {
                         : m_sequence->count() == 0 ? tr("Write a sequence of moves first (F3).")
                                                    : QString(),
                         tr("Turns the moves of this sequence into one motion without stops. Nothing moves."));
-    if (whyNotMoved().isEmpty())
+    const QString notMoved = whyNotMoved();
+    if (notMoved.isEmpty())
         lookForObstacles();
-    m_toStart->setPossible(whyNotToStart(), tr("Moves each axis of the path to its first point."));
-    m_run->setPossible(whyNotRun(), tr("Runs all axes through the path, after a question."));
+    const QString notRun = notMoved.isEmpty() ? obstacleText() : notMoved;
+    const bool refused = m_obstacle && m_obstacle->kind == PathObstacle::Kind::Refused;
+    m_toStart->setPossible(refused ? notRun : notMoved,
+                           tr("Moves each axis of the path to its first point."));
+    m_run->setPossible(notRun, tr("Runs all axes through the path, after a question."));
     m_end->setPossible(running() ? QString() : tr("No path is running."),
                        tr("Stops all axes of the path; they hold where they stop."));
     QStringList summary;
     if (!m_problems.isEmpty())
         summary << m_problems;
     if (m_path) {
-        summary << tr("%1: %2").arg(m_path->name, texts::pathLength(m_path->table));
-        for (std::size_t i = 0; i < m_path->axes.size(); ++i)
-            summary << texts::pathReach(m_path->table.columns[i], m_path->axes[i]);
+        summary << tr("%1: %2").arg(m_path->name, m_about.join(u'\n'));
     } else if (m_problems.isEmpty() && whyNoAxes().isEmpty()) {
         QStringList names;
         for (const PathColumn& axis : axesNow())
@@ -341,10 +344,10 @@ void PathsPage::refresh() {
         summary << tr("A path file has a column for each axis. Axes here: %1.").arg(names.join(u", "_s));
     }
     look::setText(m_summary, summary.join(u'\n'));
-    refreshProgress();
+    refreshProgress(notRun);
 }
 
-void PathsPage::refreshProgress() {
+void PathsPage::refreshProgress(const QString& notRun) {
     m_ran = m_ran || running();
     const bool ofThis = m_ran && report() != nullptr;
     const auto& path = ofThis ? report()->path : std::nullopt;
@@ -353,10 +356,9 @@ void PathsPage::refreshProgress() {
              : 0.0;
     m_progress->setValue(qRound(share * kWhole));
     m_plot->showProgress(ofThis ? share : -1.0);
-    const QString reason = whyNotRun();
     const QString state = ofThis ? texts::pathState(*report()) : QString();
     look::setText(m_state,
-                  running() || reason.isEmpty() ? state : QStringList{state, reason}.join(u'\n').trimmed());
+                  running() || notRun.isEmpty() ? state : QStringList{state, notRun}.join(u'\n').trimmed());
 }
 
 // ---- what the user does ----
@@ -401,10 +403,7 @@ void PathsPage::draw() {
         m_problems = texts::drawingProblem(table.error());
         return refresh();
     }
-    std::vector<PathColumn> axes;
-    const std::vector<PathColumn> now = axesNow();
-    for (const PathTable::Column& column : table->columns)
-        axes.push_back(*std::ranges::find(now, column.module, &PathColumn::module));
+    std::vector<PathColumn> axes = columnsOf(*table, axesNow());
     showPath({m_sequence->currentText(), std::move(*table), std::move(axes)});
 }
 
@@ -423,10 +422,7 @@ QString PathsPage::question() const {
     if (!whyNotRun().isEmpty())
         return {};
     QStringList lines{tr("All axes of the path start to move. Make sure that nothing is in their way.")};
-    lines << texts::pathLength(m_path->table);
-    for (std::size_t i = 0; i < m_path->axes.size(); ++i)
-        lines << texts::pathReach(m_path->table.columns[i], m_path->axes[i]);
-    return lines.join(u'\n');
+    return (lines + m_about).join(u'\n');
 }
 
 void PathsPage::ask() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -71,16 +72,16 @@ private:
     [[nodiscard]] bool running() const;
     [[nodiscard]] QString whyNoAxes() const;
     [[nodiscard]] QString whyNotRun() const;
+    [[nodiscard]] QString obstacleText() const;
     /// As far as that does not depend on what its modules do.
     [[nodiscard]] QString whyNotMoved() const;
-    [[nodiscard]] QString whyNotToStart() const;
     [[nodiscard]] bool unchanged() const;
     [[nodiscard]] AxisScale scaleOf(ModuleIndex module) const;
     [[nodiscard]] QString question() const;
     void lookForObstacles();
     void refresh();
     void refreshSequences();
-    void refreshProgress();
+    void refreshProgress(const QString& notRun);
     void chooseFile();
     void chooseTarget();
     void draw();
@@ -105,6 +106,7 @@ private:
     Machine m_machine;
     Session::Procedures m_procedures;
     std::shared_ptr<const LoadedPath> m_path;
+    QStringList m_about;             ///< what it takes and where it leads: it may have very many points
     std::uint32_t m_connection = 0;  ///< that the path is of
     QString m_problems;              ///< of what was opened or drawn last
     bool m_reading = false;

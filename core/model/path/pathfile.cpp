@@ -200,10 +200,6 @@ private:
     bool m_tooMany = false;
 };
 
-[[nodiscard]] const PathColumn& columnOf(ModuleIndex module, std::span<const PathColumn> axes) {
-    return *std::ranges::find(axes, module, &PathColumn::module);
-}
-
 /// The shortest decimal number that reads back to the same one.
 void append(std::string& text, double value) {
     std::array<char, 32> digits{};
@@ -222,6 +218,13 @@ PathColumn pathColumn(const std::string& name, const ModuleState& module, const 
     return {name, module.info.index, scale, travelRange(module), module.travel.fastest};
 }
 
+std::vector<PathColumn> columnsOf(const PathTable& table, std::span<const PathColumn> axes) {
+    std::vector<PathColumn> columns;
+    for (const PathTable::Column& column : table.columns)
+        columns.push_back(*std::ranges::find(axes, column.module, &PathColumn::module));
+    return columns;
+}
+
 tl::expected<PathTable, std::vector<PathProblem>> readPath(std::string_view text,
                                                            std::span<const PathColumn> axes) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -231,14 +234,15 @@ tl::expected<PathTable, std::vector<PathProblem>> readPath(std::string_view text
 }
 
 std::string pathText(const PathTable& table, std::span<const PathColumn> axes) {
+    const std::vector<PathColumn> columns = columnsOf(table, axes);
     std::string text = "# rate " + std::to_string(servo::nominalHertz(table.rate)) + '\n';
-    for (const PathTable::Column& column : table.columns)
-        text += (&column == &table.columns.front() ? "" : ", ") + columnOf(column.module, axes).name;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        text += (i == 0 ? "" : ", ") + columns[i].name;
     text += '\n';
     for (std::size_t point = 0; point < table.columns.front().points.size(); ++point) {
-        for (const PathTable::Column& column : table.columns) {
-            text += &column == &table.columns.front() ? "" : ", ";
-            append(text, columnOf(column.module, axes).scale.position(column.points[point]));
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            text += i == 0 ? "" : ", ";
+            append(text, columns[i].scale.position(table.columns[i].points[point]));
         }
         text += '\n';
     }

@@ -42,6 +42,9 @@ struct PathColumn {
 [[nodiscard]] PathColumn pathColumn(const std::string& name, const ModuleState& module,
                                     const AxisScale& scale);
 
+/// Those of the table's columns, in their order; `axes` has each of them.
+[[nodiscard]] std::vector<PathColumn> columnsOf(const PathTable& table, std::span<const PathColumn> axes);
+
 struct PathProblem {
     enum class Kind : std::uint8_t {
         Rate,           ///< none that there is
