@@ -26,6 +26,8 @@ public:
 
     /// "homing.md#limitStopBox", as of Manual::pageOf(); opens the window, or brings it to the front.
     void openAt(const QString& page);
+    /// At what the manual says of this widget; null for none.
+    void openFor(const QWidget* widget) { openAt(m_manual.pageOf(widget)); }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

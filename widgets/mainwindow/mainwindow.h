@@ -40,6 +40,7 @@ class FocusKeeper;
 class LinkBar;
 class ChainMenu;
 class MachineMenu;
+class ManualWindow;
 class MessagePanel;
 class ModulePanel;
 class MonitorDock;
@@ -192,6 +193,7 @@ protected:
     [[nodiscard]] QMenu* createPopupMenu() override { return nullptr; }
 
 private:
+    [[nodiscard]] ManualWindow& manual();
     void buildCentre();
     void buildTop();
     void buildRibbons(QWidget* top);

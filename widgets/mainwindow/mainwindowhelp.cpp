@@ -17,16 +17,18 @@ namespace {
 constexpr int kReportedPackets = 500;
 }  // namespace
 
-/// Made when it is asked for; it remembers what was read.
-void MainWindow::openManual(const QString& page) {
+/// Made, and its pages read, when it is asked for; it remembers what was read.
+ManualWindow& MainWindow::manual() {
     auto* manual = findChild<ManualWindow*>();
-    if (manual == nullptr)
-        manual = new ManualWindow(Manual(), this);
-    manual->openAt(page);
+    return manual != nullptr ? *manual : *new ManualWindow(Manual(), this);
+}
+
+void MainWindow::openManual(const QString& page) {
+    manual().openAt(page);
 }
 
 void MainWindow::openManualAt(const QWidget* widget) {
-    openManual(Manual().pageOf(widget));
+    manual().openFor(widget);
 }
 
 void MainWindow::openProblemReport() {
