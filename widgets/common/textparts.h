@@ -20,8 +20,6 @@ class Texts {
 [[nodiscard]] Message::Action restartNetwork();
 [[nodiscard]] Message::Action connectFully();
 [[nodiscard]] Message::Action lookFirst();
-/// A rate in running text, with plain spaces as in interface.md.
-[[nodiscard]] QString rate(quint32 baud);
 /// What to do when a file was not read or written.
 [[nodiscard]] QString fileTrouble(const FileError& error);
 /// What a numbered sentence about these modules agrees with.

@@ -29,10 +29,6 @@ Message::Action choosePort() {
     return {MessageAction::ChoosePort, Texts::tr("Choose another port")};
 }
 
-QString rate(quint32 baud) {
-    return grouped(baud).replace(QChar(0x202F), u' ');
-}
-
 QString ofModule(const QString& what, ModuleIndex module) {
     return what + u'.' + QString::number(module.value() + 1);
 }

@@ -334,6 +334,10 @@ QString grouped(qint64 value) {
     return value < 0 ? QChar(0x2212) + digits : digits;
 }
 
+QString rate(quint32 baud) {
+    return grouped(baud).replace(QChar(0x202F), u' ');
+}
+
 QString fixed(double value, int decimals) {
     const QString digits = QLocale::c().toString(std::abs(value), 'f', decimals).remove(u',');
     const QString whole = grouped(digits.section(u'.', 0, 0).toLongLong());

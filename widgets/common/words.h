@@ -35,6 +35,8 @@ void setModuleNames(const QStringList& names);
 
 /// Digits in groups of three, by a space that does not break: 115 200.
 [[nodiscard]] QString grouped(qint64 value);
+/// A rate in running text: with plain spaces (interface.md).
+[[nodiscard]] QString rate(quint32 baud);
 /// Always so many decimals, grouped; the locale's decimal mark; a true minus sign, and none before a 0.
 [[nodiscard]] QString fixed(double value, int decimals);
 /// A readout with so many significant digits, grouped; the locale's decimal mark; a true minus sign.

@@ -7,7 +7,7 @@
 #include "link/ports/linktypes.h"
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
-#include "widgets/common/textparts.h"
+#include "widgets/common/words.h"
 #include "widgets/mainwindow/choicebutton.h"
 #include "widgets/mainwindow/connectionbar.h"
 
