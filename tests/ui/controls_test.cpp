@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
-#include <QDockWidget>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLayout>
@@ -71,26 +70,11 @@ QString shownWords(QString text) {
     return text.remove(QRegularExpression(u"&(?=.)"_s)).remove(edges);
 }
 
-class SpokenNames : public Controls {
-protected:
-    /// One of each kind, with every dock open.
-    void showPanelOf(ModuleType type, std::uint8_t version) {
-        ModuleState module = Servo{}.state();
-        module.info.identity = {type, version};
-        LinkState link = connectedTo({module});
-        link.simulated = true;
-        window->showLink(link);
-        for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
-            dock->show();
-            dock->raise();
-            QCoreApplication::processEvents();  // some are made when they are seen
-        }
-    }
-};
+class SpokenNames : public Controls {};
 
 TEST_F(SpokenNames, BeginWithTheWordsThatTheControlShows) {
     for (const ModuleType type : {ModuleType::Servo, ModuleType::Step, ModuleType::Io}) {
-        showPanelOf(type, 1);
+        showInEveryDock({type, 1});
         for (const QWidget* widget : controls()) {
             const QString name = widget->accessibleName();
             EXPECT_NE(name, widget->toolTip()) << widget->objectName().toStdString();
@@ -129,7 +113,7 @@ QList<std::pair<QLabel*, QWidget*>> labelledBy(const QLayout& layout) {
 TEST_F(SpokenNames, EachLabelBeforeAFieldIsItsBuddy) {
     int seen = 0;
     for (const ModuleType type : {ModuleType::Servo, ModuleType::Step, ModuleType::Io}) {
-        showPanelOf(type, 1);
+        showInEveryDock({type, 1});
         for (const QLayout* layout : window->findChildren<QLayout*>())
             for (const auto& [label, field] : labelledBy(*layout)) {
                 const bool fills = qobject_cast<QLineEdit*>(field) != nullptr ||

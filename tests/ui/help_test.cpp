@@ -2,7 +2,6 @@
 // The manual in the program: what F1 opens, and reading on from there.
 #include <QAction>
 #include <QDir>
-#include <QDockWidget>
 #include <QListWidget>
 #include <QMenu>
 #include <QRegularExpression>
@@ -292,16 +291,7 @@ TEST_F(Help, EachAnchorOfTheManualIsAWidget) {
     for (const auto& [type, version] :
          {std::pair{ModuleType::Servo, std::uint8_t{5}}, std::pair{ModuleType::Servo, std::uint8_t{10}},
           std::pair{ModuleType::Step, std::uint8_t{1}}, std::pair{ModuleType::Io, std::uint8_t{1}}}) {
-        ModuleState module = Servo{}.state();
-        module.info.identity = {type, version};
-        LinkState link = connectedTo({module});
-        link.simulated = true;
-        window->showLink(link);
-        for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
-            dock->show();
-            dock->raise();
-            QCoreApplication::processEvents();  // some are made when they are seen
-        }
+        showInEveryDock({type, version});
         look();
     }
     for (const QString& action :

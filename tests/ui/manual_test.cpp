@@ -51,16 +51,7 @@ protected:
 
 TEST_F(Manual, NamesEveryKey) {
     for (const ModuleType type : {ModuleType::Servo, ModuleType::Step}) {
-        ModuleState module = Servo{}.state();
-        module.info.identity = {type, std::uint8_t{1}};
-        LinkState link = connectedTo({module});
-        link.simulated = true;
-        window->showLink(link);
-        for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
-            dock->show();
-            dock->raise();
-            QCoreApplication::processEvents();  // some are made when they are seen
-        }
+        showInEveryDock({type, 1});
         collectKeys();
     }
     window->findChild<QAction*>(u"manualAction"_s)->trigger();

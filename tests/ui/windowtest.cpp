@@ -2,6 +2,7 @@
 #include "windowtest.h"
 
 #include <QAbstractButton>
+#include <QDockWidget>
 #include <QPalette>
 
 namespace nmc {
@@ -72,6 +73,19 @@ WindowTest::WindowTest() {
     window->show();
     window->activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowActive(window.get()));
+}
+
+void WindowTest::showInEveryDock(const ModuleIdentity& identity) {
+    ModuleState module = Servo{}.state();
+    module.info.identity = identity;
+    LinkState link = connectedTo({module});
+    link.simulated = true;
+    window->showLink(link);
+    for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+        dock->show();
+        dock->raise();
+        QCoreApplication::processEvents();  // some are made when they are seen
+    }
 }
 
 void WindowTest::showServos(std::vector<Servo> servos) {

@@ -50,6 +50,8 @@ protected:
 
     void showServos(std::vector<Servo> servos);
     void showServo(const Servo& servo = {}) { showServos({servo}); }
+    /// One of them, simulated, with every dock open.
+    void showInEveryDock(const ModuleIdentity& identity);
 
     template <typename T = QWidget>
     T* find(const QString& objectName) {
