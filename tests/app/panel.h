@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
@@ -76,6 +77,28 @@ public:
     [[nodiscard]] int chainsFound() const { return m_chainsFound; }
     [[nodiscard]] bool connected() const {
         return m_composition.store().link().phase == LinkPhase::Connected;
+    }
+    /// As an operator would: chooses the servo, types gains that hold the simulator's motor, applies them,
+    /// and enables it.
+    void makeReady(std::uint8_t index = 0) {
+        auto* list = window().findChild<QAbstractItemView*>(QStringLiteral("chainList"));
+        const QModelIndex row = list->model()->index(index, 0);
+        list->scrollTo(row);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(row).center());
+        const std::pair<const char*, int> gains[] = {{"kpField", 200},   {"kdField", 2'000}, {"kiField", 20},
+                                                     {"ilField", 200},   {"olField", 255},   {"clField", 0},
+                                                     {"elField", 8'000}, {"srField", 1},     {"dbField", 0}};
+        for (const auto& [name, value] : gains) {
+            auto* field = window().findChild<QLineEdit*>(QLatin1String(name));
+            ASSERT_NE(field, nullptr) << name;
+            turnTo(*field);
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, QString::number(value));
+        }
+        ASSERT_NO_FATAL_FAILURE(click("applyGainsButton"));
+        ASSERT_NO_FATAL_FAILURE(click("enableButton"));
+        ASSERT_TRUE(waitFor([&] { return m_composition.store().module(ModuleIndex(index))->servoOn(); }));
     }
     /// Connects to the first of two modules and sets it going.
     void startMoving(NmcsimProcess& sim) {

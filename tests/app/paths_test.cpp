@@ -25,22 +25,14 @@ using testing_support::NmcsimProcess;
 class Paths : public testing::Test {
 protected:
     explicit Paths(const QString& chain = u"servo@10"_s) : sim(chain) {}
-    void hold(std::uint8_t index) {
-        const auto tell = [&](const Intent& intent) {
-            emit panel.window().intentRequested(ModuleIndex(index), intent);
-        };
-        tell(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
-        ASSERT_TRUE(panel.waitFor([&] { return module(index).gains && !module(index).awaited; }));
-        tell(intent::Enable{});
-        ASSERT_TRUE(panel.waitFor([&] { return module(index).commandPosition().has_value(); }));
-    }
     void begin(std::uint8_t axes = 1) {
         panel.window().resize(1'500, 1'100);
         panel.composition().show({sim.terminal(), 115'200, false});
         ASSERT_TRUE(panel.waitFor(
             [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
         for (std::uint8_t axis = 0; axis < axes; ++axis)
-            ASSERT_NO_FATAL_FAILURE(hold(axis));
+            ASSERT_NO_FATAL_FAILURE(panel.makeReady(axis));
+        ASSERT_TRUE(panel.waitFor([&] { return module(axes - 1).commandPosition().has_value(); }));
         QTest::keyClick(panel.window().windowHandle(), Qt::Key_F3, Qt::ShiftModifier);
     }
     [[nodiscard]] const ModuleState& module(std::uint8_t index) {

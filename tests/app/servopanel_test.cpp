@@ -30,19 +30,6 @@ protected:
                    panel.module().latest.has_value();
         }));
     }
-    /// Gains and enable, as an operator would give them to the selected module.
-    void enable(std::uint8_t index = 0) {
-        select(index);
-        const std::pair<const char*, int> gains[] = {{"kpField", 200},   {"kdField", 2'000}, {"kiField", 20},
-                                                     {"ilField", 200},   {"olField", 255},   {"clField", 0},
-                                                     {"elField", 8'000}, {"srField", 1},     {"dbField", 0}};
-        show("gainsBox");
-        for (const auto& [field, value] : gains)
-            type(field, QString::number(value));
-        click("applyGainsButton");
-        click("enableButton");
-        ASSERT_TRUE(panel.waitFor([&] { return module(index).servoOn(); }));
-    }
     void select(int row) {
         auto* list = panel.window().findChild<QAbstractItemView*>(u"chainList"_s);
         list->setCurrentIndex(list->model()->index(row, 0));
@@ -82,7 +69,7 @@ protected:
 
 TEST_F(ServoPage, LoadsNowAndStartsLaterByADistance) {
     ASSERT_NO_FATAL_FAILURE(connectAll(3));
-    ASSERT_NO_FATAL_FAILURE(enable());
+    ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     click("saveHomeButton");
     auto* kind = find<QComboBox>("goalKindBox");
     kind->setCurrentIndex(1);
@@ -102,7 +89,7 @@ TEST_F(ServoPage, LoadsNowAndStartsLaterByADistance) {
 
 TEST_F(ServoPage, StopsHereInTheMiddleOfARun) {
     ASSERT_NO_FATAL_FAILURE(connectAll(3));
-    ASSERT_NO_FATAL_FAILURE(enable());
+    ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     type("accelerationField", u"0.02"_s);
     click("runForwardButton");
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
@@ -114,7 +101,7 @@ TEST_F(ServoPage, StopsHereInTheMiddleOfARun) {
 
 TEST_F(ServoPage, StepsThereAndBackAsOftenAsAsked) {
     ASSERT_NO_FATAL_FAILURE(connectAll(3));
-    ASSERT_NO_FATAL_FAILURE(enable());
+    ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     type("velocityField", u"4"_s);
     type("accelerationField", u"0.05"_s);
     type("stepSizeField", u"250"_s);
@@ -162,7 +149,7 @@ TEST_F(ServoPage, ALimitPinAndTheAmplifierFollowTheirControls) {
 
 TEST_F(ServoPage, MovesInTurns) {
     ASSERT_NO_FATAL_FAILURE(connectAll(3));
-    ASSERT_NO_FATAL_FAILURE(enable());
+    ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     show("axisBox");
     auto* unit = find<QComboBox>("axisUnitBox");
     unit->setCurrentIndex(unit->findText(u"turns"_s));
@@ -186,7 +173,7 @@ TEST_F(ServoPage, MovesInTurns) {
 TEST_F(ServoPage, AGroupStartsItsLoadedMovesTogether) {
     ASSERT_NO_FATAL_FAILURE(connectAll(3));
     for (const std::uint8_t index : {std::uint8_t{0}, std::uint8_t{1}}) {
-        ASSERT_NO_FATAL_FAILURE(enable(index));
+        ASSERT_NO_FATAL_FAILURE(panel.makeReady(index));
         type("goalField", u"4000"_s);
         type("velocityField", u"4"_s);
         type("accelerationField", u"0.05"_s);
@@ -216,7 +203,7 @@ TEST_F(ServoPage, AGroupStartsItsLoadedMovesTogether) {
 
 TEST_F(ServoPage, TheChainChangesItsRateAndKeepsItsPositions) {
     ASSERT_NO_FATAL_FAILURE(connectAll(3));
-    ASSERT_NO_FATAL_FAILURE(enable());
+    ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     type("goalField", u"300"_s);
     type("velocityField", u"4"_s);
     type("accelerationField", u"0.05"_s);
