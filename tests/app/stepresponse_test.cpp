@@ -59,29 +59,12 @@ protected:
     [[nodiscard]] const std::vector<KeptRun>& runs() {
         return find<StepResponsePage>("stepResponsePage")->runs();
     }
-    void stepOnce() {
-        const std::size_t before = runs().size();
-        click("stepResponseButton");
-        EXPECT_FALSE(find<QAbstractButton>("stepResponseButton")->isEnabled()) << "one at a time";
-        ASSERT_TRUE(panel.waitFor([&] { return runs().size() == before + 1; }))
-            << find<QLabel>("stepResponseState")->text().toStdString();
-        goal += 100;
-    }
-    /// As somebody would who reads "samples missing, repeat": so it reads on a busy machine.
     void step() {
-        ASSERT_NO_FATAL_FAILURE(stepOnce());
-        for (int again = 0; again < 10 && samplesMissing(); ++again) {
-            find<QTableWidget>("stepRunTable")->setCurrentCell(0, 2);
-            click("stepRemoveButton");
-            ASSERT_NO_FATAL_FAILURE(stepOnce());
-        }
-    }
-    [[nodiscard]] bool samplesMissing() {
-        const auto* results = find<QTableWidget>("stepResults");
-        for (int row = 0; row < results->rowCount(); ++row)
-            if (results->item(row, 0)->text() == u"samples missing, repeat"_s)
-                return true;
-        return false;
+        panel.step([this] {
+            click("stepResponseButton");
+            EXPECT_FALSE(find<QAbstractButton>("stepResponseButton")->isEnabled()) << "one at a time";
+            goal += 100;
+        });
     }
     /// How many of one module were taken while that step was recorded.
     [[nodiscard]] std::size_t statusesOf(std::uint8_t module, const StepTaken& step) {
