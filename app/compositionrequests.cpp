@@ -25,7 +25,7 @@ namespace {
 /// What moves a motor, or may; what switches one on holds it where it is.
 bool mayMove(const bus::ModuleCommand& command) {
     constexpr Overloaded moves{
-        [](const AnyOf<servo::LoadTrajectory, step::LoadTrajectory> auto& load) { return load.startNow; },
+        [](const AnyOf<servo::LoadTrajectory, stepper::LoadTrajectory> auto& load) { return load.startNow; },
         [](const servo::StopMotor& stop) { return stop.manner == servo::StopManner::Here; },
         [](const StartMotion&) { return true; },
         [](const servo::AddPathPoints& add) { return add.startsPath(); },

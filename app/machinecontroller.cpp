@@ -113,7 +113,7 @@ void MachineController::noteSent(ModuleIndex module, const Intent& intent) {
         axis.io = control->io;
     else if (const auto* amplifier = std::get_if<intent::ControlSc>(&intent))
         axis.fastPath = amplifier->io.fastPath;
-    else if (const auto* set = std::get_if<stepintent::SetParameters>(&intent))
+    else if (const auto* set = std::get_if<stepperintent::SetParameters>(&intent))
         axis.parameters = set->parameters;
     if (axis != m_machine.axis(module))
         edit(module, axis);

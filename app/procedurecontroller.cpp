@@ -18,12 +18,12 @@ constexpr int kIntervalMs = 50;
 void keepWhatIsHarmless(std::vector<bus::Step>& steps) {
     const auto harmless = [](const bus::Step& step) {
         const auto* servo = std::get_if<ServoCommand>(&step.command);
-        const auto* stepper = std::get_if<StepCommand>(&step.command);
+        const auto* stepper = std::get_if<StepperCommand>(&step.command);
         const auto* stop = servo != nullptr ? std::get_if<servo::StopMotor>(servo) : nullptr;
         return (stop != nullptr && stop->manner == servo::StopManner::MotorOff && !stop->amplifierEnable) ||
                (servo != nullptr && std::holds_alternative<servo::SetHoming>(*servo)) ||
                (servo != nullptr && std::holds_alternative<servo::SetGain>(*servo)) ||
-               (stepper != nullptr && std::holds_alternative<step::SetHoming>(*stepper));
+               (stepper != nullptr && std::holds_alternative<stepper::SetHoming>(*stepper));
     };
     steps.erase(std::remove_if(steps.begin(), steps.end(), std::not_fn(harmless)), steps.end());
 }

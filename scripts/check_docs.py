@@ -135,7 +135,7 @@ def check_manual():
     seen = {}
     for page in sorted((DOCS / "manual").glob("*.md")):
         for anchor in own_anchors(page):
-            base = anchor[4].lower() + anchor[5:] if re.match("step[A-Z]", anchor) else anchor
+            base = anchor[7].lower() + anchor[8:] if re.match("stepper[A-Z]", anchor) else anchor
             if f'u"{anchor}"' not in names and f'u"{base}"' not in names:
                 complaints.append(f"docs/manual/{page.name}: nothing in the window is called {anchor}")
             if anchor in seen:

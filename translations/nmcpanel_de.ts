@@ -802,7 +802,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
-    <name>StepMeaning</name>
+    <name>StepperMeaning</name>
     <message>
         <source>Speed mode</source>
         <translation>Geschwindigkeitsmodus</translation>
@@ -952,7 +952,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
-    <name>StepWords</name>
+    <name>StepperWords</name>
     <message>
         <source>%1 steps/s</source>
         <translation>%1 Schritte/s</translation>
@@ -11387,7 +11387,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepDetailsBox</name>
+    <name>nmc::StepperDetailsBox</name>
     <message>
         <source>Step pulses are coming.</source>
         <translation>Schrittimpulse kommen.</translation>
@@ -11633,7 +11633,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepHoldBox</name>
+    <name>nmc::StepperHoldBox</name>
     <message>
         <source>J&amp;og speed</source>
         <translation>Tippges&amp;chwindigkeit</translation>
@@ -11680,7 +11680,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepIoBox</name>
+    <name>nmc::StepperIoBox</name>
     <message>
         <source>Set all outputs</source>
         <translation>Alle Ausgänge setzen</translation>
@@ -11791,7 +11791,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepModeChoice</name>
+    <name>nmc::StepperModeChoice</name>
     <message>
         <source>Move</source>
         <translation>Fahrt</translation>
@@ -11830,7 +11830,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepMotionBox</name>
+    <name>nmc::StepperMotionBox</name>
     <message>
         <source>Motion</source>
         <translation>Bewegung</translation>
@@ -12005,7 +12005,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepPanel</name>
+    <name>nmc::StepperPanel</name>
     <message>
         <source>Stepper module</source>
         <translation>Schrittmotormodul</translation>
@@ -12040,7 +12040,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepParametersBox</name>
+    <name>nmc::StepperParametersBox</name>
     <message>
         <source>ignored: they stop nothing</source>
         <translation>ignoriert: sie stoppen nichts</translation>
@@ -12206,7 +12206,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepRampBox</name>
+    <name>nmc::StepperRampBox</name>
     <message>
         <source>Acceleration time</source>
         <translation>Beschleunigungszeit</translation>

@@ -802,7 +802,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
 </context>
 <context>
-    <name>StepMeaning</name>
+    <name>StepperMeaning</name>
     <message>
         <source>Speed mode</source>
         <translation>Modo de velocidad</translation>
@@ -952,7 +952,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
 </context>
 <context>
-    <name>StepWords</name>
+    <name>StepperWords</name>
     <message>
         <source>%1 steps/s</source>
         <translation>%1 pasos/s</translation>
@@ -11387,7 +11387,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepDetailsBox</name>
+    <name>nmc::StepperDetailsBox</name>
     <message>
         <source>Step pulses are coming.</source>
         <translation>Llegan pulsos de paso.</translation>
@@ -11633,7 +11633,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepHoldBox</name>
+    <name>nmc::StepperHoldBox</name>
     <message>
         <source>J&amp;og speed</source>
         <translation>Velocidad de &amp;jog</translation>
@@ -11680,7 +11680,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepIoBox</name>
+    <name>nmc::StepperIoBox</name>
     <message>
         <source>Set all outputs</source>
         <translation>Fijar todas las salidas</translation>
@@ -11791,7 +11791,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepModeChoice</name>
+    <name>nmc::StepperModeChoice</name>
     <message>
         <source>Move</source>
         <translation>Movimiento</translation>
@@ -11830,7 +11830,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepMotionBox</name>
+    <name>nmc::StepperMotionBox</name>
     <message>
         <source>Motion</source>
         <translation>Movimiento</translation>
@@ -12005,7 +12005,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepPanel</name>
+    <name>nmc::StepperPanel</name>
     <message>
         <source>Stepper module</source>
         <translation>Módulo paso a paso</translation>
@@ -12040,7 +12040,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepParametersBox</name>
+    <name>nmc::StepperParametersBox</name>
     <message>
         <source>ignored: they stop nothing</source>
         <translation>ignorados: no detienen nada</translation>
@@ -12206,7 +12206,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepRampBox</name>
+    <name>nmc::StepperRampBox</name>
     <message>
         <source>Acceleration time</source>
         <translation>Tiempo de aceleración</translation>

@@ -802,7 +802,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
 </context>
 <context>
-    <name>StepMeaning</name>
+    <name>StepperMeaning</name>
     <message>
         <source>Speed mode</source>
         <translation>Mode de vitesse</translation>
@@ -952,7 +952,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
 </context>
 <context>
-    <name>StepWords</name>
+    <name>StepperWords</name>
     <message>
         <source>%1 steps/s</source>
         <translation>%1 pas/s</translation>
@@ -11387,7 +11387,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepDetailsBox</name>
+    <name>nmc::StepperDetailsBox</name>
     <message>
         <source>Step pulses are coming.</source>
         <translation>Des impulsions de pas arrivent.</translation>
@@ -11633,7 +11633,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepHoldBox</name>
+    <name>nmc::StepperHoldBox</name>
     <message>
         <source>J&amp;og speed</source>
         <translation>Vitesse de &amp;jog</translation>
@@ -11680,7 +11680,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepIoBox</name>
+    <name>nmc::StepperIoBox</name>
     <message>
         <source>Set all outputs</source>
         <translation>Définir toutes les sorties</translation>
@@ -11791,7 +11791,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepModeChoice</name>
+    <name>nmc::StepperModeChoice</name>
     <message>
         <source>Move</source>
         <translation>Déplacement</translation>
@@ -11830,7 +11830,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepMotionBox</name>
+    <name>nmc::StepperMotionBox</name>
     <message>
         <source>Motion</source>
         <translation>Mouvement</translation>
@@ -12005,7 +12005,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepPanel</name>
+    <name>nmc::StepperPanel</name>
     <message>
         <source>Stepper module</source>
         <translation>Module pas à pas</translation>
@@ -12040,7 +12040,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepParametersBox</name>
+    <name>nmc::StepperParametersBox</name>
     <message>
         <source>ignored: they stop nothing</source>
         <translation>ignorés&#xa0;: ils n’arrêtent rien</translation>
@@ -12206,7 +12206,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepRampBox</name>
+    <name>nmc::StepperRampBox</name>
     <message>
         <source>Acceleration time</source>
         <translation>Temps d’accélération</translation>

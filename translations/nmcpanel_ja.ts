@@ -801,7 +801,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
 </context>
 <context>
-    <name>StepMeaning</name>
+    <name>StepperMeaning</name>
     <message>
         <source>Speed mode</source>
         <translation>速度モード</translation>
@@ -951,7 +951,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
 </context>
 <context>
-    <name>StepWords</name>
+    <name>StepperWords</name>
     <message>
         <source>%1 steps/s</source>
         <translation>%1ステップ/s</translation>
@@ -11373,7 +11373,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepDetailsBox</name>
+    <name>nmc::StepperDetailsBox</name>
     <message>
         <source>Step pulses are coming.</source>
         <translation>ステップパルスが出力されています。</translation>
@@ -11619,7 +11619,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepHoldBox</name>
+    <name>nmc::StepperHoldBox</name>
     <message>
         <source>J&amp;og speed</source>
         <translation>ジョグ速度(&amp;O)</translation>
@@ -11666,7 +11666,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepIoBox</name>
+    <name>nmc::StepperIoBox</name>
     <message>
         <source>Set all outputs</source>
         <translation>全出力を設定</translation>
@@ -11777,7 +11777,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepModeChoice</name>
+    <name>nmc::StepperModeChoice</name>
     <message>
         <source>Move</source>
         <translation>移動</translation>
@@ -11816,7 +11816,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepMotionBox</name>
+    <name>nmc::StepperMotionBox</name>
     <message>
         <source>Motion</source>
         <translation>動作</translation>
@@ -11991,7 +11991,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepPanel</name>
+    <name>nmc::StepperPanel</name>
     <message>
         <source>Stepper module</source>
         <translation>ステッピングモーターモジュール</translation>
@@ -12026,7 +12026,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepParametersBox</name>
+    <name>nmc::StepperParametersBox</name>
     <message>
         <source>ignored: they stop nothing</source>
         <translation>無視：何も停止しません</translation>
@@ -12192,7 +12192,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepRampBox</name>
+    <name>nmc::StepperRampBox</name>
     <message>
         <source>Acceleration time</source>
         <translation>加速時間</translation>

@@ -17,8 +17,8 @@ struct Belief::Sent {
         b.m_starting = load;
         b.mayStart(load);
     }
-    void operator()(const step::LoadTrajectory& load) const {
-        b.m_stepLoad.reset();
+    void operator()(const stepper::LoadTrajectory& load) const {
+        b.m_stepperLoad.reset();
         if (!load.startNow)
             return;
         b.m_lastMotion = latched;
@@ -30,9 +30,9 @@ struct Belief::Sent {
         if (b.m_loaded)
             b.mayStart(*b.m_loaded);
         b.m_loaded.reset();
-        if (b.m_stepLoad)
-            b.mayStart(*b.m_stepLoad);
-        b.m_stepLoad.reset();
+        if (b.m_stepperLoad)
+            b.mayStart(*b.m_stepperLoad);
+        b.m_stepperLoad.reset();
     }
     void operator()(const servo::StopMotor& stop) const {
         b.m_amplifierOff = b.m_amplifierOff && !stop.amplifierEnable;
@@ -43,16 +43,16 @@ struct Belief::Sent {
         if (stop.manner == servo::StopManner::Abruptly || stop.manner == servo::StopManner::Here)
             b.m_mayEnable = true;
     }
-    void operator()(const step::StopMotor& stop) const {
+    void operator()(const stepper::StopMotor& stop) const {
         b.m_lastMotion = latched;
         b.m_mayEnable = b.m_mayEnable || stop.amplifierEnable;
-        if (stop.manner != step::StopManner::AmplifierOnly)
-            b.m_stepLoad.reset();
+        if (stop.manner != stepper::StopManner::AmplifierOnly)
+            b.m_stepperLoad.reset();
     }
     void operator()(const DefineStatus&) const { b.forgetItems(); }
     void operator()(const SetAddress&) const { b.m_info.group.reset(); }
-    void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, step::SetParameters,
-                                step::SetOutputs, servo::SetHoming, step::SetHoming, SetBaud,
+    void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, stepper::SetParameters,
+                                stepper::SetOutputs, servo::SetHoming, stepper::SetHoming, SetBaud,
                                 servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
     void operator()(const AnyOf<servo::IoControl, servo::ScIoControl> auto&) const {
         b.m_pathControl.reset();
@@ -77,11 +77,11 @@ struct Belief::Executed {
         else
             b.m_loaded = load;
     }
-    void operator()(const step::LoadTrajectory& load) const {
+    void operator()(const stepper::LoadTrajectory& load) const {
         if (!load.startNow)
-            b.m_stepLoad = load;
+            b.m_stepperLoad = load;
     }
-    void operator()(const step::SetParameters& parameters) const {
+    void operator()(const stepper::SetParameters& parameters) const {
         b.m_parametersSet = true;
         b.m_parameters = parameters;
     }
@@ -105,9 +105,9 @@ struct Belief::Executed {
     void operator()(const SetAddress& set) const {
         b.m_info.group = GroupPlace{set.group.value(), set.leader};
     }
-    void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, step::StopMotor, step::SetOutputs,
-                                step::SetHoming, SetBaud, servo::ClearStickyBits, SaveAsHome, Nop,
-                                HardReset> auto&) const {}
+    void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, stepper::StopMotor,
+                                stepper::SetOutputs, stepper::SetHoming, SetBaud, servo::ClearStickyBits,
+                                SaveAsHome, Nop, HardReset> auto&) const {}
     void operator()(const servo::IoControl& control) const { b.m_pathControl = pathControlOf(control); }
     void operator()(const servo::ScIoControl& control) const {
         b.m_pathControl = pathControlOf(control);
@@ -130,9 +130,9 @@ void Belief::onNotExecuted(const Belief& before) {
     m_mayEnable = before.m_mayEnable;
     m_pwmMayRun = before.m_pwmMayRun;
     m_velocityGoal = before.m_velocityGoal;
-    m_stepReverse = before.m_stepReverse;
-    m_stepGoal = before.m_stepGoal;
-    m_stepLoad = before.m_stepLoad;
+    m_stepperReverse = before.m_stepperReverse;
+    m_stepperGoal = before.m_stepperGoal;
+    m_stepperLoad = before.m_stepperLoad;
     m_loaded = before.m_loaded;
     m_starting = before.m_starting;
     m_onPath = before.m_onPath;
@@ -157,8 +157,8 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
     m_velocity = report.velocity;
     if (report.pins)
         m_outputs.onPins(*report.pins);
-    if (m_info.identity.type == ModuleType::Step) {
-        m_on = report.stepStatus().amplifierEnabled();
+    if (m_info.identity.type == ModuleType::Stepper) {
+        m_on = report.stepperStatus().amplifierEnabled();
         m_mayEnable = m_mayEnable && !fresh();
         return;
     }
@@ -185,7 +185,7 @@ void Belief::setRestarted() {
     m_on = m_mayEnable = m_pwmMayRun = m_pwmUnknown = m_velocityGoal = m_homingStops = m_limitStops =
         m_parametersSet = m_onPath = false;
     m_parameters.reset();
-    m_stepLoad.reset();
+    m_stepperLoad.reset();
     m_loaded.reset();
     m_starting.reset();
     m_outputs.onReset();
@@ -217,8 +217,8 @@ bool Belief::mayMove() const {
         return true;
     if (m_info.identity.type == ModuleType::Io)
         return false;
-    if (m_info.identity.type == ModuleType::Step)
-        return step::StatusByte{m_status}.moving();
+    if (m_info.identity.type == ModuleType::Stepper)
+        return stepper::StatusByte{m_status}.moving();
     return m_velocityGoal || m_pwmMayRun || m_onPath || !servo::StatusByte{m_status}.moveDone();
 }
 
@@ -227,8 +227,8 @@ bool Belief::seenMoving() const {
         return true;
     if (m_info.identity.type == ModuleType::Io)
         return false;
-    if (m_info.identity.type == ModuleType::Step)
-        return step::StatusByte{m_status}.moving();
+    if (m_info.identity.type == ModuleType::Stepper)
+        return stepper::StatusByte{m_status}.moving();
     return m_pwmMayRun || !servo::StatusByte{m_status}.moveDone() || m_velocity.value_or(0) != 0;
 }
 
@@ -236,24 +236,24 @@ bool Belief::powered() const {
     return servo::StatusByte{m_status}.powerOn();  // the same bit on both chips
 }
 
-StepMode Belief::stepMode() const {
-    const step::StatusByte status{m_status};
+StepperMode Belief::stepperMode() const {
+    const stepper::StatusByte status{m_status};
     if (!mayMove())
-        return StepMode::Stopped;
+        return StepperMode::Stopped;
     if (status.trapezoidalMode())
-        return StepMode::Trapezoidal;
+        return StepperMode::Trapezoidal;
     if (status.velocityMode())
-        return StepMode::VelocityProfile;
-    return m_stepGoal.value_or(StepMode::Unknown);
+        return StepperMode::VelocityProfile;
+    return m_stepperGoal.value_or(StepperMode::Unknown);
 }
 
-void Belief::mayStart(const step::LoadTrajectory& load) {
-    m_stepGoal = goalMode(stepMode(), load);
+void Belief::mayStart(const stepper::LoadTrajectory& load) {
+    m_stepperGoal = goalMode(stepperMode(), load);
     // With a timer count alone, a motion that ends at a goal still does, and keeps its direction.
-    if (m_stepGoal == StepMode::UnprofiledWithStop && !load.position)
+    if (m_stepperGoal == StepperMode::UnprofiledWithStop && !load.position)
         return;
     // Where a goal is loaded the chip takes the direction from it, not from the bit (DS-S 5.1).
-    m_stepReverse = load.position ? load.position->value() < m_position.value_or(0) : load.reverse;
+    m_stepperReverse = load.position ? load.position->value() < m_position.value_or(0) : load.reverse;
 }
 
 void Belief::mayStart(const servo::LoadTrajectory& load) {

@@ -6,7 +6,7 @@
 
 #include "bus/exchange.h"
 #include "bus/iooutputs.h"
-#include "bus/stepgate.h"
+#include "bus/steppergate.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -41,7 +41,7 @@ public:
     /// A load was asked for and refused: an older one that waits must not start in its place.
     void forgetLoad() {
         m_loaded.reset();
-        m_stepLoad.reset();
+        m_stepperLoad.reset();
     }
     /// The command that was sent last was certainly not carried out, as a look has shown.
     void onNotExecuted(const Belief& before);
@@ -96,12 +96,12 @@ public:
     [[nodiscard]] bool moving() const { return mayMove() || m_velocity.value_or(0) != 0; }
 
     /// A Load Trajectory that was answered and not used up by a start or a stop.
-    [[nodiscard]] bool loaded() const { return m_stepLoad || m_loaded; }
+    [[nodiscard]] bool loaded() const { return m_stepperLoad || m_loaded; }
     [[nodiscard]] const std::optional<servo::LoadTrajectory>& servoLoad() const { return m_loaded; }
-    [[nodiscard]] const std::optional<step::LoadTrajectory>& stepLoad() const { return m_stepLoad; }
+    [[nodiscard]] const std::optional<stepper::LoadTrajectory>& stepperLoad() const { return m_stepperLoad; }
     /// PIC-STEP: what it does, as far as status and commands tell, and in which direction.
-    [[nodiscard]] StepMode stepMode() const;
-    [[nodiscard]] bool runsReverse() const { return m_stepReverse; }
+    [[nodiscard]] StepperMode stepperMode() const;
+    [[nodiscard]] bool runsReverse() const { return m_stepperReverse; }
     /// PIC-STEP: Set Parameters was answered, or may have been before this connection (DS-S 5.1).
     [[nodiscard]] bool parametersSet() const { return m_parametersSet; }
     /// PIC-I/O: what it puts out, and which of that a stop takes low.
@@ -112,14 +112,14 @@ public:
         m_outputs.forget();
     }
     /// As answered in this connection.
-    [[nodiscard]] const std::optional<step::SetParameters>& parameters() const { return m_parameters; }
+    [[nodiscard]] const std::optional<stepper::SetParameters>& parameters() const { return m_parameters; }
 
 private:
     struct Sent;
     struct Executed;
     void mayStart(const servo::LoadTrajectory& load);
     void started(const servo::LoadTrajectory& load);
-    void mayStart(const step::LoadTrajectory& load);
+    void mayStart(const stepper::LoadTrajectory& load);
 
     ModuleInfo m_info;
     std::optional<StatusItems> m_items = StatusItems{};
@@ -142,10 +142,10 @@ private:
     bool m_limitStops = false;          ///< SC, told so: the chip ends what goes towards a closed limit
     bool m_homingStops = false;         ///< the chip itself stops when home is found
     bool m_parametersSet = false;       ///< from an answer or attach(), until a restart
-    std::optional<step::SetParameters> m_parameters;
-    bool m_stepReverse = false;          ///< of the last start that was sent; of no meaning at rest
-    std::optional<StepMode> m_stepGoal;  ///< of what may run
-    std::optional<step::LoadTrajectory> m_stepLoad;
+    std::optional<stepper::SetParameters> m_parameters;
+    bool m_stepperReverse = false;             ///< of the last start that was sent; of no meaning at rest
+    std::optional<StepperMode> m_stepperGoal;  ///< of what may run
+    std::optional<stepper::LoadTrajectory> m_stepperLoad;
     bool m_restarted = false;  ///< once true, stays so: welcome() makes another Belief
     std::optional<servo::LoadTrajectory> m_loaded;
     IoOutputs m_outputs;

@@ -18,7 +18,7 @@ namespace {
         return stop != nullptr && stop->manner != servo::StopManner::Here &&
                stop->manner != servo::StopManner::AmplifierOnly;
     }
-    return is<step::StopMotor>(command);
+    return is<stepper::StopMotor>(command);
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ using servo::ProfileMode;
 }
 
 /// Some mode of Table 4 knows what is loaded.
-[[nodiscard]] bool inTable(const step::LoadTrajectory& load) {
-    return goalMode(StepMode::Stopped, load) || goalMode(StepMode::Trapezoidal, load);
+[[nodiscard]] bool inTable(const stepper::LoadTrajectory& load) {
+    return goalMode(StepperMode::Stopped, load) || goalMode(StepperMode::Trapezoidal, load);
 }
 
 [[nodiscard]] bool trapezoidal(const servo::LoadTrajectory& load) {
@@ -47,7 +47,7 @@ struct Judge {
     Verdict operator()(const StartMotion&) const {
         if (!belief.loaded())
             return Verdict::Never;
-        if (const auto& load = belief.stepLoad())
+        if (const auto& load = belief.stepperLoad())
             return mayStart(*load);
         const auto& load = belief.servoLoad();
         return load && trapezoidal(*load) ? onlyAtStandstill(belief) : offThePath();
@@ -78,7 +78,7 @@ struct Judge {
         return Verdict::Never;
     }
 
-    Verdict operator()(const step::LoadTrajectory& load) const {
+    Verdict operator()(const stepper::LoadTrajectory& load) const {
         if (!inTable(load) || !belief.parametersSet())
             return Verdict::Never;
         // Without the start bit it has no effect whatsoever (DS-S 5.1).
@@ -86,23 +86,23 @@ struct Judge {
     }
     /// In motion the chip ignores a change of the speed mode and of the minimum speed (DS-S 5.1): nobody
     /// would know which are in force.
-    Verdict operator()(const step::SetParameters& parameters) const {
+    Verdict operator()(const stepper::SetParameters& parameters) const {
         const auto& now = belief.parameters();
-        return now && step::sameInMotion(*now, parameters) ? Verdict::Allowed : onlyAtStandstill(belief);
+        return now && stepper::sameInMotion(*now, parameters) ? Verdict::Allowed : onlyAtStandstill(belief);
     }
-    Verdict operator()(const step::StopMotor&) const { return Verdict::Allowed; }
-    Verdict operator()(const step::SetOutputs&) const { return Verdict::Allowed; }
-    Verdict operator()(const step::SetHoming&) const { return Verdict::Allowed; }
+    Verdict operator()(const stepper::StopMotor&) const { return Verdict::Allowed; }
+    Verdict operator()(const stepper::SetOutputs&) const { return Verdict::Allowed; }
+    Verdict operator()(const stepper::SetHoming&) const { return Verdict::Allowed; }
     Verdict operator()(const io::OwnCommand auto&) const { return Verdict::Allowed; }
 
     [[nodiscard]] Verdict offThePath() const {
         return belief.onPath() ? Verdict::InMotion : Verdict::Allowed;
     }
-    [[nodiscard]] Verdict mayStart(const step::LoadTrajectory& load) const {
+    [[nodiscard]] Verdict mayStart(const stepper::LoadTrajectory& load) const {
         if (!belief.fresh())
             return Verdict::NeedsStatus;
-        return mayFollow(belief.stepMode(), belief.runsReverse(), load) ? Verdict::Allowed
-                                                                        : Verdict::InMotion;
+        return mayFollow(belief.stepperMode(), belief.runsReverse(), load) ? Verdict::Allowed
+                                                                           : Verdict::InMotion;
     }
 };
 

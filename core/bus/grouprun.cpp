@@ -20,7 +20,7 @@ constexpr unsigned kSilences = 2;
 
 /// Where the load leads; nothing without a goal.
 [[nodiscard]] std::optional<std::int32_t> goalOf(const Belief& before) {
-    if (const auto& load = before.stepLoad())
+    if (const auto& load = before.stepperLoad())
         return load->position ? std::optional(load->position->value()) : std::nullopt;
     const auto& load = before.servoLoad();
     const bool trapezoidal = load && load->servo && load->profile == servo::ProfileMode::Trapezoidal;
@@ -45,8 +45,8 @@ constexpr unsigned kSilences = 2;
 
 ModuleCommand commandFor(GroupCommand::Action action, ModuleType type) {
     const auto inItsWords = [type](const auto& command) {
-        return type == ModuleType::Step ? ModuleCommand(StepCommand(command))
-                                        : ModuleCommand(ServoCommand(command));
+        return type == ModuleType::Stepper ? ModuleCommand(StepperCommand(command))
+                                           : ModuleCommand(ServoCommand(command));
     };
     switch (action) {
         case GroupCommand::Action::StartMotion:
@@ -212,8 +212,8 @@ std::optional<MemberOutcome> GroupRun::started(const Member& member, const Statu
     const bool there = goal && near(*report.position, *goal);
     if (there || !near(*report.position, *from))
         return MemberOutcome::Done;
-    if (member.before.info().identity.type == ModuleType::Step)
-        return report.stepStatus().moving() ? MemberOutcome::Done : MemberOutcome::NotDone;
+    if (member.before.info().identity.type == ModuleType::Stepper)
+        return report.stepperStatus().moving() ? MemberOutcome::Done : MemberOutcome::NotDone;
     if (!report.servoStatus().moveDone())
         return MemberOutcome::Done;
     // Off by itself meanwhile: it may have begun.

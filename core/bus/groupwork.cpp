@@ -40,8 +40,8 @@ std::optional<ModuleIndex> GroupWork::planChange(const GroupChange& change) {
         return change.module;
     const auto stepTo = [&](ModuleIndex module, GroupPlace place) {
         const SetAddress set{m_chain.belief(module).info().address, BusAddress(place.group), place.leader};
-        const bool stepper = m_chain.belief(module).info().identity.type == ModuleType::Step;
-        return stepper ? Step{module, StepCommand(set)} : Step{module, ServoCommand(set)};
+        const bool stepper = m_chain.belief(module).info().identity.type == ModuleType::Stepper;
+        return stepper ? Step{module, StepperCommand(set)} : Step{module, ServoCommand(set)};
     };
     std::vector<Step> steps;
     for (const Chain::Module& other : m_chain.modules()) {

@@ -39,13 +39,13 @@ std::optional<Step> HoldLane::start() const {
         return std::nullopt;
     const std::optional<Counts> goal = m_wanted->goal ? std::optional<Counts>(*m_wanted->goal) : std::nullopt;
     if (m_wanted->pace) {
-        step::LoadTrajectory load;
+        stepper::LoadTrajectory load;
         load.position = goal;
         load.speed = m_wanted->pace->speed;
         load.accelerationTime = m_wanted->pace->accelerationTime;
         load.reverse = !goal && m_wanted->reverse;
         load.startNow = !goal;
-        return Step{m_wanted->module, StepCommand(load)};
+        return Step{m_wanted->module, StepperCommand(load)};
     }
     servo::LoadTrajectory load;
     load.velocity = m_wanted->velocity;
@@ -59,7 +59,7 @@ std::optional<Step> HoldLane::start() const {
 
 Step HoldLane::startLoaded() const {
     if (m_wanted->pace)
-        return {m_wanted->module, StepCommand(StartMotion{})};
+        return {m_wanted->module, StepperCommand(StartMotion{})};
     return {m_wanted->module, ServoCommand(StartMotion{})};
 }
 

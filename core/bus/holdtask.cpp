@@ -19,8 +19,8 @@ constexpr unsigned kAttempts = 3;
 
 /// That load was answered, and waits for its start.
 [[nodiscard]] bool hasLoaded(const Belief& module, const ModuleCommand& command) {
-    if (const auto* chip = std::get_if<StepCommand>(&command))
-        return module.stepLoad() == std::get<step::LoadTrajectory>(*chip);
+    if (const auto* chip = std::get_if<StepperCommand>(&command))
+        return module.stepperLoad() == std::get<stepper::LoadTrajectory>(*chip);
     return module.servoLoad() == std::get<servo::LoadTrajectory>(std::get<ServoCommand>(command));
 }
 

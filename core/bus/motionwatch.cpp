@@ -37,10 +37,10 @@ struct MotionWatch::Sent {
             w.forget();
     }
     void operator()(const ResetPosition&) const { w.forget(); }
-    void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, step::LoadTrajectory, servo::SetGain,
-                                step::SetParameters, step::StopMotor, servo::IoControl, step::SetOutputs,
-                                servo::SetHoming, step::SetHoming, SetBaud, servo::ClearStickyBits,
-                                SaveAsHome, Nop, HardReset> auto&) const {}
+    void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, stepper::LoadTrajectory, servo::SetGain,
+                                stepper::SetParameters, stepper::StopMotor, servo::IoControl,
+                                stepper::SetOutputs, servo::SetHoming, stepper::SetHoming, SetBaud,
+                                servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
     /// It goes where its points lead, which is watched by PathTask.
     void operator()(const servo::AddPathPoints&) const { w.forget(); }
     void operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const { w.forget(); }

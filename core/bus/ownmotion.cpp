@@ -49,14 +49,14 @@ bool OwnMotion::onReport(const StatusReport& report, TimePoint latched, bool may
 }
 
 bool OwnMotion::saysMoving(const StatusReport& report) const {
-    if (m_type == ModuleType::Step)
-        return report.stepStatus().moving();
+    if (m_type == ModuleType::Stepper)
+        return report.stepperStatus().moving();
     return !report.servoStatus().moveDone() || report.velocity.value_or(1) != 0;
 }
 
 bool OwnMotion::underPower(const StatusReport& report) const {
-    if (m_type == ModuleType::Step)
-        return report.stepStatus().moving();
+    if (m_type == ModuleType::Stepper)
+        return report.stepperStatus().moving();
     if (m_type != ModuleType::Servo || !report.aux || !servo::AuxByte{*report.aux}.servoOn())
         return false;
     const std::int64_t gone = countsBetween(m_place, *report.position);

@@ -53,10 +53,10 @@ struct Plausibility::Sent {
     void operator()(const ResetPosition&) const { p.m_position.open(latched); }
     void operator()(const SaveAsHome&) const { p.m_home.open(latched); }
     void operator()(const servo::SetHoming&) const { homing(); }
-    void operator()(const step::SetHoming&) const { homing(); }
+    void operator()(const stepper::SetHoming&) const { homing(); }
     void operator()(const servo::ClearStickyBits&) const { p.m_sticky.open(latched); }
-    void operator()(const step::LoadTrajectory&) const { p.m_motion.open(latched); }
-    void operator()(const step::StopMotor&) const { p.m_motion.open(latched); }
+    void operator()(const stepper::LoadTrajectory&) const { p.m_motion.open(latched); }
+    void operator()(const stepper::StopMotor&) const { p.m_motion.open(latched); }
     void operator()(const StartMotion&) const {
         p.m_mayEnable = latched;
         p.m_motion.open(latched);
@@ -81,8 +81,9 @@ struct Plausibility::Sent {
         p.m_divisor = gain.sr;
         p.jerk(latched, kSwing);
     }
-    void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, step::SetParameters, servo::IoControl,
-                                step::SetOutputs, SetBaud, Nop, HardReset> auto&) const {}
+    void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, stepper::SetParameters,
+                                servo::IoControl, stepper::SetOutputs, SetBaud, Nop, HardReset> auto&) const {
+    }
     void operator()(const servo::ResetRelativeToHome&) const { p.m_position.open(latched); }
     void operator()(const servo::SetPosition&) const { p.m_position.open(latched); }
     /// A path knows no acceleration: from one point to the next it may go at another speed.
@@ -191,8 +192,8 @@ std::optional<Rejection> Plausibility::structure(const ReplyEnd& end) const {
     switch (m_identity.type) {
         case ModuleType::Servo:
             return servoStructure(report);
-        case ModuleType::Step:
-            return stepStructure(report);
+        case ModuleType::Stepper:
+            return stepperStructure(report);
         case ModuleType::Adc:
         case ModuleType::Io:
             break;
@@ -212,8 +213,8 @@ std::optional<Rejection> Plausibility::servoStructure(const StatusReport& report
     return std::nullopt;
 }
 
-std::optional<Rejection> Plausibility::stepStructure(const StatusReport& report) const {
-    const step::StatusByte status = report.stepStatus();
+std::optional<Rejection> Plausibility::stepperStructure(const StatusReport& report) const {
+    const stepper::StatusByte status = report.stepperStatus();
     if (status.velocityMode() && status.trapezoidalMode())
         return Rejection::BothModes;
     if (!status.moving())
@@ -231,7 +232,7 @@ std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEn
         return Rejection::UndefinedBits;
     if (stickyCleared(known, report))
         return Rejection::StickyCleared;
-    const bool homes = m_identity.type == ModuleType::Servo || m_identity.type == ModuleType::Step;
+    const bool homes = m_identity.type == ModuleType::Servo || m_identity.type == ModuleType::Stepper;
     const bool rose = homes && known.status && (report.status & ~*known.status & kHomingBit) != 0;
     if (rose && !m_homing.isOpen())
         return Rejection::HomingRose;
@@ -251,8 +252,8 @@ std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd
     switch (m_identity.type) {
         case ModuleType::Servo:
             return servoMotion(known, end);
-        case ModuleType::Step:
-            return stepMotion(known, end);
+        case ModuleType::Stepper:
+            return stepperMotion(known, end);
         case ModuleType::Adc:
         case ModuleType::Io:
             break;
@@ -265,7 +266,7 @@ std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd
 bool Plausibility::nothingToTell(const StatusReport& report) const {
     if (m_identity.type == ModuleType::Io)
         return report.status == 0 && m_known.status == 0 && m_known.allLow;
-    return m_identity.type == ModuleType::Step && report.status == 0 && m_known.status == 0 &&
+    return m_identity.type == ModuleType::Stepper && report.status == 0 && m_known.status == 0 &&
            (!report.position || m_known.position == 0) && (!report.aux || m_known.aux == 0);
 }
 
@@ -322,10 +323,10 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     return way < lowest || way > highest ? std::optional(Rejection::PositionJump) : std::nullopt;
 }
 
-std::optional<Rejection> Plausibility::stepMotion(const Known& known, const ReplyEnd& end) const {
+std::optional<Rejection> Plausibility::stepperMotion(const Known& known, const ReplyEnd& end) const {
     const double way = distance(*known.position, *end.report.position);
-    const bool moved =
-        step::StatusByte{*known.status}.moving() || end.report.stepStatus().moving() || m_position.isOpen();
+    const bool moved = stepper::StatusByte{*known.status}.moving() || end.report.stepperStatus().moving() ||
+                       m_position.isOpen();
     if (!moved && !m_motion.isOpen() && way != 0)
         return Rejection::MovedWhileStopped;
     const double most = ticks(end.latchedBy - known.from) + 1;

@@ -72,14 +72,14 @@ private:
 
     [[nodiscard]] std::optional<Rejection> structure(const ReplyEnd& end) const;
     [[nodiscard]] std::optional<Rejection> servoStructure(const StatusReport& report) const;
-    [[nodiscard]] std::optional<Rejection> stepStructure(const StatusReport& report) const;
+    [[nodiscard]] std::optional<Rejection> stepperStructure(const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> against(const Known& known, const ReplyEnd& end) const;
     [[nodiscard]] bool nothingToTell(const StatusReport& report) const;
     [[nodiscard]] bool onWithoutPower(const ReplyEnd& end) const;
     [[nodiscard]] bool stickyCleared(const Known& known, const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> motion(const Known& known, const ReplyEnd& end) const;
     [[nodiscard]] std::optional<Rejection> servoMotion(const Known& known, const ReplyEnd& end) const;
-    [[nodiscard]] std::optional<Rejection> stepMotion(const Known& known, const ReplyEnd& end) const;
+    [[nodiscard]] std::optional<Rejection> stepperMotion(const Known& known, const ReplyEnd& end) const;
     void jerk(TimePoint at, double reach);
     [[nodiscard]] double reachOf(const servo::LoadTrajectory& load) const;
     [[nodiscard]] bool jerked(TimePoint at) const;

@@ -20,8 +20,8 @@ constexpr unsigned kStopsInVain = 2;
                 return false;
             // The velocity item has no fraction: slow motion shows in the position only.
             return !before || samePlace(*report.position, *before);
-        case ModuleType::Step:
-            return !report.stepStatus().moving();
+        case ModuleType::Stepper:
+            return !report.stepperStatus().moving();
         case ModuleType::Adc:
         case ModuleType::Io:
             break;
@@ -41,9 +41,9 @@ constexpr unsigned kStopsInVain = 2;
     return {false, servo::StopManner::MotorOff, {}};
 }
 
-[[nodiscard]] step::StopMotor stepStop(StopManner manner, bool amplifier) {
+[[nodiscard]] stepper::StopMotor stepperStop(StopManner manner, bool amplifier) {
     return {amplifier && manner != StopManner::Off,
-            manner == StopManner::Smoothly ? step::StopManner::Smoothly : step::StopManner::Abruptly};
+            manner == StopManner::Smoothly ? stepper::StopManner::Smoothly : stepper::StopManner::Abruptly};
 }
 
 }  // namespace
@@ -56,10 +56,10 @@ std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
             if (belief.pwmMayRun() || belief.pwmUnknown())
                 return ServoCommand(servoStop(StopManner::Off, false));
             return std::nullopt;
-        case ModuleType::Step:
+        case ModuleType::Stepper:
             // Of one that nothing is known of, a stop would lower AMP_EN: it is looked at first.
             if (belief.mayBeOn() || (belief.statusTime() && belief.mayMove()))
-                return StepCommand(stepStop(manner, belief.mayBeOn()));
+                return StepperCommand(stepperStop(manner, belief.mayBeOn()));
             return std::nullopt;
         case ModuleType::Io:
             if (const auto stop = belief.outputs().stop())
@@ -77,7 +77,7 @@ StatusItems standstillItems(ModuleType type, bool second) {
         case ModuleType::Servo:
             return StatusItems(static_cast<std::uint8_t>(StatusItems::Position | StatusItems::Velocity |
                                                          StatusItems::Aux | more));
-        case ModuleType::Step:
+        case ModuleType::Stepper:
             return StatusItems(static_cast<std::uint8_t>(StatusItems::Position | StatusItems::Inputs | more));
         case ModuleType::Io:
             return StatusItems(static_cast<std::uint8_t>(StatusItems::Pins | more));
@@ -93,8 +93,8 @@ std::optional<ModuleCommand> StopTarget::stop(const Belief& belief) const {
     switch (m_type) {
         case ModuleType::Servo:
             return ServoCommand(servoStop(StopManner::Off, false));
-        case ModuleType::Step:
-            return StepCommand(stepStop(StopManner::Off, false));
+        case ModuleType::Stepper:
+            return StepperCommand(stepperStop(StopManner::Off, false));
         case ModuleType::Adc:
         case ModuleType::Io:
             break;

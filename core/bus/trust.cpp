@@ -21,16 +21,16 @@ struct Meaning {
 };
 
 constexpr Meaning kServoStatus{0x01 | 0x08, 0x20 | 0x40 | 0x80};  // move_done, power; limits, homing
-constexpr Meaning kStepStatus{0x08, 0x01 | 0x80};                 // power; moving, homing
-constexpr Meaning kStepInputs{0x00, 0x01 | 0x08 | 0x10};          // E-stop, limits
+constexpr Meaning kStepperStatus{0x08, 0x01 | 0x80};              // power; moving, homing
+constexpr Meaning kStepperInputs{0x00, 0x01 | 0x08 | 0x10};       // E-stop, limits
 constexpr std::uint8_t kStandstill = 0x01;                        // both chips' bit 0 tells
 
 [[nodiscard]] Meaning statusMeaning(ModuleType type) {
     switch (type) {
         case ModuleType::Servo:
             return kServoStatus;
-        case ModuleType::Step:
-            return kStepStatus;
+        case ModuleType::Stepper:
+            return kStepperStatus;
         case ModuleType::Adc:
         case ModuleType::Io:
             break;
@@ -39,7 +39,7 @@ constexpr std::uint8_t kStandstill = 0x01;                        // both chips'
 }
 
 [[nodiscard]] Meaning auxMeaning(ModuleType type) {
-    return type == ModuleType::Step ? kStepInputs : Meaning{};
+    return type == ModuleType::Stepper ? kStepperInputs : Meaning{};
 }
 
 }  // namespace

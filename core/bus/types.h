@@ -19,7 +19,7 @@
 namespace nmc::bus {
 
 /// A command for one chip or another.
-using ModuleCommand = std::variant<ServoCommand, StepCommand, IoCommand>;
+using ModuleCommand = std::variant<ServoCommand, StepperCommand, IoCommand>;
 
 /// Whether it is this command, of whatever chip.
 template <typename Command>
@@ -140,10 +140,10 @@ struct ModuleInfo {
 };
 
 /// How fast a PIC-STEP goes in velocity profile mode (DS-S 4.2).
-struct StepPace {
+struct StepperPace {
     std::uint8_t speed = 1;             ///< 1..250
     std::uint8_t accelerationTime = 1;  ///< 1..255
-    bool operator==(const StepPace&) const = default;
+    bool operator==(const StepperPace&) const = default;
 };
 
 /// Motion while it is held (interface.md, "Moving"): a velocity that must be asked for again and again. One
@@ -153,8 +153,8 @@ struct HoldToMove {
     CountsPerTick velocity;
     CountsPerTickSquared acceleration;
     bool reverse = false;
-    std::optional<StepPace> pace{};  ///< of a PIC-STEP, instead of velocity and acceleration
-    std::uint32_t press = 0;         ///< which press of a button it is; each is a higher number
+    std::optional<StepperPace> pace{};  ///< of a PIC-STEP, instead of velocity and acceleration
+    std::uint32_t press = 0;            ///< which press of a button it is; each is a higher number
     /// A limit that it goes towards: it is a move there, from standstill, which the chip ends by itself.
     /// Empty: it goes on for as long as it is held.
     std::optional<std::int32_t> goal{};

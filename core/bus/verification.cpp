@@ -51,10 +51,11 @@ struct Look {
     Carried operator()(const servo::ClearStickyBits&) const {
         return belief.anySticky() ? Carried::NotOut : Carried::Out;
     }
-    Carried operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, servo::LoadTrajectory,
-                                   step::LoadTrajectory, servo::SetGain, step::SetParameters,
-                                   servo::StopMotor, step::StopMotor, servo::IoControl, step::SetOutputs,
-                                   servo::SetHoming, step::SetHoming, SetBaud, Nop, HardReset> auto&) const {
+    Carried operator()(
+        const AnyOf<SetAddress, DefineStatus, ReadStatus, servo::LoadTrajectory, stepper::LoadTrajectory,
+                    servo::SetGain, stepper::SetParameters, servo::StopMotor, stepper::StopMotor,
+                    servo::IoControl, stepper::SetOutputs, servo::SetHoming, stepper::SetHoming, SetBaud, Nop,
+                    HardReset> auto&) const {
         return Carried::Unknown;
     }
     Carried operator()(const servo::LaterCommand auto&) const { return Carried::Unknown; }
@@ -67,9 +68,9 @@ struct CanLook {
     bool operator()(const SaveAsHome&) const { return true; }
     bool operator()(const servo::ClearStickyBits&) const { return true; }
     bool operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, servo::LoadTrajectory,
-                                step::LoadTrajectory, servo::SetGain, step::SetParameters, servo::StopMotor,
-                                step::StopMotor, servo::IoControl, step::SetOutputs, servo::SetHoming,
-                                step::SetHoming, SetBaud, Nop, HardReset> auto&) const {
+                                stepper::LoadTrajectory, servo::SetGain, stepper::SetParameters,
+                                servo::StopMotor, stepper::StopMotor, servo::IoControl, stepper::SetOutputs,
+                                servo::SetHoming, stepper::SetHoming, SetBaud, Nop, HardReset> auto&) const {
         return false;
     }
     bool operator()(const servo::LaterCommand auto&) const { return false; }

@@ -184,8 +184,8 @@ tl::expected<ServoCommand, CommandError> decodeServoCommand(const ModuleIdentity
     return command;
 }
 
-tl::expected<StepCommand, CommandError> decodeStepCommand(const Payload& payload) {
-    return decodeAny<StepCommand>(payload);
+tl::expected<StepperCommand, CommandError> decodeStepCommand(const Payload& payload) {
+    return decodeAny<StepperCommand>(payload);
 }
 
 tl::expected<IoCommand, CommandError> decodeIoCommand(const Payload& payload) {

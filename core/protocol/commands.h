@@ -14,7 +14,7 @@
 #include "protocol/moduletype.h"
 #include "protocol/servocommands.h"
 #include "protocol/status.h"
-#include "protocol/stepcommands.h"
+#include "protocol/steppercommands.h"
 
 namespace nmc {
 
@@ -99,9 +99,10 @@ using ServoCommand =
                  servo::ClearStickyBits, SaveAsHome, Nop, HardReset, servo::ResetRelativeToHome,
                  servo::SetPosition, servo::ScIoControl, servo::AddPathPoints, servo::HardReset>;
 
-using StepCommand = std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, step::LoadTrajectory,
-                                 StartMotion, step::SetParameters, step::StopMotor, step::SetOutputs,
-                                 step::SetHoming, SetBaud, SaveAsHome, Nop, HardReset>;
+using StepperCommand =
+    std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, stepper::LoadTrajectory, StartMotion,
+                 stepper::SetParameters, stepper::StopMotor, stepper::SetOutputs, stepper::SetHoming, SetBaud,
+                 SaveAsHome, Nop, HardReset>;
 
 using IoCommand = std::variant<io::SetDirection, SetAddress, DefineStatus, ReadStatus, io::SetPwm,
                                io::SynchOutput, io::SetOutput, io::SetSynchOutput, io::SetTimerMode, SetBaud,
@@ -111,7 +112,7 @@ using IoCommand = std::variant<io::SetDirection, SetAddress, DefineStatus, ReadS
 /// taken for one of the first data sheet.
 [[nodiscard]] tl::expected<ServoCommand, CommandError> decodeServoCommand(const ModuleIdentity& module,
                                                                           const Payload& payload);
-[[nodiscard]] tl::expected<StepCommand, CommandError> decodeStepCommand(const Payload& payload);
+[[nodiscard]] tl::expected<StepperCommand, CommandError> decodeStepCommand(const Payload& payload);
 [[nodiscard]] tl::expected<IoCommand, CommandError> decodeIoCommand(const Payload& payload);
 
 template <typename... Commands>

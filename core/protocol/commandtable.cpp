@@ -19,7 +19,7 @@ struct Rows {
 
 constexpr int kAny = 255;
 constexpr Rows kServo{ModuleType::Servo};
-constexpr Rows kStep{ModuleType::Step};
+constexpr Rows kStep{ModuleType::Stepper};
 constexpr Rows kIo{ModuleType::Io};
 
 // DS-V 5.1, DS-S 5.1, docs/family.md. A version ignores what only later ones read: the bytes of Reset

@@ -75,7 +75,7 @@ std::optional<std::string> sentenceOf(Module module, const tl::expected<Command,
 
 std::optional<std::string> sentenceOf(Module module, const Payload& payload) {
     switch (module.type) {
-        case ModuleType::Step:
+        case ModuleType::Stepper:
             return sentenceOf(module, decodeStepCommand(payload));
         case ModuleType::Io:
             return sentenceOf(module, decodeIoCommand(payload));
@@ -152,8 +152,8 @@ std::string describeCommand(const ServoCommand& command) {
     return sentence({ModuleType::Servo, kScVersion}, command);
 }
 
-std::string describeCommand(const StepCommand& command) {
-    return sentence({ModuleType::Step, 1}, command);
+std::string describeCommand(const StepperCommand& command) {
+    return sentence({ModuleType::Stepper, 1}, command);
 }
 
 std::string describeCommand(const IoCommand& command) {

@@ -23,7 +23,7 @@ namespace nmc {
 
 /// What a command says, whose version is not at hand.
 [[nodiscard]] std::string describeCommand(const ServoCommand& command);
-[[nodiscard]] std::string describeCommand(const StepCommand& command);
+[[nodiscard]] std::string describeCommand(const StepperCommand& command);
 [[nodiscard]] std::string describeCommand(const IoCommand& command);
 
 /// What came back, taken for a reply with these items: items in the order of the wire, then the bits that are

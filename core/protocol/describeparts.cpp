@@ -156,7 +156,7 @@ std::string ownWords(const servo::HardReset& reset) {
     return phrases.addIf(reset.threePhase, "3-phase").addIf(reset.antiphase, "antiphase").text();
 }
 
-std::string ownWords(const step::LoadTrajectory& load) {
+std::string ownWords(const stepper::LoadTrajectory& load) {
     Phrases phrases;
     if (load.position)
         phrases.add(number("position", load.position->value()));
@@ -172,19 +172,19 @@ std::string ownWords(const step::LoadTrajectory& load) {
     return phrases.empty() ? "nothing loaded" : phrases.text();
 }
 
-std::string ownWords(const step::SetParameters& parameters) {
+std::string ownWords(const stepper::SetParameters& parameters) {
     Phrases phrases;
     switch (parameters.speedMode) {
-        case step::SpeedMode::X8:
+        case stepper::SpeedMode::X8:
             phrases.add("8x");
             break;
-        case step::SpeedMode::X4:
+        case stepper::SpeedMode::X4:
             phrases.add("4x");
             break;
-        case step::SpeedMode::X2:
+        case stepper::SpeedMode::X2:
             phrases.add("2x");
             break;
-        case step::SpeedMode::X1:
+        case stepper::SpeedMode::X1:
             phrases.add("1x");
             break;
     }
@@ -196,22 +196,22 @@ std::string ownWords(const step::SetParameters& parameters) {
     return phrases.add(number("thermal limit", parameters.thermalLimit)).text();
 }
 
-std::string ownWords(const step::StopMotor& stop) {
+std::string ownWords(const stepper::StopMotor& stop) {
     Phrases phrases;
     switch (stop.manner) {
-        case step::StopManner::AmplifierOnly:
+        case stepper::StopManner::AmplifierOnly:
             break;
-        case step::StopManner::Abruptly:
+        case stepper::StopManner::Abruptly:
             phrases.add("stop abruptly");
             break;
-        case step::StopManner::Smoothly:
+        case stepper::StopManner::Smoothly:
             phrases.add("stop smoothly");
             break;
     }
     return phrases.add(amplifier(stop.amplifierEnable)).text();
 }
 
-std::string ownWords(const step::SetOutputs& outputs) {
+std::string ownWords(const stepper::SetOutputs& outputs) {
     static constexpr std::array<std::string_view, 5> kNames{"OUT1", "OUT2", "OUT3", "OUT4", "OUT5"};
     Phrases phrases;
     for (unsigned i = 0; i < kNames.size(); ++i)
@@ -219,7 +219,7 @@ std::string ownWords(const step::SetOutputs& outputs) {
     return phrases.empty() ? "all low" : phrases.text() + " high";
 }
 
-std::string ownWords(const step::SetHoming& homing) {
+std::string ownWords(const stepper::SetHoming& homing) {
     Phrases phrases;
     phrases.addIf(homing.onLimit1Change, "change of limit1").addIf(homing.onLimit2Change, "change of limit2");
     phrases.addIf(homing.onHomeSwitchChange, "change of home switch").addIf(homing.motorOff, "motor off");

@@ -9,7 +9,7 @@
 #include "protocol/iocommands.h"
 #include "protocol/laterservocommands.h"
 #include "protocol/servocommands.h"
-#include "protocol/stepcommands.h"
+#include "protocol/steppercommands.h"
 
 namespace nmc::describe {
 
@@ -45,11 +45,11 @@ private:
 [[nodiscard]] std::string ownWords(const servo::HardReset& reset);
 [[nodiscard]] std::string ownWords(const servo::AddPathPoints& add);
 
-[[nodiscard]] std::string ownWords(const step::LoadTrajectory& load);
-[[nodiscard]] std::string ownWords(const step::SetParameters& parameters);
-[[nodiscard]] std::string ownWords(const step::StopMotor& stop);
-[[nodiscard]] std::string ownWords(const step::SetOutputs& outputs);
-[[nodiscard]] std::string ownWords(const step::SetHoming& homing);
+[[nodiscard]] std::string ownWords(const stepper::LoadTrajectory& load);
+[[nodiscard]] std::string ownWords(const stepper::SetParameters& parameters);
+[[nodiscard]] std::string ownWords(const stepper::StopMotor& stop);
+[[nodiscard]] std::string ownWords(const stepper::SetOutputs& outputs);
+[[nodiscard]] std::string ownWords(const stepper::SetHoming& homing);
 
 [[nodiscard]] std::string ownWords(const io::SetDirection& set);
 [[nodiscard]] std::string ownWords(const io::SetPwm& set);

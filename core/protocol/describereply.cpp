@@ -15,7 +15,7 @@ using BitNames = std::array<std::string_view, 8>;
 
 /// The names of the bits that are set. Those of a PIC-STEP have spaces in them, so a plus stands between.
 std::string bitNames(ModuleType type, const BitNames& names, std::uint8_t bits) {
-    Phrases phrases(type == ModuleType::Step ? " + " : " ");
+    Phrases phrases(type == ModuleType::Stepper ? " + " : " ");
     for (unsigned i = 0; i < names.size(); ++i)
         if ((bits & (1U << i)) != 0)
             phrases.add(names[i].empty() ? "bit" + std::to_string(i) : std::string(names[i]));
@@ -24,8 +24,8 @@ std::string bitNames(ModuleType type, const BitNames& names, std::uint8_t bits) 
 
 const BitNames& statusBitNames(ModuleType type) {
     switch (type) {
-        case ModuleType::Step:
-            return step::kStatusBitNames;
+        case ModuleType::Stepper:
+            return stepper::kStatusBitNames;
         case ModuleType::Io:
             return io::kStatusBitNames;
         case ModuleType::Servo:
@@ -36,8 +36,8 @@ const BitNames& statusBitNames(ModuleType type) {
 }
 
 const BitNames& auxBitNames(const ModuleIdentity& module) {
-    if (module.type == ModuleType::Step)
-        return step::kInputBitNames;
+    if (module.type == ModuleType::Stepper)
+        return stepper::kInputBitNames;
     if (isSc(module))
         return servo::kScAuxBitNames;
     return hasPathBuffer(module) ? servo::kCmcAuxBitNames : servo::kAuxBitNames;
@@ -76,7 +76,7 @@ std::string motorValue(const ModuleIdentity& module, const StatusReport& report,
         case StatusItems::Analog:
             return number(report.analog);
         case StatusItems::Velocity:  // and StatusItems::TimerCount
-            return module.type == ModuleType::Step ? number(report.timerCount) : number(report.velocity);
+            return module.type == ModuleType::Stepper ? number(report.timerCount) : number(report.velocity);
         case StatusItems::Aux:  // and StatusItems::Inputs
             return bitNames(module.type, auxBitNames(module), report.aux.value_or(0));
         case StatusItems::Home:

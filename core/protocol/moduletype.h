@@ -6,7 +6,7 @@
 namespace nmc {
 
 /// The type byte of status item 5. Any other value is a module this program does not know.
-enum class ModuleType : std::uint8_t { Servo = 0, Adc = 1, Io = 2, Step = 3 };
+enum class ModuleType : std::uint8_t { Servo = 0, Adc = 1, Io = 2, Stepper = 3 };
 
 /// What a module says it is (status item 5).
 struct ModuleIdentity {
@@ -21,7 +21,7 @@ struct ModuleIdentity {
     switch (module.type) {
         case ModuleType::Servo:
             return module.version >= 1 && module.version <= 4;
-        case ModuleType::Step:
+        case ModuleType::Stepper:
             return module.version == 1;
         case ModuleType::Adc:
         case ModuleType::Io:
@@ -43,7 +43,7 @@ inline constexpr std::uint8_t kScVersion = 10;
             return hasDataSheet(module) || module.version == kPathVersion || module.version == kScVersion;
         case ModuleType::Io:
             return module.version == 1;
-        case ModuleType::Step:
+        case ModuleType::Stepper:
             return hasDataSheet(module);
         case ModuleType::Adc:
             break;

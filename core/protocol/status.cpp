@@ -18,7 +18,7 @@ constexpr std::array kServoItems{
 };
 constexpr std::size_t kFirstServoItems = 6;
 
-constexpr std::array kStepItems{
+constexpr std::array kStepperItems{
     StatusItemRow{StatusItems::Position, "position", 4},
     StatusItemRow{StatusItems::Analog, "A/D value", 1},
     StatusItemRow{StatusItems::TimerCount, "current timer count", 2},
@@ -95,7 +95,7 @@ void storeMotor(StatusReport& report, const ModuleIdentity& module, std::uint8_t
             report.analog = bytes[0];
             break;
         case StatusItems::Velocity:  // and StatusItems::TimerCount
-            if (module.type == ModuleType::Step)
+            if (module.type == ModuleType::Stepper)
                 report.timerCount = readLittleEndian<std::uint16_t>(bytes);
             else
                 report.velocity = velocityOf(module, bytes);
@@ -124,8 +124,8 @@ void storeMotor(StatusReport& report, const ModuleIdentity& module, std::uint8_t
 
 std::span<const StatusItemRow> statusItemTable(const ModuleIdentity& module) {
     switch (module.type) {
-        case ModuleType::Step:
-            return kStepItems;
+        case ModuleType::Stepper:
+            return kStepperItems;
         case ModuleType::Io:
             return kIoItems;
         case ModuleType::Servo:

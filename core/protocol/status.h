@@ -117,7 +117,7 @@ inline constexpr std::array<std::string_view, 8> kScAuxBitNames{
 }  // namespace servo
 
 /// PIC-STEP status byte (DS-S 5.2).
-namespace step {
+namespace stepper {
 struct StatusByte {
     std::uint8_t bits = 0;
     [[nodiscard]] constexpr bool moving() const { return (bits & 0x01U) != 0; }
@@ -151,7 +151,7 @@ inline constexpr std::array<std::string_view, 8> kStatusBitNames{"moving",
                                                                  "homing"};
 inline constexpr std::array<std::string_view, 8> kInputBitNames{"E-stop", "IN1",         "IN2", "limit1",
                                                                 "limit2", "home switch", "",    ""};
-}  // namespace step
+}  // namespace stepper
 
 /// PIC-I/O status byte (docs/family.md).
 namespace io {
@@ -185,7 +185,7 @@ struct StatusReport {
     std::optional<std::uint32_t> latchedCounter;
 
     [[nodiscard]] servo::StatusByte servoStatus() const { return {status}; }
-    [[nodiscard]] step::StatusByte stepStatus() const { return {status}; }
+    [[nodiscard]] stepper::StatusByte stepperStatus() const { return {status}; }
     [[nodiscard]] io::StatusByte ioStatus() const { return {status}; }
     /// Bit 1 means the same on all chips: the command was refused and not carried out.
     [[nodiscard]] bool commandRefused() const { return (status & 0x02U) != 0; }

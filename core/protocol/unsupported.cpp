@@ -88,8 +88,8 @@ std::optional<Unsupported> unsupported(const ModuleIdentity& module, const Servo
                  [&module](const Payload& payload) { return decodeServoCommand(module, payload); });
 }
 
-std::optional<Unsupported> unsupported(const ModuleIdentity& module, const StepCommand& command) {
-    return judge(module, ModuleType::Step, command, decodeStepCommand);
+std::optional<Unsupported> unsupported(const ModuleIdentity& module, const StepperCommand& command) {
+    return judge(module, ModuleType::Stepper, command, decodeStepCommand);
 }
 
 std::optional<Unsupported> unsupported(const ModuleIdentity& module, const IoCommand& command) {

@@ -36,7 +36,7 @@ enum class Unsupported : std::uint8_t {
 [[nodiscard]] std::optional<Unsupported> unsupported(const ModuleIdentity& module,
                                                      const ServoCommand& command);
 [[nodiscard]] std::optional<Unsupported> unsupported(const ModuleIdentity& module,
-                                                     const StepCommand& command);
+                                                     const StepperCommand& command);
 [[nodiscard]] std::optional<Unsupported> unsupported(const ModuleIdentity& module, const IoCommand& command);
 
 /// The module knows the command.

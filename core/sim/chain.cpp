@@ -8,7 +8,7 @@
 #include "sim/chainprivate.h"
 #include "sim/iomodule.h"
 #include "sim/servomodule.h"
-#include "sim/stepmodule.h"
+#include "sim/steppermodule.h"
 
 namespace nmc::sim {
 
@@ -30,8 +30,8 @@ Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const Cha
                                           options.deafWhenAddressInputRises};
         assert(isKnown(identity));
         const auto index = static_cast<std::uint8_t>(modules.size());
-        if (identity.type == ModuleType::Step)
-            modules.push_back(std::make_unique<StepModule>(identity, index, moduleOptions, violations));
+        if (identity.type == ModuleType::Stepper)
+            modules.push_back(std::make_unique<StepperModule>(identity, index, moduleOptions, violations));
         else if (identity.type == ModuleType::Io)
             modules.push_back(std::make_unique<IoModule>(identity, index, moduleOptions, violations));
         else

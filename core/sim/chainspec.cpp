@@ -19,7 +19,7 @@ struct Kind {
     ModuleType type;
     std::uint8_t usualVersion;  ///< the one simulated when none is named
 };
-constexpr std::array kKinds{Kind{"servo", ModuleType::Servo, 4}, Kind{"step", ModuleType::Step, 1},
+constexpr std::array kKinds{Kind{"servo", ModuleType::Servo, 4}, Kind{"step", ModuleType::Stepper, 1},
                             Kind{"io", ModuleType::Io, 1}};
 
 std::string_view trimmed(std::string_view text) {

@@ -252,7 +252,7 @@ std::string_view toText(Chips chips) {
             return "any";
         case Chips::Servo:
             return "servo";
-        case Chips::Step:
+        case Chips::Stepper:
             return "step";
         case Chips::Sc:
             return "servo@10";

@@ -36,13 +36,13 @@ using Words = std::span<const std::string_view>;
 // Bounds that keep the plant's arithmetic sound; a motor of this class is far inside them.
 constexpr std::array kInputs{
     pin("limit1", Input::Limit1, Chips::Servo, "pin LIMIT1, 1 is high, as in status bit 5"),
-    pin("limit1", Input::Limit1, Chips::Step, "forward limit switch, 1 is high: no motion forward"),
+    pin("limit1", Input::Limit1, Chips::Stepper, "forward limit switch, 1 is high: no motion forward"),
     pin("limit2", Input::Limit2, Chips::Servo, "pin LIMIT2, 1 is high, as in status bit 6"),
-    pin("limit2", Input::Limit2, Chips::Step, "reverse limit switch, 1 is high: no motion in reverse"),
+    pin("limit2", Input::Limit2, Chips::Stepper, "reverse limit switch, 1 is high: no motion in reverse"),
     pin("index", Input::Index, Chips::Servo,
         "pin INDEX, 1 is high (auxiliary bit 0 is then 0), until the shaft moves on"),
     pin("power", Input::Power, Chips::Servo, "motor power: 1 is on, 0 turns the servo off"),
-    pin("power", Input::Power, Chips::Step, "pin PWR_SENSE: 1 is on, 0 lowers AMP_EN and stops"),
+    pin("power", Input::Power, Chips::Stepper, "pin PWR_SENSE: 1 is on, 0 lowers AMP_EN and stops"),
     InputRow{"analog",
              Input::Analog,
              Chips::Servo,
@@ -54,7 +54,7 @@ constexpr std::array kInputs{
              "what the A/D converter reads; auto: the motor's current"},
     InputRow{"analog",
              Input::Analog,
-             Chips::Step,
+             Chips::Stepper,
              "0 to 255",
              0,
              255,
@@ -91,7 +91,7 @@ constexpr std::array kInputs{
     place("travel_min", Input::TravelMin, Chips::Both, "hard stop, not above the shaft"),
     place("travel_max", Input::TravelMax, Chips::Both, "hard stop, not below the shaft"),
     limits(Chips::Servo, "auto: limit1 is 1 at travel_min and limit2 at travel_max"),
-    limits(Chips::Step, "auto: limit1 is 1 at travel_max and limit2 at travel_min"),
+    limits(Chips::Stepper, "auto: limit1 is 1 at travel_max and limit2 at travel_min"),
     InputRow{"servo_overrun",
              Input::ServoOverrun,
              Chips::Servo,
@@ -101,14 +101,14 @@ constexpr std::array kInputs{
              true,
              {},
              "makes one servo tick take too long"},
-    pin("estop", Input::Estop, Chips::Step, "E-stop, 1 is high: stops"),
-    pin("in1", Input::In1, Chips::Step, "pin IN1, 1 is high"),
-    pin("in2", Input::In2, Chips::Step, "pin IN2, 1 is high"),
-    pin("home_switch", Input::HomeSwitch, Chips::Step, "home switch, 1 is high"),
-    place("home_switch_at", Input::HomeSwitchAt, Chips::Step,
+    pin("estop", Input::Estop, Chips::Stepper, "E-stop, 1 is high: stops"),
+    pin("in1", Input::In1, Chips::Stepper, "pin IN1, 1 is high"),
+    pin("in2", Input::In2, Chips::Stepper, "pin IN2, 1 is high"),
+    pin("home_switch", Input::HomeSwitch, Chips::Stepper, "home switch, 1 is high"),
+    place("home_switch_at", Input::HomeSwitchAt, Chips::Stepper,
           "the home switch is 1 from there on forward; none: as set"),
     InputRow{"steps",
-             Input::Steps,
+             Input::Pulses,
              Chips::Sc,
              "-32768 to 32767",
              -32768,
@@ -158,9 +158,9 @@ struct Surroundings {
 };
 
 Surroundings surroundings(const ModuleSnapshot& s) {
-    if (s.step)
-        return {static_cast<double>(s.step->shaft), s.step->limitsAutomatic,
-                s.step->homeSwitchAt.has_value()};
+    if (s.stepper)
+        return {static_cast<double>(s.stepper->shaft), s.stepper->limitsAutomatic,
+                s.stepper->homeSwitchAt.has_value()};
     return {s.servo.shaftCounts, s.servo.limitsAutomatic, false};
 }
 
@@ -184,8 +184,8 @@ bool includes(Chips chips, const ModuleIdentity& module) {
             return module.type != ModuleType::Io;
         case Chips::Servo:
             return module.type == ModuleType::Servo;
-        case Chips::Step:
-            return module.type == ModuleType::Step;
+        case Chips::Stepper:
+            return module.type == ModuleType::Stepper;
         case Chips::Sc:
             return isSc(module);
         case Chips::Io:
@@ -232,9 +232,9 @@ Done setInput(Chain& chain, ModuleIndex module, Words words, TimePoint now) {
             return setInput(chain, module, row, words.subspan(1), now);
         names += std::string(names.empty() ? "" : ", ") + std::string(row.name);
     }
-    const std::string_view who = identity.type == ModuleType::Step ? "a stepper"
-                                 : identity.type == ModuleType::Io ? "a PIC-I/O"
-                                                                   : "a servo";
+    const std::string_view who = identity.type == ModuleType::Stepper ? "a stepper"
+                                 : identity.type == ModuleType::Io    ? "a PIC-I/O"
+                                                                      : "a servo";
     return tl::unexpected(std::string(who) + " has no input " + quoted(words[0]) + "; allowed are " + names);
 }
 

@@ -14,7 +14,7 @@
 namespace nmc::sim {
 
 /// Which chips have an input of that name, in that sense; Both: servos and steppers.
-enum class Chips : std::uint8_t { Both, Servo, Step, Sc, Io };
+enum class Chips : std::uint8_t { Both, Servo, Stepper, Sc, Io };
 
 /// What `set N NAME VALUE` can change.
 struct InputRow {

@@ -42,7 +42,7 @@ Json homingConditions(const ModuleSnapshot& s) {
         const char* name;
     };
     const std::array conditions{Condition{Homing::kLimit1, "limit1"}, Condition{Homing::kLimit2, "limit2"},
-                                Condition{Homing::kIndex, s.step ? "home_switch" : "index"},
+                                Condition{Homing::kIndex, s.stepper ? "home_switch" : "index"},
                                 Condition{Homing::kPositionError, "position_error"},
                                 Condition{Homing::kCurrentLimit, "current_limit"}};
     Json names = Json::array();
@@ -54,7 +54,7 @@ Json homingConditions(const ModuleSnapshot& s) {
 
 /// What it will do to the motor. Versions 1 and 2 of the PIC-SERVO leave that to the host (DS-V 5.2).
 const char* homingStop(const ModuleSnapshot& s) {
-    if (!s.homing.inProgress() || (!s.step && s.identity.version < 3))
+    if (!s.homing.inProgress() || (!s.stepper && s.identity.version < 3))
         return "none";
     switch (s.homing.stop()) {
         case Homing::Stop::None:
@@ -100,52 +100,52 @@ Json servoJson(const ModuleSnapshot& s) {
             {"gains", gainsJson(servo.gains)}};
 }
 
-Json pinsJson(const StepPins& pins) {
+Json pinsJson(const StepperPins& pins) {
     return {{"estop", pins.estop},   {"in1", pins.in1},       {"in2", pins.in2},
             {"limit1", pins.limit1}, {"limit2", pins.limit2}, {"home_switch", pins.homeSwitch}};
 }
 
-Json parametersJson(const StepParameters& p) {
+Json parametersJson(const StepperParameters& p) {
     return {{"speed_mode", multiplier(p.speedMode())},
-            {"ignore_limits", p.has(StepParameters::kIgnoreLimits)},
-            {"ignore_estop", p.has(StepParameters::kIgnoreEstop)},
-            {"motor_off_on_stop", p.has(StepParameters::kMotorOff)},
+            {"ignore_limits", p.has(StepperParameters::kIgnoreLimits)},
+            {"ignore_estop", p.has(StepperParameters::kIgnoreEstop)},
+            {"motor_off_on_stop", p.has(StepperParameters::kMotorOff)},
             {"minimum_speed", p.minimumSpeed},
             {"running_current", p.runningCurrent},
             {"holding_current", p.holdingCurrent},
             {"thermal_limit", p.thermalLimit}};
 }
 
-Json stepJson(const StepSnapshot& step) {
-    return {{"position", step.position},
-            {"shaft", step.shaft},
-            {"step_rate", step.stepRate},
-            {"speed", step.speed},
-            {"timer_count", step.timerCount},
-            {"moving", step.moving},
-            {"reverse", step.reverse},
-            {"mode", toText(step.mode)},
-            {"amp_enabled", step.ampEnabled},
-            {"power", step.inputs.power},
-            {"analog", step.inputs.analog},
-            {"home", step.home},
-            {"parameters", step.parameters ? parametersJson(*step.parameters) : Json(nullptr)},
-            {"inputs", pinsJson(step.inputs)},
-            {"travel_min", orNull(step.travelMin)},
-            {"travel_max", orNull(step.travelMax)},
-            {"limits", step.limitsAutomatic ? "auto" : "manual"},
-            {"home_switch_at", orNull(step.homeSwitchAt)},
-            {"outputs", step.outputs},
-            {"current_limit", step.currentLimit}};
+Json stepperJson(const StepperSnapshot& stepper) {
+    return {{"position", stepper.position},
+            {"shaft", stepper.shaft},
+            {"step_rate", stepper.stepRate},
+            {"speed", stepper.speed},
+            {"timer_count", stepper.timerCount},
+            {"moving", stepper.moving},
+            {"reverse", stepper.reverse},
+            {"mode", toText(stepper.mode)},
+            {"amp_enabled", stepper.ampEnabled},
+            {"power", stepper.inputs.power},
+            {"analog", stepper.inputs.analog},
+            {"home", stepper.home},
+            {"parameters", stepper.parameters ? parametersJson(*stepper.parameters) : Json(nullptr)},
+            {"inputs", pinsJson(stepper.inputs)},
+            {"travel_min", orNull(stepper.travelMin)},
+            {"travel_max", orNull(stepper.travelMax)},
+            {"limits", stepper.limitsAutomatic ? "auto" : "manual"},
+            {"home_switch_at", orNull(stepper.homeSwitchAt)},
+            {"outputs", stepper.outputs},
+            {"current_limit", stepper.currentLimit}};
 }
 
 }  // namespace
 
 Json stateJson(const ModuleSnapshot& s, unsigned number) {
     Json json{{"module", number},
-              {"type", s.step ? "step"
-                       : s.io ? "io"
-                              : "servo"},
+              {"type", s.stepper ? "step"
+                       : s.io    ? "io"
+                                 : "servo"},
               {"version", s.identity.version},
               {"address", s.address},
               {"group", s.group},
@@ -161,11 +161,11 @@ Json stateJson(const ModuleSnapshot& s, unsigned number) {
         json.update(ioJson(*s.io));
         return json;
     }
-    json[s.step ? "inputs_byte" : "auxiliary"] = s.pins;
+    json[s.stepper ? "inputs_byte" : "auxiliary"] = s.pins;
     json["homing"] = s.homing.inProgress();
     json["homing_conditions"] = homingConditions(s);
     json["homing_stop"] = homingStop(s);
-    json.update(s.step ? stepJson(*s.step) : servoJson(s));
+    json.update(s.stepper ? stepperJson(*s.stepper) : servoJson(s));
     if (s.servo.later)
         json.update(laterServoJson(s.identity, s.servo));
     return json;

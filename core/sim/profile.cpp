@@ -124,12 +124,12 @@ int Profile::direction() const {
 
 void Profile::step() {
     const std::int64_t before = std::abs(m_velocity);
-    stepMode();
+    stepperMode();
     m_accelerating = std::abs(m_velocity) > before;
     m_slewing = std::abs(m_velocity) == before;
 }
 
-void Profile::stepMode() {
+void Profile::stepperMode() {
     switch (m_mode) {
         case Mode::Hold:
         case Mode::Path:

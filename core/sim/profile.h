@@ -62,7 +62,7 @@ public:
     void reset() { *this = Profile{}; }
 
 private:
-    void stepMode();
+    void stepperMode();
     void stepTrapezoid();
     void stepVelocity();
     /// Velocity of the next tick towards a goal at `distance` > 0, before the bounds of the acceleration.

@@ -265,8 +265,8 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::ServoOverrun:
             m_servoOverrun = true;
             return;
-        case Input::Steps:
-            m_steps += static_cast<std::int64_t>(value.value_or(0.0));
+        case Input::Pulses:
+            m_pulses += static_cast<std::int64_t>(value.value_or(0.0));
             return;
         case Input::VoltSense:
             m_volts = value.value_or(kGoodVolts);

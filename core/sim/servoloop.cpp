@@ -30,7 +30,7 @@ void ServoLoop::tick() {
     if (m_homing.inProgress())
         watchHome();
     m_quiet = !m_servoOn && m_pwm == 0 && m_velocity == 0 && m_adjustment == 0 && !m_limiting &&
-              m_steps == 0 && m_lastServoPosition == m_encoder.position() && m_plant.atRest();
+              m_pulses == 0 && m_lastServoPosition == m_encoder.position() && m_plant.atRest();
 }
 
 void ServoLoop::servoTick() {
@@ -40,7 +40,7 @@ void ServoLoop::servoTick() {
     m_lastServoPosition = position;
     if (!m_servoOn) {
         m_profile.follow(position, m_velocity);
-        m_steps = 0;
+        m_pulses = 0;
         return;
     }
     stepProfile();
@@ -62,7 +62,7 @@ void ServoLoop::stepProfile() {
         m_profile.stepPath(*velocity);
     else
         m_profile.endPath();
-    const std::int64_t steps = std::exchange(m_steps, 0);
+    const std::int64_t steps = std::exchange(m_pulses, 0);
     if (steps != 0 && controls(ScControl::kStepAndDirection))
         m_profile.shift(static_cast<std::int32_t>(steps * m_gains.sm));
 }

@@ -192,7 +192,7 @@ private:
     static constexpr double kGoodVolts = 2.5;
     // The world outside.
     double m_volts = kGoodVolts;  ///< at VOLT_SENSE; older versions only know whether there is power
-    std::int64_t m_steps = 0;     ///< pulses at the step input that are not yet in the command
+    std::int64_t m_pulses = 0;    ///< pulses at the step input that are not yet in the command
     bool m_limitsAutomatic = false;
     bool m_limitInput[2] = {false, false};
     std::optional<std::uint8_t> m_analogInput;

@@ -10,7 +10,7 @@
 #include "protocol/moduletype.h"
 #include "sim/homing.h"
 #include "sim/pid.h"
-#include "sim/stepparameters.h"
+#include "sim/stepperparameters.h"
 
 namespace nmc::sim {
 
@@ -69,13 +69,13 @@ struct ServoSnapshot {
 };
 
 /// The starting and goal modes of the stepper's mode table (DS-S 5.1, Table 4).
-enum class StepMode : std::uint8_t { Stopped, Trapezoidal, Velocity, UnprofiledWithStop, Unprofiled };
+enum class StepperMode : std::uint8_t { Stopped, Trapezoidal, Velocity, UnprofiledWithStop, Unprofiled };
 
 /// "stopped", "trapezoidal", "velocity", "unprofiled" with a stop or without.
-[[nodiscard]] std::string_view toText(StepMode mode);
+[[nodiscard]] std::string_view toText(StepperMode mode);
 
 /// Levels of a stepper's input pins. As shipped the switches are open and the driver has its power.
-struct StepPins {
+struct StepperPins {
     bool estop = false;
     bool in1 = false;
     bool in2 = false;
@@ -87,20 +87,20 @@ struct StepPins {
 };
 
 /// Ground truth about a stepper module at its last tick.
-struct StepSnapshot {
+struct StepperSnapshot {
     std::int32_t position = 0;  ///< the chip's counter
     std::int64_t shaft = 0;     ///< the shaft itself, in steps since the simulation began
     double stepRate = 0;        ///< steps per second, negative in reverse
     unsigned speed = 0;         ///< the profile's integer speed, the nearest one in the unprofiled modes
     std::uint16_t timerCount = 0;
-    StepMode mode = StepMode::Stopped;
+    StepperMode mode = StepperMode::Stopped;
     bool reverse = false;  ///< DIR
     bool moving = false;
     bool ampEnabled = false;
     bool homing = false;
     std::int32_t home = 0;
-    std::optional<StepParameters> parameters;  ///< that are in force; nothing before Set Parameters
-    StepPins inputs;
+    std::optional<StepperParameters> parameters;  ///< that are in force; nothing before Set Parameters
+    StepperPins inputs;
     bool limitsAutomatic = false;           ///< the limit pins follow the travel
     std::optional<std::int64_t> travelMin;  ///< hard stops, in steps of the shaft
     std::optional<std::int64_t> travelMax;
@@ -142,9 +142,9 @@ struct ModuleSnapshot {
     std::uint8_t pins = 0;    ///< PIC-SERVO: auxiliary status; PIC-STEP: inputs
     std::uint8_t items = 0;   ///< that Define Status has defined
     Homing homing;
-    ServoSnapshot servo;               ///< of a servo module only
-    std::optional<StepSnapshot> step;  ///< of a stepper module only
-    std::optional<IoSnapshot> io;      ///< of a PIC-I/O only
+    ServoSnapshot servo;                     ///< of a servo module only
+    std::optional<StepperSnapshot> stepper;  ///< of a stepper module only
+    std::optional<IoSnapshot> io;            ///< of a PIC-I/O only
 };
 
 /// What `set` can change from outside (simulator.md, Control).
@@ -168,7 +168,7 @@ enum class Input : std::uint8_t {
     HomeSwitch,    ///< 0 or 1
     HomeSwitchAt,  ///< steps: the switch is closed from there on forward; nothing: it is set
     // Of an SC only.
-    Steps,      ///< so many step pulses since, negative in reverse: -32768..32767
+    Pulses,     ///< so many step pulses since, negative in reverse: -32768..32767
     VoltSense,  ///< volts, 0..5
     // Of a PIC-I/O only; it has Analog too, numbered from 1 to 3, and none of the others.
     Pin,  ///< 0 or 1, numbered from 1 to 12

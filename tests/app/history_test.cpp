@@ -31,18 +31,18 @@ protected:
     void run(IntentPanel& panel) {
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() != Activity::Unknown; }));
         ASSERT_TRUE(panel.answersFor(0.3));
-        step::SetParameters parameters;
-        parameters.speedMode = step::SpeedMode::X1;
+        stepper::SetParameters parameters;
+        parameters.speedMode = stepper::SpeedMode::X1;
         parameters.minimumProfileSpeed = 4;
         parameters.runCurrent = 100;
         parameters.holdCurrent = 50;
         parameters.thermalLimit = 80;
         parameters.motorOffOnLimitOrEstop = true;
-        panel.ask(stepintent::SetParameters{parameters});
+        panel.ask(stepperintent::SetParameters{parameters});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().stepper.parameters().has_value(); }));
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().stepper.amplifierOn(); }));
-        panel.ask(stepintent::Move{stepmotion::VelocityProfile{40, 4, false}});
+        panel.ask(stepperintent::Move{steppermotion::VelocityProfile{40, 4, false}});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
     }
     void offBy(IntentPanel& panel, const QString& line, const QString& back, const QString& words) {

@@ -192,13 +192,13 @@ TEST_F(HomingPage, AStepperFindsItsHomeSwitchToo) {
     panel.composition().show({sim.terminal(), 115'200, false});
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
     std::ignore = sim.control(u"set 1 home_switch_at 600"_s);
-    const step::SetParameters parameters{step::SpeedMode::X1, false, false, false, 4, 200, 50, 0};
+    const stepper::SetParameters parameters{stepper::SpeedMode::X1, false, false, false, 4, 200, 50, 0};
     panel.composition().worker().submit(
         {bus::OperationId(1'000'000),
-         {{ModuleIndex(0), StepCommand(parameters)},
-          {ModuleIndex(0), StepCommand(step::StopMotor{true, step::StopManner::AmplifierOnly})}}});
+         {{ModuleIndex(0), StepperCommand(parameters)},
+          {ModuleIndex(0), StepperCommand(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly})}}});
     ASSERT_TRUE(panel.waitFor([&] { return !whyNot(Request::Home, panel.module()); }));
-    HomingRecipe recipe = firstRecipe({ModuleType::Step, 1});
+    HomingRecipe recipe = firstRecipe({ModuleType::Stepper, 1});
     recipe.reverse = false;
     panel.ask(intent::Home{recipe});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"found home"_s) == 1; }))

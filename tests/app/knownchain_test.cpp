@@ -89,7 +89,7 @@ TEST_F(KnownChain, IsRememberedByPort) {
     QSettings settings(directory.filePath(QStringLiteral("x.ini")), QSettings::IniFormat);
     const std::vector<bus::ModuleInfo> chain{
         {ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}},
-        {ModuleIndex(1), BusAddress(77), {ModuleType::Step, 1}},
+        {ModuleIndex(1), BusAddress(77), {ModuleType::Stepper, 1}},
         {ModuleIndex(2), BusAddress(3), {ModuleType::Servo, 4}},  // addresses are given freely
     };
     rememberChain(settings, QStringLiteral("/dev/ttyUSB0"), chain);

@@ -293,7 +293,7 @@ TEST_F(MachineFiles, WhatThePanelKnowsIsSavedAndOpenedAgain) {
     EXPECT_EQ(saved.axes[0].name, "Spindle");
     EXPECT_EQ(saved.axes[0].gains, kGains);
     EXPECT_EQ(saved.axes[0].expected, (ModuleIdentity{ModuleType::Servo, 4}));
-    EXPECT_EQ(saved.axes[1].expected, (ModuleIdentity{ModuleType::Step, 1}));
+    EXPECT_EQ(saved.axes[1].expected, (ModuleIdentity{ModuleType::Stepper, 1}));
 
     IntentPanel another;
     another.start();

@@ -106,13 +106,13 @@ TEST_F(ServoPage, StepsThereAndBackAsOftenAsAsked) {
     type("accelerationField", u"0.05"_s);
     type("stepSizeField", u"250"_s);
     type("stepRoundsField", u"3"_s);
-    click("stepForwardButton");
+    click("stepperForwardButton");
     EXPECT_TRUE(arrives(1, 750));
     ASSERT_TRUE(panel.waitFor([&] { return find<QLabel>("stepProgress")->text() == u"Done"_s; }))
         << find<QLabel>("stepProgress")->text().toStdString();
     find<QCheckBox>("stepBackAndForthBox")->setChecked(true);
     type("stepRoundsField", u"1000"_s);
-    click("stepReverseButton");
+    click("stepperReverseButton");
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     click("stepEndButton");
     EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim) && !module(0).moving(); }));

@@ -26,7 +26,7 @@ namespace {
 
 using testing_support::NmcsimProcess;
 
-class StepperPanel : public testing::Test {
+class SteppersByHand : public testing::Test {
 protected:
     void SetUp() override {
         m_composition.show({sim.terminal(), 115'200, false});
@@ -81,25 +81,25 @@ protected:
 
     /// 4x: 100 to 25 000 steps/s.
     void setParameters() {
-        auto& mode = find<QComboBox>("stepSpeedModeField");
+        auto& mode = find<QComboBox>("stepperSpeedModeField");
         mode.setFocus();
         QTest::keyClick(&mode, Qt::Key_Home);
         for (int i = 0; i < 2; ++i)
             QTest::keyClick(&mode, Qt::Key_Down);
-        type("stepMinimumSpeedField", QStringLiteral("200"));
-        type("stepRunCurrentField", QStringLiteral("120"));
-        type("stepHoldCurrentField", QStringLiteral("60"));
-        type("stepThermalLimitField", QStringLiteral("80"));
-        type("stepAccelerationTimeField", QStringLiteral("8"));
-        EXPECT_EQ(text("stepAccelerationRemark"), QStringLiteral("50 000 steps/s²"))
+        type("stepperMinimumSpeedField", QStringLiteral("200"));
+        type("stepperRunCurrentField", QStringLiteral("120"));
+        type("stepperHoldCurrentField", QStringLiteral("60"));
+        type("stepperThermalLimitField", QStringLiteral("80"));
+        type("stepperAccelerationTimeField", QStringLiteral("8"));
+        EXPECT_EQ(text("stepperAccelerationRemark"), QStringLiteral("50 000 steps/s²"))
             << "100 steps/s each 2 ms";
-        EXPECT_EQ(text("stepRunCurrentState"), QStringLiteral("● not sent"));
-        click("stepApplyParametersButton");
+        EXPECT_EQ(text("stepperRunCurrentState"), QStringLiteral("● not sent"));
+        click("stepperApplyParametersButton");
         ASSERT_TRUE(waitFor([&] { return module().stepper.parameters().has_value(); }));
     }
     void enable() {
         setParameters();
-        click("stepEnableButton");
+        click("stepperEnableButton");
         ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Holding; }));
     }
     void choose(const char* mode) { click(mode); }
@@ -124,151 +124,152 @@ private:
     Composition m_composition{m_settings};
 };
 
-TEST_F(StepperPanel, NothingMovesOrHoldsBeforeTheParametersWereSent) {
-    EXPECT_FALSE(find("stepEnableButton").isEnabled());
-    EXPECT_FALSE(find("stepGoButton").isEnabled());
-    EXPECT_EQ(tip("stepGoButton"), "Apply parameters first.");
-    EXPECT_EQ(text("stepSpeedModeState"), QStringLiteral("? unknown"));
+TEST_F(SteppersByHand, NothingMovesOrHoldsBeforeTheParametersWereSent) {
+    EXPECT_FALSE(find("stepperEnableButton").isEnabled());
+    EXPECT_FALSE(find("stepperGoButton").isEnabled());
+    EXPECT_EQ(tip("stepperGoButton"), "Apply parameters first.");
+    EXPECT_EQ(text("stepperSpeedModeState"), QStringLiteral("? unknown"));
     setParameters();
     EXPECT_EQ(module().stepper.parameters(),
-              (step::SetParameters{step::SpeedMode::X4, false, false, false, 2, 120, 60, 80}));
-    EXPECT_TRUE(waitFor([&] { return text("stepRunCurrentState") == QStringLiteral("✓ sent"); }));
-    EXPECT_EQ(text("stepThermalLimitRemark"), QStringLiteral("A/D now 255"));
+              (stepper::SetParameters{stepper::SpeedMode::X4, false, false, false, 2, 120, 60, 80}));
+    EXPECT_TRUE(waitFor([&] { return text("stepperRunCurrentState") == QStringLiteral("✓ sent"); }));
+    EXPECT_EQ(text("stepperThermalLimitRemark"), QStringLiteral("A/D now 255"));
     EXPECT_FALSE(truth()[QStringLiteral("amp_enabled")].toBool());
-    click("stepEnableButton");
+    click("stepperEnableButton");
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Holding; }));
     EXPECT_TRUE(truth()[QStringLiteral("amp_enabled")].toBool());
     EXPECT_EQ(truth()[QStringLiteral("current_limit")].toInt(), 60);
 }
 
-TEST_F(StepperPanel, MovesToAPositionAndSaysBeforehandHowLongItTakes) {
+TEST_F(SteppersByHand, MovesToAPositionAndSaysBeforehandHowLongItTakes) {
     enable();
-    choose("stepModeTrapezoidal");
-    type("stepGoalField", QStringLiteral("3000"));
-    type("stepSpeedField", QStringLiteral("2000"));
-    EXPECT_EQ(text("stepSpeedOutcome"), QStringLiteral("Runs at 2 000 steps/s: speed 20 of 250."));
+    choose("stepperModeTrapezoidal");
+    type("stepperGoalField", QStringLiteral("3000"));
+    type("stepperSpeedField", QStringLiteral("2000"));
+    EXPECT_EQ(text("stepperSpeedOutcome"), QStringLiteral("Runs at 2 000 steps/s: speed 20 of 250."));
     // Ramp: 0.002 x 100 x 189 = 37.8 steps each; 2 x 18 x 2 ms + (3 000 - 75.6) / 2 000 = 1.534 s.
-    EXPECT_EQ(text("stepForecast"), QStringLiteral("Takes 1.53 s, peak speed 2 000 steps/s."));
-    click("stepGoButton");
+    EXPECT_EQ(text("stepperForecast"), QStringLiteral("Takes 1.53 s, peak speed 2 000 steps/s."));
+    click("stepperGoButton");
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::AtSpeed; }));
     EXPECT_DOUBLE_EQ(rate(), 2'000);
     ASSERT_TRUE(standsAt(3'000));
     EXPECT_EQ(position(), 3'000);
-    click("stepRelativeBox");
-    type("stepGoalField", QStringLiteral("-40"));
-    EXPECT_TRUE(text("stepForecast").contains(QStringLiteral("Too short for that speed")))
-        << text("stepForecast").toStdString();
-    click("stepGoButton");
+    click("stepperRelativeBox");
+    type("stepperGoalField", QStringLiteral("-40"));
+    EXPECT_TRUE(text("stepperForecast").contains(QStringLiteral("Too short for that speed")))
+        << text("stepperForecast").toStdString();
+    click("stepperGoButton");
     ASSERT_TRUE(standsAt(2'960));
 }
 
-TEST_F(StepperPanel, RunsBothWaysAndChangesItsSpeedOnTheFly) {
+TEST_F(SteppersByHand, RunsBothWaysAndChangesItsSpeedOnTheFly) {
     enable();
-    choose("stepModeProfile");
-    type("stepSpeedField", QStringLiteral("1000"));
-    click("stepRunForwardButton");
+    choose("stepperModeProfile");
+    type("stepperSpeedField", QStringLiteral("1000"));
+    click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 1'000; }));
-    type("stepSpeedField", QStringLiteral("1540"));
-    EXPECT_EQ(text("stepSpeedOutcome"), QStringLiteral("Runs at 1 500 steps/s: speed 15 of 250."));
-    click("stepRunForwardButton");
+    type("stepperSpeedField", QStringLiteral("1540"));
+    EXPECT_EQ(text("stepperSpeedOutcome"), QStringLiteral("Runs at 1 500 steps/s: speed 15 of 250."));
+    click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 1'500; }));
-    EXPECT_TRUE(find<QAbstractButton>("stepRunReverseButton").text().startsWith(QLatin1String("Stop, wait")));
-    click("stepStopSmoothlyButton");
+    EXPECT_TRUE(
+        find<QAbstractButton>("stepperRunReverseButton").text().startsWith(QLatin1String("Stop, wait")));
+    click("stepperStopSmoothlyButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 0 && module().activity() == Activity::Holding; }));
-    click("stepRunReverseButton");
+    click("stepperRunReverseButton");
     ASSERT_TRUE(waitFor([&] { return rate() == -1'500; }));
-    QTest::keyClick(&find("stepSpeedField"), Qt::Key_Escape);
+    QTest::keyClick(&find("stepperSpeedField"), Qt::Key_Escape);
     ASSERT_TRUE(waitFor([&] { return rate() == 0; }));
     EXPECT_TRUE(truth()[QStringLiteral("amp_enabled")].toBool());
 }
 
 // 65 536 - 2 500 000 / 700 + 8 = 61 972.57: 61 973 gives 2 500 000 / 3 571 = 700.08 steps/s.
-TEST_F(StepperPanel, MovesWithoutARampAtTheTimersSpeed) {
+TEST_F(SteppersByHand, MovesWithoutARampAtTheTimersSpeed) {
     enable();
-    choose("stepModeTimedMove");
-    type("stepGoalField", QStringLiteral("-500"));
-    type("stepSpeedField", QStringLiteral("700"));
-    EXPECT_EQ(text("stepSpeedOutcome"), QStringLiteral("Runs at 700.084 steps/s: timer count 61 973."));
-    click("stepGoButton");
+    choose("stepperModeTimedMove");
+    type("stepperGoalField", QStringLiteral("-500"));
+    type("stepperSpeedField", QStringLiteral("700"));
+    EXPECT_EQ(text("stepperSpeedOutcome"), QStringLiteral("Runs at 700.084 steps/s: timer count 61 973."));
+    click("stepperGoButton");
     ASSERT_TRUE(waitFor([&] { return rate() < 0; }));
     EXPECT_NEAR(rate(), -700.084, 1e-3);
     ASSERT_TRUE(standsAt(-500));
-    choose("stepModeTimedRun");
-    type("stepSpeedField", QStringLiteral("350"));
-    click("stepRunForwardButton");
+    choose("stepperModeTimedRun");
+    type("stepperSpeedField", QStringLiteral("350"));
+    click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() > 0; }));
     EXPECT_NEAR(rate(), 350, 0.1);
-    type("stepSpeedField", QStringLiteral("450"));
-    click("stepRunForwardButton");
+    type("stepperSpeedField", QStringLiteral("450"));
+    click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() > 400; }));
-    choose("stepModeProfile");
-    type("stepSpeedField", QStringLiteral("900"));
-    click("stepRunForwardButton");
+    choose("stepperModeProfile");
+    type("stepperSpeedField", QStringLiteral("900"));
+    click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 900; }));
-    click("stepStopAbruptlyButton");
+    click("stepperStopAbruptlyButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 0; }));
 }
 
-TEST_F(StepperPanel, ReversesAndMovesOutOfARunByStopWaitGo) {
+TEST_F(SteppersByHand, ReversesAndMovesOutOfARunByStopWaitGo) {
     enable();
-    choose("stepModeProfile");
-    type("stepSpeedField", QStringLiteral("2000"));
-    click("stepRunForwardButton");
+    choose("stepperModeProfile");
+    type("stepperSpeedField", QStringLiteral("2000"));
+    click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 2'000; }));
-    click("stepRunReverseButton");
+    click("stepperRunReverseButton");
     ASSERT_TRUE(waitFor([&] { return rate() == -2'000; }));
     // The panel learns of it a status later; until then another change is refused.
     ASSERT_TRUE(waitFor([&] { return !changing(); }));
-    choose("stepModeTrapezoidal");
-    type("stepGoalField", QStringLiteral("100"));
-    click("stepGoButton");
+    choose("stepperModeTrapezoidal");
+    type("stepperGoalField", QStringLiteral("100"));
+    click("stepperGoButton");
     ASSERT_TRUE(standsAt(100));
     EXPECT_EQ(position(), 100);
     // A stop overtakes it: what was to come does not.
-    choose("stepModeProfile");
-    click("stepRunForwardButton");
+    choose("stepperModeProfile");
+    click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 2'000; }));
-    click("stepRunReverseButton");
-    QTest::keyClick(&find("stepSpeedField"), Qt::Key_Escape);
+    click("stepperRunReverseButton");
+    QTest::keyClick(&find("stepperSpeedField"), Qt::Key_Escape);
     ASSERT_TRUE(waitFor([&] { return rate() == 0; }));
     ASSERT_TRUE(answersFor(0.5));
     EXPECT_EQ(rate(), 0);
 }
 
-TEST_F(StepperPanel, LoadsNowAndStartsLater) {
+TEST_F(SteppersByHand, LoadsNowAndStartsLater) {
     enable();
-    choose("stepModeTrapezoidal");
-    type("stepGoalField", QStringLiteral("400"));
-    EXPECT_FALSE(find("stepStartLoadedButton").isEnabled());
-    click("stepLoadOnlyBox");
-    click("stepGoButton");
+    choose("stepperModeTrapezoidal");
+    type("stepperGoalField", QStringLiteral("400"));
+    EXPECT_FALSE(find("stepperStartLoadedButton").isEnabled());
+    click("stepperLoadOnlyBox");
+    click("stepperGoButton");
     ASSERT_TRUE(waitFor([&] { return module().loadWaiting; }));
     ASSERT_TRUE(answersFor(0.2));
     EXPECT_EQ(position(), 0);
-    click("stepStartLoadedButton");
+    click("stepperStartLoadedButton");
     ASSERT_TRUE(standsAt(400));
-    EXPECT_FALSE(find("stepStartLoadedButton").isEnabled());
+    EXPECT_FALSE(find("stepperStartLoadedButton").isEnabled());
 }
 
-TEST_F(StepperPanel, MovesOnlyWhileAButtonIsHeld) {
+TEST_F(SteppersByHand, MovesOnlyWhileAButtonIsHeld) {
     enable();
-    type("stepHoldCapField", QStringLiteral("600"));
-    EXPECT_TRUE(find<QLineEdit>("stepHoldVelocityField").text() == QStringLiteral("200"))
+    type("stepperHoldCapField", QStringLiteral("600"));
+    EXPECT_TRUE(find<QLineEdit>("stepperHoldVelocityField").text() == QStringLiteral("200"))
         << "low, and no lower than the minimum profile speed";
-    type("stepHoldVelocityField", QStringLiteral("5000"));
-    EXPECT_FALSE(find("stepHoldForwardButton").isEnabled()) << "above the cap";
-    type("stepHoldVelocityField", QStringLiteral("600"));
-    auto& forward = find<QAbstractButton>("stepHoldForwardButton");
-    ASSERT_TRUE(forward.isEnabled()) << tip("stepHoldForwardButton");
+    type("stepperHoldVelocityField", QStringLiteral("5000"));
+    EXPECT_FALSE(find("stepperHoldForwardButton").isEnabled()) << "above the cap";
+    type("stepperHoldVelocityField", QStringLiteral("600"));
+    auto& forward = find<QAbstractButton>("stepperHoldForwardButton");
+    ASSERT_TRUE(forward.isEnabled()) << tip("stepperHoldForwardButton");
     QTest::mousePress(&forward, Qt::LeftButton);
     // One press alone lasts 250 ms: the window must have re-armed it.
     ASSERT_TRUE(waitFor([&] { return *module().latest->position > 300; }));
     EXPECT_DOUBLE_EQ(rate(), 600);
-    EXPECT_FALSE(find("stepHoldReverseButton").isEnabled());
+    EXPECT_FALSE(find("stepperHoldReverseButton").isEnabled());
     QTest::mouseRelease(&forward, Qt::LeftButton);
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Holding; }));
     EXPECT_EQ(rate(), 0);
-    auto& reverse = find<QAbstractButton>("stepHoldReverseButton");
+    auto& reverse = find<QAbstractButton>("stepperHoldReverseButton");
     ASSERT_TRUE(waitFor([&] { return reverse.isEnabled(); }));
     QTest::mousePress(&reverse, Qt::LeftButton);
     ASSERT_TRUE(waitFor([&] { return rate() == -600; }));
@@ -276,138 +277,139 @@ TEST_F(StepperPanel, MovesOnlyWhileAButtonIsHeld) {
     ASSERT_TRUE(waitFor([&] { return rate() == 0; }));
 }
 
-TEST_F(StepperPanel, SwitchesOutputsAndShowsInputsUnderTheirNames) {
+TEST_F(SteppersByHand, SwitchesOutputsAndShowsInputsUnderTheirNames) {
     const auto outputs = [&] { return truth()[QStringLiteral("outputs")]; };
-    EXPECT_TRUE(find<QAbstractButton>("stepOutput5Box").isChecked()) << "high at power-up";
-    click("stepOutput2Box");
+    EXPECT_TRUE(find<QAbstractButton>("stepperOutput5Box").isChecked()) << "high at power-up";
+    click("stepperOutput2Box");
     ASSERT_TRUE(waitFor([&] { return module().stepper.outputs() == 0x12; }));
-    click("stepOutput5Box");
+    click("stepperOutput5Box");
     ASSERT_TRUE(waitFor([&] { return module().stepper.outputs() == 0x02; }));
-    EXPECT_EQ(text("stepOutput2State"), QStringLiteral("high"));
+    EXPECT_EQ(text("stepperOutput2State"), QStringLiteral("high"));
     EXPECT_EQ(outputs().toInt(), 2);
-    type("stepOutput2Name", QStringLiteral("Coolant"));
-    type("stepInput1Name", QStringLiteral("Door"));
-    EXPECT_EQ(find<QLineEdit>("stepOutput2Name").text(), QStringLiteral("Coolant"));
+    type("stepperOutput2Name", QStringLiteral("Coolant"));
+    type("stepperInput1Name", QStringLiteral("Door"));
+    EXPECT_EQ(find<QLineEdit>("stepperOutput2Name").text(), QStringLiteral("Coolant"));
 
-    for (const auto& [input, label] : {std::pair{"in1", "stepIn1Input"},
-                                       {"in2", "stepIn2Input"},
-                                       {"limit1", "stepLimit1Input"},
-                                       {"limit2", "stepLimit2Input"},
-                                       {"home_switch", "stepHomeInput"},
-                                       {"estop", "stepEstopInput"}}) {
+    for (const auto& [input, label] : {std::pair{"in1", "stepperIn1Input"},
+                                       {"in2", "stepperIn2Input"},
+                                       {"limit1", "stepperLimit1Input"},
+                                       {"limit2", "stepperLimit2Input"},
+                                       {"home_switch", "stepperHomeInput"},
+                                       {"estop", "stepperEstopInput"}}) {
         EXPECT_EQ(text(label), QStringLiteral("low")) << input;
         (void)sim.control(QStringLiteral("set 2 %1 1").arg(QLatin1String(input)));
         EXPECT_TRUE(waitFor([&, l = label] { return text(l) == QStringLiteral("high"); })) << input;
     }
-    EXPECT_EQ(text("stepLimit1InputEffect"), QStringLiteral("blocks forward"));
+    EXPECT_EQ(text("stepperLimit1InputEffect"), QStringLiteral("blocks forward"));
     (void)sim.control(QStringLiteral("set 2 analog 51"));
-    EXPECT_TRUE(waitFor([&] { return text("stepIoAnalog") == QStringLiteral("1 V (51 of 255)"); }));
+    EXPECT_TRUE(waitFor([&] { return text("stepperIoAnalog") == QStringLiteral("1 V (51 of 255)"); }));
 }
 
-TEST_F(StepperPanel, ALimitStopsItAndLeavesTheWayBackOpen) {
+TEST_F(SteppersByHand, ALimitStopsItAndLeavesTheWayBackOpen) {
     enable();
-    choose("stepModeProfile");
-    click("stepRunForwardButton");
+    choose("stepperModeProfile");
+    click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() > 0; }));
     (void)sim.control(QStringLiteral("set 2 limit1 1"));
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::StoppedByLimit; }));
-    EXPECT_EQ(text("stepStateLabel"), QStringLiteral("Stopped by a limit"));
-    EXPECT_FALSE(find("stepRunForwardButton").isEnabled());
-    EXPECT_EQ(tip("stepRunForwardButton"), "Limit switch 1 is active: the motor can move in reverse only.");
-    EXPECT_FALSE(find("stepHoldForwardButton").isEnabled());
-    click("stepRunReverseButton");
+    EXPECT_EQ(text("stepperStateLabel"), QStringLiteral("Stopped by a limit"));
+    EXPECT_FALSE(find("stepperRunForwardButton").isEnabled());
+    EXPECT_EQ(tip("stepperRunForwardButton"),
+              "Limit switch 1 is active: the motor can move in reverse only.");
+    EXPECT_FALSE(find("stepperHoldForwardButton").isEnabled());
+    click("stepperRunReverseButton");
     ASSERT_TRUE(waitFor([&] { return rate() < 0; }));
-    click("stepStopAbruptlyButton");
+    click("stepperStopAbruptlyButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 0; }));
 }
 
-TEST_F(StepperPanel, HeatAndPowerSwitchItOffAndItStaysOff) {
+TEST_F(SteppersByHand, HeatAndPowerSwitchItOffAndItStaysOff) {
     enable();
     (void)sim.control(QStringLiteral("set 2 analog 70"));
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Overheated; }));
     EXPECT_TRUE(headlines().contains(QStringLiteral("Module 2 is too hot and switched its motor off.")));
-    EXPECT_FALSE(find("stepEnableButton").isEnabled());
+    EXPECT_FALSE(find("stepperEnableButton").isEnabled());
     (void)sim.control(QStringLiteral("set 2 analog 200"));
-    click("stepEnableButton");
+    click("stepperEnableButton");
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Holding; }));
     (void)sim.control(QStringLiteral("set 2 power 0"));
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::PowerLost; }));
     EXPECT_TRUE(headlines().contains(QStringLiteral("Module 2 has no motor power, so its motor is off.")));
     (void)sim.control(QStringLiteral("set 2 power 1"));
-    ASSERT_TRUE(waitFor([&] { return find("stepEnableButton").isEnabled(); }));
+    ASSERT_TRUE(waitFor([&] { return find("stepperEnableButton").isEnabled(); }));
     EXPECT_FALSE(truth()[QStringLiteral("amp_enabled")].toBool());
 }
 
-TEST_F(StepperPanel, TheEstopInputStopsItUnlessItIsIgnored) {
+TEST_F(SteppersByHand, TheEstopInputStopsItUnlessItIsIgnored) {
     enable();
-    choose("stepModeProfile");
-    click("stepRunForwardButton");
+    choose("stepperModeProfile");
+    click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() > 0; }));
     (void)sim.control(QStringLiteral("set 2 estop 1"));
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::EstopActive; }));
     EXPECT_EQ(rate(), 0);
-    EXPECT_FALSE(find("stepRunForwardButton").isEnabled());
-    click("stepIgnoreEstopField");
-    EXPECT_EQ(text("stepParametersHint"),
+    EXPECT_FALSE(find("stepperRunForwardButton").isEnabled());
+    click("stepperIgnoreEstopField");
+    EXPECT_EQ(text("stepperParametersHint"),
               QStringLiteral("If checked, the E-stop input does not stop the motor."));
-    EXPECT_EQ(text("stepIgnoreEstopState"), QStringLiteral("● not sent"));
-    click("stepApplyParametersButton");
+    EXPECT_EQ(text("stepperIgnoreEstopState"), QStringLiteral("● not sent"));
+    click("stepperApplyParametersButton");
     ASSERT_TRUE(waitFor([&] { return module().stepper.parameters()->ignoreEstop; }));
-    click("stepRunForwardButton");
+    click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() > 0; }));
-    click("stepMotorOffButton");
+    click("stepperMotorOffButton");
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::AmplifierOff; }));
     EXPECT_EQ(rate(), 0);
 }
 
-TEST_F(StepperPanel, DetailsTellEveryBitAndKeepPositionAndHome) {
+TEST_F(SteppersByHand, DetailsTellEveryBitAndKeepPositionAndHome) {
     enable();
-    choose("stepModeTrapezoidal");
-    type("stepGoalField", QStringLiteral("250"));
-    click("stepGoButton");
+    choose("stepperModeTrapezoidal");
+    type("stepperGoalField", QStringLiteral("250"));
+    click("stepperGoButton");
     ASSERT_TRUE(standsAt(250));
-    EXPECT_TRUE(waitFor([&] { return text("stepBit_amplifier_enabled") == QStringLiteral("on"); }));
-    EXPECT_EQ(text("stepBit_power"), QStringLiteral("on"));
-    EXPECT_EQ(text("stepBit_moving"), QStringLiteral("off"));
-    EXPECT_EQ(text("stepRawLabel"), QStringLiteral("status 0c, inputs 00"));
-    click("stepSaveHomeButton");
-    EXPECT_TRUE(waitFor([&] { return text("stepHomeLabel") == QStringLiteral("250 steps"); }));
-    click("stepZeroHereButton");
+    EXPECT_TRUE(waitFor([&] { return text("stepperBit_amplifier_enabled") == QStringLiteral("on"); }));
+    EXPECT_EQ(text("stepperBit_power"), QStringLiteral("on"));
+    EXPECT_EQ(text("stepperBit_moving"), QStringLiteral("off"));
+    EXPECT_EQ(text("stepperRawLabel"), QStringLiteral("status 0c, inputs 00"));
+    click("stepperSaveHomeButton");
+    EXPECT_TRUE(waitFor([&] { return text("stepperHomeLabel") == QStringLiteral("250 steps"); }));
+    click("stepperZeroHereButton");
     ASSERT_TRUE(standsAt(0));
     EXPECT_EQ(position(), 0);
 }
 
-TEST_F(StepperPanel, StepsByADistanceAndGoesHome) {
+TEST_F(SteppersByHand, StepsByADistanceAndGoesHome) {
     enable();
-    EXPECT_EQ(tip("stepGoHomeButton"), "Home is unknown: search for it, or save it.");
-    click("stepSaveHomeButton");
-    type("stepStepSizeField", QStringLiteral("120"));
-    type("stepStepRoundsField", QStringLiteral("3"));
-    click("stepStepForwardButton");
+    EXPECT_EQ(tip("stepperGoHomeButton"), "Home is unknown: search for it, or save it.");
+    click("stepperSaveHomeButton");
+    type("stepperStepSizeField", QStringLiteral("120"));
+    type("stepperStepRoundsField", QStringLiteral("3"));
+    click("stepperStepForwardButton");
     ASSERT_TRUE(standsAt(360));
     EXPECT_EQ(position(), 360);
     ASSERT_TRUE(waitFor([&] { return !changing(); }));
-    click("stepGoHomeButton");
+    click("stepperGoHomeButton");
     ASSERT_TRUE(standsAt(0));
-    type("stepStepRoundsField", QStringLiteral("500"));
-    click("stepStepReverseButton");
+    type("stepperStepRoundsField", QStringLiteral("500"));
+    click("stepperStepReverseButton");
     ASSERT_TRUE(waitFor([&] { return position() < -100; }));
-    click("stepStepEndButton");
+    click("stepperStepEndButton");
     ASSERT_TRUE(waitFor([&] { return !changing() && !module().moving(); }));
     const int stood = position();
     ASSERT_TRUE(answersFor(1.0));
     EXPECT_EQ(position(), stood) << "no more steps";
 }
 
-TEST_F(StepperPanel, ASecondLookAtTheServoChangesNothing) {
+TEST_F(SteppersByHand, ASecondLookAtTheServoChangesNothing) {
     enable();
     auto& list = find<QAbstractItemView>("chainList");
     list.setCurrentIndex(list.model()->index(0, 0));
     EXPECT_TRUE(waitFor([&] { return find("servoPanel").isVisible(); }));
     list.setCurrentIndex(list.model()->index(1, 0));
-    EXPECT_TRUE(waitFor([&] { return find("stepPanel").isVisible(); }));
-    EXPECT_EQ(find<QLineEdit>("stepRunCurrentField").text(), QStringLiteral("120"));
-    EXPECT_EQ(text("stepRunCurrentState"), QStringLiteral("✓ sent"));
+    EXPECT_TRUE(waitFor([&] { return find("stepperPanel").isVisible(); }));
+    EXPECT_EQ(find<QLineEdit>("stepperRunCurrentField").text(), QStringLiteral("120"));
+    EXPECT_EQ(text("stepperRunCurrentState"), QStringLiteral("✓ sent"));
     EXPECT_EQ(module().activity(), Activity::Holding);
 }
 

@@ -13,7 +13,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr ModuleIdentity kStepper{ModuleType::Step, 1};
+constexpr ModuleIdentity kStepper{ModuleType::Stepper, 1};
 
 [[nodiscard]] std::uint8_t commandOf(const VirtualBus::Sent& sent) {
     return sent.bytes.size() > 2 && sent.bytes[0] == 0xAA ? sent.bytes[2] : std::uint8_t{0x0E};

@@ -180,10 +180,10 @@ TEST(Gate, ForbidsWhatTheVersionDoesNotHave) {
 }
 
 TEST(Gate, ForbidsTheOtherChipsCommands) {
-    Module stepper({ModuleType::Step, 1});
-    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(step::SetOutputs{1})), Verdict::Allowed);
+    Module stepper({ModuleType::Stepper, 1});
+    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(stepper::SetOutputs{1})), Verdict::Allowed);
     EXPECT_EQ(stepper.judge(servo::ClearStickyBits{}), Verdict::Never);
-    EXPECT_EQ(bus::judge(standing().belief, StepCommand(step::SetOutputs{1})), Verdict::Never);
+    EXPECT_EQ(bus::judge(standing().belief, StepperCommand(stepper::SetOutputs{1})), Verdict::Never);
 }
 
 TEST(Gate, ForbidsValuesOutsideTheDataSheet) {
@@ -195,21 +195,21 @@ TEST(Gate, ForbidsValuesOutsideTheDataSheet) {
 
 TEST(Gate, HoldsASteppersTrapezoidBackWhileItMoves) {
     constexpr std::uint8_t kMoving = 0x01;
-    Module stepper({ModuleType::Step, 1});
-    step::LoadTrajectory load;
+    Module stepper({ModuleType::Stepper, 1});
+    stepper::LoadTrajectory load;
     load.position = Counts(100);
     load.speed = std::uint8_t{10};
     stepper.status(kMoving | kPower | 0x04, 0);
-    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(load)), Verdict::Never) << "before Set Parameters";
-    stepper.belief.onExecuted(StepCommand(step::SetParameters{}));
-    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(load)), Verdict::Allowed) << "it is only loaded";
-    stepper.belief.onSent(StepCommand(load), TimePoint{});
-    stepper.belief.onExecuted(StepCommand(load));
-    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(StartMotion{})), Verdict::InMotion);
-    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(step::SetParameters{})), Verdict::Allowed);
-    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(ResetPosition{})), Verdict::InMotion);
+    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(load)), Verdict::Never) << "before Set Parameters";
+    stepper.belief.onExecuted(StepperCommand(stepper::SetParameters{}));
+    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(load)), Verdict::Allowed) << "it is only loaded";
+    stepper.belief.onSent(StepperCommand(load), TimePoint{});
+    stepper.belief.onExecuted(StepperCommand(load));
+    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(StartMotion{})), Verdict::InMotion);
+    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(stepper::SetParameters{})), Verdict::Allowed);
+    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(ResetPosition{})), Verdict::InMotion);
     stepper.status(kPower | 0x04, 0);
-    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(StartMotion{})), Verdict::Allowed);
+    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(StartMotion{})), Verdict::Allowed);
 }
 
 TEST(Belief, RemembersThatAServoMayBeOn) {

@@ -201,24 +201,25 @@ INSTANTIATE_TEST_SUITE_P(Leader, GroupCommands, testing::Bool(),
                          [](const auto& leader) { return leader.param ? "WithLeader" : "Without"; });
 
 TEST(GroupStops, ServosAndSteppersEachInItsOwnWords) {
-    GroupBus bus({{ModuleType::Servo, 4}, {ModuleType::Step, 1}});
+    GroupBus bus({{ModuleType::Servo, 4}, {ModuleType::Stepper, 1}});
     ASSERT_TRUE(bus.connect());
-    const auto toStepper = [](StepCommand command) { return Step{ModuleIndex(1), std::move(command)}; };
-    const step::LoadTrajectory run{std::nullopt, std::uint8_t{40}, std::uint8_t{4}, std::nullopt, false,
-                                   true};
+    const auto toStepper = [](StepperCommand command) { return Step{ModuleIndex(1), std::move(command)}; };
+    const stepper::LoadTrajectory run{std::nullopt, std::uint8_t{40}, std::uint8_t{4}, std::nullopt, false,
+                                      true};
     ASSERT_EQ(
-        bus.perform({gains(0), enable(0), loadVelocity(0, 65'536, true),
-                     toStepper(step::SetParameters{step::SpeedMode::X1, false, false, false, 10, 200, 50, 0}),
-                     toStepper(step::StopMotor{true, step::StopManner::AmplifierOnly}), toStepper(run)}),
+        bus.perform(
+            {gains(0), enable(0), loadVelocity(0, 65'536, true),
+             toStepper(stepper::SetParameters{stepper::SpeedMode::X1, false, false, false, 10, 200, 50, 0}),
+             toStepper(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly}), toStepper(run)}),
         Outcome::Done);
     for (std::uint8_t i = 0; i < 2; ++i)
         ASSERT_EQ(bus.put(i, 0x85, i == 0).outcome, Outcome::Done);
     bus.runFor(1s);
-    ASSERT_TRUE(bus.lastSample(1)->report.stepStatus().moving());
+    ASSERT_TRUE(bus.lastSample(1)->report.stepperStatus().moving());
     EXPECT_EQ(bus.finish(bus.submitGroup(GroupCommand{0x85, GroupCommand::Action::StopSmoothly})).outcome,
               Outcome::Done);
     EXPECT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 2; }, 5s));
-    EXPECT_FALSE(bus.lastSample(1)->report.stepStatus().moving());
+    EXPECT_FALSE(bus.lastSample(1)->report.stepperStatus().moving());
     EXPECT_NEAR(bus.servo(0).commandVelocity, 0.0, 0.01);
     EXPECT_EQ(bus.finish(bus.submitGroup(GroupCommand{0x85, GroupCommand::Action::ClearStickyBits})).outcome,
               Outcome::Forbidden)

@@ -181,22 +181,22 @@ TEST(GroupStart, IsNotForAGroupThatHasNobody) {
 }
 
 TEST(GroupStart, TakesServosAndSteppersTogether) {
-    GroupBus bus({{ModuleType::Servo, 4}, {ModuleType::Step, 1}});
+    GroupBus bus({{ModuleType::Servo, 4}, {ModuleType::Stepper, 1}});
     ASSERT_TRUE(bus.connect());
-    const auto toStepper = [](StepCommand command) { return Step{ModuleIndex(1), std::move(command)}; };
-    const step::LoadTrajectory far{Counts(2'000), std::uint8_t{40}, std::uint8_t{4}, std::nullopt};
-    ASSERT_EQ(
-        bus.perform({gains(0), enable(0),
-                     toStepper(step::SetParameters{step::SpeedMode::X1, false, false, false, 10, 200, 50, 0}),
-                     toStepper(step::StopMotor{true, step::StopManner::AmplifierOnly})}),
-        Outcome::Done);
+    const auto toStepper = [](StepperCommand command) { return Step{ModuleIndex(1), std::move(command)}; };
+    const stepper::LoadTrajectory far{Counts(2'000), std::uint8_t{40}, std::uint8_t{4}, std::nullopt};
+    ASSERT_EQ(bus.perform({gains(0), enable(0),
+                           toStepper(stepper::SetParameters{stepper::SpeedMode::X1, false, false, false, 10,
+                                                            200, 50, 0}),
+                           toStepper(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly})}),
+              Outcome::Done);
     for (std::uint8_t i = 0; i < 2; ++i)
         ASSERT_EQ(bus.put(i, 0x85, i == 0).outcome, Outcome::Done);
     ASSERT_EQ(bus.perform({loadMove(0, 3'000), toStepper(far)}), Outcome::Done);
     EXPECT_EQ(bus.start(0x85).outcome, Outcome::Done);
     bus.runFor(6s);
     EXPECT_NEAR(bus.servo(0).position, 3'000, 2);
-    EXPECT_EQ(bus.chain.snapshot(ModuleIndex(1), bus.now).step->position, 2'000);
+    EXPECT_EQ(bus.chain.snapshot(ModuleIndex(1), bus.now).stepper->position, 2'000);
     bus.expectNoViolations();
 }
 

@@ -46,9 +46,9 @@ public:
     explicit Servo(const ServoState& first = {}) : Asked(4) { settle(first); }
 };
 
-class Stepper : public Asked<StepState, ModuleType::Step> {
+class Stepper : public Asked<StepperState, ModuleType::Stepper> {
 public:
-    explicit Stepper(const StepState& first = {}) : Asked(1) { settle(first); }
+    explicit Stepper(const StepperState& first = {}) : Asked(1) { settle(first); }
 };
 
 TEST(Plausibility, TellsOnceOfACounterThatSomebodyElseHasSet) {
@@ -82,7 +82,7 @@ TEST(Plausibility, RejectsALineThatIsHeldLowOrHigh) {
 TEST(Plausibility, BelievesTheZerosOfAStepperThatHasNothingElseToTell) {
     const std::vector<std::uint8_t> zeros(10, 0x00);
     const auto says = [&](Stepper& stepper) {
-        return stepper.judge.judge(accepted(ModuleType::Step, kShort, zeros, stepper.now + 10ms));
+        return stepper.judge.judge(accepted(ModuleType::Stepper, kShort, zeros, stepper.now + 10ms));
     };
     Stepper resting({.status = 0x00, .analog = 0});
     EXPECT_EQ(says(resting), std::nullopt) << "it said so before, with its type";
@@ -90,8 +90,8 @@ TEST(Plausibility, BelievesTheZerosOfAStepperThatHasNothingElseToTell) {
     EXPECT_EQ(says(powered), Rejection::Uniform);
     Stepper elsewhere({.status = 0x00, .position = 5, .analog = 0});
     EXPECT_EQ(says(elsewhere), Rejection::Uniform);
-    Plausibility fresh({ModuleType::Step, 1});
-    EXPECT_EQ(fresh.judge(accepted(ModuleType::Step, kShort, zeros, {})), Rejection::Uniform);
+    Plausibility fresh({ModuleType::Stepper, 1});
+    EXPECT_EQ(fresh.judge(accepted(ModuleType::Stepper, kShort, zeros, {})), Rejection::Uniform);
 }
 
 TEST(Plausibility, RejectsAnotherTypeOrVersion) {
@@ -167,7 +167,7 @@ TEST(Plausibility, RejectsHomingThatNobodyAskedFor) {
     Stepper stepper;
     EXPECT_EQ(stepper.says({.status = 0x8C}), Rejection::HomingRose);
     Stepper home;
-    home.sends(StepCommand(step::SetHoming{.onHomeSwitchChange = true}));
+    home.sends(StepperCommand(stepper::SetHoming{.onHomeSwitchChange = true}));
     EXPECT_EQ(home.says({.status = 0x8C}), std::nullopt);
 }
 
@@ -277,11 +277,11 @@ TEST(Plausibility, RejectsAStepperThatMovesWithoutPower) {
 TEST(Plausibility, RejectsAStepperThatMovedWhileItStood) {
     Stepper stepper;
     EXPECT_EQ(stepper.says({.position = 1}), Rejection::MovedWhileStopped);
-    step::LoadTrajectory oneStep;
+    stepper::LoadTrajectory oneStep;
     oneStep.position = Counts(1);
     oneStep.startNow = true;
     Stepper told;
-    told.sends(StepCommand(oneStep));
+    told.sends(StepperCommand(oneStep));
     EXPECT_EQ(told.says({.position = 1}), std::nullopt) << "one step, between two questions";
     Stepper ended({.status = 0x4D, .timer = 60'000});
     EXPECT_EQ(ended.says({.position = 12}), std::nullopt) << "it moved when it was asked last";

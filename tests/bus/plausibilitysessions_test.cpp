@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using servo::StopManner;
 using sim::Input;
 
-constexpr ModuleIdentity kStepper{ModuleType::Step, 1};
+constexpr ModuleIdentity kStepper{ModuleType::Stepper, 1};
 
 [[nodiscard]] Duration sessionLength() {
     const char* text = std::getenv("NMC_PLAUSIBILITY_SECONDS");
@@ -181,34 +181,34 @@ private:
     }
 
     void actOnStepper(std::uint8_t m) {
-        const auto to = [m](StepCommand command) { return Step{ModuleIndex(m), std::move(command)}; };
+        const auto to = [m](StepperCommand command) { return Step{ModuleIndex(m), std::move(command)}; };
         switch (below(16)) {
             case 0:
             case 1: {
-                const step::SetParameters parameters{static_cast<step::SpeedMode>(below(4)),
-                                                     coin(),
-                                                     coin(),
-                                                     coin(),
-                                                     static_cast<std::uint8_t>(1 + below(20)),
-                                                     200,
-                                                     50,
-                                                     static_cast<std::uint8_t>(coin() ? 0 : 100)};
-                return ask("parameters",
-                           {to(parameters), to(step::StopMotor{true, step::StopManner::AmplifierOnly})});
+                const stepper::SetParameters parameters{static_cast<stepper::SpeedMode>(below(4)),
+                                                        coin(),
+                                                        coin(),
+                                                        coin(),
+                                                        static_cast<std::uint8_t>(1 + below(20)),
+                                                        200,
+                                                        50,
+                                                        static_cast<std::uint8_t>(coin() ? 0 : 100)};
+                return ask("parameters", {to(parameters),
+                                          to(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly})});
             }
             case 2:
             case 3:
             case 4:
             case 5:
             case 6: {
-                step::LoadTrajectory load;
+                stepper::LoadTrajectory load;
                 if (coin())
                     load.position = Counts(around(20'000));
                 if (coin() || coin()) {
                     load.speed = static_cast<std::uint8_t>(1 + below(250));
                     load.accelerationTime = static_cast<std::uint8_t>(1 + below(20));
                 } else {
-                    load.timer = step::TimerCount{static_cast<std::uint16_t>(1 + below(65'452)), 20};
+                    load.timer = stepper::TimerCount{static_cast<std::uint16_t>(1 + below(65'452)), 20};
                 }
                 load.reverse = coin();
                 load.startNow = coin();
@@ -217,10 +217,11 @@ private:
             }
             case 7:
             case 8:
-                return ask("stop",
-                           {to(step::StopMotor{coin() || coin(), static_cast<step::StopManner>(below(3))})});
+                return ask(
+                    "stop",
+                    {to(stepper::StopMotor{coin() || coin(), static_cast<stepper::StopManner>(below(3))})});
             case 9: {
-                step::SetHoming homing;
+                stepper::SetHoming homing;
                 homing.onLimit1Change = coin();
                 homing.onHomeSwitchChange = coin();
                 const auto end = below(4);

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
-constexpr ModuleIdentity kStepper{ModuleType::Step, 1};
+constexpr ModuleIdentity kStepper{ModuleType::Stepper, 1};
 
 [[nodiscard]] ModuleInfo module(std::uint8_t index, std::uint8_t address, ModuleIdentity identity = kServo) {
     return {ModuleIndex(index), BusAddress(address), identity, std::nullopt};

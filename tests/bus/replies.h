@@ -23,7 +23,7 @@ struct ServoState {
 };
 
 /// A PIC-STEP at rest: amplifier and power on.
-struct StepState {
+struct StepperState {
     std::uint8_t status = 0x0C;
     std::int32_t position = 0;
     std::uint8_t analog = 255;
@@ -65,7 +65,7 @@ struct StepState {
     return replyBytes(items, s.status, s.position, s.analog, static_cast<std::uint16_t>(-s.velocity), s.aux,
                       s.home, s.type, s.version);
 }
-[[nodiscard]] inline std::vector<std::uint8_t> bytesOf(const StepState& s, std::uint8_t items) {
+[[nodiscard]] inline std::vector<std::uint8_t> bytesOf(const StepperState& s, std::uint8_t items) {
     return replyBytes(items, s.status, s.position, s.analog, s.timer, s.inputs, s.home, s.type, s.version);
 }
 

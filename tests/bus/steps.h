@@ -62,8 +62,8 @@ namespace nmc::test {
 }
 
 /// A load for a PIC-STEP with only these of its items, in the order of DS-S 5.1, Table 4.
-[[nodiscard]] inline step::LoadTrajectory partOf(step::LoadTrajectory load, bool position, bool speed,
-                                                 bool acceleration, bool timer) {
+[[nodiscard]] inline stepper::LoadTrajectory partOf(stepper::LoadTrajectory load, bool position, bool speed,
+                                                    bool acceleration, bool timer) {
     if (!position)
         load.position.reset();
     if (!speed)

@@ -305,7 +305,7 @@ TEST(StopRun, TakesShortTimeOnAHealthyLink) {
 }
 
 [[nodiscard]] Belief stepper(std::uint8_t status) {
-    Belief belief({ModuleIndex(0), BusAddress(1), {ModuleType::Step, 1}});
+    Belief belief({ModuleIndex(0), BusAddress(1), {ModuleType::Stepper, 1}});
     StatusReport report;
     report.status = status;
     belief.onStatus(report, TimePoint(1s));
@@ -393,25 +393,25 @@ TEST(StopRun, IsReportedBeforeWhatTheModuleSaysAfterIt) {
 }
 
 TEST(StopRun, StopsASimulatedStepperAndLeavesAnOffOneOff) {
-    VirtualBus bus({{ModuleType::Servo, 4}, {ModuleType::Step, 1}, {ModuleType::Step, 1}});
+    VirtualBus bus({{ModuleType::Servo, 4}, {ModuleType::Stepper, 1}, {ModuleType::Stepper, 1}});
     ASSERT_TRUE(bus.connect());
-    const auto toStep = [](StepCommand command) { return bus::Step{ModuleIndex(1), std::move(command)}; };
-    step::LoadTrajectory run;
+    const auto toStep = [](StepperCommand command) { return bus::Step{ModuleIndex(1), std::move(command)}; };
+    stepper::LoadTrajectory run;
     run.speed = std::uint8_t{100};
     run.accelerationTime = std::uint8_t{2};
-    ASSERT_EQ(
-        bus.perform({toStep(step::SetParameters{step::SpeedMode::X1, false, false, false, 5, 200, 50, 0}),
-                     toStep(step::StopMotor{true, step::StopManner::AmplifierOnly}), toStep(run),
-                     toStep(StartMotion{})}),
-        Outcome::Done);
+    ASSERT_EQ(bus.perform(
+                  {toStep(stepper::SetParameters{stepper::SpeedMode::X1, false, false, false, 5, 200, 50, 0}),
+                   toStep(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly}), toStep(run),
+                   toStep(StartMotion{})}),
+              Outcome::Done);
     bus.runFor(500ms);
-    ASSERT_TRUE(bus.chain.snapshot(ModuleIndex(1), bus.now).step->moving);
+    ASSERT_TRUE(bus.chain.snapshot(ModuleIndex(1), bus.now).stepper->moving);
     const auto finished = bus.stopAll();
     ASSERT_TRUE(finished.has_value());
     EXPECT_THAT(numbers(finished->stopped), ElementsAre(0, 1, 2));
-    EXPECT_FALSE(bus.chain.snapshot(ModuleIndex(1), bus.now).step->moving);
-    EXPECT_TRUE(bus.chain.snapshot(ModuleIndex(1), bus.now).step->ampEnabled) << "it keeps holding";
-    EXPECT_FALSE(bus.chain.snapshot(ModuleIndex(2), bus.now).step->ampEnabled);
+    EXPECT_FALSE(bus.chain.snapshot(ModuleIndex(1), bus.now).stepper->moving);
+    EXPECT_TRUE(bus.chain.snapshot(ModuleIndex(1), bus.now).stepper->ampEnabled) << "it keeps holding";
+    EXPECT_FALSE(bus.chain.snapshot(ModuleIndex(2), bus.now).stepper->ampEnabled);
     bus.expectNoViolations();
 }
 

@@ -105,10 +105,10 @@ TEST(Trust, WantsStandstillShownAnewAfterAStart) {
 }
 
 TEST(Trust, WithholdsAReleasedEstopOfAStepperOnce) {
-    Trust trust({ModuleType::Step, 1});
+    Trust trust({ModuleType::Stepper, 1});
     const auto says = [&](std::uint8_t status, std::uint8_t inputs, std::uint8_t items) {
-        const StepState state{.status = status, .timer = 60'000, .inputs = inputs};
-        return trust.confirm(accepted(ModuleType::Step, items, bytesOf(state, items), {}).report);
+        const StepperState state{.status = status, .timer = 60'000, .inputs = inputs};
+        return trust.confirm(accepted(ModuleType::Stepper, items, bytesOf(state, items), {}).report);
     };
     // E-stop and both limits; moving and homing.
     for (const std::uint8_t items : {kLong, kShort, kLong})

@@ -75,7 +75,7 @@ TEST(Verification, CanTellForFourCommandsOnly) {
     EXPECT_TRUE(canVerify(ServoCommand(ResetPosition{})));
     EXPECT_TRUE(canVerify(ServoCommand(SaveAsHome{})));
     EXPECT_TRUE(canVerify(ServoCommand(servo::ClearStickyBits{})));
-    EXPECT_TRUE(canVerify(StepCommand(StartMotion{})));
+    EXPECT_TRUE(canVerify(StepperCommand(StartMotion{})));
     EXPECT_FALSE(canVerify(loadMove(0, 5).command));
     EXPECT_FALSE(canVerify(loadVelocity(0, 65'536, true).command)) << "velocity cannot be told from before";
     EXPECT_FALSE(canVerify(gains(0).command));
@@ -83,7 +83,7 @@ TEST(Verification, CanTellForFourCommandsOnly) {
     EXPECT_FALSE(canVerify(ServoCommand(servo::SetHoming{})));
     EXPECT_FALSE(canVerify(ServoCommand(servo::IoControl{})));
     EXPECT_FALSE(canVerify(ServoCommand(Nop{})));
-    EXPECT_FALSE(canVerify(StepCommand(step::SetParameters{})));
+    EXPECT_FALSE(canVerify(StepperCommand(stepper::SetParameters{})));
 }
 
 TEST(Verification, TakesAMotorThatMovesForStarted) {

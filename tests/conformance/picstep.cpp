@@ -32,10 +32,10 @@ void PicStep::moveTo(std::int32_t goal) {
     EXPECT_EQ(position(), goal);
 }
 
-StepReport PicStep::report() {
+StepperReport PicStep::report() {
     const Bytes r = command(0x13, {0x3F});
     EXPECT_EQ(r.size(), kReportSize);
-    return r.size() == kReportSize ? readReport(r) : StepReport{};
+    return r.size() == kReportSize ? readReport(r) : StepperReport{};
 }
 
 double PicStep::stepsIn(Duration time) {

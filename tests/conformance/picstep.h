@@ -2,11 +2,11 @@
 #pragma once
 
 #include "tests/conformance/conformance.h"
-#include "tests/conformance/stepcommands.h"
+#include "tests/conformance/steppercommands.h"
 
 namespace nmc::conformance {
 
-using namespace stepchip;
+using namespace stepperchip;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -42,7 +42,7 @@ protected:
     void moveTo(std::int32_t goal);
 
     unsigned status() { return byteAt(command(0x0E), 0); }
-    StepReport report();
+    StepperReport report();
     void set(const std::string& nameAndValue) { rig->must("set 1 " + nameAndValue); }
 
     template <typename T>

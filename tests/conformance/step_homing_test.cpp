@@ -29,7 +29,7 @@ void PicStepHoming::expectCapturedOn(const std::string& pin, unsigned control) {
         const std::int64_t there = position();
         set(pin + level);
         rig->wait(milliseconds(200));
-        const StepReport r = report();
+        const StepperReport r = report();
         EXPECT_EQ(r.status & 0x80U, 0U) << pin << level;
         EXPECT_NEAR(r.home, static_cast<double>(there), 1);
         EXPECT_GT(r.position, there + 190) << "no manner of stopping was given";

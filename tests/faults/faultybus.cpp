@@ -138,8 +138,8 @@ std::size_t FaultyBus::motionSuspects(std::uint8_t module) const {
 
 bool FaultyBus::stands(std::uint8_t module) {
     const sim::ModuleSnapshot snapshot = chain.snapshot(ModuleIndex(module), now);
-    if (snapshot.step)
-        return !snapshot.step->moving;
+    if (snapshot.stepper)
+        return !snapshot.stepper->moving;
     return snapshot.servo.commandVelocity == 0 && std::abs(snapshot.servo.velocity) < 1;
 }
 

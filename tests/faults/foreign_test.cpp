@@ -40,7 +40,7 @@ protected:
             n += motion.module == ModuleIndex(module) ? 1U : 0U;
         return n;
     }
-    FaultyBus bus{{{ModuleType::Servo, 4}, {ModuleType::Servo, 4}, {ModuleType::Step, 1}}, kFast};
+    FaultyBus bus{{{ModuleType::Servo, 4}, {ModuleType::Servo, 4}, {ModuleType::Stepper, 1}}, kFast};
 };
 
 // ---- what it moves ----
@@ -80,12 +80,12 @@ TEST_F(F45_ForeignMotion, OfAServoThatWasOffIsTold) {
 }
 
 TEST_F(F45_ForeignMotion, OfAStepperIsTold) {
-    sends(2, step::SetParameters{}.encode());
-    step::LoadTrajectory load;
+    sends(2, stepper::SetParameters{}.encode());
+    stepper::LoadTrajectory load;
     load.speed = 20;
     load.accelerationTime = 20;
     load.startNow = true;
-    sends(2, step::StopMotor{true, step::StopManner::AmplifierOnly}.encode());
+    sends(2, stepper::StopMotor{true, stepper::StopManner::AmplifierOnly}.encode());
     sends(2, load.encode());
     bus.runFor(1s);
     EXPECT_EQ(motions(2), 1U);

@@ -11,7 +11,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-[[nodiscard]] Step toStep(StepCommand command) {
+[[nodiscard]] Step toStep(StepperCommand command) {
     return {ModuleIndex(0), std::move(command)};
 }
 
@@ -21,24 +21,26 @@ constexpr std::array kFrom{From::Stopped, From::Trapezoidal, From::Velocity, Fro
                            From::Unprofiled};
 
 /// Slow enough to be under way for all of a test: 25 x 5 steps per second in speed mode 1x.
-[[nodiscard]] step::LoadTrajectory run(bool position, bool speed, bool acceleration, bool timer,
-                                       bool reverse = false) {
-    step::LoadTrajectory whole{Counts(20'000), std::uint8_t{30}, std::uint8_t{4}, step::TimerCount{500, 50}};
+[[nodiscard]] stepper::LoadTrajectory run(bool position, bool speed, bool acceleration, bool timer,
+                                          bool reverse = false) {
+    stepper::LoadTrajectory whole{Counts(20'000), std::uint8_t{30}, std::uint8_t{4},
+                                  stepper::TimerCount{500, 50}};
     whole.reverse = reverse;
     return partOf(whole, position, speed, acceleration, timer);
 }
 
 class Stepper {
 public:
-    FaultyBus bus{{{ModuleType::Step, 1}}, 115'200};
+    FaultyBus bus{{{ModuleType::Stepper, 1}}, 115'200};
 
     [[nodiscard]] bool isReady() {
         return bus.connect() &&
-               bus.perform(
-                   {toStep(step::SetParameters{step::SpeedMode::X1, false, false, false, 10, 200, 50, 0}),
-                    toStep(step::StopMotor{true, step::StopManner::AmplifierOnly})}) == Outcome::Done;
+               bus.perform({toStep(stepper::SetParameters{stepper::SpeedMode::X1, false, false, false, 10,
+                                                          200, 50, 0}),
+                            toStep(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly})}) ==
+                   Outcome::Done;
     }
-    [[nodiscard]] std::optional<Outcome> start(const step::LoadTrajectory& load) {
+    [[nodiscard]] std::optional<Outcome> start(const stepper::LoadTrajectory& load) {
         return bus.perform({toStep(load), toStep(StartMotion{})});
     }
     [[nodiscard]] bool enter(From from) {
@@ -64,7 +66,9 @@ public:
         bus.runFor(200ms);
         return outcome == Outcome::Done && truth().moving == (from != From::Stopped);
     }
-    [[nodiscard]] sim::StepSnapshot truth() { return *bus.chain.snapshot(ModuleIndex(0), bus.now).step; }
+    [[nodiscard]] sim::StepperSnapshot truth() {
+        return *bus.chain.snapshot(ModuleIndex(0), bus.now).stepper;
+    }
 };
 
 TEST(M19_StepperPositionResetWhileMoving, IsNeverSent) {
@@ -103,7 +107,7 @@ TEST(M22_ForbiddenModeTransition, IsNeverSent) {
             for (const bool atOnce : {false, true}) {
                 Stepper stepper;
                 ASSERT_TRUE(stepper.enter(from));
-                step::LoadTrajectory load =
+                stepper::LoadTrajectory load =
                     run((loaded & 1U) != 0, (loaded & 2U) != 0, (loaded & 4U) != 0, (loaded & 8U) != 0);
                 load.startNow = atOnce;
                 const auto outcome = atOnce ? stepper.bus.perform({toStep(load)}) : stepper.start(load);
@@ -118,7 +122,7 @@ TEST(M22_ForbiddenModeTransition, IsNeverSent) {
 TEST(M22_ForbiddenModeTransition, LeavesTheOpenCellsOpen) {
     struct Cell {
         From from;
-        step::LoadTrajectory load;
+        stepper::LoadTrajectory load;
     };
     for (const Cell& cell : {Cell{From::Stopped, run(true, true, true, false)},
                              Cell{From::Stopped, run(false, true, true, false)},
@@ -142,7 +146,7 @@ TEST(M23_SpeedModeSetWhileMoving, IsNeverSent) {
         // Set Parameters has the code of Set Gain.
         const auto before = stepper.bus.sentTo(0, CommandCode::SetGain);
         const auto outcome = stepper.bus.perform(
-            {toStep(step::SetParameters{step::SpeedMode::X8, false, false, false, 10, 200, 50, 0})});
+            {toStep(stepper::SetParameters{stepper::SpeedMode::X8, false, false, false, 10, 200, 50, 0})});
         EXPECT_EQ(outcome, from == From::Stopped ? Outcome::Done : Outcome::Forbidden);
         EXPECT_EQ(stepper.bus.sentTo(0, CommandCode::SetGain), before + (from == From::Stopped ? 1U : 0U));
         stepper.bus.expectNoViolations();

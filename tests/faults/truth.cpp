@@ -86,8 +86,8 @@ void Truth::remember() {
             continue;
         const sim::ModuleSnapshot module = m_bus.chain.snapshot(ModuleIndex(i), m_bus.now);
         const sim::ServoSnapshot& servo = module.servo;
-        if (module.step) {
-            history.push_back({m_bus.now, module.step->position, 0, false, true});
+        if (module.stepper) {
+            history.push_back({m_bus.now, module.stepper->position, 0, false, true});
         } else {
             const double speed = std::min(std::abs(servo.commandVelocity), std::abs(servo.velocity));
             history.push_back({m_bus.now, servo.position, speed, servo.limit1, servo.power});

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<std::uint8_t> answerOf(nmc::ByteSpan input) {
     nmc::sim::Chain chain(
-        {{nmc::ModuleType::Servo, 4}, {nmc::ModuleType::Step, 1}, {nmc::ModuleType::Servo, 1}});
+        {{nmc::ModuleType::Servo, 4}, {nmc::ModuleType::Stepper, 1}, {nmc::ModuleType::Servo, 1}});
     nmc::TimePoint now{};
     now += std::chrono::milliseconds(20);  // past the dead time after power-up
     std::vector<std::uint8_t> answer;

@@ -23,7 +23,7 @@ constexpr std::array<nmc::ModuleIdentity, 6> kModules{{{nmc::ModuleType::Servo, 
                                                        {nmc::ModuleType::Servo, 5},
                                                        {nmc::ModuleType::Servo, 10},
                                                        {nmc::ModuleType::Io, 1},
-                                                       {nmc::ModuleType::Step, 1}}};
+                                                       {nmc::ModuleType::Stepper, 1}}};
 
 /// A word that is a point goes out as it came in, but for the sign of nothing.
 void expectWholePath(const nmc::ServoCommand& command) {

@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using nmc::ModuleType;
     for (const nmc::ModuleIdentity& module :
          {nmc::ModuleIdentity{ModuleType::Servo, 4}, nmc::ModuleIdentity{ModuleType::Servo, 10},
-          nmc::ModuleIdentity{ModuleType::Step, 1}, nmc::ModuleIdentity{ModuleType::Io, 1}}) {
+          nmc::ModuleIdentity{ModuleType::Stepper, 1}, nmc::ModuleIdentity{ModuleType::Io, 1}}) {
         require(nmc::describeCommand(module, bytes).empty() == bytes.empty());
         require(nmc::describeReply(module, items, bytes).empty() == bytes.empty());
     }

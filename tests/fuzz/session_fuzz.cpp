@@ -133,7 +133,7 @@ public:
 private:
     static std::vector<ModuleIdentity> chainOf(std::uint8_t byte) {
         static const std::array<std::vector<ModuleIdentity>, 4> kChains{
-            servos(1), servos(2), servos(2, 1), {{ModuleType::Servo, 4}, {ModuleType::Step, 1}}};
+            servos(1), servos(2), servos(2, 1), {{ModuleType::Servo, 4}, {ModuleType::Stepper, 1}}};
         return kChains[byte % kChains.size()];
     }
 

@@ -11,7 +11,7 @@ using Verdict = ChainPlace::Verdict;
 
 constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
 constexpr ModuleIdentity kOldServo{ModuleType::Servo, 1};
-constexpr ModuleIdentity kStep{ModuleType::Step, 1};
+constexpr ModuleIdentity kStep{ModuleType::Stepper, 1};
 
 Machine machineOf(const std::vector<ModuleIdentity>& expected) {
     Machine machine;

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "model/intent/stepplan.h"
-#include "model/module/stepspeed.h"
+#include "model/intent/stepperplan.h"
+#include "model/module/stepperspeed.h"
 #include "model/procedure/procedures.h"
 #include "tests/support/virtualbus.h"
 
@@ -21,12 +21,12 @@ protected:
     void SetUp() override {
         ASSERT_TRUE(bus.connect());
         module.info = bus.last<bus::ChainFound>()->modules[0];
-        step::SetParameters parameters;
-        parameters.speedMode = step::SpeedMode::X1;
+        stepper::SetParameters parameters;
+        parameters.speedMode = stepper::SpeedMode::X1;
         parameters.minimumProfileSpeed = 4;
         parameters.runCurrent = 100;
         parameters.holdCurrent = 50;
-        perform(stepintent::SetParameters{parameters});
+        perform(stepperintent::SetParameters{parameters});
         perform(intent::Enable{});
         bus.runFor(50ms);
         takeNews();
@@ -72,9 +72,9 @@ protected:
         }
         return procedure.report();
     }
-    sim::StepSnapshot truth() { return bus.chain.snapshot(ModuleIndex(0), bus.now).step.value(); }
+    sim::StepperSnapshot truth() { return bus.chain.snapshot(ModuleIndex(0), bus.now).stepper.value(); }
 
-    VirtualBus bus{std::vector<ModuleIdentity>{{ModuleType::Step, 1}}};
+    VirtualBus bus{std::vector<ModuleIdentity>{{ModuleType::Stepper, 1}}};
     ModuleState module;
     std::function<void(Procedure&)> onTurn;
 
@@ -83,16 +83,16 @@ private:
     std::optional<bus::OperationId> m_operation;
 };
 
-const StepMotion kForward = stepmotion::VelocityProfile{40, 40, false};
-const StepMotion kReverse = stepmotion::VelocityProfile{40, 40, true};
+const StepperMotion kForward = steppermotion::VelocityProfile{40, 40, false};
+const StepperMotion kReverse = steppermotion::VelocityProfile{40, 40, true};
 
 TEST_F(ChangingMotion, ReversesByStoppingFirst) {
-    perform(stepintent::Move{kForward});
+    perform(stepperintent::Move{kForward});
     bus.runFor(1s);
     takeNews();
     EXPECT_NEAR(truth().stepRate, 1'000, 1e-6) << "40 x 25 steps/s";
     ASSERT_EQ(whyNot(kReverse, module), Refusal::NeedsStop);
-    const auto procedure = procedureFor(stepintent::ChangeMotion{kReverse}, module);
+    const auto procedure = procedureFor(stepperintent::ChangeMotion{kReverse}, module);
     ASSERT_NE(procedure, nullptr);
     EXPECT_EQ(run(*procedure).stage, ProcedureStage::Done);
     bus.runFor(1s);
@@ -101,9 +101,9 @@ TEST_F(ChangingMotion, ReversesByStoppingFirst) {
 }
 
 TEST_F(ChangingMotion, GoesToAPositionOutOfARun) {
-    perform(stepintent::Move{kForward});
+    perform(stepperintent::Move{kForward});
     bus.runFor(1s);
-    ChangeMotion change(ModuleIndex(0), stepmotion::Trapezoid{-200, false, 40, 10});
+    ChangeMotion change(ModuleIndex(0), steppermotion::Trapezoid{-200, false, 40, 10});
     EXPECT_EQ(run(change).stage, ProcedureStage::Done);
     bus.runFor(10s);
     EXPECT_EQ(truth().position, -200);
@@ -112,14 +112,14 @@ TEST_F(ChangingMotion, GoesToAPositionOutOfARun) {
 }
 
 TEST_F(ChangingMotion, CountsARelativeGoalFromWhereItHasStopped) {
-    perform(stepintent::Move{kForward});
+    perform(stepperintent::Move{kForward});
     bus.runFor(1s);
     std::optional<std::int32_t> stood;
     onTurn = [&](Procedure&) {
         if (!truth().moving && !stood)
             stood = truth().position;
     };
-    ChangeMotion change(ModuleIndex(0), stepmotion::Trapezoid{-100, true, 40, 10});
+    ChangeMotion change(ModuleIndex(0), steppermotion::Trapezoid{-100, true, 40, 10});
     EXPECT_EQ(run(change).stage, ProcedureStage::Done);
     bus.runFor(5s);
     ASSERT_TRUE(stood);
@@ -127,7 +127,7 @@ TEST_F(ChangingMotion, CountsARelativeGoalFromWhereItHasStopped) {
 }
 
 TEST_F(ChangingMotion, StartsNothingOnceItIsCancelled) {
-    perform(stepintent::Move{kForward});
+    perform(stepperintent::Move{kForward});
     ChangeMotion change(ModuleIndex(0), kReverse);
     onTurn = [&](Procedure& procedure) {
         if (procedure.report().stage == ProcedureStage::Stopping)
@@ -140,7 +140,7 @@ TEST_F(ChangingMotion, StartsNothingOnceItIsCancelled) {
 }
 
 TEST_F(ChangingMotion, StopsWhatItHasStartedWhenItIsCancelledJustThen) {
-    perform(stepintent::Move{kForward});
+    perform(stepperintent::Move{kForward});
     ChangeMotion change(ModuleIndex(0), kReverse);
     onTurn = [&](Procedure& procedure) {
         if (procedure.report().stage == ProcedureStage::Moving)
@@ -153,7 +153,7 @@ TEST_F(ChangingMotion, StopsWhatItHasStartedWhenItIsCancelledJustThen) {
 }
 
 TEST_F(ChangingMotion, FailsWhenTheLinkIsSuspectAndStartsNothing) {
-    perform(stepintent::Move{kForward});
+    perform(stepperintent::Move{kForward});
     ChangeMotion change(ModuleIndex(0), kReverse);
     onTurn = [](Procedure& procedure) { procedure.onLinkSuspect(); };
     const ProcedureReport report = run(change);
@@ -164,7 +164,7 @@ TEST_F(ChangingMotion, FailsWhenTheLinkIsSuspectAndStartsNothing) {
 }
 
 TEST_F(ChangingMotion, FailsWhereTheNewMotionIsNotPossibleAndLeavesTheOldOneAlone) {
-    perform(stepintent::Move{kForward});
+    perform(stepperintent::Move{kForward});
     bus.runFor(500ms);
     bus.chain.set(ModuleIndex(0), sim::Input::Limit2, 1.0, bus.now);
     bus.runFor(100ms);
@@ -175,7 +175,7 @@ TEST_F(ChangingMotion, FailsWhereTheNewMotionIsNotPossibleAndLeavesTheOldOneAlon
 }
 
 TEST_F(ChangingMotion, FailsWhenTheMotorGoesOffMeanwhile) {
-    perform(stepintent::Move{kForward});
+    perform(stepperintent::Move{kForward});
     bus.runFor(500ms);
     takeNews();
     ChangeMotion change(ModuleIndex(0), kReverse);
@@ -185,14 +185,14 @@ TEST_F(ChangingMotion, FailsWhenTheMotorGoesOffMeanwhile) {
 }
 
 TEST_F(ChangingMotion, GivesUpOnAModuleThatDoesNotAnswer) {
-    perform(stepintent::Move{kForward});
+    perform(stepperintent::Move{kForward});
     ChangeMotion change(ModuleIndex(0), kReverse);
     module.silent = true;
     EXPECT_EQ(run(change).failure, ProcedureFailure::ModuleSilent);
 }
 
 TEST_F(ChangingMotion, GivesUpOnAMotorThatDoesNotStop) {
-    perform(stepintent::Move{kForward});
+    perform(stepperintent::Move{kForward});
     takeNews();
     ChangeMotion change(ModuleIndex(0), kReverse);
     ASSERT_TRUE(std::holds_alternative<Procedure::Send>(change.next(module, bus.now)));
@@ -205,7 +205,8 @@ TEST_F(ChangingMotion, GivesUpOnAMotorThatDoesNotStop) {
 // What the panel says beforehand is what the chip does.
 TEST_F(ChangingMotion, AForecastIsKeptByTheChip) {
     for (const std::int32_t distance : {3'000, -300, 7}) {
-        const auto steps = plan(stepintent::Move{stepmotion::Trapezoid{distance, true, 60, 20}}, module);
+        const auto steps =
+            plan(stepperintent::Move{steppermotion::Trapezoid{distance, true, 60, 20}}, module);
         ASSERT_TRUE(steps);
         (void)bus.submit(*steps);
         ASSERT_TRUE(bus.runUntil([&] { return truth().moving; }, 1s));
@@ -217,7 +218,8 @@ TEST_F(ChangingMotion, AForecastIsKeptByTheChip) {
                 return !truth().moving;
             },
             20s));
-        const StepForecast forecast = forecastMove(StepSpeed(step::SpeedMode::X1), 4, 60, 20, distance);
+        const StepperForecast forecast =
+            forecastMove(StepperSpeed(stepper::SpeedMode::X1), 4, 60, 20, distance);
         // Virtual time is looked at whenever a byte comes; the last step comes within one step's time.
         EXPECT_NEAR(toSeconds(bus.now - began), forecast.seconds, 0.015) << distance;
         EXPECT_NEAR(peak, forecast.peak, 25.0) << distance;

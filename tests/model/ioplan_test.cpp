@@ -103,7 +103,7 @@ TEST_F(PicIo, AnOperatorSwitchesOutputsOnlyWhereThatIsHis) {
 TEST_F(PicIo, OthersTakeNothingOfIt) {
     module.info.identity = {ModuleType::Servo, 4};
     EXPECT_EQ(refused(iointent::SetOutput{2, true}), Refusal::NotAnIoModule);
-    module.info.identity = {ModuleType::Step, 1};
+    module.info.identity = {ModuleType::Stepper, 1};
     EXPECT_EQ(refused(iointent::SynchOutput{}), Refusal::NotAnIoModule);
     module.info.identity = {ModuleType::Io, 7};
     EXPECT_NE(refused(iointent::SetOutput{2, true}), std::nullopt) << "a version that nobody knows";

@@ -37,7 +37,7 @@ ModuleState moduleOf(std::uint8_t index, ModuleType type, std::uint8_t version, 
 }
 /// The chain that mill() is for.
 std::vector<ModuleState> millChain() {
-    return {moduleOf(0, ModuleType::Servo, 4), moduleOf(1, ModuleType::Step, 1)};
+    return {moduleOf(0, ModuleType::Servo, 4), moduleOf(1, ModuleType::Stepper, 1)};
 }
 
 std::vector<PartId> ids(const std::vector<Difference>& rows) {
@@ -234,7 +234,7 @@ TEST(MachineCompare, AStepperIsSentItsParametersAndNothingOfAServo) {
     const auto sent = sendings(mill(), mill(), modules, {parameters});
     ASSERT_EQ(sent.size(), 1U);
     EXPECT_EQ(sent[0].module, kSecond);
-    EXPECT_EQ(std::get<stepintent::SetParameters>(sent[0].intent).parameters, *mill().axes[1].parameters);
+    EXPECT_EQ(std::get<stepperintent::SetParameters>(sent[0].intent).parameters, *mill().axes[1].parameters);
 
     Machine gainsForAStepper = mill();
     gainsForAStepper.axes[1].expected.reset();
@@ -245,7 +245,7 @@ TEST(MachineCompare, AStepperIsSentItsParametersAndNothingOfAServo) {
 // ---- other hardware ----
 
 TEST(MachineCompare, AnAxisForAnotherTypeOrVersionCannotBeApplied) {
-    for (const ModuleState& other : {moduleOf(0, ModuleType::Step, 4), moduleOf(0, ModuleType::Servo, 3),
+    for (const ModuleState& other : {moduleOf(0, ModuleType::Stepper, 4), moduleOf(0, ModuleType::Servo, 3),
                                      moduleOf(0, ModuleType(7), 4)}) {
         auto modules = millChain();
         modules[0] = other;
@@ -335,7 +335,7 @@ TEST(MachineCompare, NothingThatIsSentMovesOrEnables) {
         for (const ModuleIntent& sent : sendings(file, {}, modules, all(compare(file, {}, modules))))
             RC_ASSERT(std::holds_alternative<intent::ApplyGains>(sent.intent) ||
                       std::holds_alternative<intent::ControlIo>(sent.intent) ||
-                      std::holds_alternative<stepintent::SetParameters>(sent.intent));
+                      std::holds_alternative<stepperintent::SetParameters>(sent.intent));
     }));
 }
 
@@ -346,7 +346,7 @@ TEST(MachineCompare, WhatIsSavedSaysWhichModulesItIsFor) {
     const Machine saved = withChain(machine, millChain(), 57'600);
     ASSERT_EQ(saved.axes.size(), 2U);
     EXPECT_EQ(saved.axes[0].expected, (ModuleIdentity{ModuleType::Servo, 2})) << "as it was said before";
-    EXPECT_EQ(saved.axes[1].expected, (ModuleIdentity{ModuleType::Step, 1}));
+    EXPECT_EQ(saved.axes[1].expected, (ModuleIdentity{ModuleType::Stepper, 1}));
     EXPECT_EQ(saved.baud, 57'600U);
     EXPECT_EQ(withChain({}, {}, 19'200), Machine{});
 }

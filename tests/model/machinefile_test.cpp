@@ -129,7 +129,7 @@ TEST(MachineFile, AnAxisWhoseChipChangesLosesTheOldUnitsKeys) {
     ASSERT_TRUE(parsed.has_value());
     parsed->machine.axes.resize(1);
     parsed->machine.groups.clear();
-    parsed->machine.axes[0].expected = ModuleIdentity{ModuleType::Step, 1};
+    parsed->machine.axes[0].expected = ModuleIdentity{ModuleType::Stepper, 1};
     const std::string text = writeMachine(parsed->machine, parsed->unknown);
     EXPECT_EQ(text.find("_per_tick"), std::string::npos) << text;
     EXPECT_EQ(text.find("counts_per_unit"), std::string::npos) << text;

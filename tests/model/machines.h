@@ -32,10 +32,10 @@ inline AxisSettings servoAxis() {
 inline AxisSettings stepAxis() {
     AxisSettings axis;
     axis.name = "Drehteller ä";
-    axis.expected = ModuleIdentity{ModuleType::Step, 1};
+    axis.expected = ModuleIdentity{ModuleType::Stepper, 1};
     axis.unit = {UnitKind::Own, 17.5, "notches"};
     axis.motion.velocity = 1'200.0;
-    axis.parameters = step::SetParameters{step::SpeedMode::X2, false, false, true, 3, 90, 40, 60};
+    axis.parameters = stepper::SetParameters{stepper::SpeedMode::X2, false, false, true, 3, 90, 40, 60};
     axis.accelerationTime = 100.0;
     axis.outputNames[4] = "Coolant";
     axis.inputNames[0] = "Door";
@@ -136,14 +136,14 @@ inline AxisSettings anyAxis() {
     if (coin())
         axis.fastPath = coin();
     if (coin())
-        axis.parameters = step::SetParameters{pickWhole<step::SpeedMode>(0, 3),
-                                              coin(),
-                                              coin(),
-                                              coin(),
-                                              pickWhole<std::uint8_t>(1, 250),
-                                              pickWhole<std::uint8_t>(0, 255),
-                                              pickWhole<std::uint8_t>(0, 255),
-                                              pickWhole<std::uint8_t>(0, 255)};
+        axis.parameters = stepper::SetParameters{pickWhole<stepper::SpeedMode>(0, 3),
+                                                 coin(),
+                                                 coin(),
+                                                 coin(),
+                                                 pickWhole<std::uint8_t>(1, 250),
+                                                 pickWhole<std::uint8_t>(0, 255),
+                                                 pickWhole<std::uint8_t>(0, 255),
+                                                 pickWhole<std::uint8_t>(0, 255)};
     axis.accelerationTime = pick(0, 255);
     for (std::string& name : axis.outputNames)
         name = pickName();

@@ -64,7 +64,7 @@ inline RecordingHeader recordingHeader() {
               "Left arm",
               {UnitKind::Millimetres, 1024.5},
               {0.25, -1.5, "A"}},
-             {ModuleIndex(1), {ModuleType::Step, 1}, "", {}, {0.5, 0.0, "V"}}}};
+             {ModuleIndex(1), {ModuleType::Stepper, 1}, "", {}, {0.5, 0.0, "V"}}}};
 }
 
 /// Everything that a reader hands on.

@@ -181,8 +181,8 @@ void Bench::tell(const std::string& line) {
 
 bool Bench::driven(std::size_t place) {
     const sim::ModuleSnapshot module = look(place);
-    if (module.step)
-        return module.step->moving;
+    if (module.stepper)
+        return module.stepper->moving;
     const sim::ServoSnapshot& servo = module.servo;
     if (servo.servoOn)
         return servo.commandVelocity != 0.0;
@@ -191,7 +191,7 @@ bool Bench::driven(std::size_t place) {
 
 bool Bench::isOn(std::size_t place) {
     const sim::ModuleSnapshot module = look(place);
-    return module.step ? module.step->ampEnabled : module.servo.servoOn || module.servo.pwm != 0;
+    return module.stepper ? module.stepper->ampEnabled : module.servo.servoOn || module.servo.pwm != 0;
 }
 
 std::string Bench::firstViolation() const {

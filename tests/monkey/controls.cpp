@@ -30,15 +30,15 @@ namespace {
 /// By their object names. A new one that is missing here is found out: it moves a motor that nobody asked to
 /// move.
 const QStringList& starters() {
-    static const QStringList names{u"goButton"_s, u"goHomeButton"_s, u"startButton"_s, u"runForwardButton"_s,
-                                   u"runReverseButton"_s, u"stepForwardButton"_s, u"stepReverseButton"_s,
-                                   u"homeButton"_s, u"pwmForwardButton"_s, u"pwmReverseButton"_s,
-                                   u"stepGoButton"_s, u"stepRunForwardButton"_s, u"stepRunReverseButton"_s,
-                                   u"stepStartLoadedButton"_s, u"stepHomeButton"_s, u"stepResponseButton"_s,
-                                   u"startDirectionCheckButton"_s, u"stepStepForwardButton"_s,
-                                   u"stepStepReverseButton"_s, u"stepGoHomeButton"_s,
-                                   // which may hold any of them
-                                   u"moduleMenu"_s, u"commandList"_s};
+    static const QStringList names{
+        u"goButton"_s, u"goHomeButton"_s, u"startButton"_s, u"runForwardButton"_s, u"runReverseButton"_s,
+        u"stepperForwardButton"_s, u"stepperReverseButton"_s, u"homeButton"_s, u"pwmForwardButton"_s,
+        u"pwmReverseButton"_s, u"stepperGoButton"_s, u"stepperRunForwardButton"_s,
+        u"stepperRunReverseButton"_s, u"stepperStartLoadedButton"_s, u"stepperHomeButton"_s,
+        u"stepResponseButton"_s, u"startDirectionCheckButton"_s, u"stepperStepForwardButton"_s,
+        u"stepperStepReverseButton"_s, u"stepperGoHomeButton"_s,
+        // which may hold any of them
+        u"moduleMenu"_s, u"commandList"_s};
     return names;
 }
 const QStringList& startersOfAll() {
@@ -215,7 +215,7 @@ Motors startedBy(const QKeySequence& keys) {
 }
 
 Motors startedByEnter(const QWidget* widget) {
-    static const QStringList fields{u"goalField"_s, u"stepGoalField"_s, u"runVelocityField"_s,
+    static const QStringList fields{u"goalField"_s, u"stepperGoalField"_s, u"runVelocityField"_s,
                                     u"commandWords"_s};
     return widget != nullptr && fields.contains(widget->objectName()) ? Motors{true} : startedBy(widget);
 }

@@ -31,7 +31,7 @@ constexpr std::size_t kRemembered = 40;
 constexpr unsigned kFaultsAtOnce = 90;
 
 const std::vector<ModuleIdentity> kChain{
-    {ModuleType::Servo, 4}, {ModuleType::Step, 1}, {ModuleType::Servo, 1}};
+    {ModuleType::Servo, 4}, {ModuleType::Stepper, 1}, {ModuleType::Servo, 1}};
 
 PortController::Places places(const QString& folder) {
     PortController::Places places;

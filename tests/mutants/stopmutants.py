@@ -119,7 +119,7 @@ REPORTING = (
              "            return true;\n            if (!report.servoStatus().moveDone() ||"),
     )),
     Mutant("moving-stepper-counts-as-stopped", "issue 13, 2: one that moves on is not confirmed", (
-        Edit("core/bus/stoptarget.cpp", "return !report.stepStatus().moving();", "return true;"),
+        Edit("core/bus/stoptarget.cpp", "return !report.stepperStatus().moving();", "return true;"),
     )),
     Mutant("restarted-module-in-no-list", "issue 13, 2: one of three, for each module", (
         Edit("core/bus/stoprun.cpp", "    event.unreached = m_restarted;\n", ""),

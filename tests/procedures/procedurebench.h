@@ -40,7 +40,9 @@ public:
     }
     [[nodiscard]] ModuleState& module() { return modules.front(); }
     [[nodiscard]] sim::ServoSnapshot truth() { return bus.servo(0); }
-    [[nodiscard]] sim::StepSnapshot stepTruth() { return *bus.chain.snapshot(ModuleIndex(0), bus.now).step; }
+    [[nodiscard]] sim::StepperSnapshot stepperTruth() {
+        return *bus.chain.snapshot(ModuleIndex(0), bus.now).stepper;
+    }
     void set(sim::Input input, std::optional<double> value) {
         bus.chain.set(ModuleIndex(0), input, value, bus.now);
     }

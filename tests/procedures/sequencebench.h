@@ -18,7 +18,7 @@ inline constexpr ModuleIndex kTable{2};
 class SequenceBench : public ProcedureBench {
 public:
     SequenceBench()
-        : ProcedureBench({{ModuleType::Servo, 4}, {ModuleType::Servo, 4}, {ModuleType::Step, 1}}) {
+        : ProcedureBench({{ModuleType::Servo, 4}, {ModuleType::Servo, 4}, {ModuleType::Stepper, 1}}) {
         machine.axes.resize(3);
         for (AxisSettings& axis : machine.axes) {
             axis.motion.velocity = 2.0;
@@ -40,11 +40,11 @@ public:
         bus.runFor(std::chrono::milliseconds(200));
         take();
         const servo::SetGain gains{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
-        const step::SetParameters parameters{step::SpeedMode::X1, false, false, false, 4, 200, 50, 0};
+        const stepper::SetParameters parameters{stepper::SpeedMode::X1, false, false, false, 4, 200, 50, 0};
         for (const ModuleIndex index : {kX, kY})
             if (!order(index, intent::ApplyGains{gains}) || !order(index, intent::Enable{}))
                 return false;
-        if (!order(kTable, stepintent::SetParameters{parameters}) || !order(kTable, intent::Enable{}))
+        if (!order(kTable, stepperintent::SetParameters{parameters}) || !order(kTable, intent::Enable{}))
             return false;
         for (ModuleState& module : modules)
             module.home.found(0, module.latestTime);
@@ -107,10 +107,10 @@ public:
         std::vector<std::int64_t> all;
         for (std::uint8_t i = 0; i < 2; ++i)
             all.push_back(std::llround(bus.servo(i).commandPosition));
-        all.push_back(bus.chain.snapshot(kTable, bus.now).step->shaft);
+        all.push_back(bus.chain.snapshot(kTable, bus.now).stepper->shaft);
         return all;
     }
-    [[nodiscard]] std::uint8_t outputs() { return bus.chain.snapshot(kTable, bus.now).step->outputs; }
+    [[nodiscard]] std::uint8_t outputs() { return bus.chain.snapshot(kTable, bus.now).stepper->outputs; }
     /// The motions that were started, in order: module and goal.
     [[nodiscard]] std::vector<std::pair<int, std::int32_t>> goals() const {
         std::vector<std::pair<int, std::int32_t>> all;
@@ -120,7 +120,7 @@ public:
                 if (const auto* load = std::get_if<servo::LoadTrajectory>(command))
                     goal = load->position;
             } else if (const auto* load =
-                           std::get_if<step::LoadTrajectory>(&std::get<StepCommand>(executed.command)))
+                           std::get_if<stepper::LoadTrajectory>(&std::get<StepperCommand>(executed.command)))
                 goal = load->position;
             if (goal)
                 all.emplace_back(executed.module.value(), goal->value());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves by N, again and again.
-#include "model/module/stepspeed.h"
+#include "model/module/stepperspeed.h"
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {
@@ -157,33 +157,33 @@ protected:
         ASSERT_TRUE(bench.connect());
         bench.settle();
         ASSERT_TRUE(bench.perform(
-            stepintent::SetParameters{{step::SpeedMode::X1, false, false, false, 4, 200, 50, 0}}));
+            stepperintent::SetParameters{{stepper::SpeedMode::X1, false, false, false, 4, 200, 50, 0}}));
         ASSERT_TRUE(bench.perform(intent::Enable{}));
     }
-    [[nodiscard]] static stepintent::StepBy by(std::int32_t counts, unsigned rounds) {
+    [[nodiscard]] static stepperintent::StepBy by(std::int32_t counts, unsigned rounds) {
         return {{counts, rounds}, 40, 4};
     }
-    ProcedureBench bench{{{ModuleType::Step, 1}}};
+    ProcedureBench bench{{{ModuleType::Stepper, 1}}};
 };
 
 TEST_F(StepperBy, MovesThatFarAsOftenAsAskedFor) {
-    const std::int64_t start = bench.stepTruth().position;
+    const std::int64_t start = bench.stepperTruth().position;
     const ProcedureReport report = bench.run(by(-250, 3));
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_EQ(report.round, 3U);
-    EXPECT_EQ(bench.stepTruth().position, start - 750);
+    EXPECT_EQ(bench.stepperTruth().position, start - 750);
     EXPECT_EQ(bench.bus.sends("AA 01 D4"), 0U) << "that is what a servo's move looks like";
     bench.bus.expectNoViolations();
 }
 
 TEST_F(StepperBy, GoesBackAndForthAndPauses) {
-    const std::int64_t start = bench.stepTruth().position;
-    stepintent::StepBy wanted = by(100, 2);
+    const std::int64_t start = bench.stepperTruth().position;
+    stepperintent::StepBy wanted = by(100, 2);
     wanted.moves.backAndForth = true;
     wanted.moves.pause = 0.5;
     const TimePoint began = bench.bus.now;
     EXPECT_EQ(bench.run(wanted).stage, ProcedureStage::Done);
-    EXPECT_EQ(bench.stepTruth().position, start);
+    EXPECT_EQ(bench.stepperTruth().position, start);
     EXPECT_GE(bench.bus.now - began, 1'500ms) << "three pauses between four moves";
 }
 
@@ -196,8 +196,8 @@ TEST_F(StepperBy, ALimitSwitchOnItsWayEndsItForGood) {
     const ProcedureReport report = bench.goOn();
     EXPECT_EQ(report.failure, ProcedureFailure::StoppedShort);
     EXPECT_EQ(report.round, 1U);
-    EXPECT_EQ(bench.stepTruth().stepRate, 0);
-    EXPECT_LT(bench.stepTruth().position, 2'000);
+    EXPECT_EQ(bench.stepperTruth().stepRate, 0);
+    EXPECT_LT(bench.stepperTruth().position, 2'000);
     bench.bus.expectNoViolations();
 }
 
@@ -206,15 +206,15 @@ TEST_F(StepperBy, AMoveThatIsNotItsOwnEndsIt) {
     ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
     bench.settle();
     // Table 4 of DS-S: from a trapezoidal move to a velocity profile, with all three loaded.
-    step::LoadTrajectory run;
-    run.timer = StepSpeed(step::SpeedMode::X1).timerFor(1'000);
+    stepper::LoadTrajectory run;
+    run.timer = StepperSpeed(stepper::SpeedMode::X1).timerFor(1'000);
     run.speed = std::uint8_t(40);
     run.accelerationTime = std::uint8_t(4);
-    ASSERT_EQ(
-        bench.bus.perform({{ModuleIndex(0), StepCommand(run)}, {ModuleIndex(0), StepCommand(StartMotion{})}}),
-        bus::Outcome::Done);
+    ASSERT_EQ(bench.bus.perform(
+                  {{ModuleIndex(0), StepperCommand(run)}, {ModuleIndex(0), StepperCommand(StartMotion{})}}),
+              bus::Outcome::Done);
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
-    EXPECT_NE(bench.stepTruth().stepRate, 0) << "the motion of whoever has taken it over goes on";
+    EXPECT_NE(bench.stepperTruth().stepRate, 0) << "the motion of whoever has taken it over goes on";
 }
 
 TEST_F(StepperBy, IsRefusedWhereItCannotWork) {
@@ -231,7 +231,7 @@ TEST_F(StepperBy, IsRefusedWhereItCannotWork) {
 }
 
 TEST_F(StepperBy, GoesHomeOnlyWhereHomeIsKnown) {
-    const stepintent::GoHome home{40, 4};
+    const stepperintent::GoHome home{40, 4};
     EXPECT_EQ(plan(home, bench.module()).error(), Refusal::HomeUnknown);
     ASSERT_EQ(bench.run(by(120, 1)).stage, ProcedureStage::Done);
     ASSERT_TRUE(bench.perform(intent::SaveAsHome{}));
@@ -241,8 +241,8 @@ TEST_F(StepperBy, GoesHomeOnlyWhereHomeIsKnown) {
     ASSERT_EQ(bench.run(by(-500, 1)).stage, ProcedureStage::Done);
     ASSERT_TRUE(bench.perform(home));
     bench.bus.runFor(3s);
-    EXPECT_EQ(bench.stepTruth().position, 120);
-    EXPECT_EQ(bench.stepTruth().stepRate, 0);
+    EXPECT_EQ(bench.stepperTruth().position, 120);
+    EXPECT_EQ(bench.stepperTruth().stepRate, 0);
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ TEST(StepResponseOfVersion1, CannotStopHere) {
 }
 
 TEST(StepResponseOfAStepper, IsRefused) {
-    ProcedureBench bench({{ModuleType::Step, 1}});
+    ProcedureBench bench({{ModuleType::Stepper, 1}});
     ASSERT_TRUE(bench.connect());
     bench.settle();
     EXPECT_EQ(plan(intent::StepResponse{50, StepWay::Profile, 0.2}, bench.module()).error(),

@@ -41,8 +41,8 @@ public:
         const bool on = m_servo ? perform(intent::ApplyGains{
                                       {200, 2'000, 20, 200, 255, 0, kErrorLimit, 1, std::uint8_t{0}}}) &&
                                       perform(intent::Enable{})
-                                : perform(stepintent::SetParameters{
-                                      {step::SpeedMode::X1, false, false, false, 4, 200, 50, 0}}) &&
+                                : perform(stepperintent::SetParameters{
+                                      {stepper::SpeedMode::X1, false, false, false, 4, 200, 50, 0}}) &&
                                       perform(intent::Enable{});
         module().home.declare(module().latestTime);
         module().travel.lowest = m_lowest = lowest;
@@ -51,7 +51,7 @@ public:
     }
     [[nodiscard]] double shaft() {
         const auto snapshot = bus.chain.snapshot(ModuleIndex(0), bus.now);
-        return m_servo ? snapshot.servo.shaftCounts : static_cast<double>(snapshot.step->shaft);
+        return m_servo ? snapshot.servo.shaftCounts : static_cast<double>(snapshot.stepper->shaft);
     }
     void look() {
         if (m_lowest)
@@ -71,7 +71,7 @@ public:
             hold.velocity = CountsPerTick(static_cast<std::uint32_t>(velocity * 65'536));
             hold.acceleration = CountsPerTickSquared(655);  // 0.01
         } else
-            hold.pace = bus::StepPace{static_cast<std::uint8_t>(velocity * 40), 4};
+            hold.pace = bus::StepperPace{static_cast<std::uint8_t>(velocity * 40), 4};
         bool any = false;
         for (const TimePoint end = bus.now + time; bus.now < end; bus.runFor(100ms)) {
             take();
@@ -87,16 +87,16 @@ public:
         if (m_servo)
             return intent::RunAtVelocity{CountsPerTick(static_cast<std::uint32_t>(velocity * 65'536)),
                                          CountsPerTickSquared(655), reverse};
-        return stepintent::Move{
-            stepmotion::VelocityProfile{static_cast<std::uint8_t>(velocity * 40), 4, reverse}};
+        return stepperintent::Move{
+            steppermotion::VelocityProfile{static_cast<std::uint8_t>(velocity * 40), 4, reverse}};
     }
     [[nodiscard]] Intent goTo(std::int32_t position, double velocity) const {
         if (m_servo)
             return intent::GoTo{Counts(position),
                                 CountsPerTick(static_cast<std::uint32_t>(velocity * 65'536)),
                                 CountsPerTickSquared(655)};
-        return stepintent::Move{
-            stepmotion::Trapezoid{position, false, static_cast<std::uint8_t>(velocity * 40), 4}};
+        return stepperintent::Move{
+            steppermotion::Trapezoid{position, false, static_cast<std::uint8_t>(velocity * 40), 4}};
     }
     /// Sends what the rule allows; false: it did not.
     bool ask(const Intent& intent) {
@@ -132,7 +132,7 @@ protected:
     TravelBench bench{GetParam()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Chips, TravelOf, testing::Values(ModuleType::Servo, ModuleType::Step),
+INSTANTIATE_TEST_SUITE_P(Chips, TravelOf, testing::Values(ModuleType::Servo, ModuleType::Stepper),
                          [](const auto& type) {
                              return type.param == ModuleType::Servo ? "Servo" : "Stepper";
                          });
@@ -284,7 +284,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Seeds, TravelSequences,
-                         testing::Combine(testing::Values(ModuleType::Servo, ModuleType::Step),
+                         testing::Combine(testing::Values(ModuleType::Servo, ModuleType::Stepper),
                                           testing::Range(0U, 5U)));
 
 // 2 chips x 5 x 50 sequences of ten acts.
@@ -431,14 +431,14 @@ protected:
         ASSERT_TRUE(bench.connect());
         bench.settle();
         ASSERT_TRUE(bench.perform(
-            stepintent::SetParameters{{step::SpeedMode::X1, false, false, false, 4, 200, 50, 0}}));
+            stepperintent::SetParameters{{stepper::SpeedMode::X1, false, false, false, 4, 200, 50, 0}}));
         ASSERT_TRUE(bench.perform(intent::Enable{}));
-        bench.bus.onTime = [this] { lowest = std::min(lowest, bench.stepTruth().position); };
+        bench.bus.onTime = [this] { lowest = std::min(lowest, bench.stepperTruth().position); };
     }
-    [[nodiscard]] static stepintent::Move to(std::int32_t position) {
-        return {stepmotion::Trapezoid{position, false, 40, 4}};
+    [[nodiscard]] static stepperintent::Move to(std::int32_t position) {
+        return {steppermotion::Trapezoid{position, false, 40, 4}};
     }
-    ProcedureBench bench{{{ModuleType::Step, 1}}};
+    ProcedureBench bench{{{ModuleType::Stepper, 1}}};
     std::int32_t lowest = 0;
 };
 
@@ -448,7 +448,7 @@ TEST_F(StepperMoves, TakeUpTheBacklashToo) {
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_EQ(report.kind, ProcedureKind::Approach);
     EXPECT_EQ(lowest, -540);
-    EXPECT_EQ(bench.stepTruth().position, -500);
+    EXPECT_EQ(bench.stepperTruth().position, -500);
     EXPECT_EQ(procedureFor(to(-490), bench.module()), nullptr) << "the play is taken up on that side";
     ASSERT_TRUE(procedureFor(to(-510), bench.module()));
     bench.module().travel.lowest = -540;
@@ -465,7 +465,7 @@ TEST_F(StepperMoves, ALimitSwitchBeyondTheGoalEndsThem) {
         ASSERT_TRUE(bench.turn());
     bench.set(sim::Input::Limit2, 1);
     EXPECT_EQ(bench.goOn().failure, ProcedureFailure::StoppedShort);
-    EXPECT_EQ(bench.stepTruth().stepRate, 0);
+    EXPECT_EQ(bench.stepperTruth().stepRate, 0);
 }
 
 }  // namespace

@@ -43,15 +43,15 @@ RC_GTEST_PROP(ServoLoadTrajectory, DecodesToWhatWasEncoded, ()) {
     expectRoundTrip(load);
 }
 
-RC_GTEST_PROP(StepLoadTrajectory, DecodesToWhatWasEncoded, ()) {
-    step::LoadTrajectory load;
-    load.position = maybe<Counts>([] { return Counts(inRange<std::int32_t>(step::kPositionRange)); });
-    load.speed = maybe<std::uint8_t>([] { return inRange<std::uint8_t>(step::kSpeedRange); });
+RC_GTEST_PROP(StepperLoadTrajectory, DecodesToWhatWasEncoded, ()) {
+    stepper::LoadTrajectory load;
+    load.position = maybe<Counts>([] { return Counts(inRange<std::int32_t>(stepper::kPositionRange)); });
+    load.speed = maybe<std::uint8_t>([] { return inRange<std::uint8_t>(stepper::kSpeedRange); });
     load.accelerationTime =
-        maybe<std::uint8_t>([] { return inRange<std::uint8_t>(step::kAccelerationTimeRange); });
-    load.timer = maybe<step::TimerCount>([] {
-        return step::TimerCount{inRange<std::uint16_t>(step::kTimerCountRange),
-                                inRange<std::uint8_t>(step::kSpeedRange)};
+        maybe<std::uint8_t>([] { return inRange<std::uint8_t>(stepper::kAccelerationTimeRange); });
+    load.timer = maybe<stepper::TimerCount>([] {
+        return stepper::TimerCount{inRange<std::uint16_t>(stepper::kTimerCountRange),
+                                   inRange<std::uint8_t>(stepper::kSpeedRange)};
     });
     load.reverse = flag();
     load.startNow = flag();
@@ -112,15 +112,15 @@ RC_GTEST_PROP(IoCommands, DecodeToWhatWasEncoded, ()) {
     expectRoundTrip(io::SetTimerMode{flag(), flag(), static_cast<io::Prescaler>(*rc::gen::inRange(0, 4))});
 }
 
-RC_GTEST_PROP(StepCommands, DecodeToWhatWasEncoded, ()) {
-    expectRoundTrip(step::SetParameters{
-        static_cast<step::SpeedMode>(*rc::gen::inRange(0, 4)), flag(), flag(), flag(),
-        inRange<std::uint8_t>(step::kSpeedRange), inRange<std::uint8_t>(step::kByteRange),
-        inRange<std::uint8_t>(step::kByteRange), inRange<std::uint8_t>(step::kByteRange)});
-    expectRoundTrip(step::StopMotor{flag(), static_cast<step::StopManner>(*rc::gen::inRange(0, 3))});
-    expectRoundTrip(step::SetOutputs{static_cast<std::uint8_t>(*rc::gen::inRange(0, 32))});
-    expectRoundTrip(step::SetHoming{flag(), flag(), flag(), flag(), false, false});
-    expectRoundTrip(step::SetHoming{flag(), flag(), flag(), false, false, flag()});
+RC_GTEST_PROP(StepperCommands, DecodeToWhatWasEncoded, ()) {
+    expectRoundTrip(stepper::SetParameters{
+        static_cast<stepper::SpeedMode>(*rc::gen::inRange(0, 4)), flag(), flag(), flag(),
+        inRange<std::uint8_t>(stepper::kSpeedRange), inRange<std::uint8_t>(stepper::kByteRange),
+        inRange<std::uint8_t>(stepper::kByteRange), inRange<std::uint8_t>(stepper::kByteRange)});
+    expectRoundTrip(stepper::StopMotor{flag(), static_cast<stepper::StopManner>(*rc::gen::inRange(0, 3))});
+    expectRoundTrip(stepper::SetOutputs{static_cast<std::uint8_t>(*rc::gen::inRange(0, 32))});
+    expectRoundTrip(stepper::SetHoming{flag(), flag(), flag(), flag(), false, false});
+    expectRoundTrip(stepper::SetHoming{flag(), flag(), flag(), false, false, flag()});
 }
 
 RC_GTEST_PROP(Decoders, NeverReadBeyondAnyPayload,
@@ -183,26 +183,26 @@ TEST(LoadTrajectory, RefusesDataThatItsControlByteDoesNotAnnounce) {
               CommandError::Length);
     EXPECT_EQ(servo::LoadTrajectory::decode({CommandCode::LoadTrajectory, {0x10, 1}}).error(),
               CommandError::Length);
-    EXPECT_EQ(step::LoadTrajectory::decode({CommandCode::LoadTrajectory, {0x08, 1, 2}}).error(),
+    EXPECT_EQ(stepper::LoadTrajectory::decode({CommandCode::LoadTrajectory, {0x08, 1, 2}}).error(),
               CommandError::Length);
 }
 
 TEST(StopMotor, TakesOnlyOneMannerAtATime) {
     EXPECT_EQ(servo::StopMotor::decode({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
-    EXPECT_EQ(step::StopMotor::decode({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
+    EXPECT_EQ(stepper::StopMotor::decode({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
 }
 
-TEST(StepCommandBits, AreWhereTheDataSheetPutsThem) {
+TEST(StepperCommandBits, AreWhereTheDataSheetPutsThem) {
     // DS-S 5.1: speed mode 1x = 11, limits off bit 2, E-stop off bit 3, motor off bit 4.
-    const step::SetParameters parameters{step::SpeedMode::X1, true, true, true, 10, 200, 50, 70};
+    const stepper::SetParameters parameters{stepper::SpeedMode::X1, true, true, true, 10, 200, 50, 70};
     EXPECT_EQ(toHex(parameters.encode().data), "1F 0A C8 32 46");
     EXPECT_EQ(parameters.encode().commandByte(), 0x56);
-    EXPECT_EQ(toHex(step::StopMotor{true, step::StopManner::Smoothly}.encode().data), "09");
-    EXPECT_EQ(toHex(step::StopMotor{false, step::StopManner::Abruptly}.encode().data), "04");
-    EXPECT_EQ(toHex(step::SetOutputs{0x10}.encode().data), "10");
-    EXPECT_EQ(toHex(step::SetHoming{true, false, true, false, true, false}.encode().data), "19");
-    step::LoadTrajectory load;
-    load.timer = step::TimerCount{0xFE0C, 50};
+    EXPECT_EQ(toHex(stepper::StopMotor{true, stepper::StopManner::Smoothly}.encode().data), "09");
+    EXPECT_EQ(toHex(stepper::StopMotor{false, stepper::StopManner::Abruptly}.encode().data), "04");
+    EXPECT_EQ(toHex(stepper::SetOutputs{0x10}.encode().data), "10");
+    EXPECT_EQ(toHex(stepper::SetHoming{true, false, true, false, true, false}.encode().data), "19");
+    stepper::LoadTrajectory load;
+    load.timer = stepper::TimerCount{0xFE0C, 50};
     load.reverse = load.startNow = true;
     EXPECT_EQ(toHex(load.encode().data), "98 0C FE 32");
 }

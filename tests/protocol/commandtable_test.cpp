@@ -15,7 +15,7 @@ using testing::ElementsAre;
 constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
 constexpr ModuleIdentity kCmc{ModuleType::Servo, 5};
 constexpr ModuleIdentity kSc{ModuleType::Servo, 10};
-constexpr ModuleIdentity kStep{ModuleType::Step, 1};
+constexpr ModuleIdentity kStep{ModuleType::Stepper, 1};
 constexpr ModuleIdentity kIo{ModuleType::Io, 1};
 
 std::vector<std::string> keys(const ModuleIdentity& module) {
@@ -65,7 +65,7 @@ TEST(CommandTable, KnowsNoCommandOfAModuleThatIsNotKnown) {
     for (const ModuleIdentity& module :
          {ModuleIdentity{ModuleType::Servo, 0}, ModuleIdentity{ModuleType::Servo, 6},
           ModuleIdentity{ModuleType::Servo, 21}, ModuleIdentity{ModuleType::Adc, 1},
-          ModuleIdentity{ModuleType::Io, 2}, ModuleIdentity{ModuleType::Step, 2},
+          ModuleIdentity{ModuleType::Io, 2}, ModuleIdentity{ModuleType::Stepper, 2},
           ModuleIdentity{static_cast<ModuleType>(99), 1}})
         EXPECT_TRUE(commandTable(module).empty()) << int{module.version};
     EXPECT_FALSE(findCommand(kServo, CommandCode::AddPathPoints).has_value());
@@ -97,7 +97,7 @@ void expectEncodersFitTheTable(const ModuleIdentity& module, std::variant<Comman
 
 TEST(CommandTable, AgreesWithTheEncoders) {
     expectEncodersFitTheTable(kSc, static_cast<ServoCommand*>(nullptr));
-    expectEncodersFitTheTable(kStep, static_cast<StepCommand*>(nullptr));
+    expectEncodersFitTheTable(kStep, static_cast<StepperCommand*>(nullptr));
     expectEncodersFitTheTable(kIo, static_cast<IoCommand*>(nullptr));
 }
 

@@ -23,7 +23,7 @@ std::vector<std::uint8_t> fromHex(const std::string& text) {
 constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
 constexpr ModuleIdentity kCmc{ModuleType::Servo, 5};
 constexpr ModuleIdentity kSc{ModuleType::Servo, 10};
-constexpr ModuleIdentity kStep{ModuleType::Step, 1};
+constexpr ModuleIdentity kStep{ModuleType::Stepper, 1};
 constexpr ModuleIdentity kIo{ModuleType::Io, 1};
 
 std::string servoSays(const std::string& hex) {
@@ -194,7 +194,7 @@ TEST(DescribeCommand, SaysWhatAPicIoIsAsked) {
 
 TEST(DescribeCommand, SaysACommandThatIsNotOnTheWireYet) {
     EXPECT_EQ(describeCommand(ServoCommand(servo::SetPosition{Counts(5)})), "Reset Position: to position 5");
-    EXPECT_EQ(describeCommand(StepCommand(step::SetOutputs{1})), "Set Outputs: OUT1 high");
+    EXPECT_EQ(describeCommand(StepperCommand(stepper::SetOutputs{1})), "Set Outputs: OUT1 high");
     EXPECT_EQ(describeCommand(IoCommand(io::SynchInput{})), "Synch Input");
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
 constexpr ModuleIdentity kCmc{ModuleType::Servo, 5};
 constexpr ModuleIdentity kSc{ModuleType::Servo, 10};
-constexpr ModuleIdentity kStep{ModuleType::Step, 1};
+constexpr ModuleIdentity kStep{ModuleType::Stepper, 1};
 constexpr ModuleIdentity kIo{ModuleType::Io, 1};
 
 /// A well-formed reply of any content: status byte and items at random, then their sum.
@@ -78,10 +78,10 @@ TEST(DecodeStatus, ReadsTheStepItemsFromTheirPlaces) {
     EXPECT_EQ(report->position, -1);
     EXPECT_EQ(report->timerCount, 65'452);
     EXPECT_FALSE(report->velocity.has_value());
-    EXPECT_TRUE(step::InputsByte{*report->aux}.estop());
-    EXPECT_TRUE(step::InputsByte{*report->aux}.homeSwitch());
-    EXPECT_EQ(report->identity, (ModuleIdentity{ModuleType::Step, 1}));
-    EXPECT_TRUE(report->stepStatus().moving());
+    EXPECT_TRUE(stepper::InputsByte{*report->aux}.estop());
+    EXPECT_TRUE(stepper::InputsByte{*report->aux}.homeSwitch());
+    EXPECT_EQ(report->identity, (ModuleIdentity{ModuleType::Stepper, 1}));
+    EXPECT_TRUE(report->stepperStatus().moving());
 }
 
 TEST(DecodeStatus, ReadsEveryItemOfThePicIoFromItsPlace) {
@@ -126,7 +126,7 @@ TEST(StatusBits, AreWhereTheDataSheetsPutThem) {
     const servo::ScAuxByte sc{0b0100'1101};
     EXPECT_TRUE(sc.index() && sc.servoOn() && sc.accelerating() && sc.pathMode());
     EXPECT_FALSE(sc.positionWrap() || sc.slewing() || sc.servoOverrun());
-    const step::StatusByte stepper{0b0100'1100};
+    const stepper::StatusByte stepper{0b0100'1100};
     EXPECT_TRUE(stepper.trapezoidalMode() && stepper.powerOn() && stepper.amplifierEnabled());
     EXPECT_FALSE(stepper.moving() || stepper.velocityMode() || stepper.atSpeed() || stepper.homing());
 }

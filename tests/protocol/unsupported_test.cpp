@@ -141,13 +141,13 @@ TEST(Unsupported, KnowsNothingForAModuleThatIsNotKnown) {
 
 TEST(Unsupported, KeepsTheChipsApart) {
     const ModuleIdentity servo{ModuleType::Servo, 10};
-    const ModuleIdentity stepper{ModuleType::Step, 1};
+    const ModuleIdentity stepper{ModuleType::Stepper, 1};
     const ModuleIdentity pins{ModuleType::Io, 1};
     EXPECT_EQ(unsupported(stepper, ServoCommand(Nop{})), Unsupported::OtherChip);
-    EXPECT_EQ(unsupported(servo, StepCommand(Nop{})), Unsupported::OtherChip);
+    EXPECT_EQ(unsupported(servo, StepperCommand(Nop{})), Unsupported::OtherChip);
     EXPECT_EQ(unsupported(servo, IoCommand(Nop{})), Unsupported::OtherChip);
     EXPECT_EQ(unsupported(pins, ServoCommand(Nop{})), Unsupported::OtherChip);
-    EXPECT_TRUE(takes(stepper, StepCommand(Nop{})));
+    EXPECT_TRUE(takes(stepper, StepperCommand(Nop{})));
 }
 
 TEST(Unsupported, TakesEveryCommandOfThePicIo) {
@@ -164,8 +164,8 @@ TEST(Unsupported, TakesEveryCommandOfThePicIo) {
 }
 
 TEST(Unsupported, RefusesStatusItemsThatAStepperDoesNotHave) {
-    const ModuleIdentity stepper{ModuleType::Step, 1};
-    EXPECT_EQ(unsupported(stepper, StepCommand(read(0x40))), Unsupported::StatusItem);
+    const ModuleIdentity stepper{ModuleType::Stepper, 1};
+    EXPECT_EQ(unsupported(stepper, StepperCommand(read(0x40))), Unsupported::StatusItem);
 }
 
 TEST(Unsupported, RefusesStepAndDirectionTogetherWithALimitStop) {

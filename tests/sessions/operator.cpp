@@ -13,15 +13,15 @@ constexpr std::uint32_t kAcceleration = 655;  // 0.01 counts per tick squared
 constexpr std::uint8_t kStepRamp = 4;
 
 [[nodiscard]] bool isStep(ModuleIdentity identity) {
-    return identity.type == ModuleType::Step;
+    return identity.type == ModuleType::Stepper;
 }
 
-[[nodiscard]] Step toStep(std::uint8_t index, StepCommand command) {
+[[nodiscard]] Step toStep(std::uint8_t index, StepperCommand command) {
     return {ModuleIndex(index), std::move(command)};
 }
 
 /// 10 to 60 units: 250 to 1500 steps per second in 1x.
-[[nodiscard]] std::uint8_t stepSpeed(unsigned speed) {
+[[nodiscard]] std::uint8_t stepperSpeed(unsigned speed) {
     return static_cast<std::uint8_t>(10 + speed * 50 / 256);
 }
 
@@ -29,8 +29,9 @@ constexpr std::uint8_t kStepRamp = 4;
 
 std::vector<Step> switchOn(std::uint8_t index, ModuleIdentity identity) {
     if (isStep(identity))
-        return {toStep(index, step::SetParameters{step::SpeedMode::X1, false, false, false, 5, 200, 50, 0}),
-                toStep(index, step::StopMotor{true, step::StopManner::AmplifierOnly})};
+        return {
+            toStep(index, stepper::SetParameters{stepper::SpeedMode::X1, false, false, false, 5, 200, 50, 0}),
+            toStep(index, stepper::StopMotor{true, stepper::StopManner::AmplifierOnly})};
     servo::SetGain gain{200, 2000, 20, 200, 255, 0, 4000, 1, {}};
     if (identity.version >= servo::kDeadbandVersion)
         gain.db = std::uint8_t{0};
@@ -39,15 +40,15 @@ std::vector<Step> switchOn(std::uint8_t index, ModuleIdentity identity) {
 
 std::vector<Step> switchOff(std::uint8_t index, ModuleIdentity identity) {
     if (isStep(identity))
-        return {toStep(index, step::StopMotor{false, step::StopManner::Abruptly})};
+        return {toStep(index, stepper::StopMotor{false, stepper::StopManner::Abruptly})};
     return {motorOff(index)};
 }
 
 Step loadFar(std::uint8_t index, ModuleIdentity identity, unsigned far) {
     if (isStep(identity)) {
-        step::LoadTrajectory load;
+        stepper::LoadTrajectory load;
         load.position = Counts(static_cast<std::int32_t>(far) * 1'000);
-        load.speed = stepSpeed(far);
+        load.speed = stepperSpeed(far);
         load.accelerationTime = kStepRamp;
         return toStep(index, load);
     }
@@ -62,8 +63,8 @@ std::vector<Step> moveFar(std::uint8_t index, ModuleIdentity identity, unsigned 
 
 std::vector<Step> runOn(std::uint8_t index, ModuleIdentity identity, unsigned speed) {
     if (isStep(identity)) {
-        step::LoadTrajectory load;
-        load.speed = stepSpeed(speed);
+        stepper::LoadTrajectory load;
+        load.speed = stepperSpeed(speed);
         load.accelerationTime = kStepRamp;
         load.startNow = true;
         return {toStep(index, load)};
@@ -80,7 +81,7 @@ HoldToMove holdOn(std::uint8_t index, ModuleIdentity identity, unsigned speed) {
     HoldToMove hold{ModuleIndex(index), CountsPerTick(kOnePerTick / 2 + speed * kOnePerTick / 64),
                     CountsPerTickSquared(kAcceleration), false};
     if (isStep(identity))
-        hold.pace = StepPace{stepSpeed(speed), kStepRamp};
+        hold.pace = StepperPace{stepperSpeed(speed), kStepRamp};
     return hold;
 }
 

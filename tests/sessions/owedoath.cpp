@@ -25,7 +25,7 @@ constexpr unsigned kStartNow = 0x80;  // of Load Trajectory's control byte (DS-V
 [[nodiscard]] std::vector<std::uint8_t> packetOf(const HoldToMove& hold, std::uint8_t address) {
     Payload payload;
     if (hold.pace) {
-        step::LoadTrajectory load;
+        stepper::LoadTrajectory load;
         load.speed = hold.pace->speed;
         load.accelerationTime = hold.pace->accelerationTime;
         load.reverse = hold.reverse;

@@ -100,7 +100,7 @@ private:
         const std::size_t length = below(8) == 0 ? 5 + below(4) : 1 + below(4);
         world.chain.clear();
         for (std::size_t i = 0; i < length; ++i)
-            world.chain.push_back(below(4) == 0 ? ModuleIdentity{ModuleType::Step, 1}
+            world.chain.push_back(below(4) == 0 ? ModuleIdentity{ModuleType::Stepper, 1}
                                                 : ModuleIdentity{ModuleType::Servo, version()});
         world.baud = kRates[below(kRates.size())];
         world.latency = static_cast<Duration::rep>(below(3) == 0 ? 0 : below(17)) * 1ms;
@@ -178,7 +178,7 @@ std::string toText(const Plan& plan) {
     std::ostringstream text;
     text << "seed " << plan.seed << ": ";
     for (const ModuleIdentity& module : plan.world.chain)
-        text << (module.type == ModuleType::Step ? "step" : "servo@" + std::to_string(int{module.version}))
+        text << (module.type == ModuleType::Stepper ? "step" : "servo@" + std::to_string(int{module.version}))
              << ",";
     text << " " << plan.world.baud << " Bd, latency " << plan.world.latency / 1ms << " ms"
          << (plan.world.deafWhenAddressInputRises ? ", deaf" : "") << (plan.world.echoes ? ", echo" : "")

@@ -23,7 +23,7 @@ protected:
 
     static World world() {
         World world;
-        world.chain = {{ModuleType::Servo, 4}, {ModuleType::Servo, 1}, {ModuleType::Step, 1}};
+        world.chain = {{ModuleType::Servo, 4}, {ModuleType::Servo, 1}, {ModuleType::Stepper, 1}};
         world.baud = 57'600;
         return world;
     }

@@ -278,8 +278,8 @@ void Rig::expectEnds() {
 
 bool Rig::isOn(std::uint8_t place) {
     const sim::ModuleSnapshot truth = bus.chain.snapshot(ModuleIndex(place), bus.now);
-    if (truth.step)
-        return truth.step->ampEnabled || truth.step->moving;
+    if (truth.stepper)
+        return truth.stepper->ampEnabled || truth.stepper->moving;
     return truth.servo.servoOn || truth.servo.pwm != 0;
 }
 
@@ -296,15 +296,15 @@ bool Rig::resetOnTheWay(std::uint8_t place) {
 
 bool Rig::atRest(std::uint8_t place) {
     const sim::ModuleSnapshot truth = bus.chain.snapshot(ModuleIndex(place), bus.now);
-    if (truth.step)
-        return !truth.step->moving;
+    if (truth.stepper)
+        return !truth.stepper->moving;
     const bool commanded = truth.servo.servoOn && truth.servo.commandVelocity != 0;
     return !commanded && std::abs(truth.servo.velocity) < kStill;
 }
 
 double Rig::shaft(std::uint8_t place) {
     const sim::ModuleSnapshot truth = bus.chain.snapshot(ModuleIndex(place), bus.now);
-    return truth.step ? static_cast<double>(truth.step->shaft) : truth.servo.shaftCounts;
+    return truth.stepper ? static_cast<double>(truth.stepper->shaft) : truth.servo.shaftCounts;
 }
 
 bool Rig::hears(std::uint8_t place, std::uint8_t address, std::uint32_t baud) {

@@ -42,7 +42,7 @@ constexpr Duration kForLong = 60s;
 /// Two servos in velocity mode and a stepper.
 [[nodiscard]] World threeAt(std::uint32_t baud) {
     World world;
-    world.chain = {{ModuleType::Servo, 4}, {ModuleType::Servo, 1}, {ModuleType::Step, 1}};
+    world.chain = {{ModuleType::Servo, 4}, {ModuleType::Servo, 1}, {ModuleType::Stepper, 1}};
     world.baud = baud;
     return world;
 }

@@ -31,9 +31,9 @@ TEST(ChainSpec, AnErrorNamesTheItemAndWhatIsAllowed) {
 TEST(ChainSpec, ASteppersOnlyVersionIsOne) {
     const auto chain = parseChain("step,servo,step@1");
     ASSERT_TRUE(chain);
-    EXPECT_EQ((*chain)[0], (ModuleIdentity{ModuleType::Step, 1}));
+    EXPECT_EQ((*chain)[0], (ModuleIdentity{ModuleType::Stepper, 1}));
     EXPECT_EQ((*chain)[1], (ModuleIdentity{ModuleType::Servo, 4}));
-    EXPECT_EQ((*chain)[2], (ModuleIdentity{ModuleType::Step, 1}));
+    EXPECT_EQ((*chain)[2], (ModuleIdentity{ModuleType::Stepper, 1}));
     for (const std::string item : {"step@0", "step@2", "step@4", "step@", "steps"}) {
         const auto refused = parseChain("servo," + item);
         ASSERT_FALSE(refused) << item;

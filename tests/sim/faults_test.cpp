@@ -260,9 +260,9 @@ TEST_F(Faults, SilentExecutesWithoutAnswering) {
 TEST_F(Faults, CksumRefusesAGoodPacket) {
     fault("module 3 cksum n=1 on=set_outputs");
     EXPECT_EQ(wire.command(3, 0x18, {0x01}), (Bytes{0x0A, 0x0A})) << "power and communication error";
-    EXPECT_EQ(wire.truth(3).step->outputs, 0x10);
+    EXPECT_EQ(wire.truth(3).stepper->outputs, 0x10);
     wire.command(3, 0x18, {0x01});
-    EXPECT_EQ(wire.truth(3).step->outputs, 0x01);
+    EXPECT_EQ(wire.truth(3).stepper->outputs, 0x01);
 }
 
 TEST_F(Faults, IgnoreIsAsIfTheCommandHadNeverCome) {

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::vector<ModuleIdentity> kChain{
-    {ModuleType::Servo, 4}, {ModuleType::Servo, 1}, {ModuleType::Step, 1}};
+    {ModuleType::Servo, 4}, {ModuleType::Servo, 1}, {ModuleType::Stepper, 1}};
 
 tl::expected<FaultSpec, std::string> parse(const std::string& line) {
     std::istringstream stream(line);

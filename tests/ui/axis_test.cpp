@@ -5,7 +5,7 @@
 #include <QDialog>
 #include <QTabWidget>
 
-#include "tests/model/stepfixture.h"
+#include "tests/model/stepperfixture.h"
 #include "widgets/chain/chainmodel.h"
 #include "windowtest.h"
 
@@ -120,12 +120,12 @@ class AxisOfEach : public Axis, public testing::WithParamInterface<ModuleType> {
 protected:
     AxisOfEach() {
         ModuleState module = Servo{}.state();
-        if (GetParam() == ModuleType::Step)
+        if (GetParam() == ModuleType::Stepper)
             module = testing_support::Stepper::holding().module;
         window->showLink(connectedTo({module}));
     }
     static QString named(const QString& name) {
-        return GetParam() == ModuleType::Step ? u"step"_s + name.at(0).toUpper() + name.mid(1) : name;
+        return GetParam() == ModuleType::Stepper ? u"stepper"_s + name.at(0).toUpper() + name.mid(1) : name;
     }
     QLineEdit* edit(const QString& name) { return find<QLineEdit>(named(name)); }
 };
@@ -149,7 +149,7 @@ TEST_P(AxisOfEach, NamingItKeepsTheAnalogScaleToTheLastDigit) {
     EXPECT_EQ(machine.axes.at(0).analog.atZero, 1.0 / 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Chips, AxisOfEach, testing::Values(ModuleType::Servo, ModuleType::Step),
+INSTANTIATE_TEST_SUITE_P(Chips, AxisOfEach, testing::Values(ModuleType::Servo, ModuleType::Stepper),
                          [](const auto& chip) {
                              return chip.param == ModuleType::Servo ? "Servo" : "Stepper";
                          });

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "protocol/commandtable.h"
-#include "tests/model/stepfixture.h"
+#include "tests/model/stepperfixture.h"
 #include "widgets/paths/pathsdock.h"
 #include "windowtest.h"
 
@@ -121,7 +121,7 @@ const std::vector<Cell> kScCells{
     {IoControl, 0x10, u"threePhaseBox"_s},
     {IoControl, 0x20, u"antiphaseBox"_s},
     {IoControl, 0x40, u"fastPathBox"_s},
-    {IoControl, 0x80, u"stepInputBox"_s},
+    {IoControl, 0x80, u"stepperInputBox"_s},
     {IoControl, 0, u"applyAmplifierButton"_s},
     {SetGain, 0, u"stepMultiplierField"_s},
     {SetGain, 0, u"setMultiplierButton"_s},
@@ -134,7 +134,7 @@ const std::vector<Cell> kScCells{
 };
 
 const std::vector<Cell> kStepCells{
-    {ResetPosition, 0, u"stepZeroHereButton"_s},
+    {ResetPosition, 0, u"stepperZeroHereButton"_s},
     {LoadTrajectory, 0x01, u"expertLoadPositionLoaded"_s},
     {LoadTrajectory, 0x02, u"expertLoadSpeedLoaded"_s},
     {LoadTrajectory, 0x04, u"expertLoadAccelerationLoaded"_s},
@@ -143,53 +143,54 @@ const std::vector<Cell> kStepCells{
     {LoadTrajectory, 0x80, u"expertLoadNow"_s},
     {LoadTrajectory, 0, u"expertLoadButton"_s},
     // The goals of DS-S Table 4; from where to where is judged of each load.
-    {LoadTrajectory, 0, u"stepModeTrapezoidal"_s},
-    {LoadTrajectory, 0, u"stepModeProfile"_s},
-    {LoadTrajectory, 0, u"stepModeTimedMove"_s},
-    {LoadTrajectory, 0, u"stepModeTimedRun"_s},
-    {LoadTrajectory, 0, u"stepGoButton"_s},
-    {LoadTrajectory, 0, u"stepGoHomeButton"_s},
-    {LoadTrajectory, 0, u"stepRunForwardButton"_s},
-    {LoadTrajectory, 0, u"stepRunReverseButton"_s},
-    {LoadTrajectory, 0, u"stepHoldForwardButton"_s},
-    {LoadTrajectory, 0, u"stepHoldReverseButton"_s},
-    {LoadTrajectory, 0, u"stepLoadOnlyBox"_s},
-    {StartMotion, 0, u"stepStartLoadedButton"_s},
-    {SetGain, 0x03, u"stepSpeedModeField"_s},
-    {SetGain, 0x04, u"stepIgnoreLimitsField"_s},
-    {SetGain, 0x08, u"stepIgnoreEstopField"_s},
-    {SetGain, 0x10, u"stepMotorOffOnStopField"_s},
-    {SetGain, 0, u"stepMinimumSpeedField"_s},
-    {SetGain, 0, u"stepRunCurrentField"_s},
-    {SetGain, 0, u"stepHoldCurrentField"_s},
-    {SetGain, 0, u"stepThermalLimitField"_s},
-    {SetGain, 0, u"stepApplyParametersButton"_s},
+    {LoadTrajectory, 0, u"stepperModeTrapezoidal"_s},
+    {LoadTrajectory, 0, u"stepperModeProfile"_s},
+    {LoadTrajectory, 0, u"stepperModeTimedMove"_s},
+    {LoadTrajectory, 0, u"stepperModeTimedRun"_s},
+    {LoadTrajectory, 0, u"stepperGoButton"_s},
+    {LoadTrajectory, 0, u"stepperGoHomeButton"_s},
+    {LoadTrajectory, 0, u"stepperRunForwardButton"_s},
+    {LoadTrajectory, 0, u"stepperRunReverseButton"_s},
+    {LoadTrajectory, 0, u"stepperHoldForwardButton"_s},
+    {LoadTrajectory, 0, u"stepperHoldReverseButton"_s},
+    {LoadTrajectory, 0, u"stepperLoadOnlyBox"_s},
+    {StartMotion, 0, u"stepperStartLoadedButton"_s},
+    {SetGain, 0x03, u"stepperSpeedModeField"_s},
+    {SetGain, 0x04, u"stepperIgnoreLimitsField"_s},
+    {SetGain, 0x08, u"stepperIgnoreEstopField"_s},
+    {SetGain, 0x10, u"stepperMotorOffOnStopField"_s},
+    {SetGain, 0, u"stepperMinimumSpeedField"_s},
+    {SetGain, 0, u"stepperRunCurrentField"_s},
+    {SetGain, 0, u"stepperHoldCurrentField"_s},
+    {SetGain, 0, u"stepperThermalLimitField"_s},
+    {SetGain, 0, u"stepperApplyParametersButton"_s},
     {StopMotor, 0x01, u"expertStopAmplifier"_s},
     {StopMotor, 0x0C, u"expertStopManner"_s},
     {StopMotor, 0, u"expertStopButton"_s},
-    {StopMotor, 0, u"stepEnableButton"_s},
-    {StopMotor, 0, u"stepStopSmoothlyButton"_s},
-    {StopMotor, 0, u"stepStopAbruptlyButton"_s},
-    {StopMotor, 0, u"stepMotorOffButton"_s},
-    {IoControl, 0x01, u"stepOutput1Box"_s},
-    {IoControl, 0x02, u"stepOutput2Box"_s},
-    {IoControl, 0x04, u"stepOutput3Box"_s},
-    {IoControl, 0x08, u"stepOutput4Box"_s},
-    {IoControl, 0x10, u"stepOutput5Box"_s},
-    {IoControl, 0, u"stepSetOutputsButton"_s},
+    {StopMotor, 0, u"stepperEnableButton"_s},
+    {StopMotor, 0, u"stepperStopSmoothlyButton"_s},
+    {StopMotor, 0, u"stepperStopAbruptlyButton"_s},
+    {StopMotor, 0, u"stepperMotorOffButton"_s},
+    {IoControl, 0x01, u"stepperOutput1Box"_s},
+    {IoControl, 0x02, u"stepperOutput2Box"_s},
+    {IoControl, 0x04, u"stepperOutput3Box"_s},
+    {IoControl, 0x08, u"stepperOutput4Box"_s},
+    {IoControl, 0x10, u"stepperOutput5Box"_s},
+    {IoControl, 0, u"stepperSetOutputsButton"_s},
     {SetHoming, 0x01, u"expertHomingLimit1"_s},
     {SetHoming, 0x02, u"expertHomingLimit2"_s},
     {SetHoming, 0x08, u"expertHomingHomeSwitch"_s},
     {SetHoming, 0x34, u"expertHomingManner"_s},
     {SetHoming, 0, u"expertHomingButton"_s},
-    {SetHoming, 0, u"stepHomeButton"_s},
-    {SaveAsHome, 0, u"stepSaveHomeButton"_s},
+    {SetHoming, 0, u"stepperHomeButton"_s},
+    {SaveAsHome, 0, u"stepperSaveHomeButton"_s},
     {HardReset, 0, u"resetModuleButton"_s},
 };
 
 /// They send what the table has, several commands one after the other, or only tell the panel something.
-const QSet<QString> kMadeOfCells{u"stepForwardButton"_s, u"stepReverseButton"_s, u"directionCheckButton"_s,
-                                 u"declarePositionButton"_s, u"doubtPositionButton"_s};
+const QSet<QString> kMadeOfCells{u"stepperForwardButton"_s, u"stepperReverseButton"_s,
+                                 u"directionCheckButton"_s, u"declarePositionButton"_s,
+                                 u"doubtPositionButton"_s};
 
 /// The bits that a control byte has (DS-V 5.2, DS-S 5.1).
 struct Bits {
@@ -310,7 +311,7 @@ TEST_F(Cells, WhateverSendsSomethingToAnScIsInTheTable) {
 
 TEST_F(Cells, EachOfThePicStepSheetHasItsControl) {
     window->showLink(connectedTo({Stepper::holding().module}));
-    expectEachHasItsControl({ModuleType::Step, 1}, kStepCells);
+    expectEachHasItsControl({ModuleType::Stepper, 1}, kStepCells);
     expectEachBit(kStepCells, kStepBits);
 }
 

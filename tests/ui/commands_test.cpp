@@ -7,7 +7,7 @@
 #include <QToolTip>
 #include <QTreeWidget>
 
-#include "tests/model/stepfixture.h"
+#include "tests/model/stepperfixture.h"
 #include "widgets/panels/command.h"
 #include "windowtest.h"
 

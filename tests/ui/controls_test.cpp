@@ -73,7 +73,7 @@ QString shownWords(QString text) {
 class SpokenNames : public Controls {};
 
 TEST_F(SpokenNames, BeginWithTheWordsThatTheControlShows) {
-    for (const ModuleType type : {ModuleType::Servo, ModuleType::Step, ModuleType::Io}) {
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io}) {
         showInEveryDock({type, 1});
         for (const QWidget* widget : controls()) {
             const QString name = widget->accessibleName();
@@ -112,7 +112,7 @@ QList<std::pair<QLabel*, QWidget*>> labelledBy(const QLayout& layout) {
 
 TEST_F(SpokenNames, EachLabelBeforeAFieldIsItsBuddy) {
     int seen = 0;
-    for (const ModuleType type : {ModuleType::Servo, ModuleType::Step, ModuleType::Io}) {
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io}) {
         showInEveryDock({type, 1});
         for (const QLayout* layout : window->findChildren<QLayout*>())
             for (const auto& [label, field] : labelledBy(*layout)) {
@@ -161,7 +161,7 @@ struct Panel {
     const char* pages;
 };
 constexpr std::array kPanels{Panel{ModuleType::Servo, "servoPanel", "servoPages"},
-                             Panel{ModuleType::Step, "stepPanel", "stepPages"}};
+                             Panel{ModuleType::Stepper, "stepperPanel", "stepperPages"}};
 
 class Mnemonics : public testing::WithParamInterface<std::string>, public InLanguage, public Controls {
 protected:

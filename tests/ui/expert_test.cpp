@@ -5,7 +5,7 @@
 #include <QComboBox>
 #include <QDialog>
 
-#include "tests/model/stepfixture.h"
+#include "tests/model/stepperfixture.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -186,7 +186,7 @@ TEST_F(Expert, SaysWhichNumberIsWrong) {
 /// Table 4: from a trapezoid, the timer count alone keeps the position; with a speed it becomes a ramp.
 TEST_F(Expert, NamesTheModeOfTable4) {
     Stepper stepper = Stepper::holding();
-    step::LoadTrajectory move = Stepper::trapezoid(900);
+    stepper::LoadTrajectory move = Stepper::trapezoid(900);
     move.startNow = true;
     stepper.was(move);
     stepper.says(testing_support::kStepPower | testing_support::kAmplifier | testing_support::kMoving |

@@ -7,7 +7,7 @@
 #include <QScrollBar>
 #include <QTabWidget>
 
-#include "tests/model/stepfixture.h"
+#include "tests/model/stepperfixture.h"
 #include "widgets/chain/chainmodel.h"
 #include "windowtest.h"
 
@@ -63,7 +63,7 @@ TEST_F(Head, AllMotionsAreInViewOnASmallLaptop) {
         QApplication::processEvents();
     for (const QString& name : {u"goButton"_s, u"goHomeButton"_s, u"runForwardButton"_s,
                                 u"runReverseButton"_s, u"holdForwardButton"_s, u"holdReverseButton"_s,
-                                u"stepForwardButton"_s, u"stepReverseButton"_s, u"stepEndButton"_s})
+                                u"stepperForwardButton"_s, u"stepperReverseButton"_s, u"stepEndButton"_s})
         EXPECT_TRUE(isWhole(*find(name))) << name.toStdString();
 }
 
@@ -164,8 +164,8 @@ TEST_F(Head, OfAStepperShowsItsInputs) {
     Stepper stepper = Stepper::holding();
     stepper.module.latest->aux = std::uint8_t{0x08};  // limit 1 (DS-S 5.2)
     window->showLink(connectedTo({stepper.module}));
-    EXPECT_EQ(text(u"stepHeadLimit1"_s), u"Limit 1 high"_s);
-    EXPECT_EQ(text(u"stepHeadLimit2"_s), u"Limit 2 low"_s);
+    EXPECT_EQ(text(u"stepperHeadLimit1"_s), u"Limit 1 high"_s);
+    EXPECT_EQ(text(u"stepperHeadLimit2"_s), u"Limit 2 low"_s);
 }
 
 TEST_F(Head, AndTheListKeepTheLastPositionStruckOutWhenTheAdapterIsUnplugged) {

@@ -290,7 +290,7 @@ TEST_F(Help, EachAnchorOfTheManualIsAWidget) {
     };
     for (const auto& [type, version] :
          {std::pair{ModuleType::Servo, std::uint8_t{5}}, std::pair{ModuleType::Servo, std::uint8_t{10}},
-          std::pair{ModuleType::Step, std::uint8_t{1}}, std::pair{ModuleType::Io, std::uint8_t{1}}}) {
+          std::pair{ModuleType::Stepper, std::uint8_t{1}}, std::pair{ModuleType::Io, std::uint8_t{1}}}) {
         showInEveryDock({type, version});
         look();
     }

@@ -267,9 +267,9 @@ TEST_F(Homing, ALimitThatIsActiveIsNotArmed) {
 
 // ---- a stepper's ----
 
-TEST(StepHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
+TEST(StepperHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     ModuleState module;
-    module.info = {ModuleIndex(0), BusAddress(1), {ModuleType::Step, 1}};
+    module.info = {ModuleIndex(0), BusAddress(1), {ModuleType::Stepper, 1}};
     bus::Sample sample{module.info.index, TimePoint(std::chrono::seconds(1)), {}};
     sample.report.items = StatusItems(StatusItems::Position | StatusItems::Inputs);
     sample.report.status = 0x0C;  // power, amplifier
@@ -277,9 +277,9 @@ TEST(StepHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     sample.report.aux = std::uint8_t{0};
     module.apply(sample);
     const ModuleState untold = module;
-    step::SetParameters parameters;
-    parameters.speedMode = step::SpeedMode::X2;
-    module.apply(bus::CommandExecuted{module.info.index, sample.time, StepCommand(parameters)});
+    stepper::SetParameters parameters;
+    parameters.speedMode = stepper::SpeedMode::X2;
+    module.apply(bus::CommandExecuted{module.info.index, sample.time, StepperCommand(parameters)});
     const AxisSettings settings;
     PanelView view{module, settings};
     view.connected = true;
@@ -287,13 +287,13 @@ TEST(StepHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     HomingBox box(context, nullptr);
     box.show();
     QSignalSpy intents(&context, &ModuleContext::asked);
-    auto* home = box.findChild<QAbstractButton*>(u"stepHomeButton"_s);
+    auto* home = box.findChild<QAbstractButton*>(u"stepperHomeButton"_s);
     ASSERT_NE(home, nullptr);
     EXPECT_TRUE(home->isEnabled()) << home->toolTip().toStdString();
-    EXPECT_NE(box.findChild<QAbstractButton*>(u"stepOnHomeSwitchBox"_s), nullptr);
-    EXPECT_EQ(box.findChild<QAbstractButton*>(u"stepOnIndexBox"_s), nullptr);
+    EXPECT_NE(box.findChild<QAbstractButton*>(u"stepperOnHomeSwitchBox"_s), nullptr);
+    EXPECT_EQ(box.findChild<QAbstractButton*>(u"stepperOnIndexBox"_s), nullptr);
     EXPECT_EQ(box.findChild<QWidget*>(u"limitStopBox"_s), nullptr);
-    auto* velocity = box.findChild<NumberField*>(u"stepHomingVelocityField"_s);
+    auto* velocity = box.findChild<NumberField*>(u"stepperHomingVelocityField"_s);
     const auto type = [velocity](const QString& words) {
         velocity->selectAll();
         QTest::keyClicks(velocity, words);

@@ -129,7 +129,7 @@ TEST_F(IoPage, GoesHomeAndStopsHere) {
 
 TEST_F(IoPage, AVersionWithoutADataSheetIsOnlyLookedAt) {
     for (const ModuleIdentity& identity :
-         {ModuleIdentity{ModuleType::Servo, 6}, ModuleIdentity{ModuleType::Step, 2},
+         {ModuleIdentity{ModuleType::Servo, 6}, ModuleIdentity{ModuleType::Stepper, 2},
           ModuleIdentity{ModuleType::Io, 2}, ModuleIdentity{ModuleType::Adc, 1}}) {
         ModuleState module;
         module.info.identity = identity;

@@ -50,7 +50,7 @@ protected:
 };
 
 TEST_F(Manual, NamesEveryKey) {
-    for (const ModuleType type : {ModuleType::Servo, ModuleType::Step}) {
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper}) {
         showInEveryDock({type, 1});
         collectKeys();
     }

@@ -49,7 +49,7 @@ protected:
     }
     [[nodiscard]] static ModuleState stepper() {
         ModuleState module;
-        module.info.identity = {ModuleType::Step, 1};
+        module.info.identity = {ModuleType::Stepper, 1};
         module.info.address = BusAddress(1);
         bus::Sample sample;
         sample.report.status = std::uint8_t{0x0C};  // amplifier enabled, power

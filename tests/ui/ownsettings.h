@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "model/machinefile/machinefile.h"
-#include "tests/model/stepfixture.h"
+#include "tests/model/stepperfixture.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -43,7 +43,7 @@ protected:
 
     /// By a click on its tab.
     void openPage(const QString& page) {
-        auto* tabs = find<QTabBar>(servo() ? u"servoPagesBar"_s : u"stepPagesBar"_s);
+        auto* tabs = find<QTabBar>(servo() ? u"servoPagesBar"_s : u"stepperPagesBar"_s);
         int tab = 0;
         while (tab < tabs->count() && tabs->tabText(tab) != page)
             ++tab;
@@ -54,7 +54,7 @@ protected:
     template <typename T = QWidget>
     T* reach(const QString& name) {
         T* widget = find<T>(name);
-        for (const QString& place : {u"homingScroll"_s, u"stepHomingScroll"_s, u"panelScroll"_s})
+        for (const QString& place : {u"homingScroll"_s, u"stepperHomingScroll"_s, u"panelScroll"_s})
             if (auto* area = window->findChild<QScrollArea*>(place);
                 area != nullptr && area->widget()->isAncestorOf(widget))
                 area->ensureWidgetVisible(widget);

@@ -6,7 +6,7 @@
 #include <QMenu>
 #include <functional>
 
-#include "tests/model/stepfixture.h"
+#include "tests/model/stepperfixture.h"
 #include "tests/support/virtualpad.h"
 #include "widgets/panels/holdbutton.h"
 #include "windowtest.h"

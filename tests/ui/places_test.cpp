@@ -39,28 +39,28 @@ protected:
                                     u"runForwardButton"_s,
                                     u"holdReverseButton"_s,
                                     u"holdForwardButton"_s,
-                                    u"stepReverseButton"_s,
-                                    u"stepForwardButton"_s,
+                                    u"stepperReverseButton"_s,
+                                    u"stepperForwardButton"_s,
                                     u"pwmReverseButton"_s,
                                     u"pwmForwardButton"_s,
                                     u"homeButton"_s,
                                     u"stepResponseButton"_s,
-                                    u"stepEnableButton"_s,
-                                    u"stepGoalField"_s,
-                                    u"stepGoButton"_s,
-                                    u"stepStartLoadedButton"_s,
-                                    u"stepRunReverseButton"_s,
-                                    u"stepRunForwardButton"_s,
-                                    u"stepHoldReverseButton"_s,
-                                    u"stepHoldForwardButton"_s,
-                                    u"stepHomeButton"_s})
+                                    u"stepperEnableButton"_s,
+                                    u"stepperGoalField"_s,
+                                    u"stepperGoButton"_s,
+                                    u"stepperStartLoadedButton"_s,
+                                    u"stepperRunReverseButton"_s,
+                                    u"stepperRunForwardButton"_s,
+                                    u"stepperHoldReverseButton"_s,
+                                    u"stepperHoldForwardButton"_s,
+                                    u"stepperHomeButton"_s})
             if (const auto* control = window->findChild<QWidget*>(name); control && control->isVisible())
                 found.insert(name, {control->mapToGlobal(QPoint(0, 0)), control->size()});
         return found;
     }
     void showStepper(std::uint8_t status, std::int32_t position) {
         ModuleState module;
-        module.info.identity = {ModuleType::Step, 1};
+        module.info.identity = {ModuleType::Stepper, 1};
         module.info.address = BusAddress(1);
         bus::Sample sample;
         sample.report.status = status;
@@ -173,11 +173,12 @@ TEST_P(Places, StayWhateverTheModuleSays) {
 TEST_P(Places, OfTheStepperStayToo) {
     showStepper(0x0C, 1'234);  // amplifier enabled, power
     settle();
-    for (const QString& mode : {u"stepModeTrapezoidal"_s, u"stepModeProfile"_s, u"stepModeTimedRun"_s}) {
+    for (const QString& mode :
+         {u"stepperModeTrapezoidal"_s, u"stepperModeProfile"_s, u"stepperModeTimedRun"_s}) {
         click(mode);
         settle();
         const auto before = places();
-        EXPECT_TRUE(before.contains(u"stepHoldForwardButton"_s));
+        EXPECT_TRUE(before.contains(u"stepperHoldForwardButton"_s));
         for (const Message& message : messages()) {
             window->showMessage(message);
             EXPECT_EQ(places(), before);
@@ -192,8 +193,8 @@ TEST_P(Places, OfTheStepperStayToo) {
 }
 
 TEST_P(Places, OfWhatActsCanBeScrolledIntoSight) {
-    for (const QString& page : {u"servoPanel"_s, u"stepPanel"_s}) {
-        if (page == u"stepPanel"_s)
+    for (const QString& page : {u"servoPanel"_s, u"stepperPanel"_s}) {
+        if (page == u"stepperPanel"_s)
             showStepper(0x0C, 1'234);
         for (const Command* command : find<ModulePage>(page)->commands()) {
             QAbstractButton* button = command->button();

@@ -36,7 +36,7 @@ protected:
         return *axis().homing;
     }
     QString named(const QString& name) {
-        return servo() ? name : u"step"_s + name.at(0).toUpper() + name.mid(1);
+        return servo() ? name : u"stepper"_s + name.at(0).toUpper() + name.mid(1);
     }
 
     enum class Amount { Plain, Position, Velocity, Acceleration };
@@ -77,9 +77,10 @@ protected:
         const std::vector<QString> speeds =
             servo() ? std::vector{u"2"_s, u"3.5"_s, u"1,25"_s} : std::vector{u"300"_s, u"45.5"_s, u"70"_s};
         if (!servo() && amount < 4) {
-            press(any(std::vector{u"stepModeTrapezoidal"_s, u"stepModeProfile"_s, u"stepModeTimedMove"_s}));
-            const bool run = button(u"stepModeProfile"_s)->isChecked();
-            return number(u"stepSpeedField"_s, Amount::Velocity, speeds,
+            press(any(std::vector{u"stepperModeTrapezoidal"_s, u"stepperModeProfile"_s,
+                                  u"stepperModeTimedMove"_s}));
+            const bool run = button(u"stepperModeProfile"_s)->isChecked();
+            return number(u"stepperSpeedField"_s, Amount::Velocity, speeds,
                           [&](double speed) { (run ? motion.runVelocity : motion.velocity) = speed; });
         }
         switch (amount) {
@@ -96,9 +97,10 @@ protected:
                 return number(u"stepSizeField"_s, Amount::Position, {u"20"_s, u"7"_s},
                               [&](double d) { motion.stepSize = d; });
             default:  // typed for now, and not kept
-                return number(any(servo() ? std::vector{u"goalField"_s, u"holdVelocityField"_s}
-                                          : std::vector{u"stepGoalField"_s, u"stepHoldVelocityField"_s}),
-                              Amount::Plain, {u"12"_s, u"150"_s}, [](double) {});
+                return number(
+                    any(servo() ? std::vector{u"goalField"_s, u"holdVelocityField"_s}
+                                : std::vector{u"stepperGoalField"_s, u"stepperHoldVelocityField"_s}),
+                    Amount::Plain, {u"12"_s, u"150"_s}, [](double) {});
         }
     }
 
@@ -227,37 +229,37 @@ protected:
 
     void editParameters() {
         openPage(u"Parameters"_s);
-        step::SetParameters& mine = parameters.at(static_cast<std::size_t>(selected()));
-        const auto tick = [&](const QString& name, bool step::SetParameters::*flag) {
+        stepper::SetParameters& mine = parameters.at(static_cast<std::size_t>(selected()));
+        const auto tick = [&](const QString& name, bool stepper::SetParameters::*flag) {
             done = name;
             if (press(name))
                 mine.*flag = !(mine.*flag);
         };
         switch (any(std::vector<int>{0, 1, 2, 3, 4, 5, 6})) {
             case 0:
-                tick(u"stepIgnoreLimitsField"_s, &step::SetParameters::ignoreLimits);
+                tick(u"stepperIgnoreLimitsField"_s, &stepper::SetParameters::ignoreLimits);
                 break;
             case 1:
-                tick(u"stepMotorOffOnStopField"_s, &step::SetParameters::motorOffOnLimitOrEstop);
+                tick(u"stepperMotorOffOnStopField"_s, &stepper::SetParameters::motorOffOnLimitOrEstop);
                 break;
             case 2:
-                return number(u"stepAccelerationTimeField"_s, Amount::Plain, {u"30"_s, u"7"_s},
+                return number(u"stepperAccelerationTimeField"_s, Amount::Plain, {u"30"_s, u"7"_s},
                               [&](double time) { axis().accelerationTime = time; });
             case 3:
-                return number(u"stepHoldCapField"_s, Amount::Velocity, {u"700"_s, u"45.5"_s},
+                return number(u"stepperHoldCapField"_s, Amount::Velocity, {u"700"_s, u"45.5"_s},
                               [&](double cap) { axis().motion.holdCap = cap; });
             case 4:
-                return number(u"stepRunCurrentField"_s, Amount::Plain, {u"90"_s, u"7"_s}, [&](double n) {
+                return number(u"stepperRunCurrentField"_s, Amount::Plain, {u"90"_s, u"7"_s}, [&](double n) {
                     mine.runCurrent = static_cast<std::uint8_t>(n);
                     axis().parameters = mine;
                 });
             case 5:
-                return number(u"stepThermalLimitField"_s, Amount::Plain, {u"60"_s, u"8"_s}, [&](double n) {
+                return number(u"stepperThermalLimitField"_s, Amount::Plain, {u"60"_s, u"8"_s}, [&](double n) {
                     mine.thermalLimit = static_cast<std::uint8_t>(n);
                     axis().parameters = mine;
                 });
             default:
-                return number(u"stepHoldCurrentField"_s, Amount::Plain, {u"35"_s, u"5"_s}, [&](double n) {
+                return number(u"stepperHoldCurrentField"_s, Amount::Plain, {u"35"_s, u"5"_s}, [&](double n) {
                     mine.holdCurrent = static_cast<std::uint8_t>(n);
                     axis().parameters = mine;
                 });
@@ -269,9 +271,9 @@ protected:
         openPage(u"I/O"_s);
         const std::size_t number = any(std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6});
         if (number < 5)
-            word(u"stepOutput%1Name"_s.arg(number + 1), axis().outputNames.at(number));
+            word(u"stepperOutput%1Name"_s.arg(number + 1), axis().outputNames.at(number));
         else
-            word(u"stepInput%1Name"_s.arg(number - 4), axis().inputNames.at(number - 5));
+            word(u"stepperInput%1Name"_s.arg(number - 4), axis().inputNames.at(number - 5));
     }
 
     void selectAnother() {
@@ -314,8 +316,8 @@ protected:
 
     std::mt19937 random{GetParam()};
     Machine expected;
-    std::vector<servo::SetGain> gains;            ///< as they stand in the fields, by module
-    std::vector<step::SetParameters> parameters;  ///< the same
+    std::vector<servo::SetGain> gains;               ///< as they stand in the fields, by module
+    std::vector<stepper::SetParameters> parameters;  ///< the same
     QString done;
 };
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "scopehistory.h"
-#include "tests/model/stepfixture.h"
+#include "tests/model/stepperfixture.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopeplot.h"
 #include "windowtest.h"

@@ -56,10 +56,10 @@ TEST(ScopeSetup, ModulesThatAreShownWhicheverIsSelectedAreKnown) {
 }
 
 TEST(ScopeSetup, EveryNamedBitOfBothChipsCanBeChosen) {
-    EXPECT_EQ(laneBits(ModuleType::Servo).size(), 14U);  // DS-V 5.3: 8 and 6
-    EXPECT_EQ(laneBits(ModuleType::Step).size(), 14U);   // DS-S 5.2: 8 and 6
-    EXPECT_EQ(laneBits(ModuleType::Io).size(), 12U);     // docs/family.md: its pins
-    for (const ModuleType type : {ModuleType::Servo, ModuleType::Step, ModuleType::Io})
+    EXPECT_EQ(laneBits(ModuleType::Servo).size(), 14U);    // DS-V 5.3: 8 and 6
+    EXPECT_EQ(laneBits(ModuleType::Stepper).size(), 14U);  // DS-S 5.2: 8 and 6
+    EXPECT_EQ(laneBits(ModuleType::Io).size(), 12U);       // docs/family.md: its pins
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io})
         for (const ScopeBit& bit : usualLaneBits(type))
             EXPECT_FALSE(texts::bitName(bit, type).isEmpty());
 }

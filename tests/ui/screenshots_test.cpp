@@ -33,7 +33,7 @@ protected:
 
     void showStepper() {
         ModuleState module;
-        module.info.identity = {ModuleType::Step, 1};
+        module.info.identity = {ModuleType::Stepper, 1};
         module.info.address = BusAddress(1);
         bus::Sample sample;
         sample.report.status = 0x0C;  // amplifier enabled, power
@@ -84,7 +84,7 @@ TEST_P(Screenshots, OfTheServoPanel) {
 
 TEST_P(Screenshots, OfTheStepperPanel) {
     showStepper();
-    keep(u"step"_s, u"stepPages"_s);
+    keep(u"step"_s, u"stepperPages"_s);
 }
 
 TEST_P(Screenshots, OfASimulatedReadOnlySession) {

@@ -133,7 +133,7 @@ TEST_F(StandingTexts, ALimitOtherThanTheWatchedOneIsToldOf) {
 
 TEST_F(StandingTexts, AServoIsSaidToGoOnAndAStepperToBeHeld) {
     EXPECT_TRUE(texts::limitClosed(servo(), 1).headline.contains(u"does not stop it"_s));
-    servo().info.identity.type = ModuleType::Step;
+    servo().info.identity.type = ModuleType::Stepper;
     servo().info.identity.version = 1;
     const Message step = texts::limitClosed(servo(), 1);
     EXPECT_FALSE(step.headline.contains(u"does not stop it"_s));

@@ -2,7 +2,7 @@
 // Limits of travel and of speed, as a person sets and meets them.
 #include <QAbstractButton>
 
-#include "tests/model/stepfixture.h"
+#include "tests/model/stepperfixture.h"
 #include "widgets/common/askdialog.h"
 #include "windowtest.h"
 
@@ -135,10 +135,10 @@ TEST_F(TravelPanel, AtALimitThereIsOnlyTheWayBack) {
     const QString reason = u"Highest position reached: 1\u202f500 counts. Move in reverse."_s;
     EXPECT_EQ(whyNot(u"runForwardButton"_s), reason);
     EXPECT_EQ(whyNot(u"holdForwardButton"_s), reason);
-    whyNot(u"stepForwardButton"_s);
+    whyNot(u"stepperForwardButton"_s);
     EXPECT_TRUE(button(u"runReverseButton"_s)->isEnabled());
     EXPECT_TRUE(button(u"holdReverseButton"_s)->isEnabled());
-    EXPECT_TRUE(button(u"stepReverseButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"stepperReverseButton"_s)->isEnabled());
     standAt(1'700);
     EXPECT_EQ(text(u"headTravel"_s), u"▲ Above the highest position"_s);
     EXPECT_TRUE(button(u"runReverseButton"_s)->isEnabled());
@@ -185,12 +185,12 @@ TEST_F(TravelPanel, AStepperHasTheSamePage) {
     testing_support::Stepper stepper = testing_support::Stepper::holding();
     stepper.module.home.found(0, stepper.time);
     window->showLink(connectedTo({stepper.module}));
-    type(u"stepHighestField"_s, u"300"_s);
-    type(u"stepGoalField"_s, u"301"_s);
-    EXPECT_TRUE(whyNot(u"stepGoButton"_s).contains(u"300 steps"_s));
-    click(u"stepNearestGoalButton"_s);
-    click(u"stepGoButton"_s);
-    const auto move = std::get<stepmotion::Trapezoid>(lastIntent<stepintent::Move>().motion);
+    type(u"stepperHighestField"_s, u"300"_s);
+    type(u"stepperGoalField"_s, u"301"_s);
+    EXPECT_TRUE(whyNot(u"stepperGoButton"_s).contains(u"300 steps"_s));
+    click(u"stepperNearestGoalButton"_s);
+    click(u"stepperGoButton"_s);
+    const auto move = std::get<steppermotion::Trapezoid>(lastIntent<stepperintent::Move>().motion);
     EXPECT_EQ(move.position, 300);
     EXPECT_FALSE(move.relative);
 }

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "model/intent/rights.h"
-#include "model/intent/stepplan.h"
+#include "model/intent/stepperplan.h"
 #include "model/module/servodefaults.h"
-#include "model/module/stepdefaults.h"
+#include "model/module/stepperdefaults.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
@@ -43,8 +43,8 @@ AxisRow::AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* bo
         return new Command({.name = name + number, .icon = {}, .text = text, .accessible = sentence}, box,
                            act);
     };
-    m_stepReverse = newCommand(u"axisStepReverseButton"_s, tr("◂| Step"), tr("Step %1 in reverse").arg(who),
-                               [this] { step(true); });
+    m_stepperReverse = newCommand(u"axisStepReverseButton"_s, tr("◂| Step"),
+                                  tr("Step %1 in reverse").arg(who), [this] { step(true); });
     m_stepForward = newCommand(u"axisStepForwardButton"_s, tr("Step |▸"), tr("Step %1 forward").arg(who),
                                [this] { step(false); });
     m_earlier =
@@ -52,7 +52,7 @@ AxisRow::AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* bo
                    [this] { emit earlierWanted(m_context.state().info.index); });
     int column = 0;
     for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse,
-                                                           m_holdForward, m_stepReverse->button(),
+                                                           m_holdForward, m_stepperReverse->button(),
                                                            m_stepForward->button(), m_earlier->button()})
         grid.addWidget(widget, line, column++);
     connect(&m_context, &ModuleContext::asked, this,
@@ -76,13 +76,13 @@ HoldButton* AxisRow::newHold(const QString& objectName, const QString& text, con
 void AxisRow::remove() {
     endHold();
     for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse,
-                                                           m_holdForward, m_stepReverse->button(),
+                                                           m_holdForward, m_stepperReverse->button(),
                                                            m_stepForward->button(), m_earlier->button()}) {
         widget->setObjectName({});  // which its successor has
         widget->hide();
         widget->deleteLater();
     }
-    for (Command* command : {m_stepReverse, m_stepForward, m_earlier})
+    for (Command* command : {m_stepperReverse, m_stepForward, m_earlier})
         command->deleteLater();
     deleteLater();
 }
@@ -114,25 +114,25 @@ void AxisRow::setHoldInterval(int milliseconds) {
 double AxisRow::velocity() const {
     const ModuleState& module = m_context.state();
     if (module.isStepper()) {
-        const double cap = stepdefaults::holdCap(module.stepper, m_context.settings());
-        return m_speed == JogSpeed::Fast ? cap : std::min(stepdefaults::kHold, cap);
+        const double cap = stepperdefaults::holdCap(module.stepper, m_context.settings());
+        return m_speed == JogSpeed::Fast ? cap : std::min(stepperdefaults::kHold, cap);
     }
     const MotionSettings motion = servodefaults::motionOf(m_context.settings());
     return m_speed == JogSpeed::Fast ? motion.holdCap : std::min(motion.holdVelocity, motion.holdCap);
 }
 
-std::optional<stepmotion::VelocityProfile> AxisRow::pace(bool reverse) const {
+std::optional<steppermotion::VelocityProfile> AxisRow::pace(bool reverse) const {
     const auto& parameters = m_context.state().stepper.parameters();
     if (!parameters)
         return std::nullopt;
     // Never faster than asked for.
-    const double units = std::floor(velocity() / StepSpeed(parameters->speedMode).unit() + 1e-9);
-    return stepmotion::VelocityProfile{
+    const double units = std::floor(velocity() / StepperSpeed(parameters->speedMode).unit() + 1e-9);
+    return steppermotion::VelocityProfile{
         static_cast<std::uint8_t>(std::clamp(units, 1.0, 250.0)),
-        static_cast<std::uint8_t>(stepdefaults::accelerationTime(m_context.settings())), reverse};
+        static_cast<std::uint8_t>(stepperdefaults::accelerationTime(m_context.settings())), reverse};
 }
 
-std::optional<Intent> AxisRow::stepIntent(bool reverse) const {
+std::optional<Intent> AxisRow::stepperIntent(bool reverse) const {
     const double counts = std::round(m_context.scale().counts(m_step));
     if (counts < 1 || counts > static_cast<double>(servo::kPositionRange.max))
         return std::nullopt;
@@ -141,7 +141,8 @@ std::optional<Intent> AxisRow::stepIntent(bool reverse) const {
         const auto wanted = pace(reverse);
         if (!wanted)
             return std::nullopt;
-        return stepintent::Move{stepmotion::Trapezoid{way, true, wanted->speed, wanted->accelerationTime}};
+        return stepperintent::Move{
+            steppermotion::Trapezoid{way, true, wanted->speed, wanted->accelerationTime}};
     }
     const MotionSettings motion = servodefaults::motionOf(m_context.settings());
     return intent::StepBy{{.counts = way},
@@ -156,15 +157,15 @@ QString AxisRow::whyNotHeld(bool reverse) const {
     if (!m_context.state().isStepper())
         return {};
     const auto wanted = pace(reverse);
-    const auto refusal =
-        wanted ? whyNot(StepMotion(*wanted), m_context.state()) : std::optional(Refusal::ParametersUnknown);
+    const auto refusal = wanted ? whyNot(StepperMotion(*wanted), m_context.state())
+                                : std::optional(Refusal::ParametersUnknown);
     return refusal ? texts::refusal(*refusal) : QString();
 }
 
 QString AxisRow::whyNotStepped(bool reverse) const {
     if (const QString reason = m_context.reasonNow(Request::Move); !reason.isEmpty())
         return reason;
-    const auto wanted = stepIntent(reverse);
+    const auto wanted = stepperIntent(reverse);
     if (!wanted)
         return tr("This step is less than one count of this axis, or beyond its range. Choose another step.");
     const auto steps = plan(*wanted, m_context.state());
@@ -183,7 +184,7 @@ void AxisRow::refresh() {
     look::setPossible(m_holdForward, whyNotHeld(false), tr("Moves forward while held, then stops."));
     look::setPossible(m_holdReverse, whyNotHeld(true), tr("Moves in reverse while held, then stops."));
     m_stepForward->setPossible(whyNotStepped(false), tr("Moves forward by the step above, then holds."));
-    m_stepReverse->setPossible(whyNotStepped(true), tr("Moves in reverse by the step above, then holds."));
+    m_stepperReverse->setPossible(whyNotStepped(true), tr("Moves in reverse by the step above, then holds."));
     const auto locked = whyNotEdited(module.rights);
     m_earlier->setPossible(
         locked         ? texts::refusal(*locked)
@@ -204,7 +205,7 @@ void AxisRow::hold(const HoldButton& button, bool reverse) {
         const auto wanted = pace(reverse);
         if (!wanted)
             return;
-        hold.pace = bus::StepPace{wanted->speed, wanted->accelerationTime};
+        hold.pace = bus::StepperPace{wanted->speed, wanted->accelerationTime};
     } else {
         const MotionSettings motion = servodefaults::motionOf(m_context.settings());
         hold.velocity = CountsPerTick(servodefaults::toFixed(velocity()));
@@ -214,7 +215,7 @@ void AxisRow::hold(const HoldButton& button, bool reverse) {
 }
 
 void AxisRow::step(bool reverse) {
-    if (const auto wanted = stepIntent(reverse))
+    if (const auto wanted = stepperIntent(reverse))
         m_context.ask(*wanted);
 }
 

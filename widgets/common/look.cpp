@@ -224,8 +224,8 @@ void name(QWidget* widget, const QString& objectName, const QString& accessibleN
 }
 
 QString nameFor(ModuleType type, const QString& objectName) {
-    return type == ModuleType::Step ? u"step"_s + objectName.left(1).toUpper() + objectName.mid(1)
-                                    : objectName;
+    return type == ModuleType::Stepper ? u"stepper"_s + objectName.left(1).toUpper() + objectName.mid(1)
+                                       : objectName;
 }
 
 void nameText(QLabel* label, const QString& objectName, const QString& what) {

@@ -49,7 +49,7 @@ QString moduleType(const ModuleIdentity& identity) {
         case ModuleType::Io:
             type = u"PIC-I/O"_s;
             break;
-        case ModuleType::Step:
+        case ModuleType::Stepper:
             type = u"PIC-STEP"_s;
             break;
     }

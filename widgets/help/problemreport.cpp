@@ -79,7 +79,7 @@ QString typeName(ModuleType type) {
             return u"PIC-I/O"_s;
         case ModuleType::Adc:
             return u"ADC"_s;
-        case ModuleType::Step:
+        case ModuleType::Stepper:
             return u"PIC-STEP"_s;
     }
     return u"type %1"_s.arg(static_cast<int>(type));

@@ -34,7 +34,7 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
       m_antiphase(newBox(u"antiphaseBox"_s, tr("Antiphase PWM"),
                          tr("For an amplifier that takes 50 % PWM as rest. Off: PWM and direction."))),
       m_steps(
-          newBox(u"stepInputBox"_s, tr("Step and direction input"),
+          newBox(u"stepperInputBox"_s, tr("Step and direction input"),
                  tr("The motor follows step pulses at the limit pins instead of commands. The limits then "
                     "protect nothing."))),
       m_limits(new QComboBox(this)),

@@ -54,7 +54,7 @@ AxisBox::AxisBox(ModuleContext& context, QWidget* parent)
 }
 
 QString AxisBox::named(const QString& name) const {
-    return m_type == ModuleType::Step ? u"step"_s + name.at(0).toUpper() + name.mid(1) : name;
+    return m_type == ModuleType::Stepper ? u"stepper"_s + name.at(0).toUpper() + name.mid(1) : name;
 }
 
 void AxisBox::addBelow(QWidget* box) {
@@ -112,7 +112,7 @@ void AxisBox::build() {
     m_symbolLabel = qobject_cast<QLabel*>(form->labelForField(m_symbol));
 
     m_holdCap = new QuantityField(QuantityField::Kind::Velocity, this);
-    m_holdCap->setName(m_type == ModuleType::Servo ? u"holdCapField"_s : u"stepAxisHoldCapField"_s,
+    m_holdCap->setName(m_type == ModuleType::Servo ? u"holdCapField"_s : u"stepperAxisHoldCapField"_s,
                        tr("Max jog speed"));
     m_holdCap->setQuantity(tr("Max jog speed"));
     m_holdCap->setMeaning(tr("Jog is never faster than this."));

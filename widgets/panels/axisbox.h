@@ -22,8 +22,8 @@ class AxisBox : public QWidget {
     Q_OBJECT
 
 public:
-    /// The names of a stepper's controls begin with "step"; its cap of hold to move is set where its speeds
-    /// are.
+    /// The names of a stepper's controls begin with "stepper"; its cap of hold to move is set where its
+    /// speeds are.
     AxisBox(ModuleContext& context, QWidget* parent);
 
     /// Another box, below its fields.

@@ -234,65 +234,65 @@ DirectBox* newServoReset(ModuleContext& context, QWidget* parent) {
 // ---- PIC-STEP ----
 
 /// By Table 4: what is loaded decides it, and what the motor does now.
-QString stepGoalMeaning(const step::LoadTrajectory& load, bus::StepMode mode) {
+QString stepperGoalMeaning(const stepper::LoadTrajectory& load, bus::StepperMode mode) {
     const auto goal = bus::goalMode(mode, load);
     if (!goal)
         return ExpertBox::tr("Table 4 has no such mode from the present state of the motor.");
     switch (*goal) {
-        case bus::StepMode::Trapezoidal:
+        case bus::StepperMode::Trapezoidal:
             return ExpertBox::tr("A trapezoidal move to the position.");
-        case bus::StepMode::VelocityProfile:
+        case bus::StepperMode::VelocityProfile:
             return ExpertBox::tr("A ramp to the speed. The motor runs until it is stopped.");
-        case bus::StepMode::UnprofiledWithStop:
+        case bus::StepperMode::UnprofiledWithStop:
             if (load.position)
                 return ExpertBox::tr("One speed from the first step to the position.");
             return ExpertBox::tr(
                 "The move continues to its position at this speed. If it has just ended, the motor runs until it is stopped.");
-        case bus::StepMode::Unprofiled:
+        case bus::StepperMode::Unprofiled:
             return ExpertBox::tr("One speed from the first step. The motor runs until it is stopped.");
-        case bus::StepMode::Stopped:
-        case bus::StepMode::Unknown:
+        case bus::StepperMode::Stopped:
+        case bus::StepperMode::Unknown:
             break;
     }
     return {};
 }
 
-DirectBox* newStepLoad(ModuleContext& context, QWidget* parent) {
+DirectBox* newStepperLoad(ModuleContext& context, QWidget* parent) {
     auto* box = new DirectBox(
         context, {u"expertLoad"_s, ExpertBox::tr("Load Trajectory"), ExpertBox::tr("Send load")}, parent);
     const auto add = [box](const QString& name, const QString& text, const ValueRange& range) {
         return box->addValue(name, text, static_cast<double>(range.min), static_cast<double>(range.max),
                              true);
     };
-    const Value position = add(u"Position"_s, ExpertBox::tr("Position (steps)"), step::kPositionRange);
-    const Value speed = add(u"Speed"_s, ExpertBox::tr("Speed"), step::kSpeedRange);
+    const Value position = add(u"Position"_s, ExpertBox::tr("Position (steps)"), stepper::kPositionRange);
+    const Value speed = add(u"Speed"_s, ExpertBox::tr("Speed"), stepper::kSpeedRange);
     const Value acceleration =
-        add(u"Acceleration"_s, ExpertBox::tr("Acceleration time (0.25 ms)"), step::kAccelerationTimeRange);
-    const Value timer = add(u"Timer"_s, ExpertBox::tr("Initial timer count"), step::kTimerCountRange);
+        add(u"Acceleration"_s, ExpertBox::tr("Acceleration time (0.25 ms)"), stepper::kAccelerationTimeRange);
+    const Value timer = add(u"Timer"_s, ExpertBox::tr("Initial timer count"), stepper::kTimerCountRange);
     const Value nearest = box->addValue(u"Nearest"_s, ExpertBox::tr("Nearest integer speed"), 1, 250, false);
     QCheckBox* reverse = box->addFlag(u"Reverse"_s, ExpertBox::tr("Reverse (without a position)"));
     QCheckBox* now = box->addFlag(u"Now"_s, ExpertBox::tr("Start motion now"));
     box->setCommand(
         [=]() -> bus::ModuleCommand {
-            step::LoadTrajectory load;
+            stepper::LoadTrajectory load;
             load.position = counts(position);
             load.speed = byte(speed);
             load.accelerationTime = byte(acceleration);
             if (timer.sent())
-                load.timer = step::TimerCount{static_cast<std::uint16_t>(timer.value()),
-                                              static_cast<std::uint8_t>(nearest.value())};
+                load.timer = stepper::TimerCount{static_cast<std::uint16_t>(timer.value()),
+                                                 static_cast<std::uint8_t>(nearest.value())};
             load.reverse = reverse->isChecked();
             load.startNow = now->isChecked();
-            return StepCommand(load);
+            return StepperCommand(load);
         },
         [&context](const bus::ModuleCommand& command) {
-            const auto& load = std::get<step::LoadTrajectory>(std::get<StepCommand>(command));
-            return startMeaning(load.startNow, stepGoalMeaning(load, context.state().stepper.mode()));
+            const auto& load = std::get<stepper::LoadTrajectory>(std::get<StepperCommand>(command));
+            return startMeaning(load.startNow, stepperGoalMeaning(load, context.state().stepper.mode()));
         });
     return box;
 }
 
-DirectBox* newStepStop(ModuleContext& context, QWidget* parent) {
+DirectBox* newStepperStop(ModuleContext& context, QWidget* parent) {
     auto* box = new DirectBox(
         context, {u"expertStop"_s, ExpertBox::tr("Stop Motor"), ExpertBox::tr("Send stop")}, parent);
     QComboBox* manner = box->addChoice(
@@ -302,16 +302,16 @@ DirectBox* newStepStop(ModuleContext& context, QWidget* parent) {
     amplifier->setChecked(true);
     box->setCommand(
         [=]() -> bus::ModuleCommand {
-            return StepCommand(step::StopMotor{amplifier->isChecked(),
-                                               static_cast<step::StopManner>(manner->currentIndex())});
+            return StepperCommand(stepper::StopMotor{
+                amplifier->isChecked(), static_cast<stepper::StopManner>(manner->currentIndex())});
         },
         [](const bus::ModuleCommand& command) {
-            switch (std::get<step::StopMotor>(std::get<StepCommand>(command)).manner) {
-                case step::StopManner::AmplifierOnly:
+            switch (std::get<stepper::StopMotor>(std::get<StepperCommand>(command)).manner) {
+                case stepper::StopManner::AmplifierOnly:
                     return ExpertBox::tr("Switches only AMP_EN. A motion in progress keeps counting.");
-                case step::StopManner::Abruptly:
+                case stepper::StopManner::Abruptly:
                     return ExpertBox::tr("The steps end at once.");
-                case step::StopManner::Smoothly:
+                case stepper::StopManner::Smoothly:
                     return ExpertBox::tr("The motor slows down with its acceleration time.");
             }
             return QString();
@@ -319,7 +319,7 @@ DirectBox* newStepStop(ModuleContext& context, QWidget* parent) {
     return box;
 }
 
-DirectBox* newStepHoming(ModuleContext& context, QWidget* parent) {
+DirectBox* newStepperHoming(ModuleContext& context, QWidget* parent) {
     auto* box = new DirectBox(
         context, {u"expertHoming"_s, ExpertBox::tr("Set Homing Mode"), ExpertBox::tr("Send homing mode")},
         parent);
@@ -329,15 +329,15 @@ DirectBox* newStepHoming(ModuleContext& context, QWidget* parent) {
     QComboBox* manner = box->addChoice(u"Manner"_s, ExpertBox::tr("Then"), homingManners());
     box->setCommand(
         [=]() -> bus::ModuleCommand {
-            step::SetHoming homing;
+            stepper::SetHoming homing;
             homing.onLimit1Change = limit1->isChecked();
             homing.onLimit2Change = limit2->isChecked();
             homing.onHomeSwitchChange = home->isChecked();
             takeManner(homing, manner->currentIndex());
-            return StepCommand(homing);
+            return StepperCommand(homing);
         },
         [](const bus::ModuleCommand& command) {
-            const auto& homing = std::get<step::SetHoming>(std::get<StepCommand>(command));
+            const auto& homing = std::get<stepper::SetHoming>(std::get<StepperCommand>(command));
             return homingMeaning(homing,
                                  homing.onLimit1Change || homing.onLimit2Change || homing.onHomeSwitchChange);
         });
@@ -364,9 +364,9 @@ ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent)
     note->setWordWrap(true);
     layout->addWidget(note);
     const bool steps = context.state().isStepper();
-    layout->addWidget(steps ? newStepLoad(context, this) : newServoLoad(context, this));
-    layout->addWidget(steps ? newStepStop(context, this) : newServoStop(context, this));
-    layout->addWidget(steps ? newStepHoming(context, this) : newServoHoming(context, this));
+    layout->addWidget(steps ? newStepperLoad(context, this) : newServoLoad(context, this));
+    layout->addWidget(steps ? newStepperStop(context, this) : newServoStop(context, this));
+    layout->addWidget(steps ? newStepperHoming(context, this) : newServoHoming(context, this));
     if (hasPathBuffer(context.state().info.identity))
         layout->addWidget(newServoReset(context, this));
     layout->addWidget(m_reset->button(), 0, Qt::AlignRight);

@@ -7,7 +7,7 @@
 #include <QScrollBar>
 
 #include "model/intent/homingplan.h"
-#include "model/module/stepspeed.h"
+#include "model/module/stepperspeed.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
@@ -23,7 +23,7 @@ namespace {
 
 double speedUnit(const ModuleState& module) {
     const auto& parameters = module.stepper.parameters();
-    return StepSpeed(parameters ? parameters->speedMode : step::SpeedMode::X1).unit();
+    return StepperSpeed(parameters ? parameters->speedMode : stepper::SpeedMode::X1).unit();
 }
 
 /// What a search goes through, as far as its recipe tells beforehand.
@@ -85,7 +85,7 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
     inner->setContentsMargins(0, 0, 0, 0);
     inner->setSpacing(unit);
     inner->addWidget(m_form);
-    if (type != ModuleType::Step) {
+    if (type != ModuleType::Stepper) {
         m_limitStop = new LimitStopBox(m_context, content);
         inner->addWidget(m_limitStop);
     }

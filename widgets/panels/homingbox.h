@@ -20,7 +20,7 @@ class HomingBox : public QWidget {
     Q_OBJECT
 
 public:
-    /// The names of a stepper's controls begin with "step".
+    /// The names of a stepper's controls begin with "stepper".
     HomingBox(ModuleContext& context, QWidget* parent);
 
 private:

@@ -40,8 +40,8 @@ HomingForm::HomingForm(ModuleType type, QWidget* parent) : QWidget(parent), m_ty
     buildMotion(grid);
     buildEnd(grid);
     grid->setColumnStretch(3, 1);
-    const double slowest = type == ModuleType::Step ? 25.0 : kSlowestServo;
-    showChip(type == ModuleType::Step ? AxisScale::step({}) : AxisScale::servo({}, 1), 0, slowest);
+    const double slowest = type == ModuleType::Stepper ? 25.0 : kSlowestServo;
+    showChip(type == ModuleType::Stepper ? AxisScale::step({}) : AxisScale::servo({}, 1), 0, slowest);
     showRecipe(firstRecipe({type, 0}));
 }
 
@@ -87,7 +87,7 @@ void HomingForm::buildConditions(QGridLayout* grid) {
     QList<QWidget*> conditions;
     const QString change = tr(
         "Home is where this switch changes. If it is active at the start, the motor first backs off in the other direction.");
-    if (m_type == ModuleType::Step) {
+    if (m_type == ModuleType::Stepper) {
         conditions << addBox(u"onHomeSwitchBox"_s, tr("Home switch"), &HomingRecipe::onHomeSwitch, change)
                    << addBox(u"onLimit1Box"_s, tr("Limit 1 (forward)"), &HomingRecipe::onLimit1, change)
                    << addBox(u"onLimit2Box"_s, tr("Limit 2 (reverse)"), &HomingRecipe::onLimit2, change);
@@ -129,7 +129,7 @@ void HomingForm::buildMotion(QGridLayout* grid) {
     using Kind = QuantityField::Kind;
     addQuantity(grid, Kind::Velocity, u"homingVelocityField"_s, tr("Velocity"), &HomingRecipe::velocity,
                 tr("Maximum velocity for searching, backing off and going to home."));
-    if (m_type != ModuleType::Step)
+    if (m_type != ModuleType::Stepper)
         addQuantity(grid, Kind::Velocity, u"homingIndexVelocityField"_s, tr("Index velocity"),
                     &HomingRecipe::indexVelocity,
                     tr("Velocity of the second search, for the index. Slower is more exact."));
@@ -214,12 +214,12 @@ void HomingForm::showRecipe(const HomingRecipe& recipe) {
 void HomingForm::showChip(const AxisScale& scale, int version, double speedUnit) {
     m_version = version;
     for (const Quantity& quantity : m_quantities) {
-        double most = m_type == ModuleType::Step ? kFastestStep : kFastestServo;
-        double least = m_type == ModuleType::Step ? 1.0 : kSlowestServo;
+        double most = m_type == ModuleType::Stepper ? kFastestStep : kFastestServo;
+        double least = m_type == ModuleType::Stepper ? 1.0 : kSlowestServo;
         if (quantity.value == &HomingRecipe::travelLimit) {
             least = 1.0;
             most = kLongestWay;
-        } else if (m_type == ModuleType::Step) {
+        } else if (m_type == ModuleType::Stepper) {
             // Slower than its slowest speed would be faster than asked.
             const bool velocity = quantity.value == &HomingRecipe::velocity;
             least = velocity ? speedUnit : 1.0;

@@ -18,8 +18,8 @@
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/homingbox.h"
-#include "widgets/panels/stepdetailsbox.h"
-#include "widgets/panels/stepiobox.h"
+#include "widgets/panels/stepperdetailsbox.h"
+#include "widgets/panels/stepperiobox.h"
 
 namespace nmc {
 
@@ -124,10 +124,10 @@ void ModulePage::lockPages() {
     const auto mayUse = [&rights](const QWidget& page) {
         if (page.findChild<const HomingBox*>() != nullptr)
             return rights->homing;
-        if (page.findChild<const StepIoBox*>() != nullptr)
+        if (page.findChild<const StepperIoBox*>() != nullptr)
             return rights->outputs;
         return page.findChild<const DetailsBox*>() != nullptr ||
-               page.findChild<const StepDetailsBox*>() != nullptr;
+               page.findChild<const StepperDetailsBox*>() != nullptr;
     };
     for (int i = 0; i < m_pages->count(); ++i)
         if (QWidget* page = m_pages->widget(i); page != m_motions)

@@ -12,7 +12,7 @@
 #include "widgets/panels/genericpanel.h"
 #include "widgets/panels/iopanel.h"
 #include "widgets/panels/servopanel.h"
-#include "widgets/panels/steppanel.h"
+#include "widgets/panels/stepperpanel.h"
 
 namespace nmc {
 
@@ -59,7 +59,7 @@ std::unique_ptr<ModulePage> ModulePanel::build(const PanelView& view) {
     else if (view.module.isIo())
         page = std::make_unique<IoPanel>(view);
     else
-        page = std::make_unique<StepPanel>(view);
+        page = std::make_unique<StepperPanel>(view);
     const ModuleIndex module = view.module.info.index;
     ModuleContext& context = page->context();
     connect(&context, &ModuleContext::asked, this,

@@ -216,7 +216,7 @@ void PanelHead::arrangeNarrow(QGridLayout& grid, QHBoxLayout* what) {
 }
 
 QString PanelHead::named(const QString& name) const {
-    return isServo() ? name : u"step"_s + name[0].toUpper() + name.mid(1);
+    return isServo() ? name : u"stepper"_s + name[0].toUpper() + name.mid(1);
 }
 
 Command* PanelHead::addCommand(const QString& icon, const QString& text, const QString& objectName,
@@ -298,7 +298,7 @@ void PanelHead::refreshSigns() {
     } else if (latest) {
         if (latest->aux)
             limits = {(*latest->aux & 0x08U) != 0, (*latest->aux & 0x10U) != 0};  // DS-S 5.2, inputs byte
-        power = latest->stepStatus().powerOn();
+        power = latest->stepperStatus().powerOn();
     }
     for (std::size_t i = 0; i < limits.size(); ++i) {
         m_limits[i].glyph->showBit(limits[i]);

@@ -22,7 +22,7 @@ class PanelHead : public QFrame {
     Q_OBJECT
 
 public:
-    /// The names of a stepper's controls begin with "step": stepEnableButton.
+    /// The names of a stepper's controls begin with "stepper": stepperEnableButton.
     PanelHead(ModuleContext& context, QWidget* parent);
 
 protected:

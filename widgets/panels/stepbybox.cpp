@@ -46,12 +46,12 @@ void StepByBox::buildDistance(QGridLayout* grid, int& line) {
     m_distance->setNativeRange(1, static_cast<double>(servo::kPositionRange.max));
     m_distance->setMeaning(tr("Distance per click, at the velocity of Go to."));
     quantitygrid::addFirstRow(grid, line, tr("Step by"), m_distance);
-    m_reverse = new Command({.name = named(u"stepReverseButton"_s),
+    m_reverse = new Command({.name = named(u"stepperReverseButton"_s),
                              .icon = {},
                              .text = tr("◂| Step"),
                              .accessible = tr("Step in reverse")},
                             this, [this] { step(true); });
-    m_forward = new Command({.name = named(u"stepForwardButton"_s),
+    m_forward = new Command({.name = named(u"stepperForwardButton"_s),
                              .icon = {},
                              .text = tr("Step |▸"),
                              .accessible = tr("Step forward")},

@@ -22,7 +22,7 @@ class TravelBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    /// The names of a stepper's controls begin with "step".
+    /// The names of a stepper's controls begin with "stepper".
     TravelBox(ModuleContext& context, QWidget* parent);
 
 private:

@@ -45,7 +45,8 @@ struct ScopeModule {
     [[nodiscard]] bool reports(ScopeSignal signal) const {
         if (!has(signal))
             return false;
-        return identity.type != ModuleType::Step || (!isCalculated(signal) && signal != ScopeSignal::Analog);
+        return identity.type != ModuleType::Stepper ||
+               (!isCalculated(signal) && signal != ScopeSignal::Analog);
     }
     /// What is drawn across the strip of a signal, in the unit it is shown in.
     [[nodiscard]] std::vector<double> limitsOf(ScopeSignal signal) const {

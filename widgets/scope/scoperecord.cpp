@@ -42,8 +42,8 @@ ScopeRecord recordOf(const QString& title, const RecordingHeader& header, Histor
             continue;
         module.name = QString::fromStdString(told->name);
         module.identity = told->identity;
-        module.scale = told->identity.type == ModuleType::Step ? AxisScale::step(told->unit)
-                                                               : AxisScale::servo(told->unit, 1);
+        module.scale = told->identity.type == ModuleType::Stepper ? AxisScale::step(told->unit)
+                                                                  : AxisScale::servo(told->unit, 1);
         module.analog = told->analog;
         module.pins = told->pins;
     }

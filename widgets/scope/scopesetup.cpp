@@ -18,8 +18,9 @@ const std::array<QString, kScopeSignals> kSignalWords{
     u"pwm"_s,      u"analog2"_s, u"analog3"_s, u"counter"_s,  u"rate"_s};
 static_assert(kScopeSignals == 11, "each has a word");
 
-const std::array<std::pair<QString, ModuleType>, 3> kBitWords{
-    {{u"servobits"_s, ModuleType::Servo}, {u"stepbits"_s, ModuleType::Step}, {u"iobits"_s, ModuleType::Io}}};
+const std::array<std::pair<QString, ModuleType>, 3> kBitWords{{{u"servobits"_s, ModuleType::Servo},
+                                                               {u"stepbits"_s, ModuleType::Stepper},
+                                                               {u"iobits"_s, ModuleType::Io}}};
 
 QString toWord(const SignalRef& signal) {
     const QString word = kSignalWords[static_cast<std::size_t>(signal.signal)];

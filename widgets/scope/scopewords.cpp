@@ -29,8 +29,8 @@ std::string_view nameOf(const ScopeBit& bit, ModuleType type) {
         const std::size_t pin = pinOf(bit);
         return pin < kPinNames.size() ? kPinNames.at(pin) : std::string_view{};
     }
-    if (type == ModuleType::Step)
-        return (bit.byte == ScopeBit::Byte::Aux ? step::kInputBitNames : step::kStatusBitNames)[index];
+    if (type == ModuleType::Stepper)
+        return (bit.byte == ScopeBit::Byte::Aux ? stepper::kInputBitNames : stepper::kStatusBitNames)[index];
     return (bit.byte == ScopeBit::Byte::Aux ? servo::kAuxBitNames : servo::kStatusBitNames)[index];
 }
 
@@ -144,7 +144,7 @@ std::vector<ScopeBit> usualLaneBits(ModuleType type) {
     constexpr auto kAux = ScopeBit::Byte::Aux;
     if (type == ModuleType::Io)
         return laneBits(type);
-    if (type == ModuleType::Step)  // moving, power; E-stop, limits, home switch
+    if (type == ModuleType::Stepper)  // moving, power; E-stop, limits, home switch
         return {{kStatus, 0}, {kStatus, 3}, {kAux, 0}, {kAux, 3}, {kAux, 4}, {kAux, 5}};
     // move_done, power_on, servo_on, pos_error, limits
     return {{kStatus, 0}, {kStatus, 3}, {kAux, 2}, {kStatus, 4}, {kStatus, 5}, {kStatus, 6}};

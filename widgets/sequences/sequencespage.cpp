@@ -618,7 +618,7 @@ AxisScale SequencesPage::scaleOf(ModuleIndex module) const {
     const AxisSettings& axis = m_machine.axis(module);
     if (module.value() < m_link.modules.size())
         return nmc::scaleOf(m_link.modules[module.value()], axis);
-    const bool steps = axis.expected && axis.expected->type == ModuleType::Step;
+    const bool steps = axis.expected && axis.expected->type == ModuleType::Stepper;
     return steps ? AxisScale::step(axis.unit) : AxisScale::servo(axis.unit, 1);
 }
 

@@ -45,9 +45,9 @@ QGridLayout* newPage(QTabWidget& tabs, const QString& title) {
 ModuleBench::ModuleBench(ModuleType type, QWidget* parent)
     : QTabWidget(parent),
       m_type(type),
-      m_prefix(type == ModuleType::Step ? u"sim_step_"_s
-               : type == ModuleType::Io ? u"sim_io_"_s
-                                        : u"sim_servo_"_s) {
+      m_prefix(type == ModuleType::Stepper ? u"sim_step_"_s
+               : type == ModuleType::Io    ? u"sim_io_"_s
+                                           : u"sim_servo_"_s) {
     look::name(this, m_prefix + u"bench"_s, tr("Simulated module controls"));
     setDocumentMode(true);
     tabBar()->setObjectName(m_prefix + u"pages"_s);
@@ -84,7 +84,7 @@ void ModuleBench::buildSwitches() {
     QGridLayout& grid = *newPage(*this, tr("Switches"));
     const QString pin = tr("Closed while checked.");
     addSwitch(grid, u"power"_s, tr("Motor power"), tr("The motor's supply, not the module's."));
-    if (m_type == ModuleType::Step) {
+    if (m_type == ModuleType::Stepper) {
         addSwitch(grid, u"limit1"_s, tr("Limit switch 1, forward"), pin);
         addSwitch(grid, u"limit2"_s, tr("Limit switch 2, reverse"), pin);
         addSwitch(grid, u"home_switch"_s, tr("Home switch"), pin);
@@ -200,8 +200,8 @@ void ModuleBench::buildCable(QGridLayout& grid) {
 
 void ModuleBench::buildMechanics() {
     QGridLayout& grid = *newPage(*this, tr("Mechanics"));
-    const QString unit = m_type == ModuleType::Step ? texts::unitSteps() : texts::unitCounts();
-    if (m_type != ModuleType::Step) {
+    const QString unit = m_type == ModuleType::Stepper ? texts::unitSteps() : texts::unitCounts();
+    if (m_type != ModuleType::Stepper) {
         // The default motor stalls at 0.8 N·m and has 0.004 N·m of friction: the sliders have the range in
         // which tuning is a matter of taste, the fields have the rest.
         addRow(grid, {.name = u"load"_s,
@@ -263,7 +263,7 @@ void ModuleBench::buildMechanics() {
     grid.addWidget(m_limitsAutomatic, grid.rowCount(), 0, 1, 3);
     connect(m_limitsAutomatic, &QAbstractButton::clicked, this,
             [this](bool on) { set(u"limits"_s, on ? u"auto"_s : u"manual"_s); });
-    if (m_type == ModuleType::Step)
+    if (m_type == ModuleType::Stepper)
         addRow(
             grid,
             {.name = u"home_switch_at"_s,
@@ -334,7 +334,7 @@ void ModuleBench::showState(const QJsonObject& state) {
             row->setProposal(state["analog"_L1].toDouble());
         // A servo's converter reads the motor unless told otherwise.
         const QString key =
-            row->name() == "analog"_L1 && m_type != ModuleType::Step ? u"analog_input"_s : row->name();
+            row->name() == "analog"_L1 && m_type != ModuleType::Stepper ? u"analog_input"_s : row->name();
         row->showValue(state[key]);
     }
 }

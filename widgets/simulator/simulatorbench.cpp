@@ -47,7 +47,7 @@ SimulatorBench::SimulatorBench(QWidget* parent)
       m_type(look::newMutedLabel({}, this)),
       m_benches(new QStackedWidget(this)),
       m_servo(new ModuleBench(ModuleType::Servo, this)),
-      m_step(new ModuleBench(ModuleType::Step, this)),
+      m_step(new ModuleBench(ModuleType::Stepper, this)),
       m_io(new ModuleBench(ModuleType::Io, this)),
       m_truth(new BenchTruth(this)),
       m_line(new ControlLineBox(this)) {
@@ -197,11 +197,11 @@ void SimulatorBench::showState(const QJsonObject& state) {
         return;
     m_truth->showState(state);
     const QString kind = state["type"_L1].toString();
-    const ModuleType type = kind == "step"_L1 ? ModuleType::Step
+    const ModuleType type = kind == "step"_L1 ? ModuleType::Stepper
                             : kind == "io"_L1 ? ModuleType::Io
                                               : ModuleType::Servo;
     look::setText(m_type, texts::moduleType({type, static_cast<std::uint8_t>(state["version"_L1].toInt())}));
-    ModuleBench* bench = type == ModuleType::Step ? m_step : type == ModuleType::Io ? m_io : m_servo;
+    ModuleBench* bench = type == ModuleType::Stepper ? m_step : type == ModuleType::Io ? m_io : m_servo;
     m_benches->setCurrentWidget(bench);
     // What was asked before the latest change would undo it on the screen for a moment.
     if (!m_outdated)

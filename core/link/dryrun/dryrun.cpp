@@ -171,9 +171,9 @@ private:
         if (real.scIo)
             tell(index, intent::ControlSc{*real.scIo});
         if (real.stepper.parameters())
-            tell(index, stepintent::SetParameters{*real.stepper.parameters()});
+            tell(index, stepperintent::SetParameters{*real.stepper.parameters()});
         if (real.isStepper() && real.stepper.outputs())
-            tell(index, stepintent::SetOutputs{*real.stepper.outputs()});
+            tell(index, stepperintent::SetOutputs{*real.stepper.outputs()});
         if (real.driveOn())
             tell(index, intent::Enable{});
         if (real.home.place())
@@ -192,7 +192,7 @@ private:
             setIo(index(real), *real.latest);
         if (!real.isStepper())
             return;
-        const step::InputsByte inputs = real.stepper.inputs();
+        const stepper::InputsByte inputs = real.stepper.inputs();
         set(sim::Input::Limit1, inputs.limit1());
         set(sim::Input::Limit2, inputs.limit2());
         set(sim::Input::In1, inputs.in1());

@@ -2,7 +2,7 @@
 #include "model/intent/directplan.h"
 
 #include "base/overloaded.h"
-#include "model/intent/stepplan.h"
+#include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
 #include "protocol/unsupported.h"
 
@@ -72,20 +72,20 @@ struct WhyNot {
 
     // ---- PIC-STEP ----
 
-    std::optional<Refusal> operator()(const step::LoadTrajectory& load) const {
+    std::optional<Refusal> operator()(const stepper::LoadTrajectory& load) const {
         return load.startNow ? whyNotStarted(load, module) : whyNot(Request::Load, module);
     }
-    std::optional<Refusal> operator()(const step::StopMotor& stop) const {
+    std::optional<Refusal> operator()(const stepper::StopMotor& stop) const {
         const bool enables = stop.amplifierEnable && !module.stepper.amplifierOn();
         return whyNot(enables ? Request::Enable : Request::StopMotion, module);
     }
-    std::optional<Refusal> operator()(const step::SetHoming&) const {
+    std::optional<Refusal> operator()(const stepper::SetHoming&) const {
         return whyNotTold(Request::Home, module);
     }
-    std::optional<Refusal> operator()(const step::SetParameters& parameters) const {
+    std::optional<Refusal> operator()(const stepper::SetParameters& parameters) const {
         return whyNotSet(parameters, module);
     }
-    std::optional<Refusal> operator()(const step::SetOutputs&) const {
+    std::optional<Refusal> operator()(const stepper::SetOutputs&) const {
         return whyNot(Request::SetOutputs, module);
     }
 
@@ -121,9 +121,9 @@ std::optional<Refusal> whyNotDirect(const bus::ModuleCommand& command, const Mod
     const auto reason =
         std::visit([&](const auto& own) { return unsupported(module.info.identity, own); }, command);
     if (reason == Unsupported::OtherChip)
-        return std::holds_alternative<StepCommand>(command) ? Refusal::NotAStepper
-               : std::holds_alternative<IoCommand>(command) ? Refusal::NotAnIoModule
-                                                            : Refusal::NotAServo;
+        return std::holds_alternative<StepperCommand>(command) ? Refusal::NotAStepper
+               : std::holds_alternative<IoCommand>(command)    ? Refusal::NotAnIoModule
+                                                               : Refusal::NotAServo;
     if (reason)
         return Refusal::VersionLacksIt;
     const auto refusal =

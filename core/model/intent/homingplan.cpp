@@ -21,7 +21,7 @@ namespace {
 }
 
 [[nodiscard]] std::optional<Refusal> whyNotHomeStep(const ModuleState& module) {
-    const step::StatusByte status = module.latest->stepStatus();
+    const stepper::StatusByte status = module.latest->stepperStatus();
     if (!status.powerOn())
         return Refusal::NoPower;
     if (!module.stepper.parameters())
@@ -43,7 +43,7 @@ std::optional<Refusal> whyNotHome(const ModuleState& module) {
     switch (module.info.identity.type) {
         case ModuleType::Servo:
             return whyNotHomeServo(module);
-        case ModuleType::Step:
+        case ModuleType::Stepper:
             return whyNotHomeStep(module);
         case ModuleType::Adc:
         case ModuleType::Io:
@@ -114,7 +114,7 @@ servo::SetHoming limitStop(const intent::ArmLimitStop& arm) {
 HomingRecipe firstRecipe(const ModuleIdentity& identity) {
     HomingRecipe recipe;
     recipe.timeLimit = 60.0;
-    if (identity.type == ModuleType::Step) {
+    if (identity.type == ModuleType::Stepper) {
         recipe.onHomeSwitch = true;
         recipe.velocity = 400.0;  // steps/s: two turns of a common motor in full steps
         recipe.acceleration = 2'000.0;
@@ -130,7 +130,7 @@ HomingRecipe firstRecipe(const ModuleIdentity& identity) {
 }
 
 HomingRecipe effective(HomingRecipe recipe, const ModuleIdentity& identity) {
-    if (identity.type == ModuleType::Step) {
+    if (identity.type == ModuleType::Stepper) {
         recipe.onIndex = recipe.onPositionError = recipe.onCurrentLimit = recipe.thenIndex = false;
     } else {
         recipe.onHomeSwitch = false;

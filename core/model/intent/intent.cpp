@@ -8,7 +8,7 @@
 #include "model/intent/ioplan.h"
 #include "model/intent/looptestplan.h"
 #include "model/intent/rights.h"
-#include "model/intent/stepplan.h"
+#include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
 #include "model/path/pathplan.h"
 
@@ -233,9 +233,9 @@ struct Planner {
     Plan operator()(const AnyOf<intent::Direct, intent::ResetModule, intent::SaveConfiguration> auto&) const {
         return Steps{};
     }
-    Plan operator()(
-        const AnyOf<stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
-                    stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome> auto&) const {
+    Plan operator()(const AnyOf<stepperintent::SetParameters, stepperintent::SetOutputs, stepperintent::Move,
+                                stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::StepBy,
+                                stepperintent::GoHome> auto&) const {
         return tl::unexpected(Refusal::NotAStepper);
     }
     Plan operator()(const IoIntent auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
@@ -269,16 +269,17 @@ bool isStop(const Intent& intent) {
         Overloaded{
             [](const AnyOf<intent::StopSmoothly, intent::StopAbruptly, intent::StopHere,
                            intent::MotorOff> auto&) { return true; },
-            [](const AnyOf<
-                intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
-                intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome,
-                intent::LoadMove, intent::StartLoaded, intent::DrivePwm, intent::SetAmplifier,
-                intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::Home, intent::StepBy,
-                intent::StepResponse, intent::SquareWave, intent::FrequencyResponse, intent::TryGains,
-                intent::KeepGains, intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
-                intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
-                stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
-                stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome> auto&) { return false; },
+            [](const AnyOf<intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome,
+                           intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
+                           intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
+                           intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::ControlSc,
+                           intent::SaveConfiguration, intent::Home, intent::StepBy, intent::StepResponse,
+                           intent::SquareWave, intent::FrequencyResponse, intent::TryGains, intent::KeepGains,
+                           intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
+                           intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
+                           stepperintent::SetParameters, stepperintent::SetOutputs, stepperintent::Move,
+                           stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::StepBy,
+                           stepperintent::GoHome> auto&) { return false; },
             [](const IoIntent auto&) { return false; },
         },
         intent);

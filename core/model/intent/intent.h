@@ -10,7 +10,7 @@
 
 #include "bus/types.h"
 #include "model/intent/iointent.h"
-#include "model/intent/stepintent.h"
+#include "model/intent/stepperintent.h"
 #include "model/intent/steptaken.h"
 #include "model/module/linkstate.h"
 #include "model/module/modulestate.h"
@@ -18,8 +18,8 @@
 
 namespace nmc {
 
-/// What the operator asks of one module; a PIC-STEP has more in stepintent.h, a PIC-I/O in iointent.h. Values
-/// only; planning it is plan()'s business.
+/// What the operator asks of one module; a PIC-STEP has more in stepperintent.h, a PIC-I/O in iointent.h.
+/// Values only; planning it is plan()'s business.
 namespace intent {
 struct AskAnew {};  ///< No Operation: of any module, whatever it is
 struct Enable {};   ///< amplifier on, hold the present position, and clear the sticky bits
@@ -155,19 +155,18 @@ struct Direct {
 struct ResetModule {};
 }  // namespace intent
 
-using Intent =
-    std::variant<intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
-                 intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff, intent::ApplyGains,
-                 intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome, intent::LoadMove,
-                 intent::StartLoaded, intent::StopHere, intent::DrivePwm, intent::SetAmplifier,
-                 intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::Home,
-                 intent::StepBy, intent::StepResponse, intent::SquareWave, intent::FrequencyResponse,
-                 intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath,
-                 intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
-                 intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                 stepintent::LoadMove, stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome,
-                 iointent::SetDirection, iointent::SetOutput, iointent::SetPwm, iointent::SetTimer,
-                 iointent::StoreOutputs, iointent::SynchOutput, iointent::SynchInput>;
+using Intent = std::variant<
+    intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
+    intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
+    intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded, intent::StopHere,
+    intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::ControlSc, intent::SaveConfiguration,
+    intent::Home, intent::StepBy, intent::StepResponse, intent::SquareWave, intent::FrequencyResponse,
+    intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
+    intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
+    stepperintent::SetParameters, stepperintent::SetOutputs, stepperintent::Move, stepperintent::LoadMove,
+    stepperintent::ChangeMotion, stepperintent::StepBy, stepperintent::GoHome, iointent::SetDirection,
+    iointent::SetOutput, iointent::SetPwm, iointent::SetTimer, iointent::StoreOutputs, iointent::SynchOutput,
+    iointent::SynchInput>;
 
 /// Of a PIC-I/O.
 template <typename T>

@@ -7,8 +7,8 @@
 #include "base/overloaded.h"
 #include "bus/standstill.h"
 #include "model/intent/backlash.h"
-#include "model/intent/stepplan.h"
-#include "model/module/stepspeed.h"
+#include "model/intent/stepperplan.h"
+#include "model/module/stepperspeed.h"
 
 namespace nmc {
 
@@ -73,10 +73,10 @@ struct CourseOf {
     std::optional<Course> operator()(const intent::StepBy& step) const {
         return of(step.moves, native(step.velocity));
     }
-    std::optional<Course> operator()(const stepintent::StepBy& step) const {
+    std::optional<Course> operator()(const stepperintent::StepBy& step) const {
         return of(step.moves, speedOf(motionOf(step), module));
     }
-    std::optional<Course> operator()(const stepintent::GoHome& home) const {
+    std::optional<Course> operator()(const stepperintent::GoHome& home) const {
         const auto motion = motionOf(home, module);
         return motion ? of(*motion, true) : std::nullopt;
     }
@@ -86,9 +86,9 @@ struct CourseOf {
     std::optional<Course> operator()(const intent::FrequencyResponse& sines) const {
         return about(sines.amplitude);
     }
-    std::optional<Course> operator()(const stepintent::Move& move) const { return of(move.motion, true); }
-    std::optional<Course> operator()(const stepintent::LoadMove& load) const { return of(load.motion); }
-    std::optional<Course> operator()(const stepintent::ChangeMotion& change) const {
+    std::optional<Course> operator()(const stepperintent::Move& move) const { return of(move.motion, true); }
+    std::optional<Course> operator()(const stepperintent::LoadMove& load) const { return of(load.motion); }
+    std::optional<Course> operator()(const stepperintent::ChangeMotion& change) const {
         return of(change.motion);
     }
     std::optional<Course> operator()(
@@ -98,7 +98,7 @@ struct CourseOf {
                     intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::TryGains,
                     intent::KeepGains, intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
                     intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
-                    stepintent::SetParameters, stepintent::SetOutputs> auto&) const {
+                    stepperintent::SetParameters, stepperintent::SetOutputs> auto&) const {
         return std::nullopt;
     }
     std::optional<Course> operator()(const IoIntent auto&) const { return std::nullopt; }
@@ -117,7 +117,7 @@ private:
         const std::int64_t count = moves.backAndForth ? 1 : std::max(moves.rounds, 1U);
         return Course{.goal = from + count * moves.counts, .velocity = velocity, .from = from, .turns = true};
     }
-    [[nodiscard]] std::optional<Course> of(const StepMotion& motion, bool turns = false) const {
+    [[nodiscard]] std::optional<Course> of(const StepperMotion& motion, bool turns = false) const {
         Course course{.goal = goalOf(motion, module), .velocity = speedOf(motion, module), .turns = turns};
         if (!course.goal)
             course.reverse = wantsReverse(motion, module);
@@ -175,7 +175,7 @@ private:
         course.velocity = native(load.velocity.value_or(CountsPerTick()));
     return course;
 }
-[[nodiscard]] Course courseOf(const step::LoadTrajectory& load, const ModuleState& module) {
+[[nodiscard]] Course courseOf(const stepper::LoadTrajectory& load, const ModuleState& module) {
     Course course{.velocity = speedOf(load, module)};
     if (load.position)
         course.goal = load.position->value();
@@ -201,7 +201,7 @@ struct DirectProblem {
         const Course course = courseOf(load, module);
         return load.servo ? asItStands(course, module) : problemOf(course, module);
     }
-    std::optional<TravelProblem> operator()(const step::LoadTrajectory& load) const {
+    std::optional<TravelProblem> operator()(const stepper::LoadTrajectory& load) const {
         return load.startNow ? asItStands(courseOf(load, module), module) : std::nullopt;
     }
     std::optional<TravelProblem> operator()(const servo::StopMotor& stop) const {
@@ -233,7 +233,7 @@ struct DirectProblem {
     if (module.isStepper()) {
         const auto time = module.stepper.accelerationTime();
         const auto& parameters = module.stepper.parameters();
-        return time && parameters ? StepSpeed(parameters->speedMode).acceleration(*time) : 0.0;
+        return time && parameters ? StepperSpeed(parameters->speedMode).acceleration(*time) : 0.0;
     }
     const double tick = toSeconds(kServoTick) * (module.gains ? module.gains->sr : 1);
     return module.acceleration() / (tick * tick);
@@ -244,8 +244,8 @@ struct DirectProblem {
     if (!module.moving())
         return 0;
     if (module.isStepper()) {
-        const bus::StepMode mode = module.stepper.mode();
-        if (mode != bus::StepMode::VelocityProfile && mode != bus::StepMode::Unprofiled)
+        const bus::StepperMode mode = module.stepper.mode();
+        if (mode != bus::StepperMode::VelocityProfile && mode != bus::StepperMode::Unprofiled)
             return 0;
         const auto reverse = module.stepper.runsReverse();
         return !reverse ? 0 : *reverse ? -1 : 1;
@@ -324,7 +324,7 @@ std::optional<TravelProblem> loadedProblem(const ModuleState& module) {
 tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold, const ModuleState& module) {
     const auto& parameters = module.stepper.parameters();
     const double velocity = !hold.pace   ? native(hold.velocity)
-                            : parameters ? StepSpeed(parameters->speedMode).ofSpeed(hold.pace->speed)
+                            : parameters ? StepperSpeed(parameters->speedMode).ofSpeed(hold.pace->speed)
                                          : 0.0;
     if (const auto problem = problemOf(Course{.reverse = hold.reverse, .velocity = velocity}, module))
         return tl::unexpected(*problem);
@@ -332,13 +332,13 @@ tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold, 
     return hold;
 }
 
-StepMotion withinTravel(const StepMotion& motion, const ModuleState& module) {
-    if (const auto* run = std::get_if<stepmotion::VelocityProfile>(&motion))
+StepperMotion withinTravel(const StepperMotion& motion, const ModuleState& module) {
+    if (const auto* run = std::get_if<steppermotion::VelocityProfile>(&motion))
         if (const auto end = travelEnd(module, run->reverse))
-            return stepmotion::Trapezoid{*end, false, run->speed, run->accelerationTime};
-    if (const auto* run = std::get_if<stepmotion::UnprofiledRun>(&motion))
+            return steppermotion::Trapezoid{*end, false, run->speed, run->accelerationTime};
+    if (const auto* run = std::get_if<steppermotion::UnprofiledRun>(&motion))
         if (const auto end = travelEnd(module, run->reverse))
-            return stepmotion::UnprofiledMove{*end, false, run->timer};
+            return steppermotion::UnprofiledMove{*end, false, run->timer};
     return motion;
 }
 

@@ -60,7 +60,7 @@ struct TravelProblem {
 [[nodiscard]] tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold,
                                                                         const ModuleState& module);
 /// The same of a PIC-STEP's motion.
-[[nodiscard]] StepMotion withinTravel(const StepMotion& motion, const ModuleState& module);
+[[nodiscard]] StepperMotion withinTravel(const StepperMotion& motion, const ModuleState& module);
 
 /// The stop for a motion that has no end of its own and would leave the limits within `latency`, the time
 /// until a stop takes effect: of PWM, which no chip ends, and of a run that was begun before its limits were

@@ -256,7 +256,7 @@ std::optional<Intent> intentOf(const AxisSettings& axis, MachinePart part, const
     if (part == MachinePart::Io && axis.io)
         return intent::ControlIo{*axis.io};
     if (part == MachinePart::Parameters && axis.parameters)
-        return stepintent::SetParameters{*axis.parameters};
+        return stepperintent::SetParameters{*axis.parameters};
     return std::nullopt;
 }
 
@@ -359,8 +359,8 @@ private:
     AxisScale scaleOf(ModuleIndex index, const ModuleState* module) const {
         const AxisSettings axis = m_now.axis(index);
         const AxisSettings file = m_file.axis(index);
-        const bool step = module != nullptr ? module->info.identity.type == ModuleType::Step
-                                            : file.expected && file.expected->type == ModuleType::Step;
+        const bool step = module != nullptr ? module->info.identity.type == ModuleType::Stepper
+                                            : file.expected && file.expected->type == ModuleType::Stepper;
         if (step)
             return AxisScale::step(axis.unit);
         return AxisScale::servo(axis.unit, module != nullptr && module->gains ? module->gains->sr : 1);

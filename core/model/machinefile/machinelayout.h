@@ -67,10 +67,10 @@ struct UnitSuffixes {
 };
 inline constexpr UnitSuffixes kServoSuffixes{"_counts", "_counts_per_tick", "_counts_per_tick2",
                                              "counts_per_unit"};
-inline constexpr UnitSuffixes kStepSuffixes{"_steps", "_steps_per_s", "_steps_per_s2", "steps_per_unit"};
+inline constexpr UnitSuffixes kStepperSuffixes{"_steps", "_steps_per_s", "_steps_per_s2", "steps_per_unit"};
 
 [[nodiscard]] constexpr const UnitSuffixes& suffixes(bool steps) {
-    return steps ? kStepSuffixes : kServoSuffixes;
+    return steps ? kStepperSuffixes : kServoSuffixes;
 }
 
 /// Whether an object may lack a field; it then keeps its default.
@@ -94,15 +94,15 @@ inline constexpr Word<HomingRecipe::Stop> kStopWords[] = {{HomingRecipe::Stop::A
                                                           {HomingRecipe::Stop::Smoothly, "smoothly"},
                                                           {HomingRecipe::Stop::MotorOff, "motor off"}};
 /// 1, 2, 4 or 8 times the basic speed range (DS-S 4.1).
-inline constexpr Word<step::SpeedMode> kSpeedWords[] = {{step::SpeedMode::X1, "1x"},
-                                                        {step::SpeedMode::X2, "2x"},
-                                                        {step::SpeedMode::X4, "4x"},
-                                                        {step::SpeedMode::X8, "8x"}};
+inline constexpr Word<stepper::SpeedMode> kSpeedWords[] = {{stepper::SpeedMode::X1, "1x"},
+                                                           {stepper::SpeedMode::X2, "2x"},
+                                                           {stepper::SpeedMode::X4, "4x"},
+                                                           {stepper::SpeedMode::X8, "8x"}};
 /// Any other type is its number.
 inline constexpr Word<ModuleType> kTypeWords[] = {{ModuleType::Servo, "PIC-SERVO"},
                                                   {ModuleType::Adc, "PIC-ADC"},
                                                   {ModuleType::Io, "PIC-I/O"},
-                                                  {ModuleType::Step, "PIC-STEP"}};
+                                                  {ModuleType::Stepper, "PIC-STEP"}};
 
 template <typename Form, As<ModuleIdentity> T>
 void fields(Form& form, T& identity) {
@@ -211,15 +211,15 @@ void fields(Form& form, T& io) {
     form.mark("fast_path", fastPath);
 }
 
-template <typename Form, As<step::SetParameters> T>
+template <typename Form, As<stepper::SetParameters> T>
 void fields(Form& form, T& parameters) {
     auto& [speedMode, ignoreLimits, ignoreEstop, motorOffOnLimitOrEstop, minimumProfileSpeed, runCurrent,
            holdCurrent, thermalLimit] = parameters;
     form.choice("speed_mode", speedMode, kSpeedWords);
-    form.whole("minimum_profile_speed", minimumProfileSpeed, takenByModule(step::kSpeedRange));
-    form.whole("run_current", runCurrent, takenByModule(step::kByteRange));
-    form.whole("hold_current", holdCurrent, takenByModule(step::kByteRange));
-    form.whole("thermal_limit", thermalLimit, takenByModule(step::kByteRange));
+    form.whole("minimum_profile_speed", minimumProfileSpeed, takenByModule(stepper::kSpeedRange));
+    form.whole("run_current", runCurrent, takenByModule(stepper::kByteRange));
+    form.whole("hold_current", holdCurrent, takenByModule(stepper::kByteRange));
+    form.whole("thermal_limit", thermalLimit, takenByModule(stepper::kByteRange));
     form.flag("ignore_limits", ignoreLimits);
     form.flag("ignore_estop", ignoreEstop);
     form.flag("motor_off_on_limit_or_estop", motorOffOnLimitOrEstop);
@@ -255,7 +255,7 @@ void fields(Form& form, T& axis) {
     form.text("name", name);
     form.part("expected", expected);
     // From here on the names of the numbers say what this chip counts in.
-    form.setSteps(expected.has_value() && expected->type == ModuleType::Step);
+    form.setSteps(expected.has_value() && expected->type == ModuleType::Stepper);
     form.part("unit", unit);
     form.part("motion", motion);
     form.part("travel", travel);

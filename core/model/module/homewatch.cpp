@@ -26,8 +26,8 @@ void HomeWatch::apply(const bus::CommandExecuted& executed) {
             // The position error does so by itself.
             m_switchesOff = m_switchesOff || homing->onPositionError;
         }
-    } else if (const auto* step = std::get_if<StepCommand>(&executed.command)) {
-        if (const auto* homing = std::get_if<step::SetHoming>(step))
+    } else if (const auto* step = std::get_if<StepperCommand>(&executed.command)) {
+        if (const auto* homing = std::get_if<stepper::SetHoming>(step))
             told(*homing, executed.time,
                  homing->onLimit1Change || homing->onLimit2Change || homing->onHomeSwitchChange);
     }

@@ -215,7 +215,7 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     homing.apply(executed);
     home.apply(executed);
     speed.apply(executed);
-    if (const auto* step = std::get_if<StepCommand>(&executed.command)) {
+    if (const auto* step = std::get_if<StepperCommand>(&executed.command)) {
         stepper.apply(*step, executed.time);
         amplifierEnabled = stepper.amplifierOn();
         loadWaiting = stepper.waiting().has_value();

@@ -13,7 +13,7 @@
 #include "model/module/limitwatch.h"
 #include "model/module/measuredspeed.h"
 #include "model/module/pinstate.h"
-#include "model/module/stepstate.h"
+#include "model/module/stepperstate.h"
 #include "model/module/swingwatch.h"
 #include "model/module/tripwatch.h"
 #include "model/settings/machine.h"
@@ -85,7 +85,7 @@ struct ModuleState {
     /// The last command that concerns the servo switched it off.
     bool offCommanded = false;
     /// PIC-STEP: what it was told, and does.
-    StepState stepper;
+    StepperState stepper;
     /// PIC-I/O: what it was told, and how fast its counter counts.
     PinState pins;
     MeasuredSpeed counting;
@@ -103,7 +103,7 @@ struct ModuleState {
 
     /// Of a version that is known here; others are only looked at.
     [[nodiscard]] bool isServo() const { return info.identity.type == ModuleType::Servo && isKnown(); }
-    [[nodiscard]] bool isStepper() const { return info.identity.type == ModuleType::Step && isKnown(); }
+    [[nodiscard]] bool isStepper() const { return info.identity.type == ModuleType::Stepper && isKnown(); }
     [[nodiscard]] bool isIo() const { return info.identity.type == ModuleType::Io && isKnown(); }
     [[nodiscard]] bool isKnown() const { return nmc::isKnown(info.identity); }
     [[nodiscard]] bool servoOn() const;

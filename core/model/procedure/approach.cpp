@@ -2,7 +2,7 @@
 #include "model/procedure/approach.h"
 
 #include "base/overloaded.h"
-#include "model/intent/stepplan.h"
+#include "model/intent/stepperplan.h"
 
 namespace nmc {
 
@@ -11,7 +11,8 @@ namespace {
 [[nodiscard]] std::int32_t endOf(const Approach::Wanted& wanted, const ModuleState& module) {
     if (const auto* goTo = std::get_if<intent::GoTo>(&wanted))
         return goTo->position.value();
-    return static_cast<std::int32_t>(goalOf(std::get<stepintent::Move>(wanted).motion, module).value_or(0));
+    return static_cast<std::int32_t>(
+        goalOf(std::get<stepperintent::Move>(wanted).motion, module).value_or(0));
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ Intent Approach::moveTo(std::int32_t goal) const {
                               move.position = Counts(goal);
                               return move;
                           },
-                          [goal](stepintent::Move move) -> Intent {
+                          [goal](stepperintent::Move move) -> Intent {
                               std::visit(
                                   [goal](auto& motion) {
                                       if constexpr (requires { motion.relative; }) {

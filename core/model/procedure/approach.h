@@ -11,7 +11,7 @@ namespace nmc {
 /// wants (model/intent/backlash.h). Two moves of the same kind.
 class Approach : public GoalMoves {
 public:
-    using Wanted = std::variant<intent::GoTo, stepintent::Move>;
+    using Wanted = std::variant<intent::GoTo, stepperintent::Move>;
     /// `wanted` is possible now, and has to turn round at `turn`.
     Approach(const Wanted& wanted, std::int32_t turn, const ModuleState& module);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/changemotion.h"
 
-#include "model/intent/stepplan.h"
+#include "model/intent/stepperplan.h"
 
 namespace nmc {
 
@@ -61,7 +61,7 @@ Procedure::Next ChangeMotion::waitForStandstill(const ModuleState& module, TimeP
 }
 
 Procedure::Next ChangeMotion::go(const ModuleState& module) {
-    auto steps = planStep(stepintent::Move{m_motion}, module);
+    auto steps = planStep(stepperintent::Move{m_motion}, module);
     if (!steps)
         return fail(ProcedureFailure::Refused);
     m_report.stage = ProcedureStage::Moving;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "model/intent/stepmotion.h"
+#include "model/intent/steppermotion.h"
 #include "model/procedure/procedure.h"
 
 namespace nmc {
@@ -13,7 +13,7 @@ namespace nmc {
 /// same place, and starts the new motion. A relative goal counts from there.
 class ChangeMotion : public Procedure {
 public:
-    ChangeMotion(ModuleIndex module, StepMotion motion)
+    ChangeMotion(ModuleIndex module, StepperMotion motion)
         : Procedure(module, ProcedureKind::ChangeMotion), m_motion(motion) {}
 
 private:
@@ -26,7 +26,7 @@ private:
     [[nodiscard]] Next waitForStandstill(const ModuleState& module, TimePoint now);
     [[nodiscard]] Next go(const ModuleState& module);
 
-    StepMotion m_motion;
+    StepperMotion m_motion;
     TimePoint m_began;
     std::optional<TimePoint> m_stoppedAt;  ///< the last status before the stop was confirmed
     std::optional<TimePoint> m_stoodAt;    ///< the first status that says so

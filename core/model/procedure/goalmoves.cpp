@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/goalmoves.h"
 
-#include "model/intent/stepplan.h"
+#include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
 
 namespace nmc {

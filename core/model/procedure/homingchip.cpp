@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "model/module/stepspeed.h"
+#include "model/module/stepperspeed.h"
 
 namespace nmc {
 
@@ -38,8 +38,8 @@ using Stop = HomingRecipe::Stop;
     return homing;
 }
 
-[[nodiscard]] step::SetHoming stepHoming(const HomeConditions& c) {
-    step::SetHoming homing;
+[[nodiscard]] stepper::SetHoming stepperHoming(const HomeConditions& c) {
+    stepper::SetHoming homing;
     homing.onLimit1Change = c.limit1;
     homing.onLimit2Change = c.limit2;
     homing.onHomeSwitchChange = c.homeSwitch;
@@ -66,14 +66,14 @@ template <typename SetHoming>
     return {};
 }
 
-[[nodiscard]] step::StopMotor stepStop(Stop manner) {
+[[nodiscard]] stepper::StopMotor stepperStop(Stop manner) {
     switch (manner) {
         case Stop::Abruptly:
-            return {true, step::StopManner::Abruptly};
+            return {true, stepper::StopManner::Abruptly};
         case Stop::Smoothly:
-            return {true, step::StopManner::Smoothly};
+            return {true, stepper::StopManner::Smoothly};
         case Stop::MotorOff:
-            return {false, step::StopManner::Abruptly};
+            return {false, stepper::StopManner::Abruptly};
     }
     return {};
 }
@@ -83,7 +83,7 @@ template <typename SetHoming>
 HomingChip::HomingChip(const ModuleState& module)
     : m_module(module.info.index), m_identity(module.info.identity) {
     if (module.stepper.parameters())
-        m_speedUnit = StepSpeed(module.stepper.parameters()->speedMode).unit();
+        m_speedUnit = StepperSpeed(module.stepper.parameters()->speedMode).unit();
     m_offOnLimit = module.stepper.parameters() && module.stepper.parameters()->motorOffOnLimitOrEstop &&
                    !module.stepper.parameters()->ignoreLimits;
 }
@@ -94,9 +94,9 @@ bool HomingChip::goesOff(const HomingRecipe& recipe) const {
 
 template <typename... Commands>
 HomingChip::Steps HomingChip::steps(Commands... commands) const {
-    if (m_identity.type == ModuleType::Step) {
-        if constexpr ((std::is_constructible_v<StepCommand, Commands> && ...))
-            return {bus::Step{m_module, StepCommand(std::move(commands))}...};
+    if (m_identity.type == ModuleType::Stepper) {
+        if constexpr ((std::is_constructible_v<StepperCommand, Commands> && ...))
+            return {bus::Step{m_module, StepperCommand(std::move(commands))}...};
     } else {
         if constexpr ((std::is_constructible_v<ServoCommand, Commands> && ...))
             return {bus::Step{m_module, ServoCommand(std::move(commands))}...};
@@ -110,9 +110,9 @@ std::optional<HomingLook> HomingChip::look(const ModuleState& module) const {
     HomingLook seen;
     seen.time = module.latestTime;
     seen.position = *module.latest->position;
-    if (m_identity.type == ModuleType::Step) {
-        const step::StatusByte status = module.latest->stepStatus();
-        const step::InputsByte inputs{*module.latest->aux};
+    if (m_identity.type == ModuleType::Stepper) {
+        const stepper::StatusByte status = module.latest->stepperStatus();
+        const stepper::InputsByte inputs{*module.latest->aux};
         seen.on = status.amplifierEnabled();
         seen.moving = status.moving();
         seen.waiting = status.homing();
@@ -132,7 +132,7 @@ std::optional<HomingLook> HomingChip::look(const ModuleState& module) const {
 }
 
 bool HomingChip::stopsByItself() const {
-    return m_identity.type == ModuleType::Step || m_identity.version >= servo::kAutoStopVersion;
+    return m_identity.type == ModuleType::Stepper || m_identity.version >= servo::kAutoStopVersion;
 }
 
 HomingChip::Steps HomingChip::clearStickyBits() const {
@@ -140,9 +140,9 @@ HomingChip::Steps HomingChip::clearStickyBits() const {
 }
 
 HomingChip::Steps HomingChip::run(const Motion& motion) const {
-    if (m_identity.type != ModuleType::Step)
+    if (m_identity.type != ModuleType::Stepper)
         return steps(servoRun(motion), StartMotion{});
-    step::LoadTrajectory load;
+    stepper::LoadTrajectory load;
     load.speed = speed(motion.velocity);
     load.accelerationTime = accelerationTime(motion.acceleration);
     load.reverse = motion.reverse;
@@ -150,8 +150,8 @@ HomingChip::Steps HomingChip::run(const Motion& motion) const {
 }
 
 HomingChip::Steps HomingChip::watch(const HomeConditions& conditions, Stop stop) const {
-    if (m_identity.type == ModuleType::Step)
-        return steps(stoppingBy(stop, stepHoming(conditions)));
+    if (m_identity.type == ModuleType::Stepper)
+        return steps(stoppingBy(stop, stepperHoming(conditions)));
     return stopsByItself() ? steps(stoppingBy(stop, servoHoming(conditions)))
                            : steps(servoHoming(conditions));
 }
@@ -165,23 +165,23 @@ HomingChip::Steps HomingChip::search(const HomeConditions& conditions, Stop stop
 }
 
 HomingChip::Steps HomingChip::stop(Stop manner) const {
-    return m_identity.type == ModuleType::Step ? steps(stepStop(manner)) : steps(servoStop(manner));
+    return m_identity.type == ModuleType::Stepper ? steps(stepperStop(manner)) : steps(servoStop(manner));
 }
 
 HomingChip::Steps HomingChip::disarm() const {
-    return m_identity.type == ModuleType::Step ? steps(step::SetHoming{}) : steps(servo::SetHoming{});
+    return m_identity.type == ModuleType::Stepper ? steps(stepper::SetHoming{}) : steps(servo::SetHoming{});
 }
 
 HomingChip::Steps HomingChip::enable() const {
-    if (m_identity.type == ModuleType::Step)
-        return steps(step::StopMotor{true, step::StopManner::AmplifierOnly});
+    if (m_identity.type == ModuleType::Stepper)
+        return steps(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
     // A position error that is still set would say that the next one has come already.
     return steps(servo::StopMotor{true, servo::StopManner::Abruptly, {}}, servo::ClearStickyBits{});
 }
 
 HomingChip::Steps HomingChip::goTo(std::int32_t position, const Motion& motion) const {
-    if (m_identity.type == ModuleType::Step) {
-        step::LoadTrajectory load;
+    if (m_identity.type == ModuleType::Stepper) {
+        stepper::LoadTrajectory load;
         load.position = Counts(position);
         load.speed = speed(motion.velocity);
         load.accelerationTime = accelerationTime(motion.acceleration);

@@ -54,7 +54,7 @@ public:
     /// The chip stops by itself when home is found; otherwise the host must.
     [[nodiscard]] bool stopsByItself() const;
     /// A limit input ends a motion, as on a PIC-STEP; a servo's motion in velocity mode has no end.
-    [[nodiscard]] bool stopsMotionItself() const { return m_identity.type == ModuleType::Step; }
+    [[nodiscard]] bool stopsMotionItself() const { return m_identity.type == ModuleType::Stepper; }
 
     /// Finding home switches the motor off, one way or another.
     [[nodiscard]] bool goesOff(const HomingRecipe& recipe) const;

@@ -3,7 +3,7 @@
 
 #include "model/intent/backlash.h"
 #include "model/intent/homingplan.h"
-#include "model/intent/stepplan.h"
+#include "model/intent/stepperplan.h"
 #include "model/procedure/approach.h"
 #include "model/procedure/changemotion.h"
 #include "model/procedure/directioncheck.h"
@@ -31,7 +31,7 @@ std::unique_ptr<Procedure> approachFor(const Move& move, std::optional<std::int6
 std::unique_ptr<Procedure> approachFor(const intent::GoTo& goTo, const ModuleState& module) {
     return approachFor(goTo, goTo.position.value(), module);
 }
-std::unique_ptr<Procedure> approachFor(const stepintent::Move& move, const ModuleState& module) {
+std::unique_ptr<Procedure> approachFor(const stepperintent::Move& move, const ModuleState& module) {
     return approachFor(move, goalOf(move.motion, module), module);
 }
 
@@ -49,14 +49,14 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
                    ? approachFor({Counts(module.home.place()->counts), home->velocity, home->acceleration},
                                  module)
                    : nullptr;
-    if (const auto* move = std::get_if<stepintent::Move>(&intent))
+    if (const auto* move = std::get_if<stepperintent::Move>(&intent))
         return approachFor(*move, module);
-    if (const auto* home = std::get_if<stepintent::GoHome>(&intent))
-        return plan(intent, module) ? approachFor(stepintent::Move{*motionOf(*home, module)}, module)
+    if (const auto* home = std::get_if<stepperintent::GoHome>(&intent))
+        return plan(intent, module) ? approachFor(stepperintent::Move{*motionOf(*home, module)}, module)
                                     : nullptr;
     if (const auto* stepBy = std::get_if<intent::StepBy>(&intent))
         return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
-    if (const auto* stepBy = std::get_if<stepintent::StepBy>(&intent))
+    if (const auto* stepBy = std::get_if<stepperintent::StepBy>(&intent))
         return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
         return plan(intent, module) ? std::make_unique<StepResponseRun>(*step, module) : nullptr;
@@ -70,7 +70,7 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
         return plan(intent, module) ? std::make_unique<PathRun>(*follow, module) : nullptr;
     if (const auto* check = std::get_if<intent::CheckDirection>(&intent))
         return plan(intent, module) ? std::make_unique<DirectionCheck>(*check, module) : nullptr;
-    if (const auto* change = std::get_if<stepintent::ChangeMotion>(&intent))
+    if (const auto* change = std::get_if<stepperintent::ChangeMotion>(&intent))
         return whyNotFromStandstill(change->motion, module)
                    ? nullptr
                    : std::make_unique<ChangeMotion>(module.info.index, change->motion);

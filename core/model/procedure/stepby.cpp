@@ -16,16 +16,16 @@ StepByRun::StepByRun(const Wanted& wanted, const ModuleState& module)
 }
 
 Intent StepByRun::moveTo(std::int32_t goal) const {
-    return std::visit(
-        Overloaded{
-            [goal](const intent::StepBy& by) -> Intent {
-                return intent::GoTo{Counts(goal), by.velocity, by.acceleration};
-            },
-            [goal](const stepintent::StepBy& by) -> Intent {
-                return stepintent::Move{stepmotion::Trapezoid{goal, false, by.speed, by.accelerationTime}};
-            },
-        },
-        m_wanted);
+    return std::visit(Overloaded{
+                          [goal](const intent::StepBy& by) -> Intent {
+                              return intent::GoTo{Counts(goal), by.velocity, by.acceleration};
+                          },
+                          [goal](const stepperintent::StepBy& by) -> Intent {
+                              return stepperintent::Move{
+                                  steppermotion::Trapezoid{goal, false, by.speed, by.accelerationTime}};
+                          },
+                      },
+                      m_wanted);
 }
 
 StepByRun::Next StepByRun::standing(const ModuleState& module, TimePoint now) {

@@ -12,7 +12,7 @@ namespace nmc {
 /// Each turns round beyond its goal first where the axis has backlash (model/intent/backlash.h).
 class StepByRun : public GoalMoves {
 public:
-    using Wanted = std::variant<intent::StepBy, stepintent::StepBy>;
+    using Wanted = std::variant<intent::StepBy, stepperintent::StepBy>;
     StepByRun(const Wanted& wanted, const ModuleState& module);
 
 private:

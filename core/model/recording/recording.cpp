@@ -57,7 +57,7 @@ std::string typeText(ModuleType type) {
     switch (type) {
         case ModuleType::Servo:
             return number + " (PIC-SERVO)";
-        case ModuleType::Step:
+        case ModuleType::Stepper:
             return number + " (PIC-STEP)";
         case ModuleType::Io:
             return number + " (PIC-I/O)";

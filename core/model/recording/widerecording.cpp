@@ -36,7 +36,7 @@ constexpr std::array kIoSignals{ScopeSignal::Analog, ScopeSignal::Analog2, Scope
 [[nodiscard]] std::string unitOf(const RecordingModule& module) {
     switch (module.unit.kind) {
         case UnitKind::Native:
-            return module.identity.type == ModuleType::Step ? "steps" : "counts";
+            return module.identity.type == ModuleType::Stepper ? "steps" : "counts";
         case UnitKind::Turns:
             return "turns";
         case UnitKind::Degrees:

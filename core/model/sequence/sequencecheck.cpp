@@ -7,7 +7,7 @@
 #include "bus/standstill.h"
 #include "model/intent/homingplan.h"
 #include "model/module/servodefaults.h"
-#include "model/module/stepdefaults.h"
+#include "model/module/stepperdefaults.h"
 
 namespace nmc {
 
@@ -397,11 +397,12 @@ tl::expected<Intent, Refusal> moveIntent(const PointAxis& axis, unsigned percent
         return tl::unexpected(goal.error());
     const double share = percent / 100.0;
     if (module.isStepper()) {
-        const double wanted = settings.motion.velocity > 0 ? settings.motion.velocity : stepdefaults::kMove;
-        const StepSpeed speed = stepdefaults::speedMode(module.stepper, settings);
-        return stepintent::Move{
-            stepmotion::Trapezoid{*goal, false, speed.speedFor(wanted * share),
-                                  static_cast<std::uint8_t>(stepdefaults::accelerationTime(settings))}};
+        const double wanted =
+            settings.motion.velocity > 0 ? settings.motion.velocity : stepperdefaults::kMove;
+        const StepperSpeed speed = stepperdefaults::speedMode(module.stepper, settings);
+        return stepperintent::Move{
+            steppermotion::Trapezoid{*goal, false, speed.speedFor(wanted * share),
+                                     static_cast<std::uint8_t>(stepperdefaults::accelerationTime(settings))}};
     }
     const MotionSettings motion = servodefaults::motionOf(settings);
     return intent::GoTo{Counts(*goal),
@@ -428,7 +429,7 @@ std::optional<bool> readPin(InputPin pin, const ModuleState& module) {
     }
     if (!module.isStepper())
         return std::nullopt;
-    const step::InputsByte inputs = module.stepper.inputs();
+    const stepper::InputsByte inputs = module.stepper.inputs();
     switch (pin) {
         case InputPin::Limit1:
             return inputs.limit1();
@@ -472,7 +473,7 @@ std::optional<Intent> outputIntent(const action::SetOutput& set, const ModuleSta
     if (module.isStepper() && set.output >= 1 && set.output <= 5 && module.stepper.outputs()) {
         const unsigned bit = 1U << (set.output - 1U);
         const unsigned now = *module.stepper.outputs();
-        return stepintent::SetOutputs{static_cast<std::uint8_t>(set.on ? now | bit : now & ~bit)};
+        return stepperintent::SetOutputs{static_cast<std::uint8_t>(set.on ? now | bit : now & ~bit)};
     }
     if (module.isIo()) {
         const unsigned pin = set.output - 1U;

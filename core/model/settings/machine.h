@@ -15,7 +15,7 @@
 #include "model/settings/pinsettings.h"
 #include "protocol/servocommands.h"
 #include "protocol/status.h"
-#include "protocol/stepcommands.h"
+#include "protocol/steppercommands.h"
 
 /// What a user tells the panel about a machine: values that no module can be asked for. The machine file is
 /// this, written down. Nothing here moves a motor or is sent by itself.
@@ -108,10 +108,10 @@ struct AxisSettings {
     /// asks.
     std::optional<bool> fastPath;
     // PIC-STEP
-    std::optional<step::SetParameters> parameters;  ///< as they stand in the fields, sent or not
-    double accelerationTime = 0.0;                  ///< 1..255, of profiles; 0: not set
-    std::array<std::string, 5> outputNames;         ///< OUT1..OUT5
-    std::array<std::string, 2> inputNames;          ///< IN1, IN2
+    std::optional<stepper::SetParameters> parameters;  ///< as they stand in the fields, sent or not
+    double accelerationTime = 0.0;                     ///< 1..255, of profiles; 0: not set
+    std::array<std::string, 5> outputNames;            ///< OUT1..OUT5
+    std::array<std::string, 2> inputNames;             ///< IN1, IN2
     // PIC-I/O
     std::optional<PinSettings> pins;
 

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/stepperplan.h"
+
+#include <algorithm>
+
+#include "base/overloaded.h"
+#include "model/intent/homingplan.h"
+#include "model/intent/travel.h"
+#include "model/module/stepperspeed.h"
+
+namespace nmc {
+
+namespace {
+
+using Steps = std::vector<bus::Step>;
+using Plan = tl::expected<Steps, Refusal>;
+using bus::StepperMode;
+
+template <typename... Commands>
+Steps stepsFor(const ModuleState& module, Commands... commands) {
+    return {bus::Step{module.info.index, StepperCommand(std::move(commands))}...};
+}
+
+template <typename MakeSteps>
+Plan allowed(const std::optional<Refusal>& refusal, MakeSteps makeSteps) {
+    if (refusal)
+        return tl::unexpected(*refusal);
+    return makeSteps();
+}
+
+struct GoalOf {
+    std::int64_t from;
+
+    template <typename Move>
+    std::optional<std::int64_t> operator()(const Move& move) const {
+        if constexpr (requires { move.position; })
+            return move.relative ? from + move.position : std::int64_t{move.position};
+        else
+            return std::nullopt;
+    }
+};
+
+/// What keeps it from moving at all, whatever is asked for.
+[[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module, Request as) {
+    const StepperState& stepper = module.stepper;
+    if (const auto refusal = whyNotTold(as, module))
+        return refusal;
+    if (!stepper.powered())
+        return Refusal::NoPower;
+    if (!stepper.parameters())
+        return Refusal::ParametersUnknown;
+    if (!stepper.amplifierOn())
+        return Refusal::AmplifierOff;
+    if (stepper.estopActs())
+        return Refusal::EstopActive;
+    return std::nullopt;
+}
+
+[[nodiscard]] std::optional<Refusal> whyNotThatFar(const StepperMotion& motion, const ModuleState& module) {
+    const auto goal = goalOf(motion, module);
+    if (!goal)
+        return std::nullopt;
+    if (!module.stepper.position())
+        return Refusal::PositionUnknown;
+    constexpr std::int64_t kFarthest = stepper::kPositionRange.max;
+    const std::int64_t way = *goal - *module.stepper.position();
+    const bool far = *goal < -kFarthest || *goal > kFarthest || way < -kFarthest || way > kFarthest;
+    return far ? std::optional(Refusal::TooFar) : std::nullopt;
+}
+
+struct LoadOf {
+    std::int32_t goal;  ///< of those that have one
+    bool reverse;
+
+    stepper::LoadTrajectory operator()(const steppermotion::Trapezoid& move) const {
+        stepper::LoadTrajectory load;
+        load.position = Counts(goal);
+        load.speed = move.speed;
+        load.accelerationTime = move.accelerationTime;
+        return load;
+    }
+    stepper::LoadTrajectory operator()(const steppermotion::VelocityProfile& run) const {
+        stepper::LoadTrajectory load;
+        load.speed = run.speed;
+        load.accelerationTime = run.accelerationTime;
+        load.reverse = reverse;
+        return load;
+    }
+    stepper::LoadTrajectory operator()(const steppermotion::UnprofiledMove& move) const {
+        stepper::LoadTrajectory load;
+        load.position = Counts(goal);
+        load.timer = move.timer;
+        return load;
+    }
+    stepper::LoadTrajectory operator()(const steppermotion::UnprofiledRun& run) const {
+        stepper::LoadTrajectory load;
+        load.timer = run.timer;
+        load.reverse = reverse;
+        return load;
+    }
+};
+
+[[nodiscard]] bool isRelative(const StepperMotion& motion) {
+    return std::visit(
+        [](const auto& move) {
+            if constexpr (requires { move.relative; })
+                return move.relative;
+            else
+                return false;
+        },
+        motion);
+}
+
+/// What is only loaded changes nothing until it is started (DS-S 5.1); but from where it then is, nobody
+/// knows now.
+[[nodiscard]] std::optional<Refusal> whyNotLoaded(const StepperMotion& motion, const ModuleState& module) {
+    if (isRelative(motion) && module.stepper.moving())
+        return Refusal::NeedsStop;
+    return whyNotFromStandstill(motion, module);
+}
+
+struct Planner {
+    const ModuleState& module;
+
+    Plan operator()(const intent::Enable&) const {
+        // Nothing but AMP_EN: it stands, and is held by the holding current (DS-S 5.1, 4.6).
+        return allowed(whyNotStep(Request::Enable, module), [this] {
+            return stepsFor(module, stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
+        });
+    }
+    Plan operator()(const intent::StopSmoothly&) const {
+        return allowed(whyNotStep(Request::StopMotion, module), [this] { return Steps{smoothStop(module)}; });
+    }
+    Plan operator()(const intent::StopAbruptly&) const {
+        return allowed(whyNotStep(Request::StopMotion, module), [this] {
+            return stepsFor(module,
+                            stepper::StopMotor{module.stepper.amplifierOn(), stepper::StopManner::Abruptly});
+        });
+    }
+    Plan operator()(const intent::MotorOff&) const {
+        return allowed(whyNotStep(Request::MotorOff, module), [this] {
+            return stepsFor(module, stepper::StopMotor{false, stepper::StopManner::Abruptly});
+        });
+    }
+    Plan operator()(const intent::SetAmplifier& amplifier) const {
+        return amplifier.enable ? (*this)(intent::Enable{}) : (*this)(intent::MotorOff{});
+    }
+    Plan operator()(const intent::ResetPosition&) const {
+        return allowed(whyNotStep(Request::ResetPosition, module),
+                       [this] { return stepsFor(module, nmc::ResetPosition{}); });
+    }
+    Plan operator()(const intent::SaveAsHome&) const {
+        return allowed(whyNotStep(Request::SaveAsHome, module),
+                       [this] { return stepsFor(module, nmc::SaveAsHome{}); });
+    }
+    Plan operator()(const intent::StartLoaded&) const {
+        return allowed(whyNotStep(Request::StartLoaded, module),
+                       [this] { return stepsFor(module, StartMotion{}); });
+    }
+    Plan operator()(const intent::DeclarePosition&) const {
+        return allowed(whyNotStep(Request::DeclarePosition, module), [] { return Steps{}; });
+    }
+    Plan operator()(const stepperintent::SetParameters& set) const {
+        return allowed(whyNotSet(set.parameters, module), [&] { return stepsFor(module, set.parameters); });
+    }
+    Plan operator()(const stepperintent::SetOutputs& set) const {
+        return allowed(whyNotStep(Request::SetOutputs, module),
+                       [&] { return stepsFor(module, stepper::SetOutputs{set.outputs}); });
+    }
+    Plan operator()(const stepperintent::Move& move) const {
+        return allowed(whyNot(move.motion, module),
+                       [&] { return stepsFor(module, boundedLoad(move.motion), StartMotion{}); });
+    }
+    Plan operator()(const stepperintent::LoadMove& load) const {
+        return allowed(whyNotLoaded(load.motion, module),
+                       [&] { return stepsFor(module, boundedLoad(load.motion)); });
+    }
+    /// Takes more than one operation: procedures.h.
+    Plan operator()(const stepperintent::ChangeMotion& change) const {
+        return tl::unexpected(whyNotFromStandstill(change.motion, module).value_or(Refusal::NeedsStop));
+    }
+    /// A procedure again: why its first move is not possible.
+    Plan operator()(const stepperintent::StepBy& stepBy) const {
+        if (stepBy.moves.counts == 0)
+            return tl::unexpected(Refusal::StepTooShort);
+        if (const auto refusal = whyNotStep(Request::Move, module))
+            return tl::unexpected(*refusal);
+        return allowed(whyNotFromStandstill(motionOf(stepBy), module), [] { return Steps{}; });
+    }
+    Plan operator()(const stepperintent::GoHome& home) const {
+        if (const auto refusal = whyNotStep(Request::GoHome, module))
+            return tl::unexpected(*refusal);
+        return (*this)(stepperintent::Move{*motionOf(home, module)});
+    }
+    Plan operator()(const intent::Home& home) const {
+        return allowed(whyNotHome(home.recipe, module), [] { return Steps{}; });
+    }
+    Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
+    /// plan() has answered that for both chips.
+    Plan operator()(const AnyOf<intent::AskAnew, intent::Direct, intent::ResetModule> auto&) const {
+        return Steps{};
+    }
+    Plan operator()(
+        const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
+                    intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
+                    intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::StepBy,
+                    intent::StepResponse, intent::SquareWave, intent::FrequencyResponse, intent::TryGains,
+                    intent::KeepGains, intent::CheckDirection, intent::FollowPath,
+                    intent::ArmLimitStop> auto&) const {
+        return tl::unexpected(Refusal::NotAServo);
+    }
+    Plan operator()(const IoIntent auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
+
+private:
+    [[nodiscard]] stepper::LoadTrajectory boundedLoad(const StepperMotion& motion) const {
+        return loadFor(withinTravel(motion, module), module);
+    }
+};
+
+/// Whether what was loaded may start now.
+[[nodiscard]] std::optional<Refusal> whyNotStart(const ModuleState& module) {
+    if (!module.stepper.waiting())
+        return Refusal::NothingLoaded;
+    if (const auto problem = loadedProblem(module))
+        return problem->refusal;
+    return whyNotStarted(*module.stepper.waiting(), module);
+}
+
+[[nodiscard]] std::optional<Refusal> whyNotEnable(const ModuleState& module) {
+    const StepperState& stepper = module.stepper;
+    if (!stepper.powered())
+        return Refusal::NoPower;
+    // The holding current is 0 before they are set: nothing would hold.
+    if (!stepper.parameters())
+        return Refusal::ParametersUnknown;
+    if (stepper.tooHot())
+        return Refusal::TooHot;
+    return stepper.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> goalOf(const StepperMotion& motion, const ModuleState& module) {
+    return std::visit(GoalOf{module.stepper.position().value_or(0)}, motion);
+}
+
+StepperMotion motionOf(const stepperintent::StepBy& stepBy) {
+    return steppermotion::Trapezoid{stepBy.moves.counts, true, stepBy.speed, stepBy.accelerationTime};
+}
+
+std::optional<StepperMotion> motionOf(const stepperintent::GoHome& home, const ModuleState& module) {
+    if (!module.home.place())
+        return std::nullopt;
+    return steppermotion::Trapezoid{module.home.place()->counts, false, home.speed, home.accelerationTime};
+}
+
+bool wantsReverse(const StepperMotion& motion, const ModuleState& module) {
+    if (const auto goal = goalOf(motion, module))
+        return *goal < module.stepper.position().value_or(0);
+    return std::visit(
+        [](const auto& run) {
+            if constexpr (requires { run.reverse; })
+                return run.reverse;
+            else
+                return false;
+        },
+        motion);
+}
+
+double speedOf(const StepperMotion& motion, const ModuleState& module) {
+    return speedOf(loadFor(motion, module), module);
+}
+
+double speedOf(const stepper::LoadTrajectory& load, const ModuleState& module) {
+    const auto& parameters = module.stepper.parameters();
+    if (!parameters)
+        return 0.0;
+    const StepperSpeed mode(parameters->speedMode);
+    if (load.timer)
+        return mode.ofCount(load.timer->count);
+    // The chip goes no slower in a profile (DS-S 5.1).
+    return load.speed ? mode.ofSpeed(std::max(*load.speed, parameters->minimumProfileSpeed)) : 0.0;
+}
+
+Plan planStep(const Intent& intent, const ModuleState& module) {
+    return std::visit(Planner{module}, intent);
+}
+
+std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
+    if (const auto refusal = whyNotTold(request, module))
+        return refusal;
+    switch (request) {
+        case Request::Enable:
+        case Request::SetAmplifier:
+            return whyNotEnable(module);
+        case Request::Move:
+            if (const auto refusal = whyNoMotion(module, request))
+                return refusal;
+            return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
+        case Request::Load:
+        case Request::Run:
+        case Request::Hold:
+            return whyNoMotion(module, request);
+        case Request::StartLoaded:
+            return whyNotStart(module);
+        case Request::ResetPosition:
+        case Request::ResetModule:
+            return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
+        case Request::StopMotion:
+        case Request::MotorOff:
+        case Request::SaveAsHome:
+        case Request::SetParameters:
+        case Request::SetOutputs:
+            return std::nullopt;
+        case Request::DeclarePosition:
+            return whyNotDeclare(module);
+        case Request::GoHome:
+            if (const auto refusal = whyNotStep(Request::Move, module))
+                return refusal;
+            return module.home.place() ? std::nullopt : std::optional(Refusal::HomeUnknown);
+        case Request::ApplyGains:
+        case Request::ClearStickyBits:
+        case Request::StopHere:
+        case Request::DrivePwm:
+        case Request::CheckDirection:
+        case Request::ControlIo:
+        case Request::ControlSc:
+        case Request::ArmLimitStop:
+            return Refusal::NotAServo;
+        case Request::Home:
+            return whyNotHome(module);
+    }
+    return std::nullopt;
+}
+
+std::optional<Refusal> whyNotFromStandstill(const StepperMotion& motion, const ModuleState& module,
+                                            Request as) {
+    if (const auto refusal = whyNoMotion(module, as))
+        return refusal;
+    if (const auto refusal = whyNotThatFar(motion, module))
+        return refusal;
+    if (const auto problem = travelProblem(stepperintent::Move{motion}, module))
+        return problem->refusal;
+    const bool reverse = wantsReverse(motion, module);
+    if (module.stepper.limitActs(reverse))
+        return reverse ? Refusal::Limit2Active : Refusal::Limit1Active;
+    return std::nullopt;
+}
+
+std::optional<Refusal> whyNot(const StepperMotion& wanted, const ModuleState& module, Request as) {
+    if (const auto refusal = whyNotFromStandstill(wanted, module, as))
+        return refusal;
+    const StepperMotion motion = withinTravel(wanted, module);
+    const StepperState& stepper = module.stepper;
+    if (!stepper.moving())
+        return std::nullopt;
+    // Who started it is not known, so neither is its direction.
+    if (!stepper.runsReverse())
+        return Refusal::NeedsStop;
+    // From a motion that ends at a goal, a timer count alone keeps that goal: it would not run on.
+    const bool hasGoal =
+        stepper.mode() == StepperMode::Trapezoidal || stepper.mode() == StepperMode::UnprofiledWithStop;
+    if (hasGoal && std::holds_alternative<steppermotion::UnprofiledRun>(motion))
+        return Refusal::NeedsStop;
+    return mayFollow(stepper.mode(), *stepper.runsReverse(), loadFor(motion, module))
+               ? std::nullopt
+               : std::optional(Refusal::NeedsStop);
+}
+
+std::optional<Refusal> whyNotSet(const stepper::SetParameters& parameters, const ModuleState& module) {
+    if (const auto refusal = whyNotStep(Request::SetParameters, module))
+        return refusal;
+    const auto& now = module.stepper.parameters();
+    const bool inMotion = now && stepper::sameInMotion(*now, parameters);
+    return module.moving() && !inMotion ? std::optional(Refusal::NeedsStop) : std::nullopt;
+}
+
+std::optional<Refusal> whyNotStarted(const stepper::LoadTrajectory& load, const ModuleState& module) {
+    const StepperState& stepper = module.stepper;
+    if (const auto refusal = whyNoMotion(module, Request::StartLoaded))
+        return refusal;
+    const bool reverse =
+        load.position ? load.position->value() < stepper.position().value_or(0) : load.reverse;
+    if (stepper.limitActs(reverse))
+        return reverse ? Refusal::Limit2Active : Refusal::Limit1Active;
+    return mayFollow(stepper.mode(), stepper.runsReverse().value_or(false), load)
+               ? std::nullopt
+               : std::optional(Refusal::NeedsStop);
+}
+
+stepper::LoadTrajectory loadFor(const StepperMotion& motion, const ModuleState& module) {
+    const auto goal = static_cast<std::int32_t>(goalOf(motion, module).value_or(0));
+    return std::visit(LoadOf{goal, wantsReverse(motion, module)}, motion);
+}
+
+bus::Step smoothStop(const ModuleState& module) {
+    if (!module.isStepper())
+        return {module.info.index, ServoCommand(servo::StopMotor{true, servo::StopManner::Smoothly, {}})};
+    const StepperState& stepper = module.stepper;
+    const bool ramp = stepper.accelerationTime() || stepper.mode() == StepperMode::Trapezoidal ||
+                      stepper.mode() == StepperMode::VelocityProfile;
+    const auto manner = ramp ? stepper::StopManner::Smoothly : stepper::StopManner::Abruptly;
+    return {module.info.index, StepperCommand(stepper::StopMotor{stepper.amplifierOn(), manner})};
+}
+
+}  // namespace nmc

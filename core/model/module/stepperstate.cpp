@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "model/module/stepperstate.h"
+
+#include "base/overloaded.h"
+
+namespace nmc {
+
+void StepperState::attached() {
+    m_outputs.reset();
+}
+
+void StepperState::restarted() {
+    *this = StepperState{};
+    m_outputs.reset();
+}
+
+// ---- What the module says ----
+
+void StepperState::apply(const StatusReport& latest, TimePoint time, bool homeFound) {
+    const bool wasMoving = moving();
+    const bool wasOn = m_on;
+    m_status = latest.stepperStatus();
+    m_inputs = {latest.aux.value_or(0)};
+    m_analog = latest.analog;
+    m_position = latest.position;
+    if (m_startedAt && time > *m_startedAt)
+        m_startedAt.reset();
+    if (!m_switchedAt || time > *m_switchedAt) {
+        m_switchedAt.reset();
+        m_on = m_status.amplifierEnabled();
+        watchAmplifier(wasOn);
+    }
+    // A smaller count is a slower timer.
+    m_slowing = m_timer && latest.timerCount && *latest.timerCount < *m_timer;
+    m_timer = latest.timerCount;
+    watchMotion(wasMoving, homeFound);
+}
+
+void StepperState::watchAmplifier(bool wasOn) {
+    if (m_on) {
+        m_offByItself = false;
+        return;
+    }
+    if (!wasOn || m_offCommanded)
+        return;
+    const bool homeFound = m_homingSwitchesOff && !m_status.homing();
+    m_homingSwitchesOff = m_homingSwitchesOff && !homeFound;
+    if (homeFound)
+        return;
+    m_offByItself = true;
+    m_ended = whatActs().value_or(Activity::WentOff);
+}
+
+/// What may have switched it off, worst first.
+std::optional<Activity> StepperState::whatActs() const {
+    if (!powered())
+        return Activity::PowerLost;
+    if (tooHot())
+        return Activity::Overheated;
+    if (estopActs())
+        return Activity::EstopActive;
+    if (limitActs(false) || limitActs(true))
+        return Activity::StoppedByLimit;
+    return std::nullopt;
+}
+
+/// A switch that was looked for is home, and no limit that was run into.
+void StepperState::watchMotion(bool wasMoving, bool homeFound) {
+    if (moving())
+        return;
+    m_stopping = false;
+    if (!wasMoving || homeFound || m_ourStop || m_offByItself || (m_goal && m_position == m_goal))
+        return;
+    if (estopActs())
+        m_ended = Activity::EstopActive;
+    else if (limitActs(m_reverse.value_or(false)))
+        m_ended = Activity::StoppedByLimit;
+}
+
+bool StepperState::estopActs() const {
+    return m_inputs.estop() && !(m_parameters && m_parameters->ignoreEstop);
+}
+
+bool StepperState::limitActs(bool reverse) const {
+    const bool active = reverse ? m_inputs.limit2() : m_inputs.limit1();
+    return active && !(m_parameters && m_parameters->ignoreLimits);
+}
+
+bool StepperState::tooHot() const {
+    return m_parameters && m_analog && *m_analog < m_parameters->thermalLimit;
+}
+
+bus::StepperMode StepperState::mode() const {
+    if (!moving())
+        return bus::StepperMode::Stopped;
+    if (m_startedAt)
+        return m_goalMode.value_or(bus::StepperMode::Unknown);
+    if (m_status.trapezoidalMode())
+        return bus::StepperMode::Trapezoidal;
+    if (m_status.velocityMode())
+        return bus::StepperMode::VelocityProfile;
+    return m_goalMode.value_or(bus::StepperMode::Unknown);
+}
+
+Activity StepperState::activity() const {
+    if (!powered())
+        return m_ended == Activity::PowerLost ? Activity::PowerLost : Activity::NoPower;
+    if (!m_on)
+        return m_ended ? *m_ended : estopActs() ? Activity::EstopActive : Activity::AmplifierOff;
+    if (!moving())
+        return estopActs() ? Activity::EstopActive : m_ended.value_or(Activity::Holding);
+    if (m_startedAt)
+        return Activity::Accelerating;
+    if (m_stopping)
+        return Activity::Decelerating;
+    if (m_status.atSpeed())
+        return Activity::AtSpeed;
+    return m_slowing ? Activity::Decelerating : Activity::Accelerating;
+}
+
+// ---- What it was told ----
+
+struct StepperState::Executed {
+    StepperState& s;
+    TimePoint time;
+
+    void operator()(const stepper::LoadTrajectory& load) const {
+        if (load.startNow)
+            s.started(load, time);
+        else
+            s.m_waiting = load;
+    }
+    void operator()(const StartMotion&) const {
+        if (s.m_waiting)
+            s.started(*s.m_waiting, time);
+    }
+    void operator()(const stepper::SetParameters& parameters) const {
+        // Integer speeds mean something else in another speed mode.
+        if (!s.m_parameters || s.m_parameters->speedMode != parameters.speedMode)
+            s.m_waiting.reset();
+        s.m_parameters = parameters;
+    }
+    void operator()(const stepper::SetOutputs& set) const { s.m_outputs = set.outputs; }
+    void operator()(const stepper::StopMotor& stop) const { s.stopped(stop, time); }
+    void operator()(const stepper::SetHoming& homing) const { s.m_homingSwitchesOff = homing.motorOff; }
+    // What these change shows in a status, or is no business of a motion.
+    void operator()(const AnyOf<ResetPosition, SetAddress, DefineStatus, ReadStatus, SetBaud, SaveAsHome, Nop,
+                                HardReset> auto&) const {}
+};
+
+void StepperState::apply(const StepperCommand& executed, TimePoint time) {
+    std::visit(Executed{*this, time}, executed);
+}
+
+void StepperState::started(const stepper::LoadTrajectory& load, TimePoint time) {
+    m_goalMode = bus::goalMode(mode(), load);
+    // With a timer count alone, a motion that ends at a goal still does (DS-S Table 4).
+    const bool keepsGoal = m_goalMode == bus::StepperMode::UnprofiledWithStop && !load.position;
+    if (!keepsGoal) {
+        m_goal.reset();
+        m_reverse = load.reverse;
+        if (load.position) {
+            m_goal = load.position->value();
+            m_reverse = m_position ? std::optional(*m_goal < *m_position) : std::nullopt;
+        }
+    }
+    if (load.accelerationTime)
+        m_accelerationTime = load.accelerationTime;
+    m_waiting.reset();
+    m_startedAt = time;
+    m_stopping = m_ourStop = m_slowing = false;
+    m_ended.reset();
+}
+
+void StepperState::stopped(const stepper::StopMotor& stop, TimePoint time) {
+    m_on = stop.amplifierEnable;
+    m_switchedAt = time;
+    m_offCommanded = !stop.amplifierEnable;
+    // Whoever tells it to stop, or switches it, has seen what happened before.
+    m_offByItself = false;
+    m_ended.reset();
+    if (stop.manner == stepper::StopManner::AmplifierOnly)
+        return;
+    m_waiting.reset();
+    m_startedAt.reset();
+    m_ourStop = true;
+    m_stopping = stop.manner == stepper::StopManner::Smoothly;
+}
+
+}  // namespace nmc

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "base/time.h"
+#include "bus/steppergate.h"
+#include "model/module/activity.h"
+#include "protocol/commands.h"
+
+namespace nmc {
+
+/// What a PIC-STEP was told in this connection, and what follows from that and its status: a part of
+/// ModuleState. The chip puts the answer to a command together before it carries the command out, so only
+/// what is latched later shows its effect.
+class StepperState {
+public:
+    /// Found as another host left it.
+    void attached();
+    /// It lost everything it was told.
+    void restarted();
+    /// `latest` has every item ever reported, `time` is when its status was latched. `homeFound`: it tells
+    /// that what homing watched for has just come.
+    void apply(const StatusReport& latest, TimePoint time, bool homeFound = false);
+    void apply(const StepperCommand& executed, TimePoint time);
+
+    /// Empty: not set in this connection, so nothing may move.
+    [[nodiscard]] const std::optional<stepper::SetParameters>& parameters() const { return m_parameters; }
+    /// OUT1..OUT5 as bits 0..4; empty: unknown.
+    [[nodiscard]] std::optional<std::uint8_t> outputs() const { return m_outputs; }
+    /// Of the ramp that the next smooth stop would take; empty: unknown.
+    [[nodiscard]] std::optional<std::uint8_t> accelerationTime() const { return m_accelerationTime; }
+    /// A load that was confirmed and waits for a start.
+    [[nodiscard]] const std::optional<stepper::LoadTrajectory>& waiting() const { return m_waiting; }
+
+    [[nodiscard]] bool amplifierOn() const { return m_on; }
+    /// It switched its amplifier off without being told to, and has not been on since.
+    [[nodiscard]] bool offByItself() const { return m_offByItself; }
+    [[nodiscard]] bool moving() const { return m_startedAt || m_status.moving(); }
+    [[nodiscard]] bus::StepperMode mode() const;
+    /// Direction of the present motion; empty: it stands, or another host started it.
+    [[nodiscard]] std::optional<bool> runsReverse() const { return moving() ? m_reverse : std::nullopt; }
+
+    /// Of the last motion, if it has one.
+    [[nodiscard]] std::optional<std::int32_t> goal() const { return m_goal; }
+    /// The direction of the last motion; empty: another host started it.
+    [[nodiscard]] std::optional<bool> lastReverse() const { return m_reverse; }
+    /// What ended the last motion, or switched the amplifier off, unless it was told to; until it is told to
+    /// move, to stop or to switch.
+    [[nodiscard]] std::optional<Activity> ended() const { return m_ended; }
+    [[nodiscard]] bool powered() const { return m_status.powerOn(); }
+    [[nodiscard]] bool estopActs() const;
+    /// The limit switch of that direction is active, and stops the motor.
+    [[nodiscard]] bool limitActs(bool reverse) const;
+    [[nodiscard]] bool tooHot() const;
+    [[nodiscard]] std::optional<std::int32_t> position() const { return m_position; }
+    [[nodiscard]] stepper::InputsByte inputs() const { return m_inputs; }
+
+    /// Of a module that answers.
+    [[nodiscard]] Activity activity() const;
+
+private:
+    struct Executed;
+    void started(const stepper::LoadTrajectory& load, TimePoint time);
+    void stopped(const stepper::StopMotor& stop, TimePoint time);
+    void watchAmplifier(bool wasOn);
+    void watchMotion(bool wasMoving, bool homeFound);
+    [[nodiscard]] std::optional<Activity> whatActs() const;
+
+    stepper::StatusByte m_status;
+    stepper::InputsByte m_inputs;
+    std::optional<std::uint8_t> m_analog;
+    std::optional<std::int32_t> m_position;
+    std::optional<std::uint16_t> m_timer;
+
+    std::optional<stepper::SetParameters> m_parameters;
+    std::optional<std::uint8_t> m_outputs = kPowerUpOutputs;
+    std::optional<std::uint8_t> m_accelerationTime;
+    std::optional<stepper::LoadTrajectory> m_waiting;
+    std::optional<bus::StepperMode> m_goalMode;
+    std::optional<std::int32_t> m_goal;
+    std::optional<bool> m_reverse;
+    std::optional<TimePoint> m_startedAt;   ///< no later status has come yet
+    std::optional<TimePoint> m_switchedAt;  ///< the amplifier, likewise
+    bool m_on = false;
+    bool m_offCommanded = false;
+    bool m_offByItself = false;
+    bool m_homingSwitchesOff = false;
+    bool m_stopping = false;  ///< smoothly, by command
+    bool m_slowing = false;   ///< between the last two statuses
+    bool m_ourStop = false;
+    std::optional<Activity> m_ended;  ///< what ended the last motion, or switched it off
+
+    static constexpr std::uint8_t kPowerUpOutputs = 0x10;  ///< OUT5 high, the rest low (DS-S 2.3)
+};
+
+}  // namespace nmc

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "base/time.h"
+#include "sim/snapshot.h"
+#include "sim/steppertimer.h"
+#include "sim/steppertransition.h"
+
+namespace nmc::sim {
+
+/// The step generator: what comes out of STEP and DIR, and the position counter (DS-S 4.1 to 4.3). It knows
+/// nothing of commands, switches and the amplifier.
+///
+/// Between a change of speed, the beginning of a deceleration and the end of a move it is run in one go.
+class StepperMotion {
+public:
+    /// Takes effect at the next start from standstill.
+    void setSpeedMode(SpeedMode mode) { m_speedMode = mode; }
+    [[nodiscard]] SpeedMode speedMode() const { return m_speedMode; }
+    void setMinimumSpeed(std::uint8_t speed) { m_minimum = speed; }
+
+    /// Enters `goal` with what is loaded. The transition must be an allowed one.
+    void start(StepperMode goal, const StepperTrajectory& loaded);
+    /// The direction that start() would take.
+    [[nodiscard]] bool wouldReverse(StepperMode goal, const StepperTrajectory& loaded) const;
+    void stopAbruptly();
+    /// Ramps to the minimum speed, then stops.
+    void stopSmoothly(std::uint8_t accelerationTime);
+
+    void resetPosition();
+    /// Makes steps for so long; returns the part of it that was left when the motion ended.
+    Duration advance(Duration time);
+
+    [[nodiscard]] bool isMoving() const { return m_mode != StepperMode::Stopped; }
+    [[nodiscard]] StepperMode mode() const { return m_mode; }
+    [[nodiscard]] bool isReverse() const { return m_reverse; }
+    [[nodiscard]] std::int32_t position() const { return static_cast<std::int32_t>(m_position); }
+    /// All steps since power-up, forward ones less reverse ones: Reset Position does not change it.
+    [[nodiscard]] std::int64_t stepsMade() const { return m_stepsMade; }
+    [[nodiscard]] bool atCommandedSpeed() const;
+    /// The initial count in the step timer; what was last there when it stands still.
+    [[nodiscard]] std::uint16_t timerCount() const { return m_count; }
+    /// Integer speed; the nearest one in the unprofiled modes.
+    [[nodiscard]] unsigned speed() const { return isMoving() ? m_speed : 0; }
+    /// Steps per second, negative in reverse.
+    [[nodiscard]] double stepRate() const;
+
+private:
+    [[nodiscard]] bool isProfiled() const {
+        return m_mode == StepperMode::Trapezoidal || m_mode == StepperMode::Velocity;
+    }
+    [[nodiscard]] bool hasGoal() const {
+        return m_mode == StepperMode::Trapezoidal || m_mode == StepperMode::UnprofiledWithStop;
+    }
+    [[nodiscard]] bool isRamping() const;
+    /// Phase from here to the goal.
+    [[nodiscard]] std::int64_t phaseToGoal() const;
+    /// Phase that slowing down from `speed` to the minimum speed takes.
+    [[nodiscard]] std::int64_t phaseToSlowDown(std::int64_t speed) const;
+    [[nodiscard]] std::int64_t timeToNextEvent() const;
+    void makeSteps(std::int64_t nanoseconds);
+    void changeSpeed();
+    void beginSlowingDown();
+    void setSpeed(unsigned speed);
+    void setRate(StepperRate rate);
+
+    SpeedMode m_speedMode = SpeedMode::X8;
+    std::uint8_t m_minimum = 1;
+
+    StepperMode m_mode = StepperMode::Stopped;
+    bool m_reverse = false;
+    std::uint32_t m_position = 0;  ///< wraps
+    std::int64_t m_stepsMade = 0;
+    std::uint32_t m_goal = 0;
+    StepperRate m_rate;
+    std::int64_t m_phase = 0;  ///< since the last step
+    std::uint16_t m_count = 0;
+
+    unsigned m_speed = 0;
+    unsigned m_commanded = 0;      ///< the speed that a profile ramps to
+    bool m_slowingDown = false;    ///< a trapezoid on its way down
+    bool m_peaked = false;         ///< a trapezoid too short to get faster
+    bool m_stopAtMinimum = false;  ///< a smooth stop
+    std::int64_t m_perSpeed = 0;   ///< acceleration time
+    std::int64_t m_toNextSpeed = 0;
+};
+
+}  // namespace nmc::sim

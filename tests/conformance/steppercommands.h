@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+/// The stepper's frames (DS-S 5), made and read without the program's code.
+namespace nmc::stepperchip {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// Set Parameters, first byte.
+inline constexpr unsigned k8x = 0, k4x = 1, k2x = 2, k1x = 3;
+inline constexpr unsigned kIgnoreLimits = 0x04, kIgnoreEstop = 0x08, kMotorOff = 0x10;
+
+inline void append(Bytes& bytes, std::uint32_t value, int count) {
+    for (int i = 0; i < count; ++i)
+        bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i) & 0xFFU));
+}
+
+/// What a Load Trajectory command loads; what is absent is not.
+struct Load {
+    std::optional<std::int32_t> position{};
+    std::optional<std::uint8_t> speed{};
+    std::optional<std::uint8_t> acceleration{};
+    std::optional<std::uint16_t> count{};
+    std::uint8_t nearest = 1;
+    bool reverse = false;
+    bool start = true;
+};
+
+/// The data bytes of Load Trajectory.
+inline Bytes loadData(const Load& load) {
+    unsigned control = (load.reverse ? 0x10U : 0U) | (load.start ? 0x80U : 0U);
+    Bytes data{0};
+    if (load.position) {
+        control |= 1U;
+        append(data, static_cast<std::uint32_t>(*load.position), 4);
+    }
+    if (load.speed) {
+        control |= 2U;
+        append(data, *load.speed, 1);
+    }
+    if (load.acceleration) {
+        control |= 4U;
+        append(data, *load.acceleration, 1);
+    }
+    if (load.count) {
+        control |= 8U;
+        append(data, *load.count, 2);
+        append(data, load.nearest, 1);
+    }
+    data[0] = static_cast<std::uint8_t>(control);
+    return data;
+}
+
+/// Load Trajectory's command byte for such data.
+inline unsigned loadByte(const Bytes& data) {
+    return static_cast<unsigned>(data.size()) << 4U | 4U;
+}
+
+/// What a reply with all items (3F) says.
+struct StepperReport {
+    unsigned status = 0;
+    std::int32_t position = 0;
+    unsigned analog = 0;
+    unsigned timerCount = 0;
+    unsigned inputs = 0;
+    std::int32_t home = 0;
+    unsigned type = 0;
+    unsigned version = 0;
+};
+inline constexpr std::size_t kReportSize = 16;
+
+/// `reply` has kReportSize bytes.
+inline StepperReport readReport(const Bytes& reply) {
+    const auto number = [&reply](std::size_t at, std::size_t count) {
+        std::uint32_t value = 0;
+        for (std::size_t i = count; i-- > 0;)
+            value = value << 8U | reply[at + i];
+        return value;
+    };
+    StepperReport report;
+    report.status = reply[0];
+    report.position = static_cast<std::int32_t>(number(1, 4));
+    report.analog = reply[5];
+    report.timerCount = number(6, 2);
+    report.inputs = reply[8];
+    report.home = static_cast<std::int32_t>(number(9, 4));
+    report.type = reply[13];
+    report.version = reply[14];
+    return report;
+}
+
+}  // namespace nmc::stepperchip

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/intent/stepperplan.h"
+
+#include <gtest/gtest.h>
+
+#include "base/bytes.h"
+#include "bus/commandlane.h"
+#include "model/intent/homingplan.h"
+#include "model/procedure/procedures.h"
+#include "tests/model/stepperfixture.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+constexpr unsigned kOn = kStepPower | kAmplifier;
+
+/// Command byte and data of each step, as they go over the wire.
+std::vector<std::string> bytesOf(const Intent& intent, const ModuleState& module) {
+    const auto steps = plan(intent, module);
+    if (!steps)
+        return {"refused " + std::to_string(static_cast<int>(steps.error()))};
+    std::vector<std::string> bytes;
+    for (const bus::Step& step : *steps) {
+        const PacketBytes packet = toPacket({BusAddress(1), bus::payloadOf(step.command)});
+        const std::vector<std::uint8_t> inner(packet.begin() + 2, packet.end() - 1);
+        bytes.push_back(toHex(inner));
+    }
+    return bytes;
+}
+using Bytes = std::vector<std::string>;
+
+std::optional<Refusal> refusalOf(const Intent& intent, const ModuleState& module) {
+    const auto steps = plan(intent, module);
+    return steps ? std::nullopt : std::optional(steps.error());
+}
+
+const StepperMotion kTrapezoid = steppermotion::Trapezoid{1'000, false, 40, 4};
+const StepperMotion kForward = steppermotion::VelocityProfile{40, 4, false};
+const StepperMotion kReverse = steppermotion::VelocityProfile{40, 4, true};
+const StepperMotion kPlainMove = steppermotion::UnprofiledMove{-1'000, false, {64'288, 20}};
+const StepperMotion kPlainRun = steppermotion::UnprofiledRun{{64'288, 20}, false};
+
+// Data bytes by hand from DS-S 5.1; 1000 = 3E8, 64 288 = FB20, 40 = 28, 20 = 14.
+TEST(StepPlan, LoadsWhatTable4AsksForFromStandstill) {
+    const Stepper stepper = Stepper::holding();
+    EXPECT_EQ(bytesOf(stepperintent::Move{kTrapezoid}, stepper.module),
+              (Bytes{"74 07 E8 03 00 00 28 04", "05"}));
+    EXPECT_EQ(bytesOf(stepperintent::Move{kForward}, stepper.module), (Bytes{"34 06 28 04", "05"}));
+    EXPECT_EQ(bytesOf(stepperintent::Move{kReverse}, stepper.module), (Bytes{"34 16 28 04", "05"}));
+    EXPECT_EQ(bytesOf(stepperintent::Move{kPlainMove}, stepper.module),
+              (Bytes{"84 09 18 FC FF FF 20 FB 14", "05"}));
+    EXPECT_EQ(bytesOf(stepperintent::Move{kPlainRun}, stepper.module), (Bytes{"44 08 20 FB 14", "05"}));
+    EXPECT_EQ(bytesOf(stepperintent::LoadMove{kTrapezoid}, stepper.module),
+              (Bytes{"74 07 E8 03 00 00 28 04"}));
+}
+
+TEST(StepPlan, CountsARelativeGoalFromWhereItStands) {
+    Stepper stepper = Stepper::holding();
+    stepper.position = 500;
+    stepper.says(kOn);
+    EXPECT_EQ(bytesOf(stepperintent::Move{steppermotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
+              (Bytes{"74 07 90 01 00 00 28 04", "05"}))
+        << "400 = 190";
+}
+
+TEST(StepPlan, SwitchesAndStopsWithTheAmplifierAsItShallBe) {
+    const Stepper stepper = Stepper::running();
+    EXPECT_EQ(bytesOf(intent::Enable{}, Stepper::holding().module), (Bytes{"17 01"}));
+    EXPECT_EQ(bytesOf(intent::StopSmoothly{}, stepper.module), (Bytes{"17 09"}));
+    EXPECT_EQ(bytesOf(intent::StopAbruptly{}, stepper.module), (Bytes{"17 05"}));
+    EXPECT_EQ(bytesOf(intent::MotorOff{}, stepper.module), (Bytes{"17 04"}));
+    Stepper off;
+    off.says(kStepPower);
+    EXPECT_EQ(bytesOf(intent::StopAbruptly{}, off.module), (Bytes{"17 04"})) << "a stop enables nothing";
+}
+
+TEST(StepPlan, StopsAbruptlyWhereNoRampIsKnown) {
+    Stepper stepper = Stepper::holding();
+    stepper::LoadTrajectory load;
+    load.timer = stepper::TimerCount{64'288, 20};
+    load.startNow = true;
+    stepper.was(load);
+    stepper.says(kOn | kMoving | kAtSpeed);
+    EXPECT_EQ(bytesOf(intent::StopSmoothly{}, stepper.module), (Bytes{"17 05"}));
+}
+
+// Mode 1x = 11, ignore limits = 4, motor off = 10: 17.
+TEST(StepPlan, SendsParametersAndOutputsAsTheyAre) {
+    stepper::SetParameters parameters = Stepper::parameters();
+    parameters.ignoreLimits = parameters.motorOffOnLimitOrEstop = true;
+    parameters.thermalLimit = 80;
+    const Stepper stepper = Stepper::holding();
+    EXPECT_EQ(bytesOf(stepperintent::SetParameters{parameters}, stepper.module),
+              (Bytes{"56 17 04 64 32 50"}));
+    EXPECT_EQ(bytesOf(stepperintent::SetOutputs{0x15}, stepper.module), (Bytes{"18 15"}));
+}
+
+TEST(StepPlan, MovesNothingBeforeTheParametersWereSet) {
+    Stepper stepper;
+    stepper.says(kOn);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kTrapezoid}, stepper.module), Refusal::ParametersUnknown);
+    EXPECT_EQ(refusalOf(intent::Enable{}, stepper.module), Refusal::ParametersUnknown);
+    EXPECT_EQ(whyNot(Request::Hold, stepper.module), Refusal::ParametersUnknown);
+}
+
+TEST(StepPlan, MovesNothingWithoutPowerOrAmplifier) {
+    Stepper stepper = Stepper::holding();
+    stepper.wasStopped(stepper::StopManner::Abruptly, false);
+    stepper.says(kStepPower);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::AmplifierOff);
+    EXPECT_EQ(refusalOf(intent::Enable{}, stepper.module), std::nullopt);
+    stepper.says(0);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::NoPower);
+    EXPECT_EQ(refusalOf(intent::Enable{}, stepper.module), Refusal::NoPower);
+}
+
+TEST(StepPlan, RefusesTheDirectionWhoseLimitIsActive) {
+    Stepper stepper = Stepper::holding();
+    stepper.inputs = kLimit1In;
+    stepper.says(kOn);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::Limit1Active);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kTrapezoid}, stepper.module), Refusal::Limit1Active);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), std::nullopt) << "off the switch";
+    stepper.inputs = kLimit2In;
+    stepper.says(kOn);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), Refusal::Limit2Active);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kPlainMove}, stepper.module), Refusal::Limit2Active);
+    stepper::SetParameters ignoring = Stepper::parameters();
+    ignoring.ignoreLimits = true;
+    stepper.was(ignoring);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), std::nullopt);
+}
+
+TEST(StepPlan, RefusesMotionWhileTheEstopInputActs) {
+    Stepper stepper = Stepper::holding();
+    stepper.inputs = kEstopIn;
+    stepper.says(kOn);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), Refusal::EstopActive);
+    EXPECT_EQ(refusalOf(intent::StopAbruptly{}, stepper.module), std::nullopt);
+}
+
+TEST(StepPlan, RefusesToEnableAMotorThatIsTooHot) {
+    Stepper stepper = Stepper::holding();
+    stepper::SetParameters parameters = Stepper::parameters();
+    parameters.thermalLimit = 80;
+    stepper.was(parameters);
+    stepper.analog = 79;
+    stepper.says(kStepPower);
+    EXPECT_EQ(refusalOf(intent::Enable{}, stepper.module), Refusal::TooHot);
+}
+
+// The footnote of Load Trajectory: the goal is at most 0x7FFFFFFF away.
+TEST(StepPlan, RefusesAGoalThatIsTooFarAway) {
+    Stepper stepper = Stepper::holding();
+    stepper.position = -2'000'000'000;
+    stepper.says(kOn);
+    const auto to = [](std::int32_t goal, bool relative) {
+        return stepperintent::Move{steppermotion::Trapezoid{goal, relative, 40, 4}};
+    };
+    EXPECT_EQ(refusalOf(to(200'000'000, false), stepper.module), Refusal::TooFar);
+    EXPECT_EQ(refusalOf(to(147'483'647, false), stepper.module), std::nullopt);
+    EXPECT_EQ(refusalOf(to(-200'000'000, true), stepper.module), Refusal::TooFar) << "-2 200 000 000";
+}
+
+struct Transition {
+    const char* name;
+    bus::StepperMode from;
+    StepperMotion goal;
+    bool allowed;
+};
+
+/// In that mode, forward; with a goal 900 steps away where it has one.
+Stepper inMode(bus::StepperMode mode) {
+    Stepper stepper = Stepper::holding();
+    stepper::LoadTrajectory load = Stepper::trapezoid(900);
+    unsigned bits = kTrapezoidalMode;
+    switch (mode) {
+        case bus::StepperMode::Trapezoidal:
+            break;
+        case bus::StepperMode::VelocityProfile:
+            load.position.reset();
+            bits = kVelocityMode;
+            break;
+        case bus::StepperMode::UnprofiledWithStop:
+        case bus::StepperMode::Unprofiled:
+            load = {};
+            if (mode == bus::StepperMode::UnprofiledWithStop)
+                load.position = Counts(900);
+            load.timer = stepper::TimerCount{64'288, 20};
+            bits = 0;
+            break;
+        case bus::StepperMode::Stopped:
+            return stepper;
+        case bus::StepperMode::Unknown:
+            stepper.says(kOn | kMoving);
+            return stepper;
+    }
+    load.startNow = true;
+    stepper.was(load);
+    stepper.says(kOn | kMoving | bits);
+    return stepper;
+}
+
+class StepperTransitions : public testing::TestWithParam<Transition> {};
+
+TEST_P(StepperTransitions, AreThoseOfTable4) {
+    const Stepper stepper = inMode(GetParam().from);
+    EXPECT_EQ(stepper.module.stepper.mode(), GetParam().from);
+    EXPECT_EQ(refusalOf(stepperintent::Move{GetParam().goal}, stepper.module),
+              GetParam().allowed ? std::nullopt : std::optional(Refusal::NeedsStop));
+    EXPECT_EQ(whyNotFromStandstill(GetParam().goal, stepper.module), std::nullopt);
+}
+
+using bus::StepperMode;
+// What is stricter here than the sheet, and left to who sends a command himself: the speed of a move is not
+// changed under way, because a timer count alone would run without a stop had the move ended meanwhile.
+INSTANTIATE_TEST_SUITE_P(
+    Cells, StepperTransitions,
+    testing::Values(Transition{"TrapezoidToTrapezoid", StepperMode::Trapezoidal, kTrapezoid, false},
+                    Transition{"TrapezoidToProfile", StepperMode::Trapezoidal, kForward, false},
+                    Transition{"TrapezoidToMove", StepperMode::Trapezoidal, kPlainMove, false},
+                    Transition{"TrapezoidToRun", StepperMode::Trapezoidal, kPlainRun, false},
+                    Transition{"ProfileToTrapezoid", StepperMode::VelocityProfile, kTrapezoid, false},
+                    Transition{"ProfileToProfile", StepperMode::VelocityProfile, kForward, true},
+                    Transition{"ProfileToOtherDirection", StepperMode::VelocityProfile, kReverse, false},
+                    Transition{"ProfileToMove", StepperMode::VelocityProfile, kPlainMove, false},
+                    Transition{"ProfileToRun", StepperMode::VelocityProfile, kPlainRun, true},
+                    Transition{"MoveToTrapezoid", StepperMode::UnprofiledWithStop, kTrapezoid, false},
+                    Transition{"MoveToProfile", StepperMode::UnprofiledWithStop, kForward, true},
+                    Transition{"MoveToMove", StepperMode::UnprofiledWithStop, kPlainMove, false},
+                    Transition{"MoveToRun", StepperMode::UnprofiledWithStop, kPlainRun, false},
+                    Transition{"RunToTrapezoid", StepperMode::Unprofiled, kTrapezoid, false},
+                    Transition{"RunToProfile", StepperMode::Unprofiled, kForward, true},
+                    Transition{"RunToOtherDirection", StepperMode::Unprofiled, kReverse, false},
+                    Transition{"RunToMove", StepperMode::Unprofiled, kPlainMove, false},
+                    Transition{"RunToRun", StepperMode::Unprofiled, kPlainRun, true},
+                    Transition{"UnknownToProfile", StepperMode::Unknown, kForward, false}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+/// DS-S 5.1 Load Trajectory: without the start bit it has no effect whatsoever.
+TEST(StepPlan, LoadsAMoveInMotionWhereItsGoalIsCertain) {
+    const Stepper stepper = Stepper::running();
+    EXPECT_EQ(bytesOf(stepperintent::LoadMove{kTrapezoid}, stepper.module),
+              (Bytes{"74 07 E8 03 00 00 28 04"}));
+    EXPECT_EQ(refusalOf(stepperintent::LoadMove{steppermotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
+              Refusal::NeedsStop)
+        << "from where?";
+}
+
+TEST(StepPlan, DoesNotSetThePositionToZeroInMotion) {
+    const Stepper stepper = Stepper::running();
+    EXPECT_EQ(refusalOf(intent::ResetPosition{}, stepper.module), Refusal::NeedsStop);
+    stepper::SetParameters parameters = Stepper::parameters();
+    parameters.runCurrent = 90;
+    EXPECT_EQ(refusalOf(stepperintent::SetParameters{parameters}, stepper.module), std::nullopt);
+    parameters.minimumProfileSpeed = 9;
+    EXPECT_EQ(refusalOf(stepperintent::SetParameters{parameters}, stepper.module), Refusal::NeedsStop)
+        << "the chip would ignore it (DS-S 5.1)";
+    EXPECT_EQ(refusalOf(intent::SaveAsHome{}, stepper.module), std::nullopt);
+}
+
+TEST(StepPlan, StartsWhatWasLoadedOnceAndOnlyWhereItMayGo) {
+    Stepper stepper = Stepper::holding();
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, stepper.module), Refusal::NothingLoaded);
+    stepper.was(Stepper::trapezoid(1'000));
+    EXPECT_EQ(bytesOf(intent::StartLoaded{}, stepper.module), (Bytes{"05"}));
+    stepper.inputs = kLimit1In;
+    stepper.says(kOn);
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, stepper.module), Refusal::Limit1Active);
+    stepper.inputs = 0;
+    stepper.says(kOn);
+    stepper.was(StartMotion{});
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, stepper.module), Refusal::NothingLoaded);
+}
+
+TEST(StepPlan, KnowsWhatIsNotForIt) {
+    const Stepper stepper = Stepper::holding();
+    EXPECT_EQ(refusalOf(intent::ApplyGains{}, stepper.module), Refusal::NotAServo);
+    EXPECT_EQ(refusalOf(intent::GoTo{}, stepper.module), Refusal::NotAServo);
+    ModuleState servo;
+    servo.info.identity = {ModuleType::Servo, 4};
+    EXPECT_EQ(refusalOf(stepperintent::SetOutputs{1}, servo), Refusal::NotAStepper);
+    EXPECT_EQ(whyNot(Request::SetParameters, servo), Refusal::Silent);
+}
+
+TEST(StepPlan, AsksNothingOfAModuleThatDoesNotAnswerButToSwitchOff) {
+    Stepper stepper = Stepper::running();
+    stepper.module.silent = true;
+    EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::Silent);
+    EXPECT_EQ(refusalOf(intent::MotorOff{}, stepper.module), std::nullopt);
+}
+
+TEST(H02_ReadOnly, AStepperIsToldNothing) {
+    const StepperMotion run = steppermotion::VelocityProfile{40, 4, false};
+    ModuleState module = Stepper::holding().module;
+    for (const Intent& intent : std::vector<Intent>{
+             intent::Enable{}, intent::StopSmoothly{}, intent::StopAbruptly{}, intent::MotorOff{},
+             intent::SetAmplifier{}, intent::ResetPosition{}, intent::SaveAsHome{},
+             intent::Home{firstRecipe(module.info.identity)},
+             stepperintent::SetParameters{Stepper::parameters()}, stepperintent::SetOutputs{1},
+             stepperintent::Move{run}, stepperintent::LoadMove{run}}) {
+        module.readOnly = false;
+        EXPECT_TRUE(plan(intent, module)) << "intent " << intent.index();
+        module.readOnly = true;
+        const auto planned = plan(intent, module);
+        ASSERT_FALSE(planned) << "intent " << intent.index();
+        EXPECT_EQ(planned.error(), Refusal::ReadOnly) << "intent " << intent.index();
+    }
+    for (int request = 0; request <= static_cast<int>(Request::SetOutputs); ++request)
+        EXPECT_EQ(whyNot(static_cast<Request>(request), module), Refusal::ReadOnly) << request;
+    EXPECT_EQ(whyNotFromStandstill(run, module), Refusal::ReadOnly);
+    EXPECT_EQ(procedureFor(stepperintent::ChangeMotion{run}, module), nullptr);
+}
+
+}  // namespace
+}  // namespace nmc

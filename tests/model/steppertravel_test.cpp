@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far and how fast a PIC-STEP's axis may go (model/intent/travel.h): numbers by hand.
+#include <gtest/gtest.h>
+
+#include "model/intent/stepperplan.h"
+#include "model/intent/travel.h"
+#include "tests/model/stepperfixture.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+Stepper limitedStepper(std::int32_t position = 0) {
+    Stepper stepper = Stepper::holding();
+    stepper.position = position;
+    stepper.says(kAmplifier | kStepPower);
+    stepper.module.home.found(0, stepper.time);
+    stepper.module.travel.lowest = -1'000;
+    stepper.module.travel.highest = 2'000;
+    return stepper;
+}
+
+TEST(StepperTravel, ARunOfAStepperIsAMoveToTheLimit) {
+    const Stepper stepper = limitedStepper();
+    EXPECT_EQ(withinTravel(steppermotion::VelocityProfile{40, 4, false}, stepper.module),
+              StepperMotion(steppermotion::Trapezoid{2'000, false, 40, 4}));
+    EXPECT_EQ(withinTravel(steppermotion::UnprofiledRun{{60'000, 8}, true}, stepper.module),
+              StepperMotion(steppermotion::UnprofiledMove{-1'000, false, {60'000, 8}}));
+    const auto steps = plan(stepperintent::Move{steppermotion::VelocityProfile{40, 4, true}}, stepper.module);
+    ASSERT_TRUE(steps.has_value());
+    const auto& load = std::get<stepper::LoadTrajectory>(std::get<StepperCommand>(steps->front().command));
+    EXPECT_EQ(load.position, Counts(-1'000));
+    EXPECT_EQ(load.speed, 40);
+}
+
+TEST(StepperTravel, StepsBeyondAreRefusedAlsoRelativeOnes) {
+    const Stepper stepper = limitedStepper(1'500);
+    EXPECT_EQ(whyNot(steppermotion::Trapezoid{2'001, false, 40, 4}, stepper.module), Refusal::BeyondTravel);
+    EXPECT_EQ(whyNot(steppermotion::Trapezoid{501, true, 40, 4}, stepper.module), Refusal::BeyondTravel);
+    EXPECT_FALSE(whyNot(steppermotion::Trapezoid{500, true, 40, 4}, stepper.module));
+    EXPECT_EQ(
+        travelProblem(stepperintent::Move{steppermotion::Trapezoid{501, true, 40, 4}}, stepper.module)->limit,
+        2'000);
+    const Stepper atEnd = limitedStepper(2'000);
+    EXPECT_EQ(whyNot(steppermotion::VelocityProfile{40, 4, false}, atEnd.module), Refusal::AtTravelEnd);
+    EXPECT_FALSE(whyNot(steppermotion::VelocityProfile{40, 4, true}, atEnd.module));
+}
+
+// Speed unit 25 steps/s: speed 4 is 100 steps/s, and no profile is slower here (minimum 4).
+TEST(StepperTravel, AStepperGoesNoFasterEither) {
+    Stepper stepper = limitedStepper();
+    stepper.module.travel.fastest = 100;
+    EXPECT_FALSE(whyNot(steppermotion::Trapezoid{100, false, 4, 4}, stepper.module));
+    EXPECT_FALSE(whyNot(steppermotion::Trapezoid{100, false, 1, 4}, stepper.module));
+    EXPECT_EQ(whyNot(steppermotion::Trapezoid{100, false, 5, 4}, stepper.module), Refusal::TooFast);
+    EXPECT_EQ(travelProblem(stepperintent::Move{steppermotion::Trapezoid{100, false, 5, 4}}, stepper.module)
+                  ->velocity,
+              125);
+    stepper.module.travel.fastest = 99;
+    EXPECT_EQ(whyNot(steppermotion::Trapezoid{100, false, 1, 4}, stepper.module), Refusal::TooFast)
+        << "the minimum profile speed";
+}
+
+}  // namespace
+}  // namespace nmc

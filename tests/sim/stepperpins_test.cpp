@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// DS-S 4.4 to 4.6 and 5.1: limits, E-stop, power, temperature, currents, outputs, homing.
+#include "tests/sim/stepperwire.h"
+
+namespace nmc::sim::test {
+namespace {
+
+using std::chrono::milliseconds;
+using Kinds = std::vector<ViolationKind>;
+
+constexpr unsigned kIgnoreLimits = 0x04, kIgnoreEstop = 0x08, kMotorOff = 0x10;
+constexpr std::uint16_t kCount = 65'536 - 625 + 2;  // 1000/s at 1x
+
+class StepperPinsTest : public testing::Test {
+protected:
+    void run(bool reverse = false) { wire.load({.count = kCount, .nearest = 40, .reverse = reverse}); }
+    [[nodiscard]] bool moving() { return wire.step().moving; }
+    [[nodiscard]] bool amplifier() { return (wire.stepReport().status & 0x04U) != 0; }
+    StepperWire wire;
+};
+
+TEST_F(StepperPinsTest, Limit1StopsForwardAndLimit2ReverseMotionAndTheWayBackIsFree) {
+    wire.parameters(k1x);
+    for (const bool reverse : {false, true}) {
+        const Input own = reverse ? Input::Limit2 : Input::Limit1;
+        const Input other = reverse ? Input::Limit1 : Input::Limit2;
+        run(reverse);
+        wire.set(other, 1);
+        wire.waitTicks(2);
+        EXPECT_TRUE(moving()) << "off that switch";
+        wire.set(other, 0);
+        wire.set(own, 1);
+        wire.waitTicks(2);
+        EXPECT_FALSE(moving());
+        EXPECT_TRUE(amplifier());
+        run(reverse);
+        EXPECT_FALSE(moving()) << "inhibited";
+        EXPECT_EQ(wire.stepsIn(milliseconds(100)), 0);
+        run(!reverse);
+        EXPECT_TRUE(moving());
+        wire.stop(0x05);
+        wire.set(own, 0);
+    }
+    EXPECT_EQ(wire.violations(), Kinds{});
+}
+
+TEST_F(StepperPinsTest, ALimitStopsATrapezoidToo) {
+    wire.parameters(k1x, 10);
+    wire.load({.position = 10'000, .speed = std::uint8_t{100}, .acceleration = std::uint8_t{4}});
+    wire.wait(milliseconds(500));
+    wire.set(Input::Limit1, 1);
+    wire.waitTicks(2);
+    EXPECT_FALSE(moving());
+    EXPECT_EQ(wire.stepReport().status & 0x71U, 0U);
+    EXPECT_LT(wire.position(), 10'000);
+    wire.load({.position = 0});
+    static_cast<void>(wire.timeToStop());
+    EXPECT_EQ(wire.position(), 0);
+}
+
+TEST_F(StepperPinsTest, StoppingAtLimitsCanBeDisabled) {
+    wire.parameters(k1x | kIgnoreLimits);
+    run();
+    wire.set(Input::Limit1, 1);
+    wire.waitTicks(2);
+    EXPECT_TRUE(moving());
+    wire.parameters(k1x);
+    wire.waitTicks(2);
+    EXPECT_FALSE(moving()) << "the bit counts in motion as well";
+}
+
+TEST_F(StepperPinsTest, EStopStopsAndCanBeDisabled) {
+    wire.parameters(k1x);
+    run();
+    wire.set(Input::Estop, 1);
+    wire.waitTicks(2);
+    EXPECT_FALSE(moving());
+    EXPECT_TRUE(amplifier());
+    run();
+    run(true);
+    EXPECT_FALSE(moving());
+    wire.parameters(k1x | kIgnoreEstop);
+    run();
+    EXPECT_TRUE(moving());
+    EXPECT_EQ(wire.stepReport().inputs, 0x01U);
+}
+
+TEST_F(StepperPinsTest, TheMotorIsTurnedOffOnLimitOrEStopWhenAskedTo) {
+    for (const Input input : {Input::Limit1, Input::Estop}) {
+        wire.stop(0x01);
+        wire.parameters(k1x | kMotorOff);
+        run();
+        EXPECT_TRUE(amplifier());
+        wire.set(input, 1);
+        wire.waitTicks(2);
+        EXPECT_FALSE(moving());
+        EXPECT_FALSE(amplifier());
+        wire.set(input, 0);
+        wire.waitTicks(2);
+        EXPECT_FALSE(amplifier()) << "until a Stop Motor command enables it";
+    }
+}
+
+TEST_F(StepperPinsTest, LowPowerLowersTheAmplifierAndTerminatesMotion) {
+    wire.parameters(k1x | kIgnoreLimits | kIgnoreEstop);
+    run();
+    EXPECT_EQ(wire.stepReport().status & 0x0DU, 0x0DU);
+    wire.set(Input::Power, 0);
+    wire.waitTicks(2);
+    EXPECT_EQ(wire.stepReport().status & 0x0DU, 0U);
+    wire.stop(0x01);
+    run();
+    EXPECT_EQ(wire.stepReport().status & 0x0DU, 0U);
+    wire.set(Input::Power, 1);
+    wire.waitTicks(2);
+    EXPECT_EQ(wire.stepReport().status & 0x0DU, 0x08U) << "AMP_EN does not come back by itself";
+    wire.stop(0x01);
+    EXPECT_EQ(wire.stepReport().status & 0x0DU, 0x0CU);
+}
+
+TEST_F(StepperPinsTest, AnAnalogValueBelowTheThermalLimitTurnsTheMotorOffAndZeroDisablesThat) {
+    wire.parameters(k1x, 1, 200, 80, 100);
+    run();
+    wire.set(Input::Analog, 100);
+    wire.waitTicks(2);
+    EXPECT_TRUE(moving());
+    EXPECT_TRUE(amplifier());
+    wire.set(Input::Analog, 99);
+    wire.waitTicks(2);
+    EXPECT_FALSE(moving());
+    EXPECT_FALSE(amplifier());
+    EXPECT_EQ(wire.stepReport().analog, 99U);
+    wire.parameters(k1x, 1, 200, 80, 0);
+    wire.set(Input::Analog, 0);
+    wire.stop(0x01);
+    run();
+    wire.waitTicks(2);
+    EXPECT_TRUE(moving());
+    EXPECT_TRUE(amplifier());
+}
+
+TEST_F(StepperPinsTest, RunsAtTheRunningCurrentAndHoldsItAQuarterSecondAfterTheStop) {
+    EXPECT_EQ(wire.step().currentLimit, 0);
+    wire.parameters(k1x, 1, 200, 80);
+    EXPECT_EQ(wire.step().currentLimit, 80);
+    run();
+    EXPECT_EQ(wire.step().currentLimit, 200);
+    wire.wait(milliseconds(1000));
+    EXPECT_EQ(wire.step().currentLimit, 200);
+    const TimePoint before = wire.now;
+    wire.stop(0x05);
+    wire.wait(milliseconds(245) - (wire.now - before));
+    EXPECT_EQ(wire.step().currentLimit, 200);
+    wire.wait(milliseconds(10));
+    EXPECT_EQ(wire.step().currentLimit, 80);
+}
+
+TEST_F(StepperPinsTest, TheHoldingCurrentComesAQuarterSecondAfterAMoveHasReachedItsGoal) {
+    wire.parameters(k1x, 1, 200, 80);
+    wire.load({.position = 500, .count = kCount});  // half a second
+    const TimePoint begin = wire.now;
+    while (wire.step().currentLimit == 200 && wire.now - begin < std::chrono::seconds(5))
+        wire.wait(kTick);
+    EXPECT_NEAR(toSeconds(wire.now - begin), 0.75, 0.003);
+}
+
+TEST_F(StepperPinsTest, Outputs1To4AreLowAndOutput5HighAfterPowerUp) {
+    EXPECT_EQ(wire.step().outputs, 0x10);
+    EXPECT_EQ(wire.command(1, 0x18, {0x0A}).size(), 2U);
+    EXPECT_EQ(wire.step().outputs, 0x0A);
+    wire.command(1, 0x18, {0xFF});
+    EXPECT_EQ(wire.step().outputs, 0x1F);
+    wire.command(1, 0x0F);
+    EXPECT_EQ(wire.step().outputs, 0x10);
+}
+
+TEST_F(StepperPinsTest, CapturesHomeOnAChangeOfTheFlaggedSwitchOnly) {
+    struct Case {
+        unsigned bit;
+        Input input;
+        Input other;
+    };
+    wire.parameters(k1x | kIgnoreLimits);
+    for (const Case c :
+         {Case{0x01, Input::Limit1, Input::HomeSwitch}, Case{0x02, Input::Limit2, Input::Limit1},
+          Case{0x08, Input::HomeSwitch, Input::Limit2}}) {
+        for (const double level : {1.0, 0.0}) {
+            wire.stop(0x05);
+            wire.command(1, 0x19, {static_cast<std::uint8_t>(c.bit)});
+            run();
+            wire.set(c.other, level);
+            wire.wait(milliseconds(100));
+            EXPECT_EQ(wire.stepReport().status & 0x80U, 0x80U);
+            const std::int32_t there = wire.position();
+            wire.set(c.input, level);
+            wire.wait(milliseconds(100));
+            const StepperReport r = wire.stepReport();
+            EXPECT_EQ(r.status & 0x80U, 0U);
+            EXPECT_NEAR(r.home, there, 1);
+            EXPECT_GT(r.position, r.home + 90) << "without a stop bit it goes on";
+        }
+    }
+}
+
+TEST_F(StepperPinsTest, HomingStopsAbruptlySmoothlyOrTurnsTheMotorOff) {
+    for (const unsigned stop : {0x10U, 0x20U, 0x04U}) {
+        wire.set(Input::HomeSwitch, 0);
+        wire.parameters(k1x, 20);
+        wire.stop(0x01);
+        wire.load({.speed = std::uint8_t{120}, .acceleration = std::uint8_t{4}});
+        wire.wait(milliseconds(500));
+        wire.command(1, 0x19, {static_cast<std::uint8_t>(0x08 | stop)});
+        wire.set(Input::HomeSwitch, 1);
+        wire.waitTicks(2);
+        EXPECT_EQ(moving(), stop == 0x20) << stop;
+        EXPECT_EQ(amplifier(), stop != 0x04) << stop;
+        static_cast<void>(wire.timeToStop());
+        const StepperReport r = wire.stepReport();
+        // Smoothly: 1 ms at each of 120 ... 21, 7050 x 25 x 0.001 steps.
+        EXPECT_NEAR(r.position - r.home, stop == 0x20 ? 176 : 0, 2) << stop;
+        EXPECT_EQ(r.status & 0x80U, 0U);
+    }
+    wire.command(1, 0x19, {0x38});
+    EXPECT_EQ(wire.violations(), Kinds{ViolationKind::StopBits});
+}
+
+}  // namespace
+}  // namespace nmc::sim::test

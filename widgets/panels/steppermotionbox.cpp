@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/steppermotionbox.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <cmath>
+
+#include "model/intent/stepperplan.h"
+#include "model/intent/travel.h"
+#include "model/module/stepperdefaults.h"
+#include "widgets/common/elidedlabel.h"
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/common/travelwords.h"
+#include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
+#include "widgets/panels/stepperholdbox.h"
+#include "widgets/panels/steppermodechoice.h"
+#include "widgets/panels/stepperwords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+StepperMotionBox::StepperMotionBox(ModuleContext& context, QWidget* parent)
+    : QGroupBox(tr("Motion"), parent), m_context(context) {
+    look::name(this, u"stepperMotionBox"_s, tr("Motion"));
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit, unit, unit, unit);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 2);
+    m_mode = new StepperModeChoice(this);
+    grid->addWidget(m_mode, 0, 0, 1, 5);
+    grid->setRowMinimumHeight(2, unit / 2);
+    buildFields(grid, 3);
+    buildButtons(grid, 9);
+    grid->setRowMinimumHeight(12, unit);
+    m_hold = new StepperHoldBox(m_context, this);
+    grid->addWidget(m_hold, 13, 0, 1, 5);
+    grid->setColumnMinimumWidth(0, m_hold->labelWidth());
+    grid->setRowStretch(14, 1);
+    grid->setColumnStretch(3, 1);
+    connectControls();
+    m_mode->showMode(StepperModeChoice::Mode::Trapezoid);
+    m_goal->setScale(m_context.scale());
+    m_goal->showNative(0);
+    m_context.whenSeen(this, [this] { showModule(); });
+}
+
+void StepperMotionBox::buildFields(QGridLayout* grid, int line) {
+    m_goal = new QuantityField(QuantityField::Kind::Position, this);
+    m_goal->setName(u"stepperGoalField"_s, tr("Goal position"));
+    m_goal->setQuantity(tr("The goal position"));
+    m_goal->setNativeRange(static_cast<double>(stepper::kPositionRange.min),
+                           static_cast<double>(stepper::kPositionRange.max));
+    m_goal->setNativeStep(100);
+    m_relative = new QCheckBox(tr("b&y this distance"), this);
+    look::name(m_relative, u"stepperRelativeBox"_s, tr("By this distance from the present position"));
+    m_speed = new QuantityField(QuantityField::Kind::Velocity, this);
+    m_speed->setName(u"stepperSpeedField"_s, tr("Speed"));
+    m_speed->setQuantity(tr("The speed"));
+    m_speed->setNativeStep(25);
+    const auto addRow = [&](QuantityField* field, const QString& text) {
+        auto* label = new QLabel(text, this);
+        label->setBuddy(field);
+        grid->addWidget(label, line, 0);
+        grid->addWidget(field, line, 1);
+        grid->addWidget(field->unitLabel(), line, 2);
+        grid->addWidget(field->otherView(), line++, 3, 1, 2);
+    };
+    addRow(m_goal, tr("&Position"));
+    grid->addWidget(m_relative, line++, 1, 1, 4);
+    addRow(m_speed, tr("Trave&l speed"));
+    m_outcome = look::newMutedLabel({}, this);
+    m_outcome->setObjectName(u"stepperSpeedOutcome"_s);
+    m_ramp = newMutedLine(this);
+    m_ramp->setObjectName(u"stepperRampOutcome"_s);
+    auto* outcome = new QHBoxLayout;
+    outcome->setSpacing(look::gridUnit(this));
+    outcome->addWidget(m_outcome);
+    outcome->addWidget(m_ramp, 1);
+    grid->addLayout(outcome, line++, 1, 1, 4);
+    m_forecast = newMutedLine(this);
+    m_forecast->setObjectName(u"stepperForecast"_s);
+    m_nearest = new Command({.name = u"stepperNearestGoalButton"_s,
+                             .icon = {},
+                             .text = tr("Use nearest"),
+                             .accessible = tr("Use nearest allowed position")},
+                            this, [this] { takeNearest(); });
+    auto* remark = new QHBoxLayout;
+    remark->setSpacing(look::gridUnit(this));
+    remark->addWidget(m_forecast, 1);
+    remark->addWidget(m_nearest->button());
+    look::keepRoom(m_nearest->button());
+    grid->addLayout(remark, line++, 1, 1, 4);
+}
+
+void StepperMotionBox::buildButtons(QGridLayout* grid, int line) {
+    m_go = new Command({.name = u"stepperGoButton"_s,
+                        .icon = u"arrow-bar-to-right"_s,
+                        .text = tr("&Go"),
+                        .accessible = tr("Go to the position")},
+                       this, [this] { request(false); });
+    m_goHome = new Command({.name = u"stepperGoHomeButton"_s,
+                            .icon = u"home"_s,
+                            .text = tr("Go home"),
+                            .accessible = tr("Go home"),
+                            .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
+                           this, [this] { m_context.ask(home()); });
+    m_runReverse = new Command({.name = u"stepperRunReverseButton"_s,
+                                .icon = u"arrow-left"_s,
+                                .text = tr("Run &reverse"),
+                                .accessible = tr("Run reverse until stopped")},
+                               this, [this] { request(true); });
+    m_runForward = new Command({.name = u"stepperRunForwardButton"_s,
+                                .icon = u"arrow-right"_s,
+                                .text = tr("R&un forward"),
+                                .accessible = tr("Run forward until stopped")},
+                               this, [this] { request(false); });
+    m_loadOnly = new QCheckBox(tr("Load o&nly"), this);
+    look::name(m_loadOnly, u"stepperLoadOnlyBox"_s, tr("Load only, start later"));
+    m_startLoaded = new Command({.name = u"stepperStartLoadedButton"_s,
+                                 .icon = {},
+                                 .text = tr("Start loaded"),
+                                 .accessible = tr("Start loaded motion"),
+                                 .key = Qt::CTRL | Qt::Key_G},
+                                this, [this] { m_context.ask(intent::StartLoaded{}); });
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(look::gridUnit(this));
+    for (const Command* command : {m_go, m_runReverse, m_runForward}) {
+        QPushButton* button = command->button();
+        // The longest that it ever says: the other direction must not come under the pointer.
+        const QString text = button->text();
+        button->setText(tr("Stop, wait: %1").arg(text));
+        button->setMinimumWidth(button->sizeHint().width());
+        button->setText(text);
+        buttons->addWidget(button);
+    }
+    buttons->addStretch(1);
+    auto* later = new QHBoxLayout;
+    later->setSpacing(look::gridUnit(this));
+    later->addWidget(m_loadOnly);
+    later->addWidget(m_startLoaded->button());
+    later->addStretch(1);
+    later->addWidget(m_goHome->button());
+    m_hint = new ElidedLabel(2, this);
+    m_hint->setObjectName(u"stepperMotionHint"_s);
+    grid->addLayout(buttons, line, 1, 1, 4);
+    grid->addLayout(later, line + 1, 1, 1, 4);
+    grid->addWidget(m_hint, line + 2, 0, 1, 5);
+}
+
+void StepperMotionBox::connectControls() {
+    connect(m_mode, &StepperModeChoice::chosen, this, &StepperMotionBox::chooseMode);
+    connect(m_goal, &QuantityField::nativeEdited, this, &StepperMotionBox::refresh);
+    connect(m_goal, &NumberField::returnPressed, m_go, &Command::act);
+    connect(m_relative, &QCheckBox::toggled, this, &StepperMotionBox::refresh);
+    connect(m_speed, &QuantityField::nativeEdited, this, &StepperMotionBox::keepSpeed);
+    connect(m_loadOnly, &QCheckBox::toggled, this, &StepperMotionBox::refresh);
+    connect(&m_context, &ModuleContext::lookedForAnew, this, &StepperMotionBox::lookedForAnew);
+}
+
+double MotionSettings::*StepperMotionBox::speedSetting() const {
+    return m_mode->hasGoal() ? &MotionSettings::velocity : &MotionSettings::runVelocity;
+}
+
+void StepperMotionBox::chooseMode() {
+    m_hold->endHold();
+    showSpeed();
+    refresh();
+}
+
+void StepperMotionBox::lookedForAnew() {
+    m_mode->showMode(StepperModeChoice::Mode::Trapezoid);
+    m_goal->showNative(0);
+    m_relative->setChecked(false);
+    m_loadOnly->setChecked(false);
+    showSpeed();
+    refresh();
+}
+
+void StepperMotionBox::showSpeed() {
+    const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
+    const double set = m_context.settings().motion.*speedSetting();
+    const double fallback = m_mode->hasGoal() ? stepperdefaults::kMove : stepperdefaults::kRun;
+    m_shownSpeed = set;
+    m_shownSpeeds = speeds;
+    const double slowest = m_mode->profiled() ? speeds.slowest() : speeds.slowestTimed();
+    const double chip = m_mode->profiled() ? speeds.fastest() : speeds.fastestTimed();
+    const double fastest = std::max(slowest, stepperdefaults::atMost(chip, m_context.settings()));
+    m_shownFastest = m_context.settings().travel.fastest;
+    m_speed->setNativeRange(slowest, fastest);
+    m_speed->setMeaning(
+        tr("How fast the motor turns: %1 to %2 in this speed mode. The chip uses the nearest speed available.")
+            .arg(texts::stepsPerSecond(slowest, m_speed->scale()),
+                 texts::stepsPerSecond(fastest, m_speed->scale())));
+    m_speed->showNative(set > 0 ? set : std::clamp(fallback, slowest, fastest));
+}
+
+void StepperMotionBox::keepSpeed() {
+    if (const auto speed = m_speed->native()) {
+        const auto part = speedSetting();
+        m_shownSpeed = *speed;
+        m_context.edit([part, speed](AxisSettings& axis) { axis.motion.*part = *speed; });
+    }
+    refresh();
+}
+
+void StepperMotionBox::showModule() {
+    m_goal->setScale(m_context.scale());
+    m_speed->setScale(m_context.scale());
+    if (m_shownSpeeds != stepperdefaults::speedMode(m_context.state().stepper, m_context.settings()) ||
+        m_shownSpeed != m_context.settings().motion.*speedSetting() ||
+        m_shownFastest != m_context.settings().travel.fastest)
+        showSpeed();
+    refresh();
+}
+
+std::optional<StepperMotion> StepperMotionBox::motion(bool reverse) const {
+    const auto goal = m_goal->native();
+    const auto speed = m_speed->native();
+    if (!speed || (m_mode->hasGoal() && !goal))
+        return std::nullopt;
+    const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
+    const auto position = static_cast<std::int32_t>(goal.value_or(0));
+    const std::uint8_t acceleration = accelerationTime();
+    switch (m_mode->mode()) {
+        case StepperModeChoice::Mode::Trapezoid:
+            return steppermotion::Trapezoid{position, m_relative->isChecked(), speeds.speedFor(*speed),
+                                            acceleration};
+        case StepperModeChoice::Mode::Profile:
+            return steppermotion::VelocityProfile{speeds.speedFor(*speed), acceleration, reverse};
+        case StepperModeChoice::Mode::TimedMove:
+            return steppermotion::UnprofiledMove{position, m_relative->isChecked(), speeds.timerFor(*speed)};
+        case StepperModeChoice::Mode::TimedRun:
+            return steppermotion::UnprofiledRun{speeds.timerFor(*speed), reverse};
+    }
+    return std::nullopt;
+}
+
+std::uint8_t StepperMotionBox::accelerationTime() const {
+    return static_cast<std::uint8_t>(stepperdefaults::accelerationTime(m_context.settings()));
+}
+
+std::uint8_t StepperMotionBox::moveSpeed() const {
+    const AxisSettings& axis = m_context.settings();
+    const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, axis);
+    const double set = axis.motion.velocity > 0 ? axis.motion.velocity : stepperdefaults::kMove;
+    return speeds.speedFor(std::clamp(
+        set, speeds.slowest(), std::max(speeds.slowest(), stepperdefaults::atMost(speeds.fastest(), axis))));
+}
+
+QString StepperMotionBox::whyNoMovesBy() const {
+    return m_mode->hasGoal() ? m_speed->problemText() : QString();
+}
+
+std::optional<Intent> StepperMotionBox::movesBy(const Rounds& moves) const {
+    return stepperintent::StepBy{moves, moveSpeed(), accelerationTime()};
+}
+
+std::optional<Refusal> StepperMotionBox::refusalOf(bool reverse) const {
+    if (!m_context.connected())
+        return Refusal::NotConnected;
+    const auto wanted = motion(reverse);
+    // Before there is a motion: what any motion needs.
+    if (!wanted)
+        return m_context.whyNot(Request::Run);
+    if (!m_loadOnly->isChecked())
+        return whyNot(*wanted, m_context.state());
+    const auto load = plan(stepperintent::LoadMove{*wanted}, m_context.state());
+    return load ? std::nullopt : std::optional(load.error());
+}
+
+bool StepperMotionBox::viaStop(bool reverse) const {
+    return refusalOf(reverse) == Refusal::NeedsStop && !m_loadOnly->isChecked() &&
+           !whyNotFromStandstill(*motion(reverse), m_context.state());
+}
+
+QString StepperMotionBox::reasonFor(bool reverse) const {
+    if (const auto refusal = refusalOf(reverse); refusal && !viaStop(reverse)) {
+        const auto wanted = motion(reverse);
+        return wanted ? texts::refusal(*refusal, stepperintent::Move{*wanted}, m_context.state(),
+                                       m_context.scale())
+                      : texts::refusal(*refusal);
+    }
+    if (m_mode->hasGoal() && m_goal->problem() != NumberField::Problem::None)
+        return m_goal->problemText();
+    return m_speed->problemText();
+}
+
+std::optional<std::int32_t> StepperMotionBox::nearest() const {
+    const auto wanted = m_mode->hasGoal() ? motion(false) : std::nullopt;
+    const auto problem =
+        wanted ? travelProblem(stepperintent::Move{*wanted}, m_context.state()) : std::nullopt;
+    if (!problem || problem->refusal != Refusal::BeyondTravel)
+        return std::nullopt;
+    return problem->limit;
+}
+
+void StepperMotionBox::takeNearest() {
+    const auto goal = nearest();
+    if (!goal)
+        return;
+    m_relative->setChecked(false);
+    m_goal->showNative(*goal);
+    m_goal->setFocus();
+    refresh();
+}
+
+void StepperMotionBox::offerNearest() {
+    const auto goal = nearest();
+    m_nearest->setVisible(goal.has_value());
+    if (!goal)
+        return;
+    m_nearest->setText(tr("Use %1").arg(texts::position(m_goal->scale(), *goal)));
+    m_nearest->setPossible({}, tr("Sets the goal to the nearest allowed position. Nothing moves."));
+}
+
+void StepperMotionBox::request(bool reverse) {
+    const auto wanted = motion(reverse);
+    if (!wanted || !reasonFor(reverse).isEmpty())
+        return;
+    if (m_loadOnly->isChecked())
+        m_context.ask(stepperintent::LoadMove{*wanted});
+    else if (viaStop(reverse))
+        m_context.ask(stepperintent::ChangeMotion{*wanted});
+    else
+        m_context.ask(stepperintent::Move{*wanted});
+}
+
+QString StepperMotionBox::outcome() const {
+    const auto speed = m_speed->native();
+    if (!speed)
+        return m_speed->problemText();
+    const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
+    if (!m_mode->profiled())
+        return texts::timedSpeed(speeds, speeds.timerFor(*speed), m_speed->scale());
+    const auto& parameters = m_context.state().stepper.parameters();
+    return texts::profiledSpeed(speeds, speeds.speedFor(*speed),
+                                parameters ? parameters->minimumProfileSpeed : 1, m_speed->scale());
+}
+
+/// Before the start: how long it takes and how fast it gets.
+QString StepperMotionBox::forecast() const {
+    const auto speed = m_speed->native();
+    const ModuleState& module = m_context.state();
+    if (!speed || !module.stepper.parameters())
+        return {};
+    const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
+    const int minimum = module.stepper.parameters()->minimumProfileSpeed;
+    const int acceleration = stepperdefaults::accelerationTime(m_context.settings());
+    if (!m_mode->hasGoal()) {
+        if (!m_mode->profiled())
+            return tr("At constant speed, without a ramp.");
+        const int units = std::max(0, speeds.speedFor(*speed) - minimum);
+        return tr("Takes %1 s from standstill.").arg(texts::readout(units * acceleration * 0.00025, 3));
+    }
+    const auto goal = m_goal->native();
+    const auto position = module.stepper.position();
+    if (!goal || !position || module.moving())
+        return {};
+    const double way = m_relative->isChecked() ? *goal : *goal - *position;
+    if (m_mode->profiled())
+        return texts::forecast(forecastMove(speeds, minimum, speeds.speedFor(*speed), acceleration, way),
+                               m_speed->scale());
+    const double rate = speeds.ofCount(speeds.timerFor(*speed).count);
+    return texts::forecast({std::abs(way) / rate, way == 0 ? 0 : rate, false}, m_speed->scale());
+}
+
+void StepperMotionBox::refreshCommand(Command& command, bool reverse, const QString& text,
+                                      const QString& meaning) {
+    const QString reason = reasonFor(reverse);
+    const bool stopsFirst = m_context.connected() && viaStop(reverse);
+    command.setText(stopsFirst ? tr("Stop, wait: %1").arg(text) : text);
+    command.setPossible(
+        reason.isEmpty() ? m_context.whyBusy() : reason,
+        stopsFirst ? tr("Stops smoothly, waits until the motor is at rest, then: %1").arg(meaning) : meaning);
+}
+
+void StepperMotionBox::refreshCommands() {
+    const bool load = m_loadOnly->isChecked();
+    const QString later = tr("Loads the motion without starting it.");
+    m_go->setVisible(m_mode->hasGoal());
+    m_runReverse->setVisible(!m_mode->hasGoal());
+    m_runForward->setVisible(!m_mode->hasGoal());
+    refreshCommand(*m_go, false, load ? tr("Load") : tr("&Go"),
+                   load ? later : tr("Moves to the position, then holds."));
+    refreshCommand(*m_runReverse, true, load ? tr("Load &reverse") : tr("Run &reverse"),
+                   load ? later : tr("Runs in reverse until stopped."));
+    refreshCommand(*m_runForward, false, load ? tr("Load forward") : tr("R&un forward"),
+                   load ? later : tr("Runs forward until stopped."));
+    QString reason = m_context.reasonNow(Request::GoHome);
+    if (reason.isEmpty())
+        reason = m_context.reasonFor(Intent(home()));
+    m_goHome->setPossible(reason, tr("Moves to home with a ramp, at the travel speed."));
+    m_startLoaded->setPossible(m_context.reasonNow(Request::StartLoaded), tr("Starts the loaded motion."));
+}
+
+void StepperMotionBox::refresh() {
+    const QString unused = m_mode->hasGoal() ? QString() : tr("A run has no goal.");
+    m_goal->setMeaning(m_mode->hasGoal() ? tr("The goal of the move. Press Enter to start.") : unused);
+    m_goal->setEnabled(m_mode->hasGoal());
+    look::setPossible(m_relative, unused, tr("The distance counts from where the motor is at the start."));
+    m_loadOnly->setToolTip(
+        tr("The buttons only load the motion. Choose Start loaded, or start the module's group."));
+    look::setText(m_outcome, outcome());
+    look::setText(
+        m_ramp, m_mode->profiled()
+                    ? texts::ramp(stepperdefaults::speedMode(m_context.state().stepper, m_context.settings()),
+                                  stepperdefaults::accelerationTime(m_context.settings()), m_speed->scale())
+                    : tr("No ramp."));
+    look::setText(m_forecast, forecast());
+    refreshCommands();
+    offerNearest();
+    QString hint = m_mode->hasGoal() ? m_goal->problemText() : QString();
+    if (hint.isEmpty())
+        hint = m_speed->problemText();
+    if (hint.isEmpty() && m_context.connected())
+        hint = nearest() ? reasonFor(false) : m_context.reasonFor(Request::Run);
+    look::setText(m_hint, hint);
+}
+
+}  // namespace nmc

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/stepperpanel.h"
+
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "widgets/common/look.h"
+#include "widgets/panels/axisbox.h"
+#include "widgets/panels/expertbox.h"
+#include "widgets/panels/homingbox.h"
+#include "widgets/panels/panelhead.h"
+#include "widgets/panels/stepbybox.h"
+#include "widgets/panels/stepperdetailsbox.h"
+#include "widgets/panels/stepperiobox.h"
+#include "widgets/panels/steppermotionbox.h"
+#include "widgets/panels/stepperparametersbox.h"
+#include "widgets/panels/travelbox.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+StepperPanel::StepperPanel(const PanelView& view, QWidget* parent) : ModulePage(view, parent) {
+    look::name(this, u"stepperPanel"_s, tr("Stepper module"));
+    auto* head = new PanelHead(m_context, this);
+    auto* motion = new QVBoxLayout;
+    auto* moves = new StepperMotionBox(m_context, this);
+    motion->addWidget(moves);
+    motion->addWidget(new StepByBox(m_context, *moves, this));
+    motion->addStretch(1);
+    auto* pages = new QTabWidget(this);
+    look::name(pages, u"stepperPages"_s, tr("Pages of the module"));
+    pages->addTab(new StepperParametersBox(m_context, this), tr("Parameters"));
+    pages->addTab(new StepperIoBox(m_context, this), tr("I/O"));
+    pages->addTab(new HomingBox(m_context, this), tr("Homing"));
+    auto* axis = new AxisBox(m_context, this);
+    axis->addBelow(new TravelBox(m_context, axis));
+    pages->addTab(axis, tr("Axis"));
+    pages->addTab(new StepperDetailsBox(m_context, this), tr("Details"));
+    pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
+    layOut(head, motion, pages);
+}
+
+}  // namespace nmc

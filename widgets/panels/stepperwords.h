@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "model/module/stepperspeed.h"
+#include "model/settings/machine.h"
+
+/// What a PIC-STEP makes of the numbers that the user typed, in words.
+namespace nmc::texts {
+
+/// "1x: 25 to 6 250 steps/s"
+[[nodiscard]] QString speedMode(stepper::SpeedMode mode);
+/// "Runs at 1 200 steps/s (2.4 mm/s): speed 48 of 250."
+[[nodiscard]] QString profiledSpeed(const StepperSpeed& mode, int speed, int minimum, const AxisScale& scale);
+/// "Runs at 1 199.6 steps/s: timer count 65 017."
+[[nodiscard]] QString timedSpeed(const StepperSpeed& mode, stepper::TimerCount timer, const AxisScale& scale);
+/// "2 500 steps/s²", and the user's unit behind it where that is another.
+[[nodiscard]] QString acceleration(const StepperSpeed& mode, int accelerationTime, const AxisScale& scale);
+/// "Ramp of 2 500 steps/s²."
+[[nodiscard]] QString ramp(const StepperSpeed& mode, int accelerationTime, const AxisScale& scale);
+/// "Takes 2.35 s, fastest 1 200 steps/s."
+[[nodiscard]] QString forecast(const StepperForecast& forecast, const AxisScale& scale);
+/// "1 200 steps/s", and the user's unit behind it where that is another.
+[[nodiscard]] QString stepsPerSecond(double speed, const AxisScale& scale);
+
+}  // namespace nmc::texts
