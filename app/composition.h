@@ -112,11 +112,12 @@ private:
     /// Gives the module the bus while it is watched.
     void focusOn(const ProcedureReport& report);
     /// Gives the window the run when it is over.
-    void followStepResponse(const ProcedureReport& report);
-    void keepRun(const ModuleState& module, const StepTaken& taken);
+    void followResponse(const ProcedureReport& report);
+    void keepRun(const ModuleState& module, const ResponseTaken& taken);
     /// Gives the window each edge when the next one begins.
     void followSquareWave(const ProcedureReport& report);
-    [[nodiscard]] std::optional<KeptRun> recordOf(const ModuleState& module, const StepTaken& taken) const;
+    [[nodiscard]] std::optional<KeptResponse> recordOf(const ModuleState& module,
+                                                       const ResponseTaken& taken) const;
     void act(const Message& message, MessageAction action);
     /// What other sessions have left, and is over.
     void endLeft(const QStringList& files);
@@ -202,7 +203,7 @@ private:
     std::vector<bus::StopOutputs> m_stopOutputs;    ///< as the worker was told last
     std::vector<ModuleIndex> m_watched;             ///< what the worker polls most: panel and scope show it
     std::optional<QString> m_troublePort;           ///< where motors' states became unknown
-    std::map<ModuleIndex, StepTaken> m_edges;       ///< of the square waves that run, the last of each
+    std::map<ModuleIndex, ResponseTaken> m_edges;   ///< of the square waves that run, the last of each
     std::map<ModuleIndex, TimePoint> m_axisToldAt;  ///< the last time that watchAxes() told it something
     bool m_quitWhenClosed = false;
     bool m_scanWhenIdle = false;  ///< as soon as no procedure and no sequence runs any more

@@ -10,7 +10,7 @@
 #include "model/intent/travel.h"
 #include "model/module/modulescale.h"
 #include "model/procedure/procedures.h"
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/looptests/frequencypage.h"
@@ -157,7 +157,7 @@ void Composition::focusOn(const ProcedureReport& report) {
     m_worker.focus(report.over() || othersMove ? std::nullopt : std::optional(report.module));
 }
 
-void Composition::followStepResponse(const ProcedureReport& report) {
+void Composition::followResponse(const ProcedureReport& report) {
     // One that does not come to rest afterwards has a whole record all the same.
     const bool whole = report.stage == ProcedureStage::Done || report.failure == ProcedureFailure::NotStill;
     const ModuleState* module = m_store.module(report.module);
@@ -181,12 +181,13 @@ void Composition::followSquareWave(const ProcedureReport& report) {
     }
 }
 
-void Composition::keepRun(const ModuleState& module, const StepTaken& taken) {
+void Composition::keepRun(const ModuleState& module, const ResponseTaken& taken) {
     if (auto run = recordOf(module, taken))
-        m_window.showStepRun(*run);
+        m_window.showResponse(*run);
 }
 
-std::optional<KeptRun> Composition::recordOf(const ModuleState& module, const StepTaken& taken) const {
+std::optional<KeptResponse> Composition::recordOf(const ModuleState& module,
+                                                  const ResponseTaken& taken) const {
     const ModuleIndex index = module.info.index;
     const ModuleHistory* history = m_store.history().module(index);
     if (history == nullptr)
@@ -194,7 +195,7 @@ std::optional<KeptRun> Composition::recordOf(const ModuleState& module, const St
     const auto samples = history->samples(taken.at - kBeforeStep, taken.at + fromSeconds(taken.record));
     const auto ago = std::chrono::duration_cast<std::chrono::milliseconds>(monotonicNow() - taken.at);
     const QDateTime started = QDateTime::currentDateTime().addMSecs(-ago.count());
-    KeptRun kept;
+    KeptResponse kept;
     kept.run = takeRun(index, samples, taken, kFirstBand);
     kept.startedAt = isoDate(started).toStdString();
     kept.moduleName = texts::moduleName(index).toStdString();
@@ -210,7 +211,7 @@ void Composition::showProcedure(const ProcedureReport& report) {
     if (isTest(report.kind))
         focusOn(report);
     if (report.kind == ProcedureKind::StepResponse)
-        followStepResponse(report);
+        followResponse(report);
     if (report.kind == ProcedureKind::SquareWave)
         followSquareWave(report);
     if (report.kind == ProcedureKind::FrequencyResponse && !report.frequencies.empty())

@@ -5,7 +5,7 @@
 
 #include "widgets/common/printtexts.h"
 #include "widgets/mainwindow/mainwindow.h"
-#include "widgets/response/stepresponsedock.h"
+#include "widgets/response/responsedock.h"
 #include "widgets/scope/scopefiles.h"
 
 namespace nmc {
@@ -18,7 +18,7 @@ const QString kCommand = u"lp"_s;  // POSIX; a part of CUPS
 
 Printing::Printing(MainWindow& window, QObject* parent) : QObject(parent), m_window(window) {
     connect(&window.scopeFiles(), &ScopeFiles::printRequested, this, &Printing::print);
-    connect(&window.stepResponses(), &StepResponseDock::printRequested, this, &Printing::print);
+    connect(&window.stepResponses(), &ResponseDock::printRequested, this, &Printing::print);
 }
 
 void Printing::print(const QByteArray& pdf) {

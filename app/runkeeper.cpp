@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "widgets/common/texts.h"
-#include "widgets/response/stepresponsedock.h"
+#include "widgets/response/responsedock.h"
 
 namespace nmc {
 
@@ -16,15 +16,15 @@ namespace {
 const QString kSuffix = QLatin1Char('.') + QLatin1String(kRunFileSuffix.data(), kRunFileSuffix.size());
 
 /// In another thread, as all below.
-[[nodiscard]] std::vector<KeptRun> runsIn(const QString& path) {
+[[nodiscard]] std::vector<KeptResponse> runsIn(const QString& path) {
     const auto text = readFile(path, kMaxRunFile);
-    auto runs = text ? readStepRuns(*text) : tl::unexpected(FileProblem{});
-    return runs ? std::move(*runs) : std::vector<KeptRun>{};
+    auto runs = text ? readResponses(*text) : tl::unexpected(FileProblem{});
+    return runs ? std::move(*runs) : std::vector<KeptResponse>{};
 }
 
 [[nodiscard]] bool mayBeReplaced(const QString& path) {
     const auto text = readFile(path, kMaxRunFile);
-    return text ? readStepRuns(*text).has_value() : text.error().trouble == FileTrouble::NotThere;
+    return text ? readResponses(*text).has_value() : text.error().trouble == FileTrouble::NotThere;
 }
 
 [[nodiscard]] bool setAside(const QString& path) {
@@ -44,7 +44,7 @@ FileWriter::Disk sparing(FileWriter::Disk disk) {
 }
 
 /// An axis that has the name that it had then, whatever is before it in the chain by now.
-[[nodiscard]] ModuleIndex moduleOf(const KeptRun& run, const Machine& machine) {
+[[nodiscard]] ModuleIndex moduleOf(const KeptResponse& run, const Machine& machine) {
     const auto isIt = [&run](const AxisSettings& axis) { return axis.name == run.axisName; };
     if (run.axisName.empty() || std::count_if(machine.axes.begin(), machine.axes.end(), isIt) != 1)
         return run.run.module;
@@ -56,7 +56,7 @@ FileWriter::Disk sparing(FileWriter::Disk disk) {
 
 RunKeeper::RunKeeper(QString folder, MainWindow& window, FileWriter::Disk disk, QObject* parent)
     : QObject(parent), m_folder(std::move(folder)), m_window(window), m_files(sparing(std::move(disk))) {
-    connect(&window.stepResponses(), &StepResponseDock::runsChanged, this, &RunKeeper::keep);
+    connect(&window.stepResponses(), &ResponseDock::runsChanged, this, &RunKeeper::keep);
     connect(&m_loading, &BackgroundJob::ended, this, &RunKeeper::loaded);
 }
 
@@ -77,7 +77,7 @@ void RunKeeper::open(const QString& file, const Machine& machine) {
         if (!text) {
             if (text.error().trouble != FileTrouble::NotThere)
                 into->error = text.error();
-        } else if (auto runs = readStepRuns(*text)) {
+        } else if (auto runs = readResponses(*text)) {
             into->runs = std::move(*runs);
         } else {
             into->problem = runs.error();
@@ -92,8 +92,8 @@ void RunKeeper::loaded() {
         m_window.showMessage(texts::runsNotRead(*m_reading->error));
     else
         m_window.endMessage(texts::key::runs());
-    std::vector<KeptRun> runs = std::exchange(m_reading->runs, {});
-    for (KeptRun& run : runs) {
+    std::vector<KeptResponse> runs = std::exchange(m_reading->runs, {});
+    for (KeptResponse& run : runs) {
         m_known.insert(idOf(run));
         run.run.module = moduleOf(run, m_reading->machine);
     }
@@ -108,21 +108,21 @@ void RunKeeper::follow(const QString& file) {
     keep();
     // Those of the data folder are of a machine without a file: not of this one any more.
     if (before == pathFor({}))
-        m_files.write(before,
-                      [before, gone = m_known] { return writeStepRuns(together({}, runsIn(before), gone)); });
+        m_files.write(
+            before, [before, gone = m_known] { return writeResponses(together({}, runsIn(before), gone)); });
 }
 
 void RunKeeper::keep() {
-    std::vector<KeptRun> runs = m_window.stepResponses().runs();
+    std::vector<KeptResponse> runs = m_window.stepResponses().runs();
     std::set<std::string> gone = m_known;
-    for (const KeptRun& run : runs) {
+    for (const KeptResponse& run : runs) {
         m_known.insert(idOf(run));
         gone.erase(idOf(run));
     }
     m_files.write(
         m_path,
         [path = m_path, runs = std::move(runs), gone] {
-            return writeStepRuns(together(runs, runsIn(path), gone));
+            return writeResponses(together(runs, runsIn(path), gone));
         },
         [this](const FileWriter::Result& result) { told(result); });
 }

@@ -10,7 +10,7 @@
 
 #include "link/files/backgroundjob.h"
 #include "link/files/filewriter.h"
-#include "model/machinefile/steprunstore.h"
+#include "model/machinefile/responsestore.h"
 #include "model/settings/machine.h"
 #include "widgets/mainwindow/mainwindow.h"
 
@@ -36,7 +36,7 @@ private:
     struct Reading {
         QString path;
         Machine machine;
-        std::vector<KeptRun> runs;
+        std::vector<KeptResponse> runs;
         std::optional<FileError> error;
         std::optional<FileProblem> problem;
     };

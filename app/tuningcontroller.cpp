@@ -3,19 +3,19 @@
 
 #include <utility>
 
-#include "widgets/response/stepresponsedock.h"
+#include "widgets/response/responsedock.h"
 
 namespace nmc {
 
-TuningController::TuningController(StepResponseDock& dock, QObject* parent) : QObject(parent), m_dock(dock) {
-    connect(&m_dock, &StepResponseDock::identifyWanted, this, &TuningController::identify);
-    connect(&m_dock, &StepResponseDock::suggestionWanted, this, &TuningController::suggest);
+TuningController::TuningController(ResponseDock& dock, QObject* parent) : QObject(parent), m_dock(dock) {
+    connect(&m_dock, &ResponseDock::identifyWanted, this, &TuningController::identify);
+    connect(&m_dock, &ResponseDock::suggestionWanted, this, &TuningController::suggest);
     connect(&m_searching, &BackgroundJob::ended, this,
             [this] { m_dock.showMotor(m_search->module, m_search->found); });
     connect(&m_advising, &BackgroundJob::ended, this, &TuningController::suggested);
 }
 
-void TuningController::identify(ModuleIndex module, const std::vector<StepRun>& runs) {
+void TuningController::identify(ModuleIndex module, const std::vector<ResponseRecord>& runs) {
     m_searching.cancel();  // it was of modules that are gone
     m_search = std::make_shared<Search>(Search{module, runs});
     m_searching.start([search = m_search](const BackgroundJob::Cancelled&) {

@@ -11,7 +11,7 @@
 
 namespace nmc {
 
-class StepResponseDock;
+class ResponseDock;
 
 /// Finds motors and suggests gains beside the GUI thread: the one takes some tenths of a second, the other
 /// some hundredths with every move of a slider. GUI thread.
@@ -19,12 +19,12 @@ class TuningController : public QObject {
     Q_OBJECT
 
 public:
-    explicit TuningController(StepResponseDock& dock, QObject* parent = nullptr);
+    explicit TuningController(ResponseDock& dock, QObject* parent = nullptr);
 
 private:
     struct Search {
         ModuleIndex module;
-        std::vector<StepRun> runs;
+        std::vector<ResponseRecord> runs;
         FoundMotor found = tl::unexpected(IdentifyFailure::TooFewSamples);
     };
     struct Advice {
@@ -32,11 +32,11 @@ private:
         Suggestion suggestion;
     };
 
-    void identify(ModuleIndex module, const std::vector<StepRun>& runs);
+    void identify(ModuleIndex module, const std::vector<ResponseRecord>& runs);
     void suggest(const SuggestionTask& task);
     void suggested();
 
-    StepResponseDock& m_dock;
+    ResponseDock& m_dock;
     BackgroundJob m_searching;
     BackgroundJob m_advising;
     std::shared_ptr<Search> m_search;

@@ -893,7 +893,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
-    <name>StepTexts</name>
+    <name>ResponseTexts</name>
     <message>
         <source>too few samples</source>
         <translation>zu wenige Messwerte</translation>
@@ -11530,7 +11530,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepForm</name>
+    <name>nmc::ResponseForm</name>
     <message>
         <source>Settings of the next step</source>
         <translation>Wie der nächste Sprung gemacht wird</translation>
@@ -12139,7 +12139,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepPlot</name>
+    <name>nmc::ResponsePlot</name>
     <message>
         <source>Step responses over time</source>
         <translation>Sprungantworten über der Zeit</translation>
@@ -12249,7 +12249,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepResponsePage</name>
+    <name>nmc::ResponsePage</name>
     <message>
         <source>Step response</source>
         <translation>Sprungantwort</translation>
@@ -12340,7 +12340,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepResults</name>
+    <name>nmc::ResponseResults</name>
     <message>
         <source>Results of the runs shown</source>
         <translation>Was die gezeigten Läufe ergeben</translation>
@@ -12419,7 +12419,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepRunTable</name>
+    <name>nmc::ResponseTable</name>
     <message>
         <source>Step responses so far</source>
         <translation>Bisherige Sprungantworten</translation>
@@ -12494,7 +12494,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepView</name>
+    <name>nmc::ResponseView</name>
     <message>
         <source>Cursor readings</source>
         <translation>Was die Cursor anzeigen</translation>

@@ -893,7 +893,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
 </context>
 <context>
-    <name>StepTexts</name>
+    <name>ResponseTexts</name>
     <message>
         <source>too few samples</source>
         <translation>muy pocas muestras</translation>
@@ -11530,7 +11530,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepForm</name>
+    <name>nmc::ResponseForm</name>
     <message>
         <source>Settings of the next step</source>
         <translation>Ajustes del próximo escalón</translation>
@@ -12139,7 +12139,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepPlot</name>
+    <name>nmc::ResponsePlot</name>
     <message>
         <source>Step responses over time</source>
         <translation>Respuestas al escalón en el tiempo</translation>
@@ -12249,7 +12249,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepResponsePage</name>
+    <name>nmc::ResponsePage</name>
     <message>
         <source>Step response</source>
         <translation>Respuesta al escalón</translation>
@@ -12340,7 +12340,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepResults</name>
+    <name>nmc::ResponseResults</name>
     <message>
         <source>Results of the runs shown</source>
         <translation>Resultados de los ensayos mostrados</translation>
@@ -12419,7 +12419,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepRunTable</name>
+    <name>nmc::ResponseTable</name>
     <message>
         <source>Step responses so far</source>
         <translation>Respuestas al escalón hasta ahora</translation>
@@ -12494,7 +12494,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepView</name>
+    <name>nmc::ResponseView</name>
     <message>
         <source>Cursor readings</source>
         <translation>Lecturas de los cursores</translation>

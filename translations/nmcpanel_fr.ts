@@ -893,7 +893,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
 </context>
 <context>
-    <name>StepTexts</name>
+    <name>ResponseTexts</name>
     <message>
         <source>too few samples</source>
         <translation>trop peu d’échantillons</translation>
@@ -11530,7 +11530,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepForm</name>
+    <name>nmc::ResponseForm</name>
     <message>
         <source>Settings of the next step</source>
         <translation>Réglages du prochain échelon</translation>
@@ -12139,7 +12139,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepPlot</name>
+    <name>nmc::ResponsePlot</name>
     <message>
         <source>Step responses over time</source>
         <translation>Réponses indicielles dans le temps</translation>
@@ -12249,7 +12249,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepResponsePage</name>
+    <name>nmc::ResponsePage</name>
     <message>
         <source>Step response</source>
         <translation>Réponse indicielle</translation>
@@ -12340,7 +12340,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepResults</name>
+    <name>nmc::ResponseResults</name>
     <message>
         <source>Results of the runs shown</source>
         <translation>Résultats des relevés affichés</translation>
@@ -12419,7 +12419,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepRunTable</name>
+    <name>nmc::ResponseTable</name>
     <message>
         <source>Step responses so far</source>
         <translation>Réponses indicielles jusqu’ici</translation>
@@ -12494,7 +12494,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepView</name>
+    <name>nmc::ResponseView</name>
     <message>
         <source>Cursor readings</source>
         <translation>Mesures des curseurs</translation>

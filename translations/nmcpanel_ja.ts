@@ -892,7 +892,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
 </context>
 <context>
-    <name>StepTexts</name>
+    <name>ResponseTexts</name>
     <message>
         <source>too few samples</source>
         <translation>サンプル不足</translation>
@@ -11516,7 +11516,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepForm</name>
+    <name>nmc::ResponseForm</name>
     <message>
         <source>Settings of the next step</source>
         <translation>次のステップの設定</translation>
@@ -12125,7 +12125,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepPlot</name>
+    <name>nmc::ResponsePlot</name>
     <message>
         <source>Step responses over time</source>
         <translation>ステップ応答の推移</translation>
@@ -12235,7 +12235,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepResponsePage</name>
+    <name>nmc::ResponsePage</name>
     <message>
         <source>Step response</source>
         <translation>ステップ応答</translation>
@@ -12326,7 +12326,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepResults</name>
+    <name>nmc::ResponseResults</name>
     <message>
         <source>Results of the runs shown</source>
         <translation>表示中の運転の結果</translation>
@@ -12405,7 +12405,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepRunTable</name>
+    <name>nmc::ResponseTable</name>
     <message>
         <source>Step responses so far</source>
         <translation>これまでのステップ応答</translation>
@@ -12480,7 +12480,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepView</name>
+    <name>nmc::ResponseView</name>
     <message>
         <source>Cursor readings</source>
         <translation>カーソル値</translation>

@@ -76,7 +76,7 @@ TEST_F(TestsOfTheLoop, ASquareWaveTakesNewGainsAndItsFoldIsKept) {
     EXPECT_NEAR(position(), 0, 5);
     EXPECT_TRUE(panel.module().servoOn());
     ASSERT_NO_FATAL_FAILURE(panel.click("squareWaveKeepButton"));
-    EXPECT_EQ(panel.window().findChild<QTableWidget*>(u"stepRunTable"_s)->rowCount(), 1);
+    EXPECT_EQ(panel.window().findChild<QTableWidget*>(u"responseRunTable"_s)->rowCount(), 1);
     EXPECT_EQ(sim.violations(), "");
 }
 

@@ -106,17 +106,17 @@ public:
     /// reads "samples missing, repeat" where a busy machine was late.
     template <typename Start>
     void step(Start start) {
-        auto* runs = window().findChild<QTableWidget*>(QStringLiteral("stepRunTable"));
+        auto* runs = window().findChild<QTableWidget*>(QStringLiteral("responseRunTable"));
         for (int tries = 0; tries < 10; ++tries) {
             const int before = runs->rowCount();
             ASSERT_NO_FATAL_FAILURE(start());
             ASSERT_TRUE(waitFor([&] { return runs->rowCount() > before; }))
-                << window().findChild<QLabel*>(QStringLiteral("stepResponseState"))->text().toStdString();
-            const auto* results = window().findChild<QTableWidget*>(QStringLiteral("stepResults"));
+                << window().findChild<QLabel*>(QStringLiteral("responseState"))->text().toStdString();
+            const auto* results = window().findChild<QTableWidget*>(QStringLiteral("responseResults"));
             if (results->findItems(QStringLiteral("samples missing, repeat"), Qt::MatchExactly).empty())
                 return;
             runs->setCurrentCell(0, 2);
-            ASSERT_NO_FATAL_FAILURE(click("stepRemoveButton"));
+            ASSERT_NO_FATAL_FAILURE(click("responseRemoveButton"));
         }
         FAIL() << "ten steps, and none without missing samples";
     }

@@ -55,10 +55,11 @@ TEST_F(PrintingProgram, ThePrinterGetsThePage) {
 TEST_F(PrintingProgram, AStepPlotIsPrintedAsWell) {
     const QString page = directory.filePath(QStringLiteral("page.pdf"));
     install("cat > " + page.toLocal8Bit());
-    panel.window().findChild<QAction*>(QStringLiteral("stepResponseDockAction"))->trigger();
-    ASSERT_TRUE(panel.waitFor(
-        [&] { return panel.window().findChild<QAction*>(QStringLiteral("stepPrintAction")) != nullptr; }));
-    panel.window().findChild<QAction*>(QStringLiteral("stepPrintAction"))->trigger();
+    panel.window().findChild<QAction*>(QStringLiteral("responseDockAction"))->trigger();
+    ASSERT_TRUE(panel.waitFor([&] {
+        return panel.window().findChild<QAction*>(QStringLiteral("responsePrintAction")) != nullptr;
+    }));
+    panel.window().findChild<QAction*>(QStringLiteral("responsePrintAction"))->trigger();
     ASSERT_TRUE(told("The page was sent to the printer."));
     QFile file(page);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));

@@ -8,10 +8,10 @@
 #include <QTableWidget>
 
 #include "model/machinefile/machinefile.h"
-#include "model/machinefile/steprunstore.h"
+#include "model/machinefile/responsestore.h"
 #include "tests/app/panel.h"
 #include "tests/support/choosefile.h"
-#include "widgets/response/stepresponsedock.h"
+#include "widgets/response/responsedock.h"
 
 namespace nmc {
 namespace {
@@ -24,30 +24,30 @@ class RunsKept : public testing::Test {
 protected:
     [[nodiscard]] QString file(const QString& name) const { return folder.filePath(name); }
     [[nodiscard]] QString withoutMachine() const { return file(u"runs/no-machine-file.runs"_s); }
-    [[nodiscard]] static std::vector<KeptRun> runsIn(const QString& path) {
+    [[nodiscard]] static std::vector<KeptResponse> runsIn(const QString& path) {
         const auto text = readFile(path, kMaxRunFile);
-        const auto runs = readStepRuns(text.value_or(""));
-        return runs.value_or(std::vector<KeptRun>{});
+        const auto runs = readResponses(text.value_or(""));
+        return runs.value_or(std::vector<KeptResponse>{});
     }
     /// As a step of module 2 would leave it.
     static void makeRun(IntentPanel& panel, int milliseconds) {
-        KeptRun kept;
+        KeptResponse kept;
         kept.run.module = ModuleIndex(1);
-        kept.run.taken = {TimePoint{}, 0, 100, 0.1, StepWay::Profile, servo::SetGain{}};
+        kept.run.taken = {TimePoint{}, 0, 100, 0.1, ResponseMethod::Profile, servo::SetGain{}};
         for (int ms = 1; ms < 100; ++ms)
             kept.run.points.push_back({ms / 1e3, ms < 10 ? 10.0 * ms : 100.0});
         kept.startedAt = "2026-11-21T21:21:02." + std::to_string(milliseconds) + "+01:00";
         kept.moduleName = "Module 2";
         kept.axisName = panel.composition().machine().axis(ModuleIndex(1)).name;
         kept.port = "simulator";
-        panel.window().showStepRun(kept);
+        panel.window().showResponse(kept);
     }
     [[nodiscard]] static std::size_t listed(IntentPanel& panel) {
         return panel.window().stepResponses().runs().size();
     }
     static void name(IntentPanel& panel, int row, const QString& words) {
         panel.window().stepResponses().open();
-        auto* table = panel.window().findChild<QTableWidget*>(u"stepRunTable"_s);
+        auto* table = panel.window().findChild<QTableWidget*>(u"responseRunTable"_s);
         table->setFocus();
         table->setCurrentCell(row, 3);
         QTest::keyClick(table, Qt::Key_F2);
@@ -97,7 +97,7 @@ TEST_F(RunsKept, WithTheirNamesUntilTheNextSession) {
         panel.ask(intent::StopHere{});
         ASSERT_TRUE(panel.answersFor(0.2));
         panel.window().stepResponses().open();
-        panel.click("stepResponseButton");
+        panel.click("responseButton");
         ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 1; }));
         name(panel, 0, u"first light"_s);
         ASSERT_TRUE(panel.waitFor([&] {
@@ -109,14 +109,14 @@ TEST_F(RunsKept, WithTheirNamesUntilTheNextSession) {
     panel.start();
     ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 1; }));
     panel.window().stepResponses().open();
-    auto* table = panel.window().findChild<QTableWidget*>(u"stepRunTable"_s);
+    auto* table = panel.window().findChild<QTableWidget*>(u"responseRunTable"_s);
     ASSERT_EQ(table->rowCount(), 1);
     EXPECT_EQ(table->item(0, 3)->text(), u"first light"_s);
     EXPECT_EQ(table->item(0, 6)->text(), u"200"_s) << "Kp";
     EXPECT_TRUE(table->item(0, 10)->text().contains(u"ms"_s)) << "its settling";
     EXPECT_EQ(panel.count(notRead), 0);
     table->setCurrentCell(0, 2);
-    panel.click("stepRemoveButton");
+    panel.click("responseRemoveButton");
     EXPECT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).empty(); }));
 }
 
@@ -143,10 +143,10 @@ TEST_F(RunsKept, BesideTheMachineFile) {
         ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 2; }));
     }
     // Named, it is found again wherever it is in the chain by then.
-    std::vector<KeptRun> moved = runsIn(file(u"mill.runs"_s));
+    std::vector<KeptResponse> moved = runsIn(file(u"mill.runs"_s));
     moved[0].axisName = "X axis";
     moved[1].axisName = "Y axis";
-    ASSERT_TRUE(writeFile(file(u"lathe.runs"_s), writeStepRuns(moved)));
+    ASSERT_TRUE(writeFile(file(u"lathe.runs"_s), writeResponses(moved)));
     IntentPanel panel({}, {}, folder.path());
     ASSERT_NO_FATAL_FAILURE(startWith(panel, u"lathe.json"_s));
     ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 2; }));

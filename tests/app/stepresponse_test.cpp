@@ -9,8 +9,8 @@
 #include <QTableWidget>
 
 #include "tests/app/panel.h"
-#include "widgets/response/stepplot.h"
-#include "widgets/response/stepresponsepage.h"
+#include "widgets/response/responsepage.h"
+#include "widgets/response/responseplot.h"
 
 namespace nmc {
 namespace {
@@ -29,8 +29,8 @@ protected:
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
         click("openStepResponseButton");
-        ASSERT_TRUE(panel.waitFor([&] { return find<QWidget>("stepResponsePage")->isVisible(); }));
-        click("stepResponseHoldButton");
+        ASSERT_TRUE(panel.waitFor([&] { return find<QWidget>("responsePage")->isVisible(); }));
+        click("responseHoldButton");
     }
     void applyGains(std::uint16_t kp, std::uint16_t kd) {
         const servo::SetGain gains{kp, kd, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
@@ -56,25 +56,25 @@ protected:
         edit->selectAll();
         QTest::keyClicks(edit, words);
     }
-    [[nodiscard]] const std::vector<KeptRun>& runs() {
-        return find<StepResponsePage>("stepResponsePage")->runs();
+    [[nodiscard]] const std::vector<KeptResponse>& runs() {
+        return find<ResponsePage>("responsePage")->runs();
     }
     void step() {
         panel.step([this] {
-            click("stepResponseButton");
-            EXPECT_FALSE(find<QAbstractButton>("stepResponseButton")->isEnabled()) << "one at a time";
+            click("responseButton");
+            EXPECT_FALSE(find<QAbstractButton>("responseButton")->isEnabled()) << "one at a time";
             goal += 100;
         });
     }
     /// How many of one module were taken while that step was recorded.
-    [[nodiscard]] std::size_t statusesOf(std::uint8_t module, const StepTaken& step) {
+    [[nodiscard]] std::size_t statusesOf(std::uint8_t module, const ResponseTaken& step) {
         const ModuleHistory* history = panel.composition().store().history().module(ModuleIndex(module));
         return history == nullptr ? 0
                                   : history->countBetween(step.at, step.at + fromSeconds(step.record),
                                                           ScopeSignal::Position);
     }
     QString result(int row, int column) {
-        return find<QTableWidget>("stepResults")->item(row, column)->text();
+        return find<QTableWidget>("responseResults")->item(row, column)->text();
     }
 
     NmcsimProcess sim{u"servo,servo,servo"_s};
@@ -87,7 +87,7 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
     ASSERT_NO_FATAL_FAILURE(step());
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), goal, 3);
     EXPECT_TRUE(sim.state(1)[u"servo_on"_s].toBool()) << "it holds there";
-    const KeptRun& first = runs().front();
+    const KeptResponse& first = runs().front();
     EXPECT_TRUE(first.run.metrics.rise);
     EXPECT_TRUE(first.run.metrics.settling);
     ASSERT_TRUE(first.run.metrics.steadyError);
@@ -109,11 +109,11 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
     ASSERT_TRUE(runs()[1].run.metrics.overshoot);
     EXPECT_GT(runs()[1].run.metrics.overshoot->value, runs()[0].run.metrics.overshoot->value + 5)
         << "with a third of the damping";
-    EXPECT_TRUE(find<StepPlot>("stepPlot")->legendText(1).startsWith(u"B: run "_s + firstNumber));
+    EXPECT_TRUE(find<ResponsePlot>("responsePlot")->legendText(1).startsWith(u"B: run "_s + firstNumber));
 
-    auto* table = find<QTableWidget>("stepRunTable");
+    auto* table = find<QTableWidget>("responseRunTable");
     table->setCurrentCell(1, 2);
-    click("stepUseGainsButton");
+    click("responseUseGainsButton");
     EXPECT_EQ(find<QLineEdit>("kdField")->text(), u"2000"_s);
     EXPECT_EQ(find<QLabel>("kdState")->text(), u"● not sent"_s);
     ASSERT_TRUE(panel.answersFor(0.3));
@@ -123,12 +123,12 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
 
 TEST_F(StepResponsePlace, AStopEndsItWithoutARun) {
     ASSERT_NO_FATAL_FAILURE(begin());
-    type("stepResponseRecordField", u"3"_s);
-    click("stepResponseButton");
+    type("responseRecordField", u"3"_s);
+    click("responseButton");
     ASSERT_TRUE(panel.waitFor([&] { return sim.state(1)[u"position"_s].toInt() > 80; }));
     click("stopAllButton");
-    ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>("stepResponseButton")->isEnabled(); }))
-        << find<QAbstractButton>("stepResponseButton")->toolTip().toStdString();
+    ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>("responseButton")->isEnabled(); }))
+        << find<QAbstractButton>("responseButton")->toolTip().toStdString();
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_TRUE(runs().empty());
     EXPECT_FALSE(testing_support::moves(sim));
@@ -138,7 +138,7 @@ TEST_F(StepResponsePlace, AStopEndsItWithoutARun) {
 TEST_F(StepResponsePlace, AServoThatSwingsUpIsStoppedAndSaidSo) {
     ASSERT_NO_FATAL_FAILURE(begin());
     applyGains(3'000, 0);
-    click("stepResponseButton");
+    click("responseButton");
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"Module 1"_s) > 0 && !panel.module().servoOn(); }));
     EXPECT_EQ(panel.count(u"was switched off and is free to turn: it kept oscillating"_s) +
                   panel.count(u"did not complete its step: its motor switched itself off"_s),

@@ -42,7 +42,7 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && panel.module().goal(); }));
     }
     void step() {
-        panel.step([this] { panel.click("stepResponseButton"); });
+        panel.step([this] { panel.click("responseButton"); });
     }
     /// The numbers behind a word of the model: what was found, and its standard deviation.
     [[nodiscard]] std::pair<double, double> found(const QString& word) {
@@ -88,12 +88,12 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
     EXPECT_EQ(panel.module().gains->kp, 100) << "nothing is sent";
     clicks += 2;
     ASSERT_NO_FATAL_FAILURE(panel.step([this, sent = false]() mutable {
-        panel.click("stepResponseButton");
+        panel.click("responseButton");
         if (!std::exchange(sent, true))
             panel.click("applyAndStepButton");
     }));
     EXPECT_LE(clicks, 8);
-    const auto* table = panel.window().findChild<QTableWidget*>(u"stepResults"_s);
+    const auto* table = panel.window().findChild<QTableWidget*>(u"responseResults"_s);
     EXPECT_TRUE(table->item(3, 0)->text().contains(u"ms"_s)) << table->item(3, 0)->text().toStdString();
     EXPECT_TRUE(panel.module().servoOn());
     EXPECT_EQ(sim.violations(), "");

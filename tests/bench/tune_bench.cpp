@@ -51,7 +51,7 @@ void printShares(const char* what, std::vector<double> values, const char* unit)
                                                std::int32_t step, std::uint64_t seed) {
     TunedServo servo(motor, gains, seed);
     servo.wait(0.3);
-    const StepRun run = servo.step(step, kRecord);
+    const ResponseRecord run = servo.step(step, kRecord);
     if (!run.metrics.settling)
         return std::nullopt;
     return run.metrics.settling->value;
@@ -106,7 +106,7 @@ int main(int argc, char** argv) {
         const sim::MotorParameters motor = unknownMotor(random);
         const std::uint64_t seed = random.next();
         const MotorConstants truth = physics(motor);
-        const std::vector<StepRun> runs = stepsOf(motor, seed);
+        const std::vector<ResponseRecord> runs = stepsOf(motor, seed);
         double began = processorSeconds();
         const auto found = identify(runs);
         identifySeconds.push_back(processorSeconds() - began);
@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
         stable.count(calm);
         TunedServo servo(motor, *gains, seed);
         servo.wait(0.3);
-        const StepRun run = servo.step(step, kRecord);
+        const ResponseRecord run = servo.step(step, kRecord);
         const Prediction predicted = predict(model.constants(), *gains, 0, step, kRecord, kFirstBand);
         const double off = run.metrics.overshoot->value - predicted.run.metrics.overshoot->value;
         overshoot.count(std::abs(off) <= 5);

@@ -91,8 +91,9 @@ TEST(Travel, MovesBeyondAreRefusedBeforeTheyAreSent) {
     module.apply(
         bus::CommandExecuted{module.info.index, module.latestTime,
                              ServoCommand(servo::StopMotor{true, servo::StopManner::Here, Counts(1'000)})});
-    EXPECT_EQ(plan(intent::StepResponse{501, StepWay::Profile, 0.1}, module).error(), Refusal::BeyondTravel);
-    EXPECT_TRUE(plan(intent::StepResponse{500, StepWay::Profile, 0.1}, module).has_value());
+    EXPECT_EQ(plan(intent::StepResponse{501, ResponseMethod::Profile, 0.1}, module).error(),
+              Refusal::BeyondTravel);
+    EXPECT_TRUE(plan(intent::StepResponse{500, ResponseMethod::Profile, 0.1}, module).has_value());
 }
 
 TEST(Travel, GoHomeIsRefusedWhereHomeIsOutside) {

@@ -35,7 +35,7 @@ const QStringList& starters() {
         u"stepperForwardButton"_s, u"stepperReverseButton"_s, u"homeButton"_s, u"pwmForwardButton"_s,
         u"pwmReverseButton"_s, u"stepperGoButton"_s, u"stepperRunForwardButton"_s,
         u"stepperRunReverseButton"_s, u"stepperStartLoadedButton"_s, u"stepperHomeButton"_s,
-        u"stepResponseButton"_s, u"startDirectionCheckButton"_s, u"stepperStepForwardButton"_s,
+        u"responseButton"_s, u"startDirectionCheckButton"_s, u"stepperStepForwardButton"_s,
         u"stepperStepReverseButton"_s, u"stepperGoHomeButton"_s,
         // which may hold any of them
         u"moduleMenu"_s, u"commandList"_s};

@@ -319,7 +319,7 @@ void Monkey::pressWhatMatters() {
         return workPendant();
     if (!pressNamed({u"Forward"_s, u"Reverse"_s, u"goButton"_s, u"GoButton"_s, u"homeButton"_s,
                      u"HomeButton"_s, u"startButton"_s, u"StartLoaded"_s, u"loadButton"_s, u"PagesBar"_s,
-                     u"chainList"_s, u"stepResponseButton"_s, u"enableButton"_s, u"EnableButton"_s,
+                     u"chainList"_s, u"responseButton"_s, u"enableButton"_s, u"EnableButton"_s,
                      u"StartButton"_s}))
         pressAnything();
 }

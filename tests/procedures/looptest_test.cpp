@@ -53,18 +53,18 @@ protected:
         ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
         bench.bus.runFor(500ms);
     }
-    static constexpr intent::SquareWave kWave{100, 0.4, 3, 200, StepWay::StopHere};
+    static constexpr intent::SquareWave kWave{100, 0.4, 3, 200, ResponseMethod::StopHere};
     ServoBench bench;
     double lowest = 0, highest = 0;
 };
 
-class WavesOfEachWay : public LoopTests, public testing::WithParamInterface<StepWay> {};
+class WavesOfEachWay : public LoopTests, public testing::WithParamInterface<ResponseMethod> {};
 
 TEST_P(WavesOfEachWay, JumpToAndFroAndEndWhereTheyBegan) {
     ASSERT_TRUE(hold());
     const double from = bench.truth().commandPosition;
     watchCommands();
-    std::vector<StepTaken> edges;
+    std::vector<ResponseTaken> edges;
     bench.onTurn = [&](Procedure& procedure) {
         const auto& edge = procedure.report().step;
         if (edge && (edges.empty() || edges.back() != *edge))
@@ -88,7 +88,8 @@ TEST_P(WavesOfEachWay, JumpToAndFroAndEndWhereTheyBegan) {
     EXPECT_TRUE(bench.truth().servoOn);
     bench.bus.expectNoViolations();
 }
-INSTANTIATE_TEST_SUITE_P(All, WavesOfEachWay, testing::Values(StepWay::StopHere, StepWay::Profile));
+INSTANTIATE_TEST_SUITE_P(All, WavesOfEachWay,
+                         testing::Values(ResponseMethod::StopHere, ResponseMethod::Profile));
 
 TEST_F(LoopTests, AWaveTakesGainsBeforeItsNextEdge) {
     ASSERT_TRUE(hold());
@@ -165,9 +166,9 @@ TEST_F(LoopTests, LimitsOfTravelHoldOnBothSides) {
 /// N edges at 1.5 ms are sampled N times as finely, and no finer than a tick.
 TEST_F(LoopTests, EdgesFoldIntoAFinerOne) {
     ASSERT_TRUE(hold());
-    std::vector<StepRun> edges;
+    std::vector<ResponseRecord> edges;
     std::vector<ScopeSample> samples;
-    StepTaken last;
+    ResponseTaken last;
     bench.onTurn = [&](Procedure& procedure) {
         const auto& edge = procedure.report().step;
         if (edge && edge->at != last.at) {
@@ -188,7 +189,7 @@ TEST_F(LoopTests, EdgesFoldIntoAFinerOne) {
     ASSERT_EQ(bench.run(wave).stage, ProcedureStage::Done);
     ASSERT_GE(edges.size(), 20U);
     const auto one = std::count_if(edges.front().points.begin(), edges.front().points.end(),
-                                   [](const StepPoint& p) { return p.seconds > 0 && p.seconds < 0.05; });
+                                   [](const ResponsePoint& p) { return p.seconds > 0 && p.seconds < 0.05; });
     const auto forward = foldEdges(edges, true);
     ASSERT_TRUE(forward);
     const std::vector<FoldedPoint>& folded = forward->points;
@@ -197,7 +198,7 @@ TEST_F(LoopTests, EdgesFoldIntoAFinerOne) {
     EXPECT_GT(all, 2 * one);
     EXPECT_LE(all, static_cast<long>(0.05 / 512e-6) + 1);
     // The step of this motor by its own model, in the same places.
-    const StepRun reckoned = reckonStep(linearMotor(), kGains, 0, 100, 0.2, kFirstBand);
+    const ResponseRecord reckoned = reckonStep(linearMotor(), kGains, 0, 100, 0.2, kFirstBand);
     for (const FoldedPoint& point : folded) {
         if (point.seconds < 0.002 || point.seconds > 0.15)
             continue;

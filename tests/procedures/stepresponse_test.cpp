@@ -13,7 +13,8 @@ using namespace std::chrono_literals;
 
 class StepResponse : public testing::Test {
 protected:
-    [[nodiscard]] static intent::StepResponse by(std::int32_t counts, StepWay way = StepWay::Profile) {
+    [[nodiscard]] static intent::StepResponse by(std::int32_t counts,
+                                                 ResponseMethod way = ResponseMethod::Profile) {
         return {counts, way, 0.2};
     }
     [[nodiscard]] Refusal refusal(const intent::StepResponse& wanted) {
@@ -66,7 +67,7 @@ TEST_F(StepResponse, JumpsInOneTickAndEndsHolding) {
 TEST_F(StepResponse, StopsHereWithoutAnyProfile) {
     ASSERT_TRUE(hold());
     const std::size_t before = bench.bus.sent.size();
-    const ProcedureReport report = bench.run(by(-100, StepWay::StopHere));
+    const ProcedureReport report = bench.run(by(-100, ResponseMethod::StopHere));
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_EQ(report.step->goal, -100);
     EXPECT_EQ(bench.bus.sends("AA 01 57 11 9C FF FF FF", before), 2U) << "-100: there, and to hold";
@@ -77,7 +78,7 @@ TEST_F(StepResponse, StopsHereWithoutAnyProfile) {
 
 /// The record begins when the module has latched the step, to half a tick.
 TEST_F(StepResponse, KnowsWhenItWasTaken) {
-    for (const StepWay way : {StepWay::Profile, StepWay::StopHere}) {
+    for (const ResponseMethod way : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
         ASSERT_TRUE(hold());
         std::optional<TimePoint> jumped;
         const double before = bench.truth().commandPosition;
@@ -146,7 +147,7 @@ TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(refusal(by(98)), Refusal::StepWouldTrip);
     EXPECT_EQ(refusal(by(-98)), Refusal::StepWouldTrip);
     for (const double seconds : {0.0, -1.0, 0.01, 3.1, std::numeric_limits<double>::quiet_NaN()})
-        EXPECT_EQ(refusal({50, StepWay::Profile, seconds}), Refusal::RecordTime) << seconds;
+        EXPECT_EQ(refusal({50, ResponseMethod::Profile, seconds}), Refusal::RecordTime) << seconds;
     const auto holdAt = [this](std::int32_t position) {
         bench.module().apply(bus::CommandExecuted{
             ModuleIndex(0), bench.bus.now,
@@ -176,7 +177,7 @@ TEST_F(StepResponse, ThereAndBackUnderALoadEndWhereTheyBegan) {
     for (int round = 0; round < 5; ++round) {
         ASSERT_EQ(bench.run(by(200)).stage, ProcedureStage::Done);
         EXPECT_EQ(bench.truth().commandPosition, 1'200);
-        ASSERT_EQ(bench.run(by(-200, StepWay::StopHere)).stage, ProcedureStage::Done);
+        ASSERT_EQ(bench.run(by(-200, ResponseMethod::StopHere)).stage, ProcedureStage::Done);
         EXPECT_EQ(bench.truth().commandPosition, 1'000);
     }
     bench.bus.expectNoViolations();
@@ -193,16 +194,16 @@ TEST(StepResponseOfVersion1, CannotStopHere) {
     ServoBench bench(1);
     ASSERT_TRUE(bench.enable());
     ASSERT_TRUE(bench.moveTo(100));
-    EXPECT_EQ(plan(intent::StepResponse{50, StepWay::StopHere, 0.2}, bench.module()).error(),
+    EXPECT_EQ(plan(intent::StepResponse{50, ResponseMethod::StopHere, 0.2}, bench.module()).error(),
               Refusal::VersionLacksIt);
-    EXPECT_EQ(bench.run(intent::StepResponse{50, StepWay::Profile, 0.2}).stage, ProcedureStage::Done);
+    EXPECT_EQ(bench.run(intent::StepResponse{50, ResponseMethod::Profile, 0.2}).stage, ProcedureStage::Done);
 }
 
 TEST(StepResponseOfAStepper, IsRefused) {
     ProcedureBench bench({{ModuleType::Stepper, 1}});
     ASSERT_TRUE(bench.connect());
     bench.settle();
-    EXPECT_EQ(plan(intent::StepResponse{50, StepWay::Profile, 0.2}, bench.module()).error(),
+    EXPECT_EQ(plan(intent::StepResponse{50, ResponseMethod::Profile, 0.2}, bench.module()).error(),
               Refusal::NotAServo);
 }
 

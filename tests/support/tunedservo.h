@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "model/response/steprun.h"
+#include "model/response/responserecord.h"
 #include "model/tuning/loopmodel.h"
 #include "sim/encoder.h"
 #include "sim/motorplant.h"
@@ -54,12 +54,12 @@ public:
 
     /// A step of the command and its record. Polls come every 1.5 ms, in no step with the ticks: each is
     /// latched at the tick behind it, is known to half a tick, and its time by 0.1 ms besides.
-    [[nodiscard]] StepRun step(std::int32_t counts, double record) {
+    [[nodiscard]] ResponseRecord step(std::int32_t counts, double record) {
         constexpr double kPoll = 1.5e-3;
-        StepRun run;
+        ResponseRecord run;
         run.bandPercent = kFirstBand;
-        run.taken = {{}, m_command, m_command + counts, record, StepWay::Profile, m_set};
-        std::vector<StepPoint> polled;
+        run.taken = {{}, m_command, m_command + counts, record, ResponseMethod::Profile, m_set};
+        std::vector<ResponsePoint> polled;
         const double told = 0.02 + m_random.unit() * kTick;
         double poll = m_random.unit() * kPoll;
         const auto ticks = static_cast<int>((told + record) / kTick) + 1;
@@ -75,7 +75,7 @@ public:
             }
         }
         const double at = told + kTick / 2 + jitter();
-        for (const StepPoint& point : polled)
+        for (const ResponsePoint& point : polled)
             if (point.seconds - at <= record)
                 run.points.push_back({point.seconds - at, point.position});
         setBand(run, kFirstBand);

@@ -50,9 +50,10 @@ namespace nmc::testing_support {
 }
 
 /// A tenth of a turn there and back, then two tenths; half a second each.
-[[nodiscard]] inline std::vector<StepRun> stepsOf(const sim::MotorParameters& motor, std::uint64_t seed) {
+[[nodiscard]] inline std::vector<ResponseRecord> stepsOf(const sim::MotorParameters& motor,
+                                                         std::uint64_t seed) {
     const auto tenth = static_cast<std::int32_t>(motor.countsPerTurn / 10);
-    std::vector<StepRun> runs;
+    std::vector<ResponseRecord> runs;
     for (const servo::SetGain& gains : gainsToTry()) {
         TunedServo servo(motor, gains, seed);
         runs.clear();

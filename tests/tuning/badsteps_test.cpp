@@ -16,16 +16,16 @@ using namespace testing_support;
 
 class BadSteps : public testing::Test {
 protected:
-    [[nodiscard]] static std::vector<StepRun> thereAndBack(TunedServo& servo) {
+    [[nodiscard]] static std::vector<ResponseRecord> thereAndBack(TunedServo& servo) {
         servo.wait(0.2);
-        std::vector<StepRun> runs;
+        std::vector<ResponseRecord> runs;
         for (const int counts : {200, -200, 400}) {
             runs.push_back(servo.step(counts, 0.5));
             servo.wait(0.3);
         }
         return runs;
     }
-    static void expect(const std::vector<StepRun>& runs, IdentifyFailure why) {
+    static void expect(const std::vector<ResponseRecord>& runs, IdentifyFailure why) {
         const auto found = identify(runs);
         ASSERT_FALSE(found) << "K " << found->motor.gain.value << " missed " << found->missed << " expected "
                             << found->expected;
@@ -39,7 +39,7 @@ TEST_F(BadSteps, OfNoRunsAtAll) {
 
 TEST_F(BadSteps, WithTooFewSamples) {
     TunedServo servo({}, gainsOf(200, 2'000), 1);
-    std::vector<StepRun> runs = thereAndBack(servo);
+    std::vector<ResponseRecord> runs = thereAndBack(servo);
     runs[1].points.resize(20);  // a few of these are from before the step
     expect(runs, IdentifyFailure::TooFewSamples);
 }

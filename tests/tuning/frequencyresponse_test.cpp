@@ -134,8 +134,8 @@ TEST(FrequencyFile, HasARowForEachFrequency) {
     EXPECT_NE(text.find(",-90,0.25,"), std::string::npos);
 }
 
-[[nodiscard]] StepRun edge(std::int32_t from, std::int32_t goal, double late, std::uint16_t kp = 100) {
-    StepRun run;
+[[nodiscard]] ResponseRecord edge(std::int32_t from, std::int32_t goal, double late, std::uint16_t kp = 100) {
+    ResponseRecord run;
     run.taken.from = from;
     run.taken.goal = goal;
     run.taken.record = 0.2;
@@ -147,7 +147,7 @@ TEST(FrequencyFile, HasARowForEachFrequency) {
 }
 
 TEST(EdgeFold, LaysEdgesWithTheSameGainsOverOneAnother) {
-    std::vector<StepRun> edges;
+    std::vector<ResponseRecord> edges;
     for (int i = 0; i < 4; ++i) {
         edges.push_back(edge(-50, 50, i * 0.0005));
         edges.push_back(edge(50, -50, i * 0.0005));
@@ -174,7 +174,7 @@ TEST(EdgeFold, LaysEdgesWithTheSameGainsOverOneAnother) {
 }
 
 TEST(EdgeFold, LeavesOutEdgesWithOtherGains) {
-    const std::vector<StepRun> edges{edge(-50, 50, 0, 100), edge(-50, 50, 0, 300)};
+    const std::vector<ResponseRecord> edges{edge(-50, 50, 0, 100), edge(-50, 50, 0, 300)};
     const auto forward = foldEdges(edges, true);
     ASSERT_TRUE(forward);
     unsigned samples = 0;

@@ -65,7 +65,7 @@ TEST(Identify, TakesTheServoRateAndTheDeadbandIntoAccount) {
     const servo::SetGain gains{150, 700, 0, 0, 100, 0, 4'000, 2, std::uint8_t{3}};
     TunedServo servo({}, gains, 10);
     servo.wait(0.5);
-    std::vector<StepRun> runs;
+    std::vector<ResponseRecord> runs;
     for (const int counts : {200, -200, 400}) {
         runs.push_back(servo.step(counts, 0.5));
         servo.wait(0.5);

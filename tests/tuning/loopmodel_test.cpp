@@ -131,7 +131,7 @@ TEST(LoopModel, MovesLikeTheSimulatorsMotor) {
                               servo::SetGain{600, 200, 20, 100, 120, 0, 4'000, 1, std::uint8_t{0}}}) {
         testing_support::TunedServo servo(motor, gains, 1);
         servo.wait(1);
-        const StepRun run = servo.step(200, 0.3);
+        const ResponseRecord run = servo.step(200, 0.3);
         MotorConstants constants = testing_support::physics(motor);
         constants.delay = 0;
         LoopStart start{run.points.front().position + 0.5, 0, 0};
@@ -139,7 +139,7 @@ TEST(LoopModel, MovesLikeTheSimulatorsMotor) {
             start.integral = -constants.load * 256 / gains.ki;
         Loop loop(constants, gains, start, 200, Rounding::Chip);
         double worst = 0;
-        for (const StepPoint& point : run.points) {
+        for (const ResponsePoint& point : run.points) {
             const double model = loop.at(point.seconds - gains.sr * 512e-6).position;
             const double speed = loop.at(point.seconds - gains.sr * 512e-6).velocity;
             // Half a tick of the command, half a tick of the sample, 0.1 ms of each, the rest of a long tick.

@@ -83,7 +83,7 @@ TEST(Predict, SeesTheSimulatorsMotorOvershootAndSettle) {
         const Prediction prediction = predict(testing_support::physics(motor), gains, 0, 300, 0.4, 2);
         testing_support::TunedServo servo(motor, gains, 3);
         servo.wait(0.1);
-        const StepRun run = servo.step(300, 0.4);
+        const ResponseRecord run = servo.step(300, 0.4);
         ASSERT_TRUE(run.metrics.overshoot && run.metrics.settling);
         ASSERT_TRUE(prediction.run.metrics.overshoot && prediction.run.metrics.settling);
         EXPECT_NEAR(prediction.run.metrics.overshoot->value, run.metrics.overshoot->value, 5);

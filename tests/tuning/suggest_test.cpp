@@ -123,7 +123,7 @@ TEST_P(SuggestedGains, SettleOnTheMotorThatWasFound) {
         ASSERT_TRUE(gains);
         TunedServo servo(motor, *gains, seed);
         ASSERT_TRUE(comesToRest(servo));
-        const StepRun run = servo.step(step, 1.0);
+        const ResponseRecord run = servo.step(step, 1.0);
         ASSERT_TRUE(run.metrics.settling) << "Kp " << gains->kp << " Kd " << gains->kd;
         EXPECT_LT(run.metrics.settling->value, 0.4);
         const Prediction prediction = predict(found->motor.constants(), *gains, 0, step, 1.0, kFirstBand);

@@ -24,8 +24,8 @@ class Controls : public WindowTest {
 protected:
     /// With the docks of simulator, packet monitor and step response, which have controls of their own.
     void showSimulatedServo() {
-        find(u"stepResponseDock"_s)->show();
-        find(u"stepResponseDock"_s)->raise();
+        find(u"responseDock"_s)->show();
+        find(u"responseDock"_s)->raise();
         find(u"monitorDock"_s)->show();
         find(u"monitorDock"_s)->raise();
         LinkState link = connectedTo({Servo{}.state()});

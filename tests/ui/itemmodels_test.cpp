@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, ItemModels, testing::Range(1, 4));
 class WindowsItemModels : public WindowTest {};
 
 TEST_F(WindowsItemModels, KeepThem) {
-    find(u"stepResponseDock"_s)->show();
+    find(u"responseDock"_s)->show();
     find(u"monitorDock"_s)->show();
     std::vector<std::unique_ptr<Demands>> demands;
     for (const auto* view : window->findChildren<QAbstractItemView*>())

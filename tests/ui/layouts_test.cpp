@@ -58,35 +58,20 @@ TEST_F(LayoutsTest, TuneGivesTwoThirdsToThePlotsWithGainsAndStepBesideThem) {
     strike(Qt::Key_2, Qt::ControlModifier);
     const int bars = window->menuWidget()->height() + find(u"linkBar"_s)->height();
     const int room = window->width() * (window->height() - bars);
-    EXPECT_GE(3 * (area("scopeDock") + area("stepResponseDock")), 2 * room);
-    for (const char* name : {"kpField",
-                             "kdField",
-                             "kiField",
-                             "ilField",
-                             "olField",
-                             "clField",
-                             "elField",
-                             "srField",
-                             "dbField",
-                             "applyGainsButton",
-                             "tryGainsButton",
-                             "stepResponseDistanceField",
-                             "stepResponseButton",
-                             "stepResponseState",
-                             "enableButton",
-                             "motorOffButton",
-                             "stateLabel",
-                             "positionLabel",
-                             "stepPlot",
-                             "stepRunTable",
-                             "stepResults"})
+    EXPECT_GE(3 * (area("scopeDock") + area("responseDock")), 2 * room);
+    for (const char* name : {"kpField",        "kdField",          "kiField",        "ilField",
+                             "olField",        "clField",          "elField",        "srField",
+                             "dbField",        "applyGainsButton", "tryGainsButton", "responseDistanceField",
+                             "responseButton", "responseState",    "enableButton",   "motorOffButton",
+                             "stateLabel",     "positionLabel",    "responsePlot",   "responseRunTable",
+                             "responseResults"})
         expectWhole(QLatin1String(name));
 }
 
 TEST_F(LayoutsTest, EachComesBackAsItWasLeft) {
     dock("messagesDock")->close();
     strike(Qt::Key_2, Qt::ControlModifier);
-    EXPECT_TRUE(dock("stepResponseDock")->isVisible());
+    EXPECT_TRUE(dock("responseDock")->isVisible());
     EXPECT_FALSE(dock("chainDock")->isVisible());
     dock("chainDock")->toggleViewAction()->trigger();
     settle();
@@ -95,14 +80,14 @@ TEST_F(LayoutsTest, EachComesBackAsItWasLeft) {
     EXPECT_FALSE(dock("scopeDock")->isVisible());
     strike(Qt::Key_1, Qt::ControlModifier);
     EXPECT_FALSE(dock("messagesDock")->isVisible());
-    EXPECT_FALSE(dock("stepResponseDock")->isVisible());
+    EXPECT_FALSE(dock("responseDock")->isVisible());
     EXPECT_TRUE(window->findChild<QAction*>(u"operateLayoutAction"_s)->isChecked());
     strike(Qt::Key_2, Qt::ControlModifier);
     EXPECT_TRUE(dock("chainDock")->isVisible());
     window->findChild<QAction*>(u"resetLayoutAction"_s)->trigger();
     settle();
     EXPECT_FALSE(dock("chainDock")->isVisible()) << "as it is at first";
-    EXPECT_TRUE(dock("stepResponseDock")->isVisible());
+    EXPECT_TRUE(dock("responseDock")->isVisible());
 }
 
 TEST_F(LayoutsTest, TheNextWindowHasTheOneThatWasChosen) {
@@ -115,8 +100,8 @@ TEST_F(LayoutsTest, TheNextWindowHasTheOneThatWasChosen) {
     showServo();
     settle();
     EXPECT_TRUE(window->findChild<QAction*>(u"tuneLayoutAction"_s)->isChecked());
-    EXPECT_TRUE(dock("stepResponseDock")->isVisible());
-    expectWhole(u"stepResponseButton"_s);
+    EXPECT_TRUE(dock("responseDock")->isVisible());
+    expectWhole(u"responseButton"_s);
 }
 
 TEST_F(LayoutsTest, ThePlotsHaveWhatTheWindowGains) {
@@ -147,10 +132,10 @@ TEST_F(LayoutsTest, TuneInASmallWindowAndBackIsNoTrouble) {
 TEST_F(LayoutsTest, TheFormGoesBackToItsPlace) {
     strike(Qt::Key_2, Qt::ControlModifier);
     strike(Qt::Key_1, Qt::ControlModifier);
-    window->findChild<QAction*>(u"stepResponseDockAction"_s)->trigger();
+    window->findChild<QAction*>(u"responseDockAction"_s)->trigger();
     settle();
-    EXPECT_TRUE(dock("stepResponseDock")->isAncestorOf(find(u"stepForm"_s)));
-    click(u"stepResponseButton"_s);
+    EXPECT_TRUE(dock("responseDock")->isAncestorOf(find(u"responseForm"_s)));
+    click(u"responseButton"_s);
     EXPECT_EQ(last<intent::StepResponse>().counts, 100);
 }
 
@@ -182,19 +167,19 @@ TEST_F(LayoutsTest, GainsAreTriedAndKept) {
 }
 
 TEST_F(LayoutsTest, AStepIsMadeFromAnywhereAndSeen) {
-    EXPECT_FALSE(dock("stepResponseDock")->isVisible());
+    EXPECT_FALSE(dock("responseDock")->isVisible());
     find(u"goalField"_s)->setFocus();
     strike(Qt::Key_F9, Qt::ShiftModifier);
     EXPECT_EQ(last<intent::StepResponse>().counts, 100);
-    EXPECT_TRUE(dock("stepResponseDock")->isVisible());
+    EXPECT_TRUE(dock("responseDock")->isVisible());
 }
 
 TEST_F(LayoutsTest, AStepThatIsRefusedSaysWhy) {
     showServo({.on = false});
     strike(Qt::Key_F9, Qt::ShiftModifier);
     EXPECT_TRUE(intents.isEmpty());
-    EXPECT_TRUE(dock("stepResponseDock")->isVisible());
-    EXPECT_FALSE(text(u"stepResponseState"_s).isEmpty());
+    EXPECT_TRUE(dock("responseDock")->isVisible());
+    EXPECT_FALSE(text(u"responseState"_s).isEmpty());
 }
 
 /// With a machine that keeps what is typed, as the program does.

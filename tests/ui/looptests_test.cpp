@@ -9,7 +9,7 @@
 #include <complex>
 #include <numbers>
 
-#include "stepruns.h"
+#include "responserecords.h"
 #include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/looptests/squarewavepage.h"
@@ -67,7 +67,7 @@ TEST_F(LoopTestsInTheWindow, AskForWhatStandsInTheFields) {
     EXPECT_EQ(first.period, 0.6);
     EXPECT_EQ(first.rounds, 20U);
     EXPECT_EQ(first.excursion, 200);
-    EXPECT_EQ(first.way, StepWay::StopHere);
+    EXPECT_EQ(first.way, ResponseMethod::StopHere);
     type(u"squareWaveDistanceField"_s, u"60"_s);
     type(u"squareWavePeriodField"_s, u"1,5"_s);
     find<QComboBox>(u"squareWaveWayBox"_s)->setCurrentIndex(1);
@@ -75,7 +75,7 @@ TEST_F(LoopTestsInTheWindow, AskForWhatStandsInTheFields) {
     const auto second = wanted<intent::SquareWave>();
     EXPECT_EQ(second.counts, 60);
     EXPECT_EQ(second.period, 1.5);
-    EXPECT_EQ(second.way, StepWay::Profile);
+    EXPECT_EQ(second.way, ResponseMethod::Profile);
     click(u"frequencyStartButton"_s);
     const auto sines = wanted<intent::FrequencyResponse>();
     EXPECT_EQ(sines.amplitude, 20);
@@ -136,14 +136,14 @@ TEST_F(LoopTestsInTheWindow, EdgesWithTheSameGainsAreLaidOverOneAnotherAndKept) 
     EXPECT_FALSE(button(u"squareWaveKeepButton"_s)->isEnabled());
     for (int i = 0; i < 3; ++i)
         page.showEdge(ramp());
-    KeptRun other = ramp();
+    KeptResponse other = ramp();
     other.run.taken.gains.kp = 77;
     page.showEdge(other);
     EXPECT_TRUE(label(u"squareWaveResults"_s).startsWith(u"Edges with these gains: 1\n"_s));
     click(u"squareWaveKeepButton"_s);
-    window->findChild<QAction*>(u"stepResponseDockAction"_s)->trigger();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));
-    EXPECT_EQ(find<QTableWidget>(u"stepRunTable"_s)->rowCount(), 1);
+    window->findChild<QAction*>(u"responseDockAction"_s)->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"responsePage"_s)->isVisible(); }));
+    EXPECT_EQ(find<QTableWidget>(u"responseRunTable"_s)->rowCount(), 1);
     page.clear();
     EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty());
 }

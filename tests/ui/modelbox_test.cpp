@@ -4,8 +4,8 @@
 #include <QSlider>
 #include <QTabWidget>
 
-#include "stepruns.h"
-#include "widgets/response/stepresponsedock.h"
+#include "responserecords.h"
+#include "widgets/response/responsedock.h"
 
 namespace nmc {
 namespace {
@@ -24,7 +24,7 @@ protected:
         for (int i = 0; i < 3; ++i)
             QCoreApplication::processEvents();
     }
-    StepResponseDock& dock() { return window->stepResponses(); }
+    ResponseDock& dock() { return window->stepResponses(); }
     [[nodiscard]] static Identified motor() {
         Identified found;
         found.motor.gain = {788, 8};
@@ -45,25 +45,25 @@ protected:
         return tasks.isEmpty() ? SuggestionTask{} : tasks.last().at(0).value<SuggestionTask>();
     }
     void find() {
-        window->showStepRun(ramp());
+        window->showResponse(ramp());
         click(u"identifyButton"_s);
         dock().showMotor(ModuleIndex(0), motor());
     }
     using WindowTest::find;
-    QSignalSpy wanted{&dock(), &StepResponseDock::identifyWanted};
-    QSignalSpy tasks{&dock(), &StepResponseDock::suggestionWanted};
+    QSignalSpy wanted{&dock(), &ResponseDock::identifyWanted};
+    QSignalSpy tasks{&dock(), &ResponseDock::suggestionWanted};
     QSignalSpy intents{window.get(), &MainWindow::intentRequested};
 };
 
 TEST_F(ModelPage, LooksIntoTheLastFiveRunsOfTheSelectedModule) {
     EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled());
-    window->showStepRun(ramp(100, 1));
+    window->showResponse(ramp(100, 1));
     EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled()) << "of another module";
     for (int i = 0; i < 7; ++i)
-        window->showStepRun(ramp(100 + i));
+        window->showResponse(ramp(100 + i));
     click(u"identifyButton"_s);
     ASSERT_EQ(wanted.size(), 1);
-    const auto runs = wanted.at(0).at(1).value<std::vector<StepRun>>();
+    const auto runs = wanted.at(0).at(1).value<std::vector<ResponseRecord>>();
     ASSERT_EQ(runs.size(), 5U);
     EXPECT_EQ(runs.front().points.back().position, 602);
     EXPECT_EQ(runs.back().points.back().position, 606);
@@ -110,7 +110,7 @@ TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
          {IdentifyFailure::TooFewSamples, IdentifyFailure::DoesNotMove, IdentifyFailure::WrongWay,
           IdentifyFailure::Oscillates, IdentifyFailure::NotExplained, IdentifyFailure::GainUnclear,
           IdentifyFailure::TimeConstantUnclear}) {
-        window->showStepRun(ramp());
+        window->showResponse(ramp());
         click(u"identifyButton"_s);
         dock().showMotor(ModuleIndex(0), tl::unexpected(failure));
         sentences << text(u"motorModel"_s);
@@ -121,7 +121,7 @@ TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
 }
 
 TEST_F(ModelPage, AMotorOfTheLastConnectionThatComesLateIsNotShown) {
-    window->showStepRun(ramp());
+    window->showResponse(ramp());
     click(u"identifyButton"_s);
     window->showLink(LinkState{});
     showServo();

@@ -192,7 +192,7 @@ TEST_F(OperatorMode, WhatIsExpectedOfTheChainIsNotForTheOperator) {
 /// operator's, and nothing that is kept of the machine changes.
 TEST_F(OperatorMode, NoButtonThatIsEnabledDoesMoreThanIsLeft) {
     window->resize(1500, 1100);
-    for (const char* dock : {"stepResponseDockAction", "sequencesDockAction", "axesDockAction"})
+    for (const char* dock : {"responseDockAction", "sequencesDockAction", "axesDockAction"})
         window->findChild<QAction*>(QLatin1String(dock))->trigger();
     for (const OperatorRights& rights :
          {OperatorRights{}, OperatorRights{.moves = true, .homing = true}, OperatorRights{.outputs = true}}) {

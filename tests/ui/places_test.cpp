@@ -44,7 +44,7 @@ protected:
                                     u"pwmReverseButton"_s,
                                     u"pwmForwardButton"_s,
                                     u"homeButton"_s,
-                                    u"stepResponseButton"_s,
+                                    u"responseButton"_s,
                                     u"stepperEnableButton"_s,
                                     u"stepperGoalField"_s,
                                     u"stepperGoButton"_s,

@@ -10,24 +10,24 @@
 #include <QTabWidget>
 #include <QTableWidget>
 
-#include "stepruns.h"
-#include "widgets/response/stepplot.h"
-#include "widgets/response/stepresponsedock.h"
+#include "responserecords.h"
+#include "widgets/response/responsedock.h"
+#include "widgets/response/responseplot.h"
 
 namespace nmc {
 namespace {
 
 /// At 90 of 100 counts after 10 ms, and at its goal after 30 ms.
-KeptRun inTwoStages() {
-    KeptRun kept = ramp();
-    for (StepPoint& point : kept.run.points)
+KeptResponse inTwoStages() {
+    KeptResponse kept = ramp();
+    for (ResponsePoint& point : kept.run.points)
         if (point.seconds > 0.0005)
             point.position = point.seconds < 0.0095 ? 500 : point.seconds < 0.0295 ? 590 : 600;
     setBand(kept.run, kFirstBand);
     return kept;
 }
 
-class StepResponses : public WindowTest {
+class Responses : public WindowTest {
 protected:
     /// Held where it is, unless it is about that.
     void showServo(Servo servo = {}) {
@@ -35,8 +35,8 @@ protected:
         WindowTest::showServo(servo);
     }
     void open() {
-        window->findChild<QAction*>(u"stepResponseDockAction"_s)->trigger();
-        ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));
+        window->findChild<QAction*>(u"responseDockAction"_s)->trigger();
+        ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"responsePage"_s)->isVisible(); }));
     }
     void openWith(const Servo& servo = {}) {
         showServo(servo);
@@ -65,14 +65,14 @@ protected:
         EXPECT_EQ(intents.size(), 1);
         return std::get<intent::StepResponse>(intents.takeFirst().at(1).value<Intent>());
     }
-    QTableWidget* table() { return find<QTableWidget>(u"stepRunTable"_s); }
+    QTableWidget* table() { return find<QTableWidget>(u"responseRunTable"_s); }
     QString listed(int row, int column) { return table()->item(row, column)->text(); }
     QString result(int row, int column = 0) {
-        return find<QTableWidget>(u"stepResults"_s)->item(row, column)->text();
+        return find<QTableWidget>(u"responseResults"_s)->item(row, column)->text();
     }
     QString results(int column) {
         QStringList cells;
-        for (int row = 0; row < find<QTableWidget>(u"stepResults"_s)->rowCount(); ++row)
+        for (int row = 0; row < find<QTableWidget>(u"responseResults"_s)->rowCount(); ++row)
             cells << result(row, column);
         return cells.join(u" | "_s);
     }
@@ -89,67 +89,65 @@ protected:
     QSignalSpy intents{window.get(), &MainWindow::intentRequested};
 };
 
-TEST_F(StepResponses, AreBehindF9AndBuiltWhenTheyAreSeen) {
-    QAction* toggle = window->findChild<QAction*>(u"stepResponseDockAction"_s);
+TEST_F(Responses, AreBehindF9AndBuiltWhenTheyAreSeen) {
+    QAction* toggle = window->findChild<QAction*>(u"responseDockAction"_s);
     ASSERT_NE(toggle, nullptr);
     EXPECT_EQ(toggle->shortcut(), QKeySequence(Qt::Key_F9));
-    EXPECT_EQ(window->findChild<QWidget*>(u"stepResponsePage"_s), nullptr);
+    EXPECT_EQ(window->findChild<QWidget*>(u"responsePage"_s), nullptr);
     toggle->trigger();
-    EXPECT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return find(u"responsePage"_s)->isVisible(); }));
     EXPECT_TRUE(find(u"scopePanel"_s)->visibleRegion().isEmpty()) << "it lies in front of the scope";
     window->findChild<QAction*>(u"resetLayoutAction"_s)->trigger();
-    EXPECT_FALSE(find(u"stepResponseDock"_s)->isVisible());
+    EXPECT_FALSE(find(u"responseDock"_s)->isVisible());
 }
 
-TEST_F(StepResponses, OpenFromTheGainsPage) {
+TEST_F(Responses, OpenFromTheGainsPage) {
     showServo();
     click(u"openStepResponseButton"_s);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));
-    EXPECT_TRUE(button(u"stepResponseButton"_s)->isEnabled()) << "it knows the module that was shown before";
+    EXPECT_TRUE(QTest::qWaitFor([this] { return find(u"responsePage"_s)->isVisible(); }));
+    EXPECT_TRUE(button(u"responseButton"_s)->isEnabled()) << "it knows the module that was shown before";
 }
 
-TEST_F(StepResponses, TakeRoomFromTheMessagesBesideThem) {
+TEST_F(Responses, TakeRoomFromTheMessagesBesideThem) {
     const int before = find(u"messagesDock"_s)->width();
     openWith();
     EXPECT_TRUE(QTest::qWaitFor([&] { return find(u"messagesDock"_s)->width() < before; }));
     EXPECT_GT(find(u"messagesDock"_s)->width(), 150);
 }
 
-TEST_F(StepResponses, TheStepIsWhatStandsInTheFields) {
+TEST_F(Responses, TheStepIsWhatStandsInTheFields) {
     openWith();
-    click(u"stepResponseButton"_s);
+    click(u"responseButton"_s);
     const auto first = wanted();
     EXPECT_EQ(first.counts, 100);
-    EXPECT_EQ(first.way, StepWay::Profile);
+    EXPECT_EQ(first.way, ResponseMethod::Profile);
     EXPECT_EQ(first.record, 0.5);
-    type(u"stepResponseDistanceField"_s, u"-250"_s);
-    type(u"stepResponseRecordField"_s, u"1,25"_s);
-    find<QComboBox>(u"stepResponseWayBox"_s)->setCurrentIndex(1);
-    click(u"stepResponseButton"_s);
+    type(u"responseDistanceField"_s, u"-250"_s);
+    type(u"responseRecordField"_s, u"1,25"_s);
+    find<QComboBox>(u"responseWayBox"_s)->setCurrentIndex(1);
+    click(u"responseButton"_s);
     const auto second = wanted();
     EXPECT_EQ(second.counts, -250);
-    EXPECT_EQ(second.way, StepWay::StopHere);
+    EXPECT_EQ(second.way, ResponseMethod::StopHere);
     EXPECT_EQ(second.record, 1.25);
 }
 
-TEST_F(StepResponses, WhatTheShortcutMovesComesInSight) {
+TEST_F(Responses, WhatTheShortcutMovesComesInSight) {
     openWith();
     QTest::keyClick(window.get(), Qt::Key_F9, Qt::ShiftModifier);
     EXPECT_EQ(intents.size(), 1);
     find<QDockWidget>(u"scopeDock"_s)->raise();
-    ASSERT_TRUE(
-        QTest::qWaitFor([this] { return button(u"stepResponseButton"_s)->visibleRegion().isEmpty(); }));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return button(u"responseButton"_s)->visibleRegion().isEmpty(); }));
     QTest::keyClick(window.get(), Qt::Key_F9, Qt::ShiftModifier);
     EXPECT_EQ(intents.size(), 2);
-    EXPECT_TRUE(
-        QTest::qWaitFor([this] { return !button(u"stepResponseButton"_s)->visibleRegion().isEmpty(); }));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !button(u"responseButton"_s)->visibleRegion().isEmpty(); }));
 }
 
 /// It settles within 10 ms of a record of 100.
-TEST_F(StepResponses, ThePlotShowsTheTransientOrByADoubleClickAll) {
+TEST_F(Responses, ThePlotShowsTheTransientOrByADoubleClickAll) {
     openWith();
-    window->showStepRun(ramp());
-    auto* plot = find<StepPlot>(u"stepPlot"_s);
+    window->showResponse(ramp());
+    auto* plot = find<ResponsePlot>(u"responsePlot"_s);
     const auto place = [plot](double seconds) { return plot->pointAt(seconds, 0).x() / plot->width(); };
     EXPECT_GT(place(0.018), 0.8);
     QTest::mouseDClick(plot, Qt::LeftButton);
@@ -159,95 +157,95 @@ TEST_F(StepResponses, ThePlotShowsTheTransientOrByADoubleClickAll) {
     EXPECT_GT(place(0.018), 0.8);
 }
 
-TEST_F(StepResponses, AllRunsAreLaidBelowWhenThatIsTicked) {
+TEST_F(Responses, AllRunsAreLaidBelowWhenThatIsTicked) {
     openWith();
     for (const double there : {100.0, 100.0, 140.0})
-        window->showStepRun(ramp(there));
+        window->showResponse(ramp(there));
     tick(1, 0);
-    auto* plot = find<StepPlot>(u"stepPlot"_s);
+    auto* plot = find<ResponsePlot>(u"responsePlot"_s);
     const QImage two = plot->grab().toImage();
-    QAbstractButton* all = button(u"stepAllRunsBox"_s);
+    QAbstractButton* all = button(u"responseAllRunsBox"_s);
     QTest::mouseClick(all, Qt::LeftButton, {}, {all->height() / 2, all->height() / 2});
     EXPECT_NE(plot->grab().toImage(), two);
     QTest::mouseClick(all, Qt::LeftButton, {}, {all->height() / 2, all->height() / 2});
     EXPECT_EQ(plot->grab().toImage(), two);
 }
 
-TEST_F(StepResponses, TheDistanceIsInTheUnitOfTheAxis) {
+TEST_F(Responses, TheDistanceIsInTheUnitOfTheAxis) {
     openWith();
     machine.axes.resize(1);
     machine.axes[0].unit = {UnitKind::Millimetres, 50.0, {}};
     window->showMachine(machine);
-    EXPECT_EQ(field(u"stepResponseDistanceField"_s)->value(), 2);
-    EXPECT_EQ(text(u"stepResponseDistanceFieldUnit"_s), u"mm"_s);
-    type(u"stepResponseDistanceField"_s, u"0.5"_s);
-    click(u"stepResponseButton"_s);
+    EXPECT_EQ(field(u"responseDistanceField"_s)->value(), 2);
+    EXPECT_EQ(text(u"responseDistanceFieldUnit"_s), u"mm"_s);
+    type(u"responseDistanceField"_s, u"0.5"_s);
+    click(u"responseButton"_s);
     EXPECT_EQ(wanted().counts, 25);
 }
 
-TEST_F(StepResponses, SayWhyNot) {
+TEST_F(Responses, SayWhyNot) {
     openWith({.on = false});
-    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::ServoOff));
-    EXPECT_EQ(text(u"stepResponseState"_s), texts::refusal(Refusal::ServoOff)) << "not only in the tool tip";
+    EXPECT_EQ(reason(u"responseButton"_s), texts::refusal(Refusal::ServoOff));
+    EXPECT_EQ(text(u"responseState"_s), texts::refusal(Refusal::ServoOff)) << "not only in the tool tip";
     showServo({.gains = false});
-    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::GainsUnknown));
+    EXPECT_EQ(reason(u"responseButton"_s), texts::refusal(Refusal::GainsUnknown));
     showServo({.moveDone = false});
-    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::Moving));
+    EXPECT_EQ(reason(u"responseButton"_s), texts::refusal(Refusal::Moving));
     showChanged([](ModuleState& module) { module.gains->el = 100; });
-    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::StepWouldTrip));
+    EXPECT_EQ(reason(u"responseButton"_s), texts::refusal(Refusal::StepWouldTrip));
     showServo({.position = 0x7FFF'FFFF});
-    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::GoalOutOfRange));
+    EXPECT_EQ(reason(u"responseButton"_s), texts::refusal(Refusal::GoalOutOfRange));
     showServo();
-    type(u"stepResponseDistanceField"_s, u"0"_s);
-    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::StepTooShort));
-    for (const auto& [name, value] : {std::pair{u"stepResponseDistanceField"_s, u"2001"_s},
-                                      std::pair{u"stepResponseRecordField"_s, u"3.5"_s}}) {
+    type(u"responseDistanceField"_s, u"0"_s);
+    EXPECT_EQ(reason(u"responseButton"_s), texts::refusal(Refusal::StepTooShort));
+    for (const auto& [name, value] :
+         {std::pair{u"responseDistanceField"_s, u"2001"_s}, std::pair{u"responseRecordField"_s, u"3.5"_s}}) {
         const QString before = field(name)->text();
         type(name, value);
-        EXPECT_EQ(reason(u"stepResponseButton"_s), field(name)->problemText());
+        EXPECT_EQ(reason(u"responseButton"_s), field(name)->problemText());
         EXPECT_TRUE(field(name)->problemText().contains(u"must be"_s));
         type(name, before);
-        type(u"stepResponseDistanceField"_s, u"100"_s);
+        type(u"responseDistanceField"_s, u"100"_s);
     }
-    EXPECT_TRUE(button(u"stepResponseButton"_s)->isEnabled());
-    find<QComboBox>(u"stepResponseWayBox"_s)->setCurrentIndex(1);
+    EXPECT_TRUE(button(u"responseButton"_s)->isEnabled());
+    find<QComboBox>(u"responseWayBox"_s)->setCurrentIndex(1);
     showServo({.version = 1});
-    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::VersionLacksIt));
+    EXPECT_EQ(reason(u"responseButton"_s), texts::refusal(Refusal::VersionLacksIt));
     window->showLink({});
-    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::NotConnected));
+    EXPECT_EQ(reason(u"responseButton"_s), texts::refusal(Refusal::NotConnected));
     EXPECT_EQ(intents.size(), 0);
 }
 
-TEST_F(StepResponses, OfferToHoldWhereThePositionHeldIsNotKnown) {
+TEST_F(Responses, OfferToHoldWhereThePositionHeldIsNotKnown) {
     WindowTest::showServo({.position = 40});
     open();
-    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::CommandUnknown));
-    const QPoint place = button(u"stepResponseButton"_s)->pos();
-    click(u"stepResponseHoldButton"_s);
+    EXPECT_EQ(reason(u"responseButton"_s), texts::refusal(Refusal::CommandUnknown));
+    const QPoint place = button(u"responseButton"_s)->pos();
+    click(u"responseHoldButton"_s);
     ASSERT_EQ(intents.size(), 1);
     EXPECT_TRUE(std::holds_alternative<intent::StopHere>(intents.takeFirst().at(1).value<Intent>()));
     showServo({.position = 40});
-    EXPECT_FALSE(button(u"stepResponseHoldButton"_s)->isVisible());
-    EXPECT_EQ(button(u"stepResponseButton"_s)->pos(), place);
-    click(u"stepResponseButton"_s);
+    EXPECT_FALSE(button(u"responseHoldButton"_s)->isVisible());
+    EXPECT_EQ(button(u"responseButton"_s)->pos(), place);
+    click(u"responseButton"_s);
     EXPECT_EQ(wanted().counts, 100);
 }
 
-TEST_F(StepResponses, AreMadeOneAtATime) {
+TEST_F(Responses, AreMadeOneAtATime) {
     openWith();
     report(ProcedureStage::Moving);
-    EXPECT_FALSE(reason(u"stepResponseButton"_s).isEmpty());
-    EXPECT_EQ(text(u"stepResponseState"_s), u"Moving"_s);
+    EXPECT_FALSE(reason(u"responseButton"_s).isEmpty());
+    EXPECT_EQ(text(u"responseState"_s), u"Moving"_s);
     report(ProcedureStage::Failed, ProcedureFailure::TravelLimit);
-    EXPECT_EQ(text(u"stepResponseState"_s), texts::procedureFailure(ProcedureFailure::TravelLimit));
-    EXPECT_TRUE(button(u"stepResponseButton"_s)->isEnabled());
+    EXPECT_EQ(text(u"responseState"_s), texts::procedureFailure(ProcedureFailure::TravelLimit));
+    EXPECT_TRUE(button(u"responseButton"_s)->isEnabled());
     report(ProcedureStage::Done);
-    EXPECT_TRUE(text(u"stepResponseState"_s).isEmpty());
+    EXPECT_TRUE(text(u"responseState"_s).isEmpty());
 }
 
-TEST_F(StepResponses, TellWhatARunComesTo) {
+TEST_F(Responses, TellWhatARunComesTo) {
     openWith();
-    window->showStepRun(ramp(120));
+    window->showResponse(ramp(120));
     EXPECT_EQ(result(0), u"1"_s);
     // 120 counts in 10 ms: from 10 to 90 counts in 6.67 ms, known to one sample and the ticks of both ends.
     EXPECT_TRUE(result(1).startsWith(u"6.7 ± 1.6 ms"_s)) << result(1).toStdString();
@@ -261,25 +259,25 @@ TEST_F(StepResponses, TellWhatARunComesTo) {
     EXPECT_EQ(result(6), u"unknown"_s) << "the error before the step is not";
     EXPECT_EQ(result(7), u"1 ms"_s);
     EXPECT_EQ(result(1, 1), u"–"_s) << "there is no B";
-    KeptRun limited = ramp();
+    KeptResponse limited = ramp();
     limited.run.pwm = PwmDemand{429, 255};
-    window->showStepRun(limited);
+    window->showResponse(limited);
     EXPECT_EQ(result(6), u"limited to 255"_s);
     limited.run.pwm = PwmDemand{23, 255};
-    window->showStepRun(limited);
+    window->showResponse(limited);
     EXPECT_EQ(result(6), u"at least 23"_s);
 }
 
-TEST_F(StepResponses, ANewRunIsComparedWithTheOneBefore) {
+TEST_F(Responses, ANewRunIsComparedWithTheOneBefore) {
     openWith();
-    window->showStepRun(ramp(100));
+    window->showResponse(ramp(100));
     EXPECT_TRUE(ticked(0, 0));
     EXPECT_EQ(result(0, 1), u"–"_s);
-    window->showStepRun(ramp(110));
+    window->showResponse(ramp(110));
     EXPECT_EQ(listed(0, 2), u"2"_s) << "newest first";
     EXPECT_TRUE(ticked(0, 0) && !ticked(0, 1));
     EXPECT_TRUE(!ticked(1, 0) && ticked(1, 1));
-    window->showStepRun(ramp(120));
+    window->showResponse(ramp(120));
     EXPECT_EQ(result(0, 0), u"3"_s);
     EXPECT_EQ(result(0, 1), u"1"_s) << "what is compared with stays";
     EXPECT_EQ(result(2, 0), u"21.5 ± 2.0 %"_s);
@@ -292,16 +290,16 @@ TEST_F(StepResponses, ANewRunIsComparedWithTheOneBefore) {
     EXPECT_EQ(intents.size(), 0);
 }
 
-TEST_F(StepResponses, TheBoxesSayWhichTwoAreDrawn) {
+TEST_F(Responses, TheBoxesSayWhichTwoAreDrawn) {
     openWith();
     for (const double there : {100, 110, 120})
-        window->showStepRun(ramp(there));
+        window->showResponse(ramp(there));
     tick(1, 0);
     EXPECT_EQ(result(0, 0), u"2"_s);
     EXPECT_FALSE(ticked(0, 0)) << "there is one A";
     tick(0, 1);
     EXPECT_EQ(result(0, 1), u"3"_s);
-    auto* plot = find<StepPlot>(u"stepPlot"_s);
+    auto* plot = find<ResponsePlot>(u"responsePlot"_s);
     EXPECT_TRUE(plot->legendText(0).startsWith(u"A: run 2"_s)) << plot->legendText(0).toStdString();
     EXPECT_TRUE(plot->legendText(1).startsWith(u"B: run 3"_s));
     tick(0, 1);
@@ -311,29 +309,29 @@ TEST_F(StepResponses, TheBoxesSayWhichTwoAreDrawn) {
     EXPECT_TRUE(plot->legendText(0).isEmpty());
 }
 
-TEST_F(StepResponses, AnotherBandJudgesAllRunsAnew) {
+TEST_F(Responses, AnotherBandJudgesAllRunsAnew) {
     openWith();
-    type(u"stepResponseBandField"_s, u"20"_s);
-    window->showStepRun(inTwoStages());
+    type(u"responseBandField"_s, u"20"_s);
+    window->showResponse(inTwoStages());
     EXPECT_TRUE(result(3).startsWith(u"9"_s) || result(3).startsWith(u"10"_s)) << result(3).toStdString();
-    type(u"stepResponseBandField"_s, u"5"_s);
+    type(u"responseBandField"_s, u"5"_s);
     EXPECT_TRUE(result(3).startsWith(u"29"_s) || result(3).startsWith(u"30"_s)) << result(3).toStdString();
     EXPECT_EQ(listed(0, 10), result(3));
-    type(u"stepResponseBandField"_s, u"80"_s);
+    type(u"responseBandField"_s, u"80"_s);
     EXPECT_EQ(listed(0, 10), result(3)) << "8 was one, 80 is out of range";
-    EXPECT_FALSE(field(u"stepResponseBandField"_s)->problemText().isEmpty());
+    EXPECT_FALSE(field(u"responseBandField"_s)->problemText().isEmpty());
 }
 
-TEST_F(StepResponses, GainsGoBackIntoTheFieldsUnsent) {
+TEST_F(Responses, GainsGoBackIntoTheFieldsUnsent) {
     openWith();
-    KeptRun run = ramp();
+    KeptResponse run = ramp();
     run.run.taken.gains.kp = 77;
     run.run.taken.gains.kd = 770;
-    window->showStepRun(run);
-    EXPECT_EQ(reason(u"stepUseGainsButton"_s), u"Select a run in the list first."_s);
+    window->showResponse(run);
+    EXPECT_EQ(reason(u"responseUseGainsButton"_s), u"Select a run in the list first."_s);
     table()->setCurrentCell(0, 2);
     find<QTabWidget>(u"servoPages"_s)->setCurrentIndex(2);
-    click(u"stepUseGainsButton"_s);
+    click(u"responseUseGainsButton"_s);
     EXPECT_TRUE(find(u"gainsBox"_s)->isVisible());
     EXPECT_EQ(field(u"kpField"_s)->value(), 77);
     EXPECT_EQ(field(u"kdField"_s)->value(), 770);
@@ -345,58 +343,59 @@ TEST_F(StepResponses, GainsGoBackIntoTheFieldsUnsent) {
     EXPECT_EQ(field(u"kdField"_s)->value(), 1000);
 }
 
-TEST_F(StepResponses, GainsAreForTheModuleOfTheRun) {
+TEST_F(Responses, GainsAreForTheModuleOfTheRun) {
     showServos({{.held = true}, {.held = true}});
     open();
-    window->showStepRun(ramp(100, 1));
+    window->showResponse(ramp(100, 1));
     table()->setCurrentCell(0, 2);
-    EXPECT_EQ(reason(u"stepUseGainsButton"_s), u"This run belongs to Module 2. Select that module first."_s);
+    EXPECT_EQ(reason(u"responseUseGainsButton"_s),
+              u"This run belongs to Module 2. Select that module first."_s);
     auto* chain = find<QAbstractItemView>(u"chainList"_s);
     chain->setCurrentIndex(chain->model()->index(1, 0));
-    EXPECT_TRUE(button(u"stepUseGainsButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"responseUseGainsButton"_s)->isEnabled());
 }
 
-TEST_F(StepResponses, RemoveTakesARunOffTheList) {
+TEST_F(Responses, RemoveTakesARunOffTheList) {
     openWith();
-    EXPECT_FALSE(reason(u"stepRemoveButton"_s).isEmpty());
-    EXPECT_FALSE(reason(u"stepExportButton"_s).isEmpty());
-    window->showStepRun(ramp(100));
-    window->showStepRun(ramp(110));
+    EXPECT_FALSE(reason(u"responseRemoveButton"_s).isEmpty());
+    EXPECT_FALSE(reason(u"responseExportButton"_s).isEmpty());
+    window->showResponse(ramp(100));
+    window->showResponse(ramp(110));
     table()->setCurrentCell(0, 2);
-    click(u"stepRemoveButton"_s);
+    click(u"responseRemoveButton"_s);
     ASSERT_EQ(table()->rowCount(), 1);
     EXPECT_EQ(listed(0, 2), u"1"_s);
     EXPECT_EQ(result(0, 0), u"–"_s);
     EXPECT_EQ(result(0, 1), u"1"_s);
-    window->showStepRun(ramp(110));
+    window->showResponse(ramp(110));
     EXPECT_EQ(listed(0, 2), u"3"_s) << "a number stands for one run";
 }
 
-TEST_F(StepResponses, WhatWasRemovedCanBePutBack) {
+TEST_F(Responses, WhatWasRemovedCanBePutBack) {
     openWith();
-    EXPECT_EQ(reason(u"stepPutBackButton"_s), u"No run was removed."_s);
+    EXPECT_EQ(reason(u"responsePutBackButton"_s), u"No run was removed."_s);
     for (const double there : {100, 110, 120})
-        window->showStepRun(ramp(there));
+        window->showResponse(ramp(there));
     for (const int row : {1, 1}) {  // 2, then 1
         table()->setCurrentCell(row, 2);
-        click(u"stepRemoveButton"_s);
-        EXPECT_FALSE(button(u"stepRemoveButton"_s)->isEnabled()) << "nobody has chosen the next one";
+        click(u"responseRemoveButton"_s);
+        EXPECT_FALSE(button(u"responseRemoveButton"_s)->isEnabled()) << "nobody has chosen the next one";
     }
     ASSERT_EQ(table()->rowCount(), 1);
-    click(u"stepPutBackButton"_s);
+    click(u"responsePutBackButton"_s);
     ASSERT_EQ(table()->rowCount(), 2);
     EXPECT_EQ(listed(1, 2), u"1"_s) << "the last first";
     QTest::keyClick(window.get(), Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
     ASSERT_EQ(table()->rowCount(), 3);
     EXPECT_EQ(listed(1, 2), u"2"_s) << "where it was";
-    EXPECT_FALSE(button(u"stepPutBackButton"_s)->isEnabled());
+    EXPECT_FALSE(button(u"responsePutBackButton"_s)->isEnabled());
 }
 
-TEST_F(StepResponses, ARunCanHaveANameAndANote) {
+TEST_F(Responses, ARunCanHaveANameAndANote) {
     openWith();
-    window->showStepRun(ramp(100));
-    window->showStepRun(ramp(110));
-    QSignalSpy changes(&window->stepResponses(), &StepResponseDock::runsChanged);
+    window->showResponse(ramp(100));
+    window->showResponse(ramp(110));
+    QSignalSpy changes(&window->stepResponses(), &ResponseDock::runsChanged);
     const auto write = [this](int row, int column, const QString& words) {
         table()->setFocus();
         table()->setCurrentCell(row, column);
@@ -410,24 +409,24 @@ TEST_F(StepResponses, ARunCanHaveANameAndANote) {
     write(0, 3, u"stiffer"_s);
     write(1, 11, u"belt slack"_s);
     EXPECT_EQ(changes.size(), 2);
-    const auto& runs = find<StepResponsePage>(u"stepResponsePage"_s)->runs();
+    const auto& runs = find<ResponsePage>(u"responsePage"_s)->runs();
     EXPECT_EQ(runs[1].name, "stiffer");
     EXPECT_EQ(runs[0].note, "belt slack");
-    EXPECT_TRUE(find<StepPlot>(u"stepPlot"_s)->legendText(0).startsWith(u"A: run 2 \"stiffer\""_s));
+    EXPECT_TRUE(find<ResponsePlot>(u"responsePlot"_s)->legendText(0).startsWith(u"A: run 2 \"stiffer\""_s));
     EXPECT_EQ(intents.size(), 0);
 }
 
 /// The row goes down by one while somebody writes in it.
-TEST_F(StepResponses, ANewRunDoesNotTakeTheNameThatIsBeingWritten) {
+TEST_F(Responses, ANewRunDoesNotTakeTheNameThatIsBeingWritten) {
     openWith();
-    window->showStepRun(ramp(100));
+    window->showResponse(ramp(100));
     table()->setFocus();
     table()->setCurrentCell(0, 3);
     QTest::keyClick(table(), Qt::Key_F2);
     auto* editor = table()->findChild<QLineEdit*>();
     ASSERT_NE(editor, nullptr);
     QTest::keyClicks(editor, u"so"_s);
-    window->showStepRun(ramp(110));
+    window->showResponse(ramp(110));
     QTest::keyClicks(editor, u"ft"_s);
     QTest::keyClick(editor, Qt::Key_Return);
     EXPECT_TRUE(QTest::qWaitFor([&] { return listed(1, 3) == u"soft"_s; }));
@@ -435,16 +434,16 @@ TEST_F(StepResponses, ANewRunDoesNotTakeTheNameThatIsBeingWritten) {
 }
 
 /// The file comes in when a run has been made already.
-TEST_F(StepResponses, KeptRunsComeBelowThoseThatAreThere) {
+TEST_F(Responses, KeptRunsComeBelowThoseThatAreThere) {
     openWith();
-    window->showStepRun(ramp(110));
-    std::vector<KeptRun> kept{ramp(100), ramp(120)};
+    window->showResponse(ramp(110));
+    std::vector<KeptResponse> kept{ramp(100), ramp(120)};
     kept[0].number = 1;
     kept[0].name = "old";
     kept[1].number = 5;
-    for (KeptRun& run : kept)
+    for (KeptResponse& run : kept)
         run.earlier = true;
-    QSignalSpy changes(&window->stepResponses(), &StepResponseDock::runsChanged);
+    QSignalSpy changes(&window->stepResponses(), &ResponseDock::runsChanged);
     window->stepResponses().showKept(kept);
     EXPECT_EQ(changes.size(), 0) << "the file has them";
     ASSERT_EQ(table()->rowCount(), 3);
@@ -453,30 +452,30 @@ TEST_F(StepResponses, KeptRunsComeBelowThoseThatAreThere) {
     EXPECT_EQ(result(0, 0), u"6"_s);
     EXPECT_EQ(listed(2, 3), u"old"_s);
     table()->setCurrentCell(2, 2);
-    EXPECT_TRUE(button(u"stepUseGainsButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"responseUseGainsButton"_s)->isEnabled());
     window->stepResponses().clearRuns();
     EXPECT_EQ(table()->rowCount(), 0);
     EXPECT_EQ(result(0, 0), u"–"_s);
 }
 
-TEST_F(StepResponses, TheListKeepsTheLastHundredAndWhatIsShown) {
+TEST_F(Responses, TheListKeepsTheLastHundredAndWhatIsShown) {
     openWith();
     for (int i = 0; i < 103; ++i)
-        window->showStepRun(ramp());
+        window->showResponse(ramp());
     ASSERT_EQ(table()->rowCount(), 100);
     EXPECT_EQ(listed(0, 2), u"103"_s);
     EXPECT_EQ(listed(98, 2), u"5"_s);
     EXPECT_EQ(listed(99, 2), u"1"_s) << "it is B";
 }
 
-TEST_F(StepResponses, ExportIsReadableWhateverTheLocale) {
+TEST_F(Responses, ExportIsReadableWhateverTheLocale) {
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
     openWith();
-    KeptRun run = ramp(120);
+    KeptResponse run = ramp(120);
     run.moduleName = "Left, \"arm\"\nof it";
-    window->showStepRun(run);
-    click(u"stepExportButton"_s);
-    auto* dialog = find<QFileDialog>(u"stepRunsDialog"_s);
+    window->showResponse(run);
+    click(u"responseExportButton"_s);
+    auto* dialog = find<QFileDialog>(u"responseRunsDialog"_s);
     ASSERT_NE(dialog, nullptr);
     EXPECT_FALSE(dialog->isModal());
     QSignalSpy saves(window.get(), &MainWindow::saveRequested);
@@ -499,31 +498,31 @@ TEST_F(StepResponses, ExportIsReadableWhateverTheLocale) {
     EXPECT_EQ(lines.size(), first + 1 + 111 + 1);
 }
 
-TEST_F(StepResponses, CursorsStandBesideThePlotWhileTheyAreWanted) {
+TEST_F(Responses, CursorsStandBesideThePlotWhileTheyAreWanted) {
     openWith();
-    window->showStepRun(ramp(100));
-    auto* readings = window->findChild<QTableWidget*>(u"stepCursorTable"_s);
+    window->showResponse(ramp(100));
+    auto* readings = window->findChild<QTableWidget*>(u"responseCursorTable"_s);
     EXPECT_FALSE(readings->isVisible());
-    click(u"stepCursorsButton"_s);
+    click(u"responseCursorsButton"_s);
     EXPECT_TRUE(readings->isVisible());
     EXPECT_EQ(readings->rowCount(), 2);
-    window->showStepRun(ramp(110));
+    window->showResponse(ramp(110));
     EXPECT_EQ(readings->rowCount(), 3) << "time, A and B";
-    find(u"stepPlot"_s)->setFocus();
-    QTest::keyClick(find(u"stepPlot"_s), Qt::Key_C);
+    find(u"responsePlot"_s)->setFocus();
+    QTest::keyClick(find(u"responsePlot"_s), Qt::Key_C);
     EXPECT_FALSE(readings->isVisible());
 }
 
-TEST_F(StepResponses, PicturesGoToFilesAndOntoTheClipboard) {
+TEST_F(Responses, PicturesGoToFilesAndOntoTheClipboard) {
     openWith();
-    KeptRun run = ramp(100);
+    KeptResponse run = ramp(100);
     run.name = "stiffer";
-    window->showStepRun(run);
+    window->showResponse(run);
     QSignalSpy saves(window.get(), &MainWindow::saveRequested);
     for (const auto& [kind, magic] :
          {std::pair{u"Png"_s, "\x89PNG"}, std::pair{u"Svg"_s, "<?xml"}, std::pair{u"Pdf"_s, "%PDF"}}) {
-        window->findChild<QAction*>(u"step%1Action"_s.arg(kind))->trigger();
-        auto* dialog = window->findChild<QFileDialog*>(u"stepPicture%1Dialog"_s.arg(kind.toLower()));
+        window->findChild<QAction*>(u"response%1Action"_s.arg(kind))->trigger();
+        auto* dialog = window->findChild<QFileDialog*>(u"responsePicture%1Dialog"_s.arg(kind.toLower()));
         ASSERT_NE(dialog, nullptr) << kind.toStdString();
         EXPECT_FALSE(dialog->isModal());
         emit dialog->fileSelected(u"/home/anna/step."_s + kind.toLower());
@@ -538,14 +537,14 @@ TEST_F(StepResponses, PicturesGoToFilesAndOntoTheClipboard) {
         }
     }
     QGuiApplication::clipboard()->clear();
-    window->findChild<QAction*>(u"stepCopyAction"_s)->trigger();
+    window->findChild<QAction*>(u"responseCopyAction"_s)->trigger();
     EXPECT_GT(QGuiApplication::clipboard()->image().width(), 100);
 }
 
-TEST_F(StepResponses, ShowingEmitsNothing) {
+TEST_F(Responses, ShowingEmitsNothing) {
     openWith();
     QSignalSpy edits(window.get(), &MainWindow::axisEdited);
-    window->showStepRun(ramp());
+    window->showResponse(ramp());
     showServo({.millisecond = 20});
     report(ProcedureStage::Done);
     EXPECT_EQ(intents.size(), 0);

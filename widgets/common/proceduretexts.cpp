@@ -92,7 +92,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
     return {};
 }
 
-Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
+Words responseFailed(ProcedureFailure failure, const QString& who) {
     switch (failure) {
         case ProcedureFailure::TravelLimit:
             return {
@@ -297,7 +297,7 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         if (report.kind == ProcedureKind::Homing)
             words = homingFailed(report, who, scale);
         else if (report.kind == ProcedureKind::StepResponse)
-            words = stepResponseFailed(*report.failure, who);
+            words = responseFailed(*report.failure, who);
         else if (report.kind == ProcedureKind::SquareWave || report.kind == ProcedureKind::FrequencyResponse)
             words = {Texts::tr("%1: its loop test ended early.").arg(who), loopTestFailure(*report.failure),
                      freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};

@@ -12,7 +12,7 @@ namespace nmc {
 
 class FrequencyPage;
 class SquareWavePage;
-struct KeptRun;
+struct KeptResponse;
 
 /// The place of the longer tests of a loop, closed at first: its content is built when it is seen for the
 /// first time, or when a test tells of itself.
@@ -32,7 +32,7 @@ public:
 
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
-    void runKept(const nmc::KeptRun& run);
+    void runKept(const nmc::KeptResponse& run);
     /// Of all that is known of the selected module's loop.
     void reportWanted();
     void saveRequested(const QString& path, const nmc::FileContent& content);

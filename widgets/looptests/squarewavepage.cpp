@@ -14,7 +14,7 @@
 #include "widgets/common/quantityfield.h"
 #include "widgets/looptests/squareplot.h"
 #include "widgets/looptests/testform.h"
-#include "widgets/response/stepresponsewords.h"
+#include "widgets/response/responsewords.h"
 
 namespace nmc {
 
@@ -25,10 +25,11 @@ constexpr double kFirstPeriod = 0.6;  ///< s
 constexpr unsigned kFirstRounds = 20;
 constexpr std::int32_t kFirstExcursion = 200;
 
-[[nodiscard]] SquarePlot::Fold drawn(std::span<const StepRun> edges, const std::optional<EdgeFold>& forward) {
+[[nodiscard]] SquarePlot::Fold drawn(std::span<const ResponseRecord> edges,
+                                     const std::optional<EdgeFold>& forward) {
     if (edges.empty())
         return {};
-    const StepTaken& last = edges.back().taken;
+    const ResponseTaken& last = edges.back().taken;
     SquarePlot::Fold fold;
     fold.counts = static_cast<double>(std::abs(std::int64_t{last.goal} - last.from));
     fold.half = last.record;
@@ -66,8 +67,8 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
     m_excursion->showNative(kFirstExcursion);
     m_way = new QComboBox(this);
     look::name(m_way, u"squareWaveWayBox"_s, tr("Way: how the command jumps"));
-    for (const StepWay way : {StepWay::StopHere, StepWay::Profile})
-        m_way->addItem(texts::stepWay(way), static_cast<int>(way));
+    for (const ResponseMethod way : {ResponseMethod::StopHere, ResponseMethod::Profile})
+        m_way->addItem(texts::responseMethod(way), static_cast<int>(way));
     m_way->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_way->setMinimumContentsLength(12);
     m_form->addRow(tr("Way"), m_way, nullptr);
@@ -75,7 +76,7 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
         return intent::SquareWave{static_cast<std::int32_t>(*m_counts->native()), *m_period->value(),
                                   static_cast<unsigned>(*m_rounds->value()),
                                   static_cast<std::int32_t>(*m_excursion->native()),
-                                  static_cast<StepWay>(m_way->currentData().toInt())};
+                                  static_cast<ResponseMethod>(m_way->currentData().toInt())};
     });
     m_results = new QLabel(this);
     look::nameText(m_results, u"squareWaveResults"_s, tr("Results of the edges"));
@@ -116,7 +117,7 @@ void SquareWavePage::clear() {
     refresh();
 }
 
-void SquareWavePage::showEdge(KeptRun edge) {
+void SquareWavePage::showEdge(KeptResponse edge) {
     m_edges.push_back(edge.run);
     m_labels = std::move(edge);
     refresh();
@@ -124,21 +125,21 @@ void SquareWavePage::showEdge(KeptRun edge) {
 
 void SquareWavePage::refresh() {
     // Those with other gains than the last one's, from before they were changed.
-    const auto changed = std::find_if(m_edges.rbegin(), m_edges.rend(), [this](const StepRun& edge) {
+    const auto changed = std::find_if(m_edges.rbegin(), m_edges.rend(), [this](const ResponseRecord& edge) {
         return edge.taken.gains != m_edges.back().taken.gains;
     });
-    const std::span<const StepRun> before(m_edges.begin(), changed.base());
+    const std::span<const ResponseRecord> before(m_edges.begin(), changed.base());
     const auto forward = foldEdges(m_edges, true);
     m_plot->showFold(drawn(m_edges, forward), drawn(before, foldEdges(before, true)), m_labels.scale);
     m_folded = forward ? std::optional(forward->run) : std::nullopt;
     QStringList lines;
     if (m_folded) {
-        const StepMetrics& metrics = m_folded->metrics;
+        const ResponseMetrics& metrics = m_folded->metrics;
         lines << tr("Edges with these gains: %1").arg(std::distance(m_edges.rbegin(), changed))
-              << tr("Rise %1").arg(texts::stepTime(metrics.rise))
-              << tr("Overshoot %1").arg(texts::stepOvershoot(metrics.overshoot))
-              << tr("Settling %1").arg(texts::stepTime(metrics.settling))
-              << tr("Steady-state error %1").arg(texts::stepError(metrics.steadyError, m_labels.scale));
+              << tr("Rise %1").arg(texts::responseTime(metrics.rise))
+              << tr("Overshoot %1").arg(texts::responseOvershoot(metrics.overshoot))
+              << tr("Settling %1").arg(texts::responseTime(metrics.settling))
+              << tr("Steady-state error %1").arg(texts::responseError(metrics.steadyError, m_labels.scale));
     }
     look::setText(m_results, lines.join(u'\n'));
     look::setPossible(m_keep, m_folded ? QString() : tr("No edge recorded yet."),
@@ -148,7 +149,7 @@ void SquareWavePage::refresh() {
 void SquareWavePage::keep() {
     if (!m_folded)
         return;
-    KeptRun kept = m_labels;
+    KeptResponse kept = m_labels;
     kept.run = *m_folded;
     emit runKept(kept);
 }

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 #include "widgets/panels/panelview.h"
 
 class QComboBox;
@@ -32,12 +32,12 @@ public:
     void showNothing();
     /// A wave begins: those of the one before are gone.
     void clear();
-    void showEdge(KeptRun edge);
+    void showEdge(KeptResponse edge);
 
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// The edges towards higher counts as one step response, to be compared with others.
-    void runKept(const nmc::KeptRun& run);
+    void runKept(const nmc::KeptResponse& run);
 
 private:
     void refresh();
@@ -52,9 +52,9 @@ private:
     SquarePlot* m_plot;
     QLabel* m_results;
     QPushButton* m_keep;
-    std::vector<StepRun> m_edges;
-    std::optional<StepRun> m_folded;  ///< those towards higher counts, with the present gains
-    KeptRun m_labels;                 ///< of the edges: where they come from
+    std::vector<ResponseRecord> m_edges;
+    std::optional<ResponseRecord> m_folded;  ///< those towards higher counts, with the present gains
+    KeptResponse m_labels;                   ///< of the edges: where they come from
 };
 
 }  // namespace nmc

@@ -14,8 +14,8 @@
 #include "widgets/looptests/looptestwords.h"
 #include "widgets/panels/gainsmeaning.h"
 #include "widgets/response/modelwords.h"
-#include "widgets/response/stepplot.h"
-#include "widgets/response/stepresponsewords.h"
+#include "widgets/response/responseplot.h"
+#include "widgets/response/responsewords.h"
 
 namespace nmc {
 
@@ -73,19 +73,19 @@ QString gainsTable(const servo::SetGain& gains) {
         .arg(Report::tr("Gains").toHtmlEscaped(), names, values);
 }
 
-QString stepSection(const KeptRun& kept) {
-    StepPlot plot;
+QString responseSection(const KeptResponse& kept) {
+    ResponsePlot plot;
     plot.showRuns(&kept, nullptr);
-    const StepMetrics& metrics = kept.run.metrics;
-    const StepTaken& taken = kept.run.taken;
+    const ResponseMetrics& metrics = kept.run.metrics;
+    const ResponseTaken& taken = kept.run.taken;
     return section(
         Report::tr("Step response"), picture(plot, kStepPicture, Report::tr("Step response")),
-        {Report::tr("%1 counts, %2").arg(taken.goal - taken.from).arg(texts::stepWay(taken.way)),
-         texts::gainsInShort(taken.gains), Report::tr("Rise %1").arg(texts::stepTime(metrics.rise)),
-         Report::tr("Overshoot %1").arg(texts::stepOvershoot(metrics.overshoot)),
+        {Report::tr("%1 counts, %2").arg(taken.goal - taken.from).arg(texts::responseMethod(taken.way)),
+         texts::gainsInShort(taken.gains), Report::tr("Rise %1").arg(texts::responseTime(metrics.rise)),
+         Report::tr("Overshoot %1").arg(texts::responseOvershoot(metrics.overshoot)),
          Report::tr("Settling to ±%1 %: %2")
-             .arg(QLocale().toString(kept.run.bandPercent), texts::stepTime(metrics.settling)),
-         Report::tr("Steady-state error %1").arg(texts::stepError(metrics.steadyError, kept.scale)),
+             .arg(QLocale().toString(kept.run.bandPercent), texts::responseTime(metrics.settling)),
+         Report::tr("Steady-state error %1").arg(texts::responseError(metrics.steadyError, kept.scale)),
          QString::fromStdString(kept.startedAt)});
 }
 
@@ -107,7 +107,7 @@ QString reportHtml(const TuningReport& report) {
     if (report.gains)
         page += gainsTable(*report.gains);
     if (report.run)
-        page += stepSection(*report.run);
+        page += responseSection(*report.run);
     if (!report.motor.isEmpty())
         page += u"<h3>%1</h3><p>%2</p>"_s.arg(Report::tr("Motor").toHtmlEscaped(), lines(report.motor));
     if (!report.frequencies.empty()) {

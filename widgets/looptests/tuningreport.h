@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/frequency/frequencypoint.h"
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 
 namespace nmc {
 
@@ -21,7 +21,7 @@ struct TuningReport {
     bool simulated = false;
     QDateTime made;
     std::optional<servo::SetGain> gains{};      ///< in force
-    std::optional<KeptRun> run{};               ///< the last step response
+    std::optional<KeptResponse> run{};          ///< the last step response
     QStringList motor{};                        ///< what was found of it, a line each
     std::vector<FrequencyPoint> frequencies{};  ///< the last frequency response
 };

@@ -41,7 +41,7 @@
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/paths/pathsdock.h"
-#include "widgets/response/stepresponsedock.h"
+#include "widgets/response/responsedock.h"
 #include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/sequences/sequencesdock.h"
@@ -261,7 +261,7 @@ void MainWindow::showPhase(LinkPhase before) {
     const LinkState& link = m_session.link();
     if (before == LinkPhase::Disconnected && m_session.isOpen()) {
         m_panel->forgetModules();
-        m_stepResponse->forgetModules();
+        m_response->forgetModules();
         m_loopTests->forgetModules();
     }
     if (before != link.phase && link.phase == LinkPhase::Connecting) {
@@ -342,7 +342,7 @@ void MainWindow::showSelected() {
     if (const ModuleState* module = selectedState()) {
         const PanelView view = m_session.viewOf(*module);
         m_panel->showModule(view);
-        m_stepResponse->showModule(view);
+        m_response->showModule(view);
         m_loopTests->showModule(view);
     } else {
         // It may stand open, with what the module that was here could be told.
@@ -352,7 +352,7 @@ void MainWindow::showSelected() {
             m_panel->showInstead(*m_start);
         else
             m_panel->showNothing(nothingText(), m_session.link().phase == LinkPhase::Connecting);
-        m_stepResponse->showNothing();
+        m_response->showNothing();
         m_loopTests->showNothing();
     }
     m_simulator->showSelected(selectedModule());
@@ -391,8 +391,8 @@ void MainWindow::showProcedure(const ProcedureReport& report) {
     m_session.setProcedure(report);
 }
 
-void MainWindow::showStepRun(const KeptRun& run) {
-    m_stepResponse->showRun(run);
+void MainWindow::showResponse(const KeptResponse& run) {
+    m_response->showRun(run);
 }
 
 ScopeFiles& MainWindow::scopeFiles() {

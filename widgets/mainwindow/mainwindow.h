@@ -55,8 +55,8 @@ struct TuningReport;
 class SequencesDock;
 class SimulatorDock;
 class StartPage;
-class StepResponseDock;
-struct KeptRun;
+class ResponseDock;
+struct KeptResponse;
 
 /// The panel's window. Values in, intents out: it never sees the bus, a thread or a port. Every show...() is
 /// idempotent and emits nothing (but a hold that loses its ground ends, and says so).
@@ -91,7 +91,7 @@ public:
     /// How a procedure of some module goes, or went.
     void showProcedure(const ProcedureReport& report);
     /// A step response that was made; the list of runs gives it its number.
-    void showStepRun(const KeptRun& run);
+    void showResponse(const KeptResponse& run);
     /// A new cause, or the same again: repeats are counted.
     void showMessage(const Message& message);
     /// More is known of a cause that is told already: no repeat, and nothing where it is over or hidden.
@@ -121,7 +121,7 @@ public:
     [[nodiscard]] SequencesDock& sequences() { return *m_sequences; }
     /// Paths of CMC and SC: opened, drawn, run.
     [[nodiscard]] PathsDock& paths() { return *m_paths; }
-    [[nodiscard]] StepResponseDock& stepResponses() { return *m_stepResponse; }
+    [[nodiscard]] ResponseDock& stepResponses() { return *m_response; }
     [[nodiscard]] LoopTestsDock& loopTests() { return *m_loopTests; }
     /// All axes at once.
     [[nodiscard]] AxesDock& axes() { return *m_axes; }
@@ -209,7 +209,7 @@ private:
                          Qt::DockWidgetArea area);
     void showDockOf(const QWidget& content);
     void addSimulatorDock();
-    void addStepResponseDock(QDockWidget& scope, QDockWidget& messages);
+    void addResponseDock(QDockWidget& scope, QDockWidget& messages);
     void makeRoomBeside(QDockWidget& messages, QDockWidget& dock, int lines);
     void makeRoomForSequences(QDockWidget& messages);
     [[nodiscard]] std::optional<TuningReport> tuningReport();
@@ -265,7 +265,7 @@ private:
     MessagePanel* m_messages = nullptr;
     SimulatorDock* m_simulator = nullptr;
     MonitorDock* m_monitor = nullptr;
-    StepResponseDock* m_stepResponse = nullptr;
+    ResponseDock* m_response = nullptr;
     LoopTestsDock* m_loopTests = nullptr;
     SequencesDock* m_sequences = nullptr;
     PathsDock* m_paths = nullptr;

@@ -21,7 +21,7 @@
 #include "widgets/panels/modulepage.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/paths/pathsdock.h"
-#include "widgets/response/stepresponsedock.h"
+#include "widgets/response/responsedock.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/sequences/sequencesdock.h"
 #include "widgets/simulator/simulatordock.h"
@@ -75,8 +75,8 @@ void MainWindow::buildDocks() {
     m_monitor = new MonitorDock(this);
     placeMonitor(*this, *m_monitor, *messages, *m_scopeDock);
     m_docks.append(m_monitor);
-    addStepResponseDock(*m_scopeDock, *messages);
-    m_docks.append(m_stepResponse);
+    addResponseDock(*m_scopeDock, *messages);
+    m_docks.append(m_response);
     addLoopTestsDock(*m_scopeDock, *messages);
     m_docks.append(m_loopTests);
     addMotionDocks(*m_scopeDock, *messages);
@@ -94,20 +94,20 @@ void MainWindow::buildDocks() {
     resizeDocks({m_scopeDock}, {em * 23}, Qt::Vertical);
 }
 
-void MainWindow::addStepResponseDock(QDockWidget& scope, QDockWidget& messages) {
-    m_stepResponse = new StepResponseDock(this);
-    tabifyDockWidget(&scope, m_stepResponse);
-    m_stepResponse->hide();
-    connect(m_panel, &ModulePanel::stepResponseWanted, m_stepResponse, &StepResponseDock::open);
+void MainWindow::addResponseDock(QDockWidget& scope, QDockWidget& messages) {
+    m_response = new ResponseDock(this);
+    tabifyDockWidget(&scope, m_response);
+    m_response->hide();
+    connect(m_panel, &ModulePanel::responseWanted, m_response, &ResponseDock::open);
     // Queued: until then the layout does not know that it is there.
     connect(
-        m_stepResponse, &StepResponseDock::roomWanted, this,
-        [this, &messages] { makeRoomBeside(messages, *m_stepResponse, kStepResponseWidth); },
+        m_response, &ResponseDock::roomWanted, this,
+        [this, &messages] { makeRoomBeside(messages, *m_response, kStepResponseWidth); },
         Qt::QueuedConnection);
-    connect(m_stepResponse, &StepResponseDock::opened, this, &MainWindow::showSelected);
-    connect(m_stepResponse, &StepResponseDock::gainsWanted, m_panel, &ModulePanel::stageGains);
-    connect(m_stepResponse, &StepResponseDock::saveRequested, this, &MainWindow::saveRequested);
-    connect(m_stepResponse, &StepResponseDock::asked, this,
+    connect(m_response, &ResponseDock::opened, this, &MainWindow::showSelected);
+    connect(m_response, &ResponseDock::gainsWanted, m_panel, &ModulePanel::stageGains);
+    connect(m_response, &ResponseDock::saveRequested, this, &MainWindow::saveRequested);
+    connect(m_response, &ResponseDock::asked, this,
             [this](ModuleIndex module, const Intent& intent) { emit intentRequested(module, intent); });
 }
 
@@ -121,7 +121,8 @@ void MainWindow::addLoopTestsDock(QDockWidget& scope, QDockWidget& messages) {
         [this, &messages] { makeRoomBeside(messages, *m_loopTests, kStepResponseWidth); },
         Qt::QueuedConnection);
     connect(m_loopTests, &LoopTestsDock::opened, this, &MainWindow::showSelected);
-    connect(m_loopTests, &LoopTestsDock::runKept, this, [this](const KeptRun& run) { showStepRun(run); });
+    connect(m_loopTests, &LoopTestsDock::runKept, this,
+            [this](const KeptResponse& run) { showResponse(run); });
     connect(m_loopTests, &LoopTestsDock::reportWanted, this, &MainWindow::chooseReportFile);
     connect(m_loopTests, &LoopTestsDock::saveRequested, this, &MainWindow::saveRequested);
     connect(m_loopTests, &LoopTestsDock::asked, this, &MainWindow::intentRequested);
@@ -249,7 +250,7 @@ void MainWindow::arrangeDocks(Layouts::Kind kind) {
     const QDockWidget* messages = findChild<QDockWidget*>(u"messagesDock"_s);
     for (QDockWidget* dock : m_docks)
         dock->setVisible(dock == m_simulator       ? dock->isVisible()
-                         : dock == m_stepResponse  ? tune
+                         : dock == m_response      ? tune
                          : dock == m_monitor       ? chain
                          : dock == m_scopeDock     ? !chain
                          : dock == messages        ? !tune
@@ -269,19 +270,19 @@ void MainWindow::resetLayout() {
 /// At the left, above one another; what is opened besides comes to the right of the gains.
 void MainWindow::giveRoomToPlots() {
     for (QDockWidget* dock : m_docks)
-        if (dock != m_scopeDock && dock != m_stepResponse && dock != m_loopTests) {
+        if (dock != m_scopeDock && dock != m_response && dock != m_loopTests) {
             const bool shown = !dock->isHidden();
             addDockWidget(Qt::RightDockWidgetArea, dock);
             dock->setVisible(shown);
         }
     addDockWidget(Qt::LeftDockWidgetArea, m_scopeDock);
-    splitDockWidget(m_scopeDock, m_stepResponse, Qt::Vertical);
+    splitDockWidget(m_scopeDock, m_response, Qt::Vertical);
     const bool testing = !m_loopTests->isHidden();
-    tabifyDockWidget(m_stepResponse, m_loopTests);
+    tabifyDockWidget(m_response, m_loopTests);
     m_loopTests->setVisible(testing);
     const int column = fontMetrics().height() * kColumn;
     resizeDocks({m_scopeDock}, {qMax(column, width() - column)}, Qt::Horizontal);
-    resizeDocks({m_scopeDock, m_stepResponse}, {height() * 2, height() * 3}, Qt::Vertical);
+    resizeDocks({m_scopeDock, m_response}, {height() * 2, height() * 3}, Qt::Vertical);
 }
 
 /// The window has become wider: the plots have what it has gained.
@@ -295,23 +296,23 @@ void MainWindow::showLayout(Layouts::Kind kind) {
     const bool tune = kind == Layouts::Kind::Tune;
     m_simulator->setWanted(m_settings.value(simulatorOpen(kind), !tune).toBool());
     if (tune) {
-        m_panel->setFoot(m_stepResponse->page().lendForm());
+        m_panel->setFoot(m_response->page().lendForm());
     } else {
         m_panel->setFoot(nullptr);
-        m_stepResponse->takeFormBack();
+        m_response->takeFormBack();
     }
     showSelected();
 }
 
 /// From anywhere in the window: it moves the motor, so it is seen.
 void MainWindow::stepNow() {
-    if (!m_stepResponse->page().lends())
-        m_stepResponse->open();
+    if (!m_response->page().lends())
+        m_response->open();
     if (const ModuleState* module = selectedState())
-        m_stepResponse->page().showModule(m_session.viewOf(*module));
+        m_response->page().showModule(m_session.viewOf(*module));
     else
-        m_stepResponse->page().showNothing();
-    m_stepResponse->page().step();
+        m_response->page().showNothing();
+    m_response->page().step();
 }
 
 }  // namespace nmc

@@ -9,7 +9,7 @@
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/looptests/tuningreport.h"
 #include "widgets/mainwindow/mainwindow.h"
-#include "widgets/response/stepresponsedock.h"
+#include "widgets/response/responsedock.h"
 
 namespace nmc {
 
@@ -30,11 +30,11 @@ std::optional<TuningReport> MainWindow::tuningReport() {
     report.simulated = link.simulated;
     report.made = QDateTime::currentDateTime();
     report.gains = module->gains;
-    const std::vector<KeptRun>& runs = m_stepResponse->page().runs();
-    for (const KeptRun& run : runs)
+    const std::vector<KeptResponse>& runs = m_response->page().runs();
+    for (const KeptResponse& run : runs)
         if (run.run.module == info.index)
             report.run = run;
-    report.motor = m_stepResponse->page().motorWords();
+    report.motor = m_response->page().motorWords();
     report.frequencies = m_loopTests->frequency().points();
     return report;
 }

@@ -183,7 +183,7 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
                               .icon = u"player-play"_s,
                               .text = tr("Step response…"),
                               .accessible = tr("Step response: open")},
-                             this, [this] { emit stepResponseWanted(); });
+                             this, [this] { emit responseWanted(); });
     step->setPossible({},
                       tr("Opens the step response, which shows how the motor follows a small step (F9)."));
     m_buttons = {start, zero, m_undo, m_redo, step, m_revert, m_apply, m_try, m_keep};

@@ -34,7 +34,7 @@ public:
     void stage(const servo::SetGain& gains);
 
 signals:
-    void stepResponseWanted();
+    void responseWanted();
 
 private:
     enum class Known : std::uint8_t { Unknown, Sent, Edited };

@@ -42,7 +42,7 @@ public:
     [[nodiscard]] int spareHeight() const;
 
 signals:
-    void stepResponseWanted();
+    void responseWanted();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -72,7 +72,7 @@ std::unique_ptr<ModulePage> ModulePanel::build(const PanelView& view) {
             [this, module](const AxisSettings& settings) { emit settingsEdited(module, settings); });
     connect(&context, &ModuleContext::holdAsked, this, &ModulePanel::holdRequested);
     connect(&context, &ModuleContext::holdReleased, this, &ModulePanel::holdReleased);
-    connect(page.get(), &ModulePage::stepResponseWanted, this, &ModulePanel::stepResponseWanted);
+    connect(page.get(), &ModulePage::responseWanted, this, &ModulePanel::responseWanted);
     if (m_holdInterval)
         context.setHoldInterval(*m_holdInterval);
     page->setTuning(m_foot != nullptr);

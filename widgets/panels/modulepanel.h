@@ -57,7 +57,7 @@ public:
 signals:
     /// Another page is in sight.
     void pageChanged();
-    void stepResponseWanted();
+    void responseWanted();
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// On press and every 100 ms while held.
     void holdRequested(const nmc::bus::HoldToMove& hold);

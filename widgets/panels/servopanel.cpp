@@ -60,7 +60,7 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     m_steps = new FirstSteps(m_context, this);
     layout()->addWidget(m_steps);
     connect(m_steps, &FirstSteps::placeWanted, this, &ServoPanel::showPlaceOf);
-    connect(m_gains, &GainsBox::stepResponseWanted, this, &ServoPanel::stepResponseWanted);
+    connect(m_gains, &GainsBox::responseWanted, this, &ServoPanel::responseWanted);
 }
 
 void ServoPanel::showPlaceOf(FirstStep step) {

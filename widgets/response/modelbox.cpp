@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/response/modelwords.h"
@@ -34,7 +34,7 @@ QLabel* newParagraph(const QString& objectName, const QString& what, int lines, 
 }
 }  // namespace
 
-ModelBox::ModelBox(const std::vector<KeptRun>& runs, QWidget* parent) : QWidget(parent), m_runs(runs) {
+ModelBox::ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent) : QWidget(parent), m_runs(runs) {
     look::name(this, u"modelBox"_s, tr("Motor model"));
     m_identify = new QPushButton(icons::tinted(u"wand"_s), tr("Find the motor"), this);
     look::name(m_identify, u"identifyButton"_s, tr("Find the motor model from the steps"));
@@ -88,9 +88,9 @@ QSlider* ModelBox::newSlider(const QString& objectName, const QString& text, con
     return slider;
 }
 
-std::vector<const KeptRun*> ModelBox::ofThisModule() const {
-    std::vector<const KeptRun*> mine;
-    for (const KeptRun& kept : m_runs)
+std::vector<const KeptResponse*> ModelBox::ofThisModule() const {
+    std::vector<const KeptResponse*> mine;
+    for (const KeptResponse& kept : m_runs)
         if (m_servo == kept.run.module && !kept.earlier)
             mine.push_back(&kept);
     if (mine.size() > kMostRuns)
@@ -104,11 +104,11 @@ const ModelBox::Found* ModelBox::found() const {
 }
 
 void ModelBox::identify() {
-    const std::vector<const KeptRun*> mine = ofThisModule();
+    const std::vector<const KeptResponse*> mine = ofThisModule();
     if (mine.empty() || m_looking)
         return;
-    std::vector<StepRun> runs;
-    for (const KeptRun* kept : mine)
+    std::vector<ResponseRecord> runs;
+    for (const KeptResponse* kept : mine)
         runs.push_back(kept->run);
     m_looking = Looking{*m_servo, mine.back()->number};
     m_found.erase(*m_servo);
@@ -159,7 +159,7 @@ void ModelBox::suggest() {
     if (const Found* found = this->found(); found != nullptr && found->motor) {
         const int number = found->from;
         const auto last = std::find_if(m_runs.begin(), m_runs.end(),
-                                       [number](const KeptRun& kept) { return kept.number == number; });
+                                       [number](const KeptResponse& kept) { return kept.number == number; });
         if (last != m_runs.end()) {
             const auto part = [](const QSlider* slider) {
                 return static_cast<double>(slider->value()) / kSliderSteps;
@@ -186,8 +186,8 @@ void ModelBox::showSuggestion(const Suggestion& suggestion) {
     emit curvesChanged();
 }
 
-const std::vector<StepPoint>& ModelBox::predictedPoints() const {
-    static const std::vector<StepPoint> kNone;
+const std::vector<ResponsePoint>& ModelBox::predictedPoints() const {
+    static const std::vector<ResponsePoint> kNone;
     return m_suggestion.prediction ? m_suggestion.prediction->run.points : kNone;
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 #include "model/tuning/identify.h"
 #include "model/tuning/predict.h"
 #include "model/tuning/suggest.h"
@@ -26,7 +26,7 @@ struct SuggestionTask {
     MotorModel motor;
     LoopWish wish;
     servo::SetGain now;
-    StepTaken taken;  ///< the step that is predicted once more
+    ResponseTaken taken;  ///< the step that is predicted once more
     double bandPercent = 0.0;
 };
 struct Suggestion {
@@ -42,7 +42,7 @@ class ModelBox : public QWidget {
 
 public:
     /// `runs`: those of the list, newest last; they must outlive it.
-    explicit ModelBox(const std::vector<KeptRun>& runs, QWidget* parent = nullptr);
+    explicit ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent = nullptr);
 
     // Emit nothing but curvesChanged().
     void showModule(const PanelView& view);
@@ -58,16 +58,16 @@ public:
 
     /// What a step like the last of this module would do with the suggested gains; empty: nothing is
     /// suggested.
-    [[nodiscard]] const std::vector<StepPoint>& predictedPoints() const;
+    [[nodiscard]] const std::vector<ResponsePoint>& predictedPoints() const;
     /// How the motor that was found explains that last one.
-    [[nodiscard]] const std::vector<StepPoint>& fittedPoints() const { return m_fitted; }
+    [[nodiscard]] const std::vector<ResponsePoint>& fittedPoints() const { return m_fitted; }
     /// The motor that was found, a line each; empty: none was.
     [[nodiscard]] QStringList motorWords() const;
     /// The number of that last one.
     [[nodiscard]] std::optional<int> about() const { return m_about; }
 
 signals:
-    void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::StepRun>& runs);
+    void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
     /// With every move of a slider: some tens of milliseconds of work.
     void suggestionWanted(const nmc::SuggestionTask& task);
     void gainsWanted(const nmc::servo::SetGain& gains);
@@ -88,7 +88,7 @@ private:
     void refresh();
     void suggest();
     void showWords();
-    [[nodiscard]] std::vector<const KeptRun*> ofThisModule() const;
+    [[nodiscard]] std::vector<const KeptResponse*> ofThisModule() const;
     [[nodiscard]] const Found* found() const;
 
     QPushButton* m_identify = nullptr;
@@ -98,14 +98,14 @@ private:
     QSlider* m_stiffness = nullptr;
     QSlider* m_damping = nullptr;
     QSlider* m_noise = nullptr;
-    const std::vector<KeptRun>& m_runs;
+    const std::vector<KeptResponse>& m_runs;
     std::map<ModuleIndex, Found> m_found;
     std::optional<Looking> m_looking;
     std::optional<ModuleIndex> m_servo;
     std::optional<servo::SetGain> m_gains;  ///< that it has
     int m_asked = 0;                        ///< suggestions, so far
     Suggestion m_suggestion;
-    std::vector<StepPoint> m_fitted;
+    std::vector<ResponsePoint> m_fitted;
     std::optional<int> m_about;
 };
 

@@ -6,7 +6,7 @@
 
 #include "widgets/common/words.h"
 #include "widgets/panels/gainsmeaning.h"
-#include "widgets/response/stepresponsewords.h"
+#include "widgets/response/responsewords.h"
 
 namespace nmc::texts {
 
@@ -68,14 +68,14 @@ QString gainsInShort(const servo::SetGain& gains) {
 
 QStringList predicted(const Prediction& prediction) {
     const LoopMargins& margins = prediction.margins;
-    return {
-        ModelTexts::tr("Overshoot %1, settling %2")
-            .arg(stepOvershoot(prediction.run.metrics.overshoot), stepTime(prediction.run.metrics.settling)),
-        ModelTexts::tr("Steady-state error %1 counts").arg(readout(prediction.errorAtRest, 2)),
-        std::isfinite(margins.gain)
-            ? ModelTexts::tr("Phase margin %1°, gain margin %2")
-                  .arg(readout(margins.phaseDegrees, 2), readout(margins.gain, 2))
-            : ModelTexts::tr("Phase margin %1°").arg(readout(margins.phaseDegrees, 2))};
+    return {ModelTexts::tr("Overshoot %1, settling %2")
+                .arg(responseOvershoot(prediction.run.metrics.overshoot),
+                     responseTime(prediction.run.metrics.settling)),
+            ModelTexts::tr("Steady-state error %1 counts").arg(readout(prediction.errorAtRest, 2)),
+            std::isfinite(margins.gain)
+                ? ModelTexts::tr("Phase margin %1°, gain margin %2")
+                      .arg(readout(margins.phaseDegrees, 2), readout(margins.gain, 2))
+                : ModelTexts::tr("Phase margin %1°").arg(readout(margins.phaseDegrees, 2))};
 }
 
 }  // namespace nmc::texts

@@ -44,7 +44,7 @@ FrequencyRun::Next FrequencyRun::swingNext(const ModuleState& module) {
     sine.amplitude = m_wanted.amplitude;
     sine.frequency = hertz;
     sine.lasts = fromSeconds(std::max(kPeriods / hertz, kShortest));
-    return swing(jump(module, from(), StepWay::StopHere).front(), sine);
+    return swing(jump(module, from(), ResponseMethod::StopHere).front(), sine);
 }
 
 FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now*/) {

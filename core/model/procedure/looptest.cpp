@@ -57,8 +57,9 @@ LoopTest::Next LoopTest::prepare(const ModuleState& module, TimePoint now) {
     return next;
 }
 
-std::vector<bus::Step> LoopTest::jump(const ModuleState& module, std::int32_t goal, StepWay way) const {
-    if (way == StepWay::StopHere)
+std::vector<bus::Step> LoopTest::jump(const ModuleState& module, std::int32_t goal,
+                                      ResponseMethod way) const {
+    if (way == ResponseMethod::StopHere)
         return steps({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(goal)}});
     servo::LoadTrajectory load;
     load.position = Counts(goal);
@@ -72,12 +73,12 @@ LoopTest::Next LoopTest::conclude(const ModuleState& module, std::int32_t goal) 
     m_since.reset();
     std::vector<bus::Step> both = hold(module);
     if (module.info.identity.version >= servo::kStopHereVersion)
-        both.push_back(jump(module, goal, StepWay::StopHere).front());
+        both.push_back(jump(module, goal, ResponseMethod::StopHere).front());
     return send(std::move(both));
 }
 
 std::optional<LoopTest::Next> LoopTest::record(const ModuleState& module, TimePoint now,
-                                               const StepTaken& taken) {
+                                               const ResponseTaken& taken) {
     if (module.motionCommandedAt != taken.at) {  // something else moves or has stopped it
         m_mayRun = false;
         cancel();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bus/standstill.h"
-#include "model/intent/steptaken.h"
+#include "model/intent/responsetaken.h"
 #include "model/procedure/procedure.h"
 
 namespace nmc {
@@ -36,11 +36,11 @@ protected:
     [[nodiscard]] std::int32_t stood() const { return m_stood; }
     /// The command position goes there in one tick.
     [[nodiscard]] std::vector<bus::Step> jump(const ModuleState& module, std::int32_t goal,
-                                              StepWay way) const;
+                                              ResponseMethod way) const;
     /// While `taken` is recorded: what comes next until it is over. The motion may be somebody else's by
     /// then, or go too far.
     [[nodiscard]] std::optional<Next> record(const ModuleState& module, TimePoint now,
-                                             const StepTaken& taken);
+                                             const ResponseTaken& taken);
     /// The test is over: it is held at `goal`.
     [[nodiscard]] Next conclude(const ModuleState& module, std::int32_t goal);
     [[nodiscard]] std::vector<bus::Step> steps(std::vector<ServoCommand> commands) const;

@@ -10,7 +10,7 @@
 #include "base/time.h"
 #include "bus/types.h"
 #include "model/frequency/frequencypoint.h"
-#include "model/intent/steptaken.h"
+#include "model/intent/responsetaken.h"
 #include "model/module/modulestate.h"
 #include "model/procedure/directionfound.h"
 
@@ -85,7 +85,7 @@ struct ProcedureReport {
     std::int32_t offHome = 0;                   ///< counts that it rests off its home, of Done and NotAtHome
     unsigned round = 0;                         ///< of `rounds`, where the kind has them; from 1
     unsigned rounds = 0;
-    std::optional<StepTaken> step{};  ///< of StepResponse, once it was taken; of SquareWave the last edge
+    std::optional<ResponseTaken> step{};  ///< of StepResponse, once it was taken; of SquareWave the last edge
     std::vector<FrequencyPoint> frequencies{};  ///< of FrequencyResponse, those that were measured
     std::optional<DirectionFound> direction{};  ///< of DirectionCheck, once it is known
     bool kept = false;                          ///< of TryGains: they stay

@@ -25,9 +25,9 @@ private:
     [[nodiscard]] bool goneTooFar(const ModuleState& module) const override;
 
     intent::SquareWave m_wanted;
-    unsigned m_edges = 0;  ///< those that were commanded
-    StepTaken m_taken;     ///< the last of them
-    bool m_told = false;   ///< in the report
+    unsigned m_edges = 0;   ///< those that were commanded
+    ResponseTaken m_taken;  ///< the last of them
+    bool m_told = false;    ///< in the report
     std::optional<servo::SetGain> m_next;
 };
 

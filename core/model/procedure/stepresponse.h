@@ -23,7 +23,7 @@ private:
     [[nodiscard]] bool goneTooFar(const ModuleState& module) const override;
 
     intent::StepResponse m_wanted;
-    StepTaken m_taken;
+    ResponseTaken m_taken;
     bool m_gainsSent = false;
 };
 

@@ -14,12 +14,12 @@ namespace {
 /// In a place, so that a median means something.
 constexpr double kSamplesInPlace = 3.0;
 
-[[nodiscard]] bool isForward(const StepTaken& taken) {
+[[nodiscard]] bool isForward(const ResponseTaken& taken) {
     return taken.goal > taken.from;
 }
 
-[[nodiscard]] std::vector<const StepRun*> alike(std::span<const StepRun> edges, bool forward) {
-    std::vector<const StepRun*> alike;
+[[nodiscard]] std::vector<const ResponseRecord*> alike(std::span<const ResponseRecord> edges, bool forward) {
+    std::vector<const ResponseRecord*> alike;
     for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge)
         if (isForward(edge->taken) == forward &&
             (alike.empty() || edge->taken.gains == alike.front()->taken.gains))
@@ -35,10 +35,10 @@ constexpr double kSamplesInPlace = 3.0;
     return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-[[nodiscard]] FoldedPoint summed(std::span<const StepPoint> points) {
+[[nodiscard]] FoldedPoint summed(std::span<const ResponsePoint> points) {
     FoldedPoint folded;
     std::vector<double> positions;
-    for (const StepPoint& point : points) {
+    for (const ResponsePoint& point : points) {
         folded.seconds += point.seconds / static_cast<double>(points.size());
         positions.push_back(point.position);
     }
@@ -50,25 +50,25 @@ constexpr double kSamplesInPlace = 3.0;
     return folded;
 }
 
-[[nodiscard]] std::vector<FoldedPoint> laidOver(const std::vector<const StepRun*>& edges) {
-    std::vector<StepPoint> all;
-    for (const StepRun* edge : edges)
-        for (const StepPoint& point : edge->points)
+[[nodiscard]] std::vector<FoldedPoint> laidOver(const std::vector<const ResponseRecord*>& edges) {
+    std::vector<ResponsePoint> all;
+    for (const ResponseRecord* edge : edges)
+        for (const ResponsePoint& point : edge->points)
             all.push_back({point.seconds, point.position - edge->taken.from});
     if (all.empty())
         return {};
     std::sort(all.begin(), all.end(),
-              [](const StepPoint& a, const StepPoint& b) { return a.seconds < b.seconds; });
+              [](const ResponsePoint& a, const ResponsePoint& b) { return a.seconds < b.seconds; });
     const double span = edges.front()->taken.record + toSeconds(kBeforeStep);
     const double width =
         std::max(toSeconds(kServoTick), kSamplesInPlace * span / static_cast<double>(all.size()));
-    const auto placeOf = [width](const StepPoint& point) {
+    const auto placeOf = [width](const ResponsePoint& point) {
         return static_cast<std::int64_t>(std::floor(point.seconds / width));
     };
     std::vector<FoldedPoint> folded;
     for (auto from = all.begin(); from != all.end();) {
         const auto to = std::find_if(
-            from, all.end(), [&](const StepPoint& point) { return placeOf(point) != placeOf(*from); });
+            from, all.end(), [&](const ResponsePoint& point) { return placeOf(point) != placeOf(*from); });
         folded.push_back(summed({from, to}));
         from = to;
     }
@@ -77,8 +77,8 @@ constexpr double kSamplesInPlace = 3.0;
 
 }  // namespace
 
-std::optional<EdgeFold> foldEdges(std::span<const StepRun> edges, bool forward) {
-    const std::vector<const StepRun*> found = alike(edges, forward);
+std::optional<EdgeFold> foldEdges(std::span<const ResponseRecord> edges, bool forward) {
+    const std::vector<const ResponseRecord*> found = alike(edges, forward);
     if (found.empty())
         return std::nullopt;
     EdgeFold fold;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "model/response/steprun.h"
+#include "model/response/responserecord.h"
 
 namespace nmc {
 
@@ -21,11 +21,11 @@ struct FoldedPoint {
 
 struct EdgeFold {
     std::vector<FoldedPoint> points;
-    StepRun run;  ///< the same as one step response, of the median, judged as any other
+    ResponseRecord run;  ///< the same as one step response, of the median, judged as any other
 };
 
 /// Edges that go the same way, with the gains of the last one that does. `forward`: towards higher counts.
 /// Places are as wide as the samples permit, but not narrower than a servo tick. Nothing without any. Pure.
-[[nodiscard]] std::optional<EdgeFold> foldEdges(std::span<const StepRun> edges, bool forward);
+[[nodiscard]] std::optional<EdgeFold> foldEdges(std::span<const ResponseRecord> edges, bool forward);
 
 }  // namespace nmc

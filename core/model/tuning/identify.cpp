@@ -54,7 +54,7 @@ struct Look {
 };
 
 struct Record {
-    const StepRun* run = nullptr;
+    const ResponseRecord* run = nullptr;
     double stood = 0.0;  ///< counts, before the step
     std::vector<Look> looks;
 
@@ -64,14 +64,14 @@ struct Record {
     [[nodiscard]] const servo::SetGain& gains() const { return run->taken.gains; }
 };
 
-[[nodiscard]] double speedAt(const std::vector<StepPoint>& points, std::size_t i) {
-    const StepPoint& a = points[i == 0 ? 0 : i - 1];
-    const StepPoint& b = points[std::min(i + 1, points.size() - 1)];
+[[nodiscard]] double speedAt(const std::vector<ResponsePoint>& points, std::size_t i) {
+    const ResponsePoint& a = points[i == 0 ? 0 : i - 1];
+    const ResponsePoint& b = points[std::min(i + 1, points.size() - 1)];
     return b.seconds > a.seconds ? std::abs(b.position - a.position) / (b.seconds - a.seconds) : 0.0;
 }
 
 /// How many samples in a row around this one tell the same position.
-[[nodiscard]] std::size_t repeats(const std::vector<StepPoint>& points, std::size_t i) {
+[[nodiscard]] std::size_t repeats(const std::vector<ResponsePoint>& points, std::size_t i) {
     std::size_t first = i;
     std::size_t last = i;
     while (first > 0 && points[first - 1].position == points[i].position)
@@ -81,13 +81,13 @@ struct Record {
     return last - first + 1;
 }
 
-[[nodiscard]] Record recordOf(const StepRun& run) {
+[[nodiscard]] Record recordOf(const ResponseRecord& run) {
     Record record;
     record.run = &run;
     double sum = 0.0;
     double before = 0.0;
     for (std::size_t i = 0; i < run.points.size(); ++i) {
-        const StepPoint& point = run.points[i];
+        const ResponsePoint& point = run.points[i];
         if (point.seconds <= 0) {
             sum += point.position;
             ++before;
@@ -396,7 +396,7 @@ namespace {
         FittedRun fitted;
         fitted.start = Fit::of(x, run, kStart) * kTick;
         fitted.integral = fit.start(x, run).integral;
-        for (const StepPoint& point : records[run].run->points)
+        for (const ResponsePoint& point : records[run].run->points)
             fitted.points.push_back({point.seconds, loop.at(point.seconds - fitted.start).position});
         const std::size_t before = fitted.points.size() - records[run].looks.size();
         double last = 0.0;
@@ -445,9 +445,9 @@ namespace {
 
 }  // namespace
 
-tl::expected<Identified, IdentifyFailure> identify(std::span<const StepRun> runs) {
+tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecord> runs) {
     std::vector<Record> records;
-    for (const StepRun& run : runs.first(std::min(runs.size(), kMostRuns)))
+    for (const ResponseRecord& run : runs.first(std::min(runs.size(), kMostRuns)))
         records.push_back(recordOf(run));
     if (records.empty())
         return tl::unexpected(IdentifyFailure::TooFewSamples);

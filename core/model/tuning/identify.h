@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "model/response/steprun.h"
+#include "model/response/responserecord.h"
 #include "model/tuning/loopmodel.h"
 
 namespace nmc {
@@ -39,9 +39,9 @@ enum class IdentifyFailure : std::uint8_t {
 
 /// A run and what the motor that was found would have done.
 struct FittedRun {
-    std::vector<StepPoint> points;  ///< at the times of the run's own, one for each
-    double start = 0.0;             ///< s after StepTaken::at, when the chip's command jumped
-    double integral = 0.0;          ///< counts: the running sum over 256, before the step
+    std::vector<ResponsePoint> points;  ///< at the times of the run's own, one for each
+    double start = 0.0;                 ///< s after ResponseTaken::at, when the chip's command jumped
+    double integral = 0.0;              ///< counts: the running sum over 256, before the step
 };
 
 struct Identified {
@@ -62,6 +62,6 @@ inline constexpr std::size_t kMostRuns = 5;
 ///
 /// The shaft stood before each step. Runs beyond kMostRuns are not looked at. Pure; some tenths of a second:
 /// for a background job.
-[[nodiscard]] tl::expected<Identified, IdentifyFailure> identify(std::span<const StepRun> runs);
+[[nodiscard]] tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecord> runs);
 
 }  // namespace nmc

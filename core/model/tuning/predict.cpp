@@ -141,10 +141,10 @@ LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) 
     return margins;
 }
 
-StepRun reckonStep(const MotorConstants& motor, const servo::SetGain& gains, std::int32_t from,
-                   std::int32_t goal, double record, double bandPercent) {
-    StepRun run;
-    run.taken = {{}, from, goal, record, StepWay::Profile, gains};
+ResponseRecord reckonStep(const MotorConstants& motor, const servo::SetGain& gains, std::int32_t from,
+                          std::int32_t goal, double record, double bandPercent) {
+    ResponseRecord run;
+    run.taken = {{}, from, goal, record, ResponseMethod::Profile, gains};
     Loop loop(motor, gains, atRest(motor, gains, from), goal, Rounding::Chip);
     for (double t = 0; t <= record; t += loop.tick())
         run.points.push_back({t, loop.reading(loop.at(t).position)});
@@ -152,9 +152,9 @@ StepRun reckonStep(const MotorConstants& motor, const servo::SetGain& gains, std
     return run;
 }
 
-double largestError(const StepRun& run) {
+double largestError(const ResponseRecord& run) {
     double largest = 0.0;
-    for (const StepPoint& point : run.points)
+    for (const ResponsePoint& point : run.points)
         largest = std::max(largest, std::abs(run.taken.goal - point.position));
     return largest;
 }

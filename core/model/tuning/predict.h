@@ -4,7 +4,7 @@
 #include <complex>
 #include <cstdint>
 
-#include "model/response/steprun.h"
+#include "model/response/responserecord.h"
 #include "model/tuning/loopmodel.h"
 
 namespace nmc {
@@ -27,15 +27,16 @@ struct LoopMargins {
 /// A step of the command from `from` to `goal`, counts, which differ, as if it had been measured: points once
 /// a servo tick from the step on, as the encoder would tell, and what they are judged by; of no module and no
 /// time. The shaft stood, its load carried by the integral, and by an error as far as that cannot. `record`:
-/// s. `bandPercent`: of the step, as in StepRun. Pure.
-[[nodiscard]] StepRun reckonStep(const MotorConstants& motor, const servo::SetGain& gains, std::int32_t from,
-                                 std::int32_t goal, double record, double bandPercent);
+/// s. `bandPercent`: of the step, as in ResponseRecord. Pure.
+[[nodiscard]] ResponseRecord reckonStep(const MotorConstants& motor, const servo::SetGain& gains,
+                                        std::int32_t from, std::int32_t goal, double record,
+                                        double bandPercent);
 
 /// Counts; between goal and position at any point of the run.
-[[nodiscard]] double largestError(const StepRun& run);
+[[nodiscard]] double largestError(const ResponseRecord& run);
 
 struct Prediction {
-    StepRun run;
+    ResponseRecord run;
     double errorAtRest = 0.0;  ///< counts, at the end of the record: goal less position
     LoopMargins margins;
 };

@@ -87,11 +87,11 @@ struct Terms {
 }
 
 /// It calms down: in the last part of the record it does not move by more than a count or two.
-[[nodiscard]] bool isCalm(const StepRun& run) {
+[[nodiscard]] bool isCalm(const ResponseRecord& run) {
     constexpr double kLastPart = 0.8;
     double low = run.points.back().position;
     double high = low;
-    for (const StepPoint& point : run.points)
+    for (const ResponsePoint& point : run.points)
         if (point.seconds > kLastPart * run.points.back().seconds) {
             low = std::min(low, point.position);
             high = std::max(high, point.position);
@@ -118,7 +118,7 @@ struct Terms {
         MotorConstants motor = terms.motor;
         motor.gain *= 1 + 0.03 * stronger;
         motor.friction *= 1 - 0.15 * stronger;
-        const StepRun run = reckonStep(motor, gains, 0, terms.step, record, kBand);
+        const ResponseRecord run = reckonStep(motor, gains, 0, terms.step, record, kBand);
         if (!isCalm(run) || (run.metrics.overshoot && run.metrics.overshoot->value > kMostOvershoot))
             return std::nullopt;
         const auto& settled = run.metrics.settling;

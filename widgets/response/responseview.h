@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 #include "widgets/common/filedialog.h"
 
 class QHBoxLayout;
@@ -16,18 +16,19 @@ class QToolButton;
 namespace nmc {
 
 struct Picture;
-class StepPlot;
+class ResponsePlot;
 
 /// The step plot with its buttons, what its cursors read, and a way to take its picture out of the panel.
-class StepView : public QWidget {
+class ResponseView : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StepView(QWidget* parent = nullptr);
+    explicit ResponseView(QWidget* parent = nullptr);
 
-    [[nodiscard]] StepPlot& plot() { return *m_plot; }
-    /// As StepPlot::showRuns().
-    void showRuns(const KeptRun* a, const KeptRun* b, const std::vector<const KeptRun*>& others);
+    [[nodiscard]] ResponsePlot& plot() { return *m_plot; }
+    /// As ResponsePlot::showRuns().
+    void showRuns(const KeptResponse* a, const KeptResponse* b,
+                  const std::vector<const KeptResponse*>& others);
     /// Another control beside its buttons.
     void addControl(QWidget* control);
 
@@ -48,7 +49,7 @@ private:
     void copy();
     [[nodiscard]] Picture picture() const;
 
-    StepPlot* m_plot;
+    ResponsePlot* m_plot;
     QTableWidget* m_readings;
     QHBoxLayout* m_bar;
     QToolButton* m_cursors = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step metrics against closed forms of first and second order, sampled at awkward times.
-#include "model/response/stepmetrics.h"
+#include "model/response/responsemetrics.h"
 
 #include <gtest/gtest.h>
 
@@ -33,9 +33,9 @@ constexpr double kPi = 3.14159265358979323846;
 }
 
 /// From before the step on; `phase` is when the first sample behind it is taken, as a share of the interval.
-[[nodiscard]] std::vector<StepPoint> sampled(const Curve& curve, double from, double goal, double interval,
-                                             double phase, double length) {
-    std::vector<StepPoint> points;
+[[nodiscard]] std::vector<ResponsePoint> sampled(const Curve& curve, double from, double goal,
+                                                 double interval, double phase, double length) {
+    std::vector<ResponsePoint> points;
     for (double s = interval * (phase - 3); s <= length; s += interval)
         points.push_back({s, from + (goal - from) * curve(s)});
     return points;
@@ -49,11 +49,11 @@ constexpr double kPi = 3.14159265358979323846;
     return low;
 }
 
-TEST(StepMetrics, OfAFirstOrderResponseAreItsTimeConstants) {
+TEST(ResponseMetrics, OfAFirstOrderResponseAreItsTimeConstants) {
     constexpr double kTau = 0.01;
     for (const double phase : {0.01, 0.3, 0.5, 0.77, 0.99}) {
         const auto points = sampled(firstOrder(kTau), 0, 1'000, 0.001, phase, 0.15);
-        const StepMetrics m = measureStep(points, 0, 1'000, 20, 0);
+        const ResponseMetrics m = measureResponse(points, 0, 1'000, 20, 0);
         // A straight line between two samples is off by interval squared / 8 tau at most.
         ASSERT_TRUE(m.rise && m.overshoot && m.settling && m.steadyError);
         EXPECT_NEAR(m.rise->value, std::log(9.0) * kTau, 1.3e-5) << phase;
@@ -65,7 +65,7 @@ TEST(StepMetrics, OfAFirstOrderResponseAreItsTimeConstants) {
     }
 }
 
-TEST(StepMetrics, OfASecondOrderResponseAreTheTextbooks) {
+TEST(ResponseMetrics, OfASecondOrderResponseAreTheTextbooks) {
     constexpr double kOmega = 300;
     for (const double damping : {0.2, 0.4, 0.6}) {
         const Curve curve = secondOrder(damping, kOmega);
@@ -77,7 +77,7 @@ TEST(StepMetrics, OfASecondOrderResponseAreTheTextbooks) {
         for (const double phase : {0.01, 0.3, 0.5, 0.77, 0.99}) {
             SCOPED_TRACE(testing::Message() << "damping " << damping << ", phase " << phase);
             const auto points = sampled(curve, 500, -300, 0.000'8, phase, 0.3);
-            const StepMetrics m = measureStep(points, 500, -300, 16, 0);
+            const ResponseMetrics m = measureResponse(points, 500, -300, 16, 0);
             ASSERT_TRUE(m.rise && m.overshoot && m.settling && m.steadyError);
             EXPECT_NEAR(m.overshoot->value, overshoot, 0.1);
             EXPECT_NEAR(m.rise->value, rise, 0.000'1);
@@ -90,20 +90,20 @@ TEST(StepMetrics, OfASecondOrderResponseAreTheTextbooks) {
 }
 
 /// What a proportional loop with friction does: it stops beside its goal.
-TEST(StepMetrics, SettleWhereTheyStayAndToTheGoalOrNot) {
+TEST(ResponseMetrics, SettleWhereTheyStayAndToTheGoalOrNot) {
     constexpr double kTau = 0.01;
     const auto beside = [](double share) { return [=](double s) { return share * firstOrder(kTau)(s); }; };
     for (const double phase : {0.01, 0.3, 0.5, 0.77, 0.99}) {
         SCOPED_TRACE(phase);
         // The band is 20 of 1000. 990 is within: 990 e^-t/tau is 10 at the band of the goal, 20 at its own.
-        const StepMetrics close =
-            measureStep(sampled(beside(0.99), 0, 1'000, 0.001, phase, 0.15), 0, 1'000, 20, 0);
+        const ResponseMetrics close =
+            measureResponse(sampled(beside(0.99), 0, 1'000, 0.001, phase, 0.15), 0, 1'000, 20, 0);
         ASSERT_TRUE(close.settling && close.settlingAtRest);
         EXPECT_NEAR(close.settling->value, std::log(99.0) * kTau, 1.3e-5);
         EXPECT_NEAR(close.settlingAtRest->value, std::log(49.5) * kTau, 1.3e-5);
         // 900 is not, but it is at rest there all the same: 900 e^-t/tau is 20.
-        const StepMetrics far =
-            measureStep(sampled(beside(0.9), 500, -500, 0.001, phase, 0.15), 500, -500, 20, 0);
+        const ResponseMetrics far =
+            measureResponse(sampled(beside(0.9), 500, -500, 0.001, phase, 0.15), 500, -500, 20, 0);
         EXPECT_EQ(far.settling.error(), Unmeasured::NeverSettled);
         ASSERT_TRUE(far.settlingAtRest);
         EXPECT_NEAR(far.settlingAtRest->value, std::log(45.0) * kTau, 1.3e-5);
@@ -113,20 +113,21 @@ TEST(StepMetrics, SettleWhereTheyStayAndToTheGoalOrNot) {
     const auto beyond = [](double s) {
         return s <= 0 ? 0.0 : s < 0.01 ? 1.2 : s < 0.02 ? 1.2 - (s - 0.01) * 15 : 1.05;
     };
-    const StepMetrics over = measureStep(sampled(beyond, 0, 1'000, 0.001, 0.5, 0.15), 0, 1'000, 20, 0);
+    const ResponseMetrics over =
+        measureResponse(sampled(beyond, 0, 1'000, 0.001, 0.5, 0.15), 0, 1'000, 20, 0);
     EXPECT_EQ(over.settling.error(), Unmeasured::NeverSettled);
     EXPECT_NEAR(over.settlingAtRest->value, 0.01 + 0.13 / 15, 1e-4) << "1070 on the way down";
 }
 
-TEST(StepMetrics, OfAMotorThatDoesNotMoveHaveNoSettlingTime) {
-    const StepMetrics m = measureStep(
+TEST(ResponseMetrics, OfAMotorThatDoesNotMoveHaveNoSettlingTime) {
+    const ResponseMetrics m = measureResponse(
         sampled([](double s) { return s > 0 ? 0.01 : 0.0; }, 0, 100, 0.001, 0.5, 0.2), 0, 100, 2, 0);
     EXPECT_EQ(m.settlingAtRest.error(), Unmeasured::NeverRose);
     EXPECT_EQ(m.settling.error(), Unmeasured::NeverSettled);
 }
 
 /// 200 responses, settled or not, with samples as coarse as a sixth of the rise time.
-TEST(StepMetrics, DoubtCoversTheTruth) {
+TEST(ResponseMetrics, DoubtCoversTheTruth) {
     constexpr unsigned kSeed = 4'711;
     std::mt19937 random(kSeed);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -138,7 +139,7 @@ TEST(StepMetrics, DoubtCoversTheTruth) {
         const Curve curve = secondOrder(damping, omega);
         const double peakTime = kPi / (omega * std::sqrt(1 - damping * damping));
         const auto points = sampled(curve, 0, 200, interval, uniform(random), 30 / omega);
-        const StepMetrics m = measureStep(points, 0, 200, 4, 0);
+        const ResponseMetrics m = measureResponse(points, 0, 200, 4, 0);
         ASSERT_TRUE(m.rise && m.overshoot) << "seed " << kSeed << ", number " << i;
         const double rise = timeOf(curve, 0.9, peakTime) - timeOf(curve, 0.1, peakTime);
         const double overshoot = 100 * std::exp(-kPi * damping / std::sqrt(1 - damping * damping));
@@ -149,12 +150,12 @@ TEST(StepMetrics, DoubtCoversTheTruth) {
     EXPECT_EQ(overshootsOutside, 0);
 }
 
-TEST(StepMetrics, AreByHandOfTenSamples) {
+TEST(ResponseMetrics, AreByHandOfTenSamples) {
     // Goal 100, a band of 5 counts. At 10 % half-way from 0 to 20, at 90 % half-way from 80 to 100.
-    const std::vector<StepPoint> points = {{-0.001, 0},  {0.001, 20},  {0.002, 50},  {0.003, 80},
-                                           {0.004, 100}, {0.005, 110}, {0.006, 100}, {0.007, 94},
-                                           {0.008, 98},  {0.009, 99},  {0.010, 99},  {0.011, 97}};
-    const StepMetrics m = measureStep(points, 0, 100, 5, 0.000'5);
+    const std::vector<ResponsePoint> points = {{-0.001, 0},  {0.001, 20},  {0.002, 50},  {0.003, 80},
+                                               {0.004, 100}, {0.005, 110}, {0.006, 100}, {0.007, 94},
+                                               {0.008, 98},  {0.009, 99},  {0.010, 99},  {0.011, 97}};
+    const ResponseMetrics m = measureResponse(points, 0, 100, 5, 0.000'5);
     EXPECT_NEAR(m.rise->value, 0.003'5 - 0.000'5, 1e-12);
     EXPECT_NEAR(m.rise->doubt, 0.000'5 + 0.000'5 + 0.000'5, 1e-12);
     // A parabola that is as high on both sides peaks at its middle.
@@ -169,59 +170,59 @@ TEST(StepMetrics, AreByHandOfTenSamples) {
     EXPECT_NEAR(m.steadyError->doubt, 1, 1e-9);
 }
 
-TEST(StepMetrics, SettleWhereTheyLeaveTheOtherEdgeOfTheBand) {
+TEST(ResponseMetrics, SettleWhereTheyLeaveTheOtherEdgeOfTheBand) {
     // From 7 above the goal to 3 below within one interval: in at +5, which is a fifth of the way.
-    const std::vector<StepPoint> points = {{0.001, 60},  {0.002, 107}, {0.003, 97}, {0.004, 100},
-                                           {0.005, 100}, {0.006, 100}, {0.007, 100}};
-    EXPECT_NEAR(measureStep(points, 0, 100, 5, 0).settling->value, 0.002'2, 1e-12);
+    const std::vector<ResponsePoint> points = {{0.001, 60},  {0.002, 107}, {0.003, 97}, {0.004, 100},
+                                               {0.005, 100}, {0.006, 100}, {0.007, 100}};
+    EXPECT_NEAR(measureResponse(points, 0, 100, 5, 0).settling->value, 0.002'2, 1e-12);
 }
 
-TEST(StepMetrics, SayWhatCannotBeMeasured) {
+TEST(ResponseMetrics, SayWhatCannotBeMeasured) {
     const Curve slow = firstOrder(1);
-    const StepMetrics never = measureStep(sampled(slow, 0, 100, 0.001, 0.5, 0.5), 0, 100, 2, 0);
+    const ResponseMetrics never = measureResponse(sampled(slow, 0, 100, 0.001, 0.5, 0.5), 0, 100, 2, 0);
     EXPECT_EQ(never.rise.error(), Unmeasured::NeverRose);
     EXPECT_EQ(never.settling.error(), Unmeasured::NeverSettled);
     EXPECT_EQ(never.overshoot->value, 0.0);
 
     // It stops 4 counts short, for good.
     const auto points = sampled([](double s) { return s > 0.01 ? 0.96 : s * 96; }, 0, 100, 0.001, 0.5, 0.2);
-    const StepMetrics friction = measureStep(points, 0, 100, 2, 0);
+    const ResponseMetrics friction = measureResponse(points, 0, 100, 2, 0);
     EXPECT_TRUE(friction.rise);
     EXPECT_EQ(friction.settling.error(), Unmeasured::NeverSettled);
     EXPECT_NEAR(friction.steadyError->value, 4, 1e-9);
 
-    const std::vector<StepPoint> few = {{-0.002, 0}, {-0.001, 0}, {0.001, 50}, {0.002, 100}};
-    const StepMetrics none = measureStep(few, 0, 100, 2, 0);
+    const std::vector<ResponsePoint> few = {{-0.002, 0}, {-0.001, 0}, {0.001, 50}, {0.002, 100}};
+    const ResponseMetrics none = measureResponse(few, 0, 100, 2, 0);
     EXPECT_EQ(none.rise.error(), Unmeasured::TooFewSamples);
     EXPECT_EQ(none.overshoot.error(), Unmeasured::TooFewSamples);
     EXPECT_EQ(none.settling.error(), Unmeasured::TooFewSamples);
     EXPECT_EQ(none.steadyError.error(), Unmeasured::TooFewSamples);
-    EXPECT_EQ(measureStep({}, 0, 100, 2, 0).rise.error(), Unmeasured::TooFewSamples);
+    EXPECT_EQ(measureResponse({}, 0, 100, 2, 0).rise.error(), Unmeasured::TooFewSamples);
 }
 
-TEST(StepMetrics, SayThatSamplesAreMissingWhereItMatters) {
+TEST(ResponseMetrics, SayThatSamplesAreMissingWhereItMatters) {
     const Curve curve = secondOrder(0.3, 200);  // it peaks after 16 ms
     const auto without = [&](double from, double to) {
-        std::vector<StepPoint> points = sampled(curve, 0, 100, 0.001, 0.5, 0.2);
-        std::erase_if(points, [=](const StepPoint& p) { return p.seconds > from && p.seconds < to; });
-        return measureStep(points, 0, 100, 2, 0);
+        std::vector<ResponsePoint> points = sampled(curve, 0, 100, 0.001, 0.5, 0.2);
+        std::erase_if(points, [=](const ResponsePoint& p) { return p.seconds > from && p.seconds < to; });
+        return measureResponse(points, 0, 100, 2, 0);
     };
-    const StepMetrics whole = without(0, 0);
-    const StepMetrics late = without(0.12, 0.15);  // it has settled by then
+    const ResponseMetrics whole = without(0, 0);
+    const ResponseMetrics late = without(0.12, 0.15);  // it has settled by then
     EXPECT_EQ(late.overshoot->value, whole.overshoot->value);
     EXPECT_EQ(late.settling->value, whole.settling->value);
-    const StepMetrics peak = without(0.012, 0.022);
+    const ResponseMetrics peak = without(0.012, 0.022);
     EXPECT_EQ(peak.overshoot.error(), Unmeasured::SamplesMissing);
     EXPECT_EQ(peak.rise->value, whole.rise->value);
-    const StepMetrics rise = without(0.002, 0.012);  // 10 % after 2.5 ms, 90 % after 8.7 ms
+    const ResponseMetrics rise = without(0.002, 0.012);  // 10 % after 2.5 ms, 90 % after 8.7 ms
     EXPECT_EQ(rise.rise.error(), Unmeasured::SamplesMissing);
     EXPECT_EQ(without(0.0045, 0.0075).rise->value, whole.rise->value) << "three are no gap";
 }
 
 /// It comes back out of the band in the last fifth.
-TEST(StepMetrics, OfAMotorThatHuntsHaveNoSettlingTime) {
+TEST(ResponseMetrics, OfAMotorThatHuntsHaveNoSettlingTime) {
     const auto hunting = [](double s) { return s <= 0 ? 0.0 : 1 + 0.05 * std::sin(200 * s); };
-    const StepMetrics m = measureStep(sampled(hunting, 0, 100, 0.001, 0.5, 0.5), 0, 100, 2, 0);
+    const ResponseMetrics m = measureResponse(sampled(hunting, 0, 100, 0.001, 0.5, 0.5), 0, 100, 2, 0);
     EXPECT_EQ(m.settling.error(), Unmeasured::NeverSettled);
     EXPECT_EQ(m.settlingAtRest.error(), Unmeasured::NeverSettled);
     EXPECT_NEAR(m.overshoot->value, 5, 0.1);

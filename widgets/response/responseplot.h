@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 #include "widgets/scope/chartbackdrop.h"
 #include "widgets/scope/tracedrawing.h"
 
@@ -17,18 +17,19 @@ namespace nmc {
 /// One or two step responses over the time since their step, from where they began: A solid, B dashed, with
 /// the goal and the settling band. As long as the transient lasts; a double click shows the whole record, or
 /// that again. Wheel, mouse and keys zoom and move it as a strip of the scope.
-class StepPlot : public QWidget {
+class ResponsePlot : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StepPlot(QWidget* parent = nullptr);
+    explicit ResponsePlot(QWidget* parent = nullptr);
 
     /// Either may be null. `others`, oldest first, are drawn pale behind them, the oldest palest.
-    void showRuns(const KeptRun* a, const KeptRun* b, const std::vector<const KeptRun*>& others = {});
+    void showRuns(const KeptResponse* a, const KeptResponse* b,
+                  const std::vector<const KeptResponse*>& others = {});
     /// Over `about`, which may be null: what the motor that was found would have done, and what it would do
     /// with suggested gains.
-    void showModel(const KeptRun* about, const std::vector<StepPoint>& fitted,
-                   const std::vector<StepPoint>& predicted);
+    void showModel(const KeptResponse* about, const std::vector<ResponsePoint>& fitted,
+                   const std::vector<ResponsePoint>& predicted);
 
     /// Two cursors to measure with; they come where they can be seen.
     void showCursors(bool shown);
@@ -82,8 +83,9 @@ private:
         }
     };
 
-    [[nodiscard]] static Curve curveOf(const KeptRun& kept, const AxisScale& scale);
-    [[nodiscard]] static QPolygonF lineOf(const KeptRun& about, const std::vector<StepPoint>& points);
+    [[nodiscard]] static Curve curveOf(const KeptResponse& kept, const AxisScale& scale);
+    [[nodiscard]] static QPolygonF lineOf(const KeptResponse& about,
+                                          const std::vector<ResponsePoint>& points);
     enum class Drag : std::uint8_t { None, Pan, Cursor1, Cursor2, Choose };
     /// What the user has zoomed to.
     struct View {

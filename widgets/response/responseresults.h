@@ -3,24 +3,24 @@
 
 #include <QTableWidget>
 
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 
 namespace nmc {
 
 /// What the runs that are drawn come to, A beside B, each with what the samples leave open.
-class StepResults : public QTableWidget {
+class ResponseResults : public QTableWidget {
     Q_OBJECT
 
 public:
-    explicit StepResults(QWidget* parent = nullptr);
+    explicit ResponseResults(QWidget* parent = nullptr);
 
     /// Either may be null.
-    void showRuns(const KeptRun* a, const KeptRun* b);
+    void showRuns(const KeptResponse* a, const KeptResponse* b);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 private:
-    void showRun(int column, const KeptRun* kept);
+    void showRun(int column, const KeptResponse* kept);
 };
 
 }  // namespace nmc

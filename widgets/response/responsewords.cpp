@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/response/stepresponsewords.h"
+#include "widgets/response/responsewords.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -15,20 +15,20 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-class StepTexts {
-    Q_DECLARE_TR_FUNCTIONS(StepTexts)
+class ResponseTexts {
+    Q_DECLARE_TR_FUNCTIONS(ResponseTexts)
 };
 
 QString unmeasured(Unmeasured why) {
     switch (why) {
         case Unmeasured::TooFewSamples:
-            return StepTexts::tr("too few samples");
+            return ResponseTexts::tr("too few samples");
         case Unmeasured::NeverRose:
-            return StepTexts::tr("did not reach 90 %");
+            return ResponseTexts::tr("did not reach 90 %");
         case Unmeasured::SamplesMissing:
-            return StepTexts::tr("samples missing, repeat");
+            return ResponseTexts::tr("samples missing, repeat");
         case Unmeasured::NeverSettled:
-            return StepTexts::tr("not recorded");
+            return ResponseTexts::tr("not recorded");
     }
     return {};
 }
@@ -45,23 +45,24 @@ QString number(double value, int decimals) {
 
 }  // namespace
 
-QString stepWay(StepWay way) {
+QString responseMethod(ResponseMethod way) {
     switch (way) {
-        case StepWay::Profile:
-            return StepTexts::tr("Very fast profile");
-        case StepWay::StopHere:
-            return StepTexts::tr("Stop here, at the goal");
+        case ResponseMethod::Profile:
+            return ResponseTexts::tr("Very fast profile");
+        case ResponseMethod::StopHere:
+            return ResponseTexts::tr("Stop here, at the goal");
     }
     return {};
 }
 
-QString stepWayMeaning(StepWay way) {
+QString responseMethodMeaning(ResponseMethod way) {
     switch (way) {
-        case StepWay::Profile:
-            return StepTexts::tr(
+        case ResponseMethod::Profile:
+            return ResponseTexts::tr(
                 "A move with so much velocity and acceleration that the profile reaches the goal in one tick.");
-        case StepWay::StopHere:
-            return StepTexts::tr("The servo holds the goal at once, without a profile. Not with version 1.");
+        case ResponseMethod::StopHere:
+            return ResponseTexts::tr(
+                "The servo holds the goal at once, without a profile. Not with version 1.");
     }
     return {};
 }
@@ -80,32 +81,32 @@ QString plusMinus(const Measured& measured, const QString& unit) {
     return u"%1 ± %2 %3"_s.arg(number(measured.value, decimals), number(shown, decimals), unit);
 }
 
-QString stepTime(const StepMetrics::Result<Measured>& seconds) {
+QString responseTime(const ResponseMetrics::Result<Measured>& seconds) {
     if (!seconds)
         return unmeasured(seconds.error());
-    return seconds->value < 1 ? plusMinus(times(*seconds, 1e3), StepTexts::tr("ms"))
-                              : plusMinus(*seconds, StepTexts::tr("s"));
+    return seconds->value < 1 ? plusMinus(times(*seconds, 1e3), ResponseTexts::tr("ms"))
+                              : plusMinus(*seconds, ResponseTexts::tr("s"));
 }
 
-QString stepSettling(const StepMetrics& metrics) {
+QString responseSettling(const ResponseMetrics& metrics) {
     const bool beside = !metrics.settling && metrics.settlingAtRest;
-    return beside ? StepTexts::tr("%1, off its goal").arg(stepTime(metrics.settlingAtRest))
-                  : stepTime(metrics.settling);
+    return beside ? ResponseTexts::tr("%1, off its goal").arg(responseTime(metrics.settlingAtRest))
+                  : responseTime(metrics.settling);
 }
 
-QString stepOvershoot(const StepMetrics::Result<Measured>& percent) {
+QString responseOvershoot(const ResponseMetrics::Result<Measured>& percent) {
     return percent ? plusMinus(*percent, u"%"_s) : unmeasured(percent.error());
 }
 
-QString stepError(const StepMetrics::Result<Measured>& counts, const AxisScale& scale) {
+QString responseError(const ResponseMetrics::Result<Measured>& counts, const AxisScale& scale) {
     return counts ? plusMinus(times(*counts, scale.position(1.0)), unitOf(scale))
                   : unmeasured(counts.error());
 }
 
 QString peakPwm(const std::optional<PwmDemand>& demand) {
     if (!demand)
-        return StepTexts::tr("unknown");
-    return (demand->limited() ? StepTexts::tr("limited to %1") : StepTexts::tr("at least %1"))
+        return ResponseTexts::tr("unknown");
+    return (demand->limited() ? ResponseTexts::tr("limited to %1") : ResponseTexts::tr("at least %1"))
         .arg(demand->output());
 }
 

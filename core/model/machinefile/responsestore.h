@@ -11,7 +11,7 @@
 #include <tl/expected.hpp>
 
 #include "model/machinefile/fileproblem.h"
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 
 namespace nmc {
 
@@ -24,20 +24,21 @@ inline constexpr std::string_view kRunFileSuffix = "runs";
 
 /// JSON, as a machine file. Reading it gives the same runs again, to the last bit; their time of the step,
 /// which is of one session, is not there.
-[[nodiscard]] std::string writeStepRuns(std::span<const KeptRun> runs);
+[[nodiscard]] std::string writeResponses(std::span<const KeptResponse> runs);
 /// All of them, as runs of an earlier session, or why not.
-[[nodiscard]] tl::expected<std::vector<KeptRun>, FileProblem> readStepRuns(std::string_view text);
+[[nodiscard]] tl::expected<std::vector<KeptResponse>, FileProblem> readResponses(std::string_view text);
 
 /// By which a run is known, whatever number it has.
-[[nodiscard]] std::string idOf(const KeptRun& run);
+[[nodiscard]] std::string idOf(const KeptResponse& run);
 
 /// Takes the oldest off until there are kMostKeptRuns, those that nobody has named or made a note of before
 /// the others; none of `needed`.
-void keepMost(std::vector<KeptRun>& runs, const std::function<bool(const KeptRun&)>& needed = {});
+void keepMost(std::vector<KeptResponse>& runs, const std::function<bool(const KeptResponse&)>& needed = {});
 
 /// What the file is to hold: `ours`, and of what is in it already, which another session may have written,
 /// all but `gone`. Oldest first; of a number that is taken it gets the next that is free.
-[[nodiscard]] std::vector<KeptRun> together(std::vector<KeptRun> ours, const std::vector<KeptRun>& there,
-                                            const std::set<std::string>& gone);
+[[nodiscard]] std::vector<KeptResponse> together(std::vector<KeptResponse> ours,
+                                                 const std::vector<KeptResponse>& there,
+                                                 const std::set<std::string>& gone);
 
 }  // namespace nmc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/response/stepform.h"
+#include "widgets/response/responseform.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -9,7 +9,7 @@
 
 #include "model/intent/gainsplan.h"
 #include "model/intent/looptestplan.h"
-#include "model/response/steprun.h"
+#include "model/response/responserecord.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -17,7 +17,7 @@
 #include "widgets/common/texts.h"
 #include "widgets/panels/gainsmeaning.h"
 #include "widgets/response/holdfirstbutton.h"
-#include "widgets/response/stepresponsewords.h"
+#include "widgets/response/responsewords.h"
 
 namespace nmc {
 
@@ -28,8 +28,8 @@ constexpr double kFirstRecord = 0.5;  ///< s
 constexpr double kNarrowestBand = 0.1, kWidestBand = 50.0;
 }  // namespace
 
-StepForm::StepForm(QWidget* parent) : QWidget(parent), m_lastBand(kFirstBand) {
-    look::name(this, u"stepForm"_s, tr("Settings of the next step"));
+ResponseForm::ResponseForm(QWidget* parent) : QWidget(parent), m_lastBand(kFirstBand) {
+    look::name(this, u"responseForm"_s, tr("Settings of the next step"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(look::gridUnit(this));
@@ -40,8 +40,8 @@ StepForm::StepForm(QWidget* parent) : QWidget(parent), m_lastBand(kFirstBand) {
     refresh();
 }
 
-NumberField* StepForm::newField(int decimals, const QString& objectName, const QString& name,
-                                const QString& unit) {
+NumberField* ResponseForm::newField(int decimals, const QString& objectName, const QString& name,
+                                    const QString& unit) {
     auto* field = new NumberField(decimals, this);
     look::name(field, objectName, name);
     field->setWords(name, unit);
@@ -49,9 +49,9 @@ NumberField* StepForm::newField(int decimals, const QString& objectName, const Q
     return field;
 }
 
-void StepForm::buildFields(QGridLayout* grid) {
+void ResponseForm::buildFields(QGridLayout* grid) {
     m_distance = new QuantityField(QuantityField::Kind::Position, this);
-    m_distance->setName(u"stepResponseDistanceField"_s, tr("Distance of the step response"));
+    m_distance->setName(u"responseDistanceField"_s, tr("Distance of the step response"));
     m_distance->setQuantity(tr("The distance of the step"));
     m_distance->setNativeRange(-kLongestStep, kLongestStep);
     m_distance->setMeaning(tr(
@@ -59,20 +59,20 @@ void StepForm::buildFields(QGridLayout* grid) {
     m_distance->setDigits(6);
     m_distance->showNative(kFirstStep);
     m_way = new QComboBox(this);
-    look::name(m_way, u"stepResponseWayBox"_s, tr("Way: how the command jumps"));
-    for (const StepWay way : {StepWay::Profile, StepWay::StopHere}) {
-        m_way->addItem(texts::stepWay(way), static_cast<int>(way));
-        m_way->setItemData(m_way->count() - 1, texts::stepWayMeaning(way), Qt::ToolTipRole);
+    look::name(m_way, u"responseWayBox"_s, tr("Way: how the command jumps"));
+    for (const ResponseMethod way : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
+        m_way->addItem(texts::responseMethod(way), static_cast<int>(way));
+        m_way->setItemData(m_way->count() - 1, texts::responseMethodMeaning(way), Qt::ToolTipRole);
     }
-    m_way->setToolTip(texts::stepWayMeaning(StepWay::Profile) + u"\n"_s +
-                      texts::stepWayMeaning(StepWay::StopHere));
+    m_way->setToolTip(texts::responseMethodMeaning(ResponseMethod::Profile) + u"\n"_s +
+                      texts::responseMethodMeaning(ResponseMethod::StopHere));
     m_way->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_way->setMinimumContentsLength(12);
-    m_record = newField(2, u"stepResponseRecordField"_s, tr("The record"), tr("s"));
+    m_record = newField(2, u"responseRecordField"_s, tr("The record"), tr("s"));
     m_record->setRange(kShortestRecord, kLongestRecord);
     m_record->setMeaning(tr("How long to record after the step. Then the motor is told to hold."));
     m_record->showValue(kFirstRecord);
-    m_band = newField(1, u"stepResponseBandField"_s, tr("The settling band"), tr("% of the step"));
+    m_band = newField(1, u"responseBandField"_s, tr("The settling band"), tr("% of the step"));
     m_band->setRange(kNarrowestBand, kWidestBand);
     m_band->setMeaning(tr(
         "The motor has settled when it stays this close to its goal. At least one count. Applies to all runs."));
@@ -93,9 +93,9 @@ void StepForm::buildFields(QGridLayout* grid) {
     addRow(tr("Way"), m_way, nullptr, nullptr);
     addRow(tr("Record"), m_record, new QLabel(tr("s"), this), nullptr);
     addRow(tr("Settling band"), m_band, new QLabel(tr("% of the step"), this), nullptr);
-    connect(m_distance, &QuantityField::nativeEdited, this, &StepForm::refresh);
-    connect(m_way, &QComboBox::currentIndexChanged, this, &StepForm::refresh);
-    connect(m_record, &NumberField::edited, this, &StepForm::refresh);
+    connect(m_distance, &QuantityField::nativeEdited, this, &ResponseForm::refresh);
+    connect(m_way, &QComboBox::currentIndexChanged, this, &ResponseForm::refresh);
+    connect(m_record, &NumberField::edited, this, &ResponseForm::refresh);
     connect(m_band, &NumberField::edited, this, [this] {
         if (const auto band = m_band->value()) {
             m_lastBand = *band;
@@ -104,21 +104,21 @@ void StepForm::buildFields(QGridLayout* grid) {
     });
 }
 
-void StepForm::buildButton(QGridLayout* grid) {
+void ResponseForm::buildButton(QGridLayout* grid) {
     m_step = new QPushButton(icons::tinted(u"player-play"_s), tr("Step"), this);
-    look::name(m_step, u"stepResponseButton"_s, tr("Step and record"));
+    look::name(m_step, u"responseButton"_s, tr("Step and record"));
     m_state = look::newMutedLabel({}, parentWidget());
-    m_state->setObjectName(u"stepResponseState"_s);
+    m_state->setObjectName(u"responseState"_s);
     m_state->setWordWrap(true);
-    m_hold = new HoldFirstButton(u"stepResponseHoldButton"_s, this);
+    m_hold = new HoldFirstButton(u"responseHoldButton"_s, this);
     const int line = grid->rowCount();
     grid->addWidget(m_step, line, 0);
     grid->addWidget(m_hold, line, 1, 1, 3, Qt::AlignLeft);
-    connect(m_step, &QPushButton::clicked, this, &StepForm::step);
-    connect(m_hold, &HoldFirstButton::asked, this, &StepForm::asked);
+    connect(m_step, &QPushButton::clicked, this, &ResponseForm::step);
+    connect(m_hold, &HoldFirstButton::asked, this, &ResponseForm::asked);
 }
 
-void StepForm::showModule(const PanelView& view) {
+void ResponseForm::showModule(const PanelView& view) {
     m_module = view.module;
     m_connected = view.connected;
     m_report.reset();
@@ -129,28 +129,28 @@ void StepForm::showModule(const PanelView& view) {
     refresh();
 }
 
-void StepForm::showNothing() {
+void ResponseForm::showNothing() {
     m_module.reset();
     m_report.reset();
     m_connected = false;
     refresh();
 }
 
-std::optional<intent::StepResponse> StepForm::entered() const {
+std::optional<intent::StepResponse> ResponseForm::entered() const {
     const auto distance = m_distance->native();
     const auto record = m_record->value();
     if (!distance || !record)
         return std::nullopt;
     return intent::StepResponse{static_cast<std::int32_t>(*distance),
-                                static_cast<StepWay>(m_way->currentData().toInt()), *record};
+                                static_cast<ResponseMethod>(m_way->currentData().toInt()), *record};
 }
 
-std::optional<Refusal> StepForm::refusal() const {
+std::optional<Refusal> ResponseForm::refusal() const {
     const auto step = entered();
     return m_module && step ? nmc::whyNot(*step, *m_module) : std::nullopt;
 }
 
-QString StepForm::whyNotNow() const {
+QString ResponseForm::whyNotNow() const {
     if (!m_connected || !m_module)
         return texts::refusal(Refusal::NotConnected);
     if (m_report && !m_report->over())
@@ -162,7 +162,7 @@ QString StepForm::whyNotNow() const {
     return refusal ? texts::refusal(*refusal) : QString();
 }
 
-void StepForm::refresh() {
+void ResponseForm::refresh() {
     const QString reason = whyNotNow();
     look::setPossible(
         m_step, reason,
@@ -175,7 +175,7 @@ void StepForm::refresh() {
                                     : reason);
 }
 
-void StepForm::step() {
+void ResponseForm::step() {
     const auto step = entered();
     if (!m_step->isEnabled() || !step)
         return;
@@ -186,7 +186,7 @@ void StepForm::step() {
 }
 
 /// Which of those in the fields the module does not have; empty: it has them all.
-QString StepForm::unsentGains() const {
+QString ResponseForm::unsentGains() const {
     if (!m_module || !m_module->gains || !m_staged)
         return {};
     const servo::SetGain staged = gainsFor(*m_module, *m_staged);
@@ -200,7 +200,7 @@ QString StepForm::unsentGains() const {
     return differ.join(u", "_s);
 }
 
-void StepForm::askWhichGains(const intent::StepResponse& step) {
+void ResponseForm::askWhichGains(const intent::StepResponse& step) {
     const auto ask = [self = QPointer(this), index = m_module->info.index](intent::StepResponse wanted) {
         return [self, index, wanted] {
             if (self)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 
 #include "model/recording/numbertext.h"
 #include "model/recording/recording.h"
@@ -21,7 +21,7 @@ public:
             m_out += c == ',' ? ';' : static_cast<unsigned char>(c) < 0x20 ? '?' : c;
         m_out += '\n';
     }
-    void add(std::string_view key, const StepMetrics::Result<Measured>& result, std::string_view unit) {
+    void add(std::string_view key, const ResponseMetrics::Result<Measured>& result, std::string_view unit) {
         if (result)
             add(key, textOf(result->value) + ' ' + std::string(unit) + " +- " + textOf(result->doubt));
     }
@@ -31,17 +31,17 @@ private:
     std::string m_prefix;
 };
 
-std::string_view wayText(StepWay way) {
+std::string_view wayText(ResponseMethod way) {
     switch (way) {
-        case StepWay::Profile:
+        case ResponseMethod::Profile:
             return "by a profile of one tick";
-        case StepWay::StopHere:
+        case ResponseMethod::StopHere:
             return "by Stop Here";
     }
     return {};
 }
 
-void appendMetrics(Comments& comments, const StepRun& run) {
+void appendMetrics(Comments& comments, const ResponseRecord& run) {
     comments.add("rise from 10 to 90 %", run.metrics.rise, "s");
     comments.add("overshoot", run.metrics.overshoot, "% of the step");
     const std::string within = "settling to within " + textOf(run.band()) + " counts of ";
@@ -53,8 +53,8 @@ void appendMetrics(Comments& comments, const StepRun& run) {
                                             textOf(run.pwm->output()) + " of 255");
 }
 
-void appendRun(std::string& out, const KeptRun& kept) {
-    const StepTaken& taken = kept.run.taken;
+void appendRun(std::string& out, const KeptResponse& kept) {
+    const ResponseTaken& taken = kept.run.taken;
     Comments comments(out, kept.number);
     comments.add("name", kept.name);
     comments.add("note", kept.note);
@@ -71,17 +71,17 @@ void appendRun(std::string& out, const KeptRun& kept) {
 
 }  // namespace
 
-std::string stepRunsCsv(std::string_view program, std::span<const KeptRun> runs) {
+std::string responsesCsv(std::string_view program, std::span<const KeptResponse> runs) {
     std::string out = "# NMC Panel step responses 1\n# program: ";
     out.append(program) += '\n';
-    for (const KeptRun& kept : runs)
+    for (const KeptResponse& kept : runs)
         appendRun(out, kept);
     out +=
         "# time_s = seconds since the module latched the step\n"
         "# position and from_start = counts\n"
         "run,time_s,position,from_start\n";
-    for (const KeptRun& kept : runs)
-        for (const StepPoint& point : kept.run.points)
+    for (const KeptResponse& kept : runs)
+        for (const ResponsePoint& point : kept.run.points)
             out += textOf(kept.number) + ',' + textOf(point.seconds) + ',' + textOf(point.position) + ',' +
                    textOf(point.position - kept.run.taken.from) + '\n';
     return out;

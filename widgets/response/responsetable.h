@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 
 namespace nmc {
 
@@ -15,14 +15,14 @@ using ShownRuns = std::array<std::optional<int>, 2>;
 
 /// The runs so far, newest first, each with its gains, two boxes that say whether it is drawn as A or B, and
 /// a name and a note that the user may write.
-class StepRunTable : public QTableWidget {
+class ResponseTable : public QTableWidget {
     Q_OBJECT
 
 public:
-    explicit StepRunTable(QWidget* parent = nullptr);
+    explicit ResponseTable(QWidget* parent = nullptr);
 
     /// Emits nothing.
-    void showRuns(const std::vector<KeptRun>& runs, const ShownRuns& shown);
+    void showRuns(const std::vector<KeptResponse>& runs, const ShownRuns& shown);
     /// The number of the run whose row is the current one.
     [[nodiscard]] std::optional<int> chosen() const;
     [[nodiscard]] QSize sizeHint() const override;
@@ -37,10 +37,10 @@ signals:
 
 private:
     enum Column { A, B, Run, Name, Module, Time, Kp, Kd, Ki, Overshoot, Settling, Note, kColumns };
-    void showRun(int row, const KeptRun& kept, const ShownRuns& shown);
+    void showRun(int row, const KeptResponse& kept, const ShownRuns& shown);
     QTableWidgetItem* cell(int row, int column);
     [[nodiscard]] int numberAt(int row) const;
-    void arrangeRows(const std::vector<KeptRun>& runs);
+    void arrangeRows(const std::vector<KeptResponse>& runs);
 };
 
 }  // namespace nmc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/response/stepruntable.h"
+#include "widgets/response/responsetable.h"
 
 #include <QDateTime>
 #include <QHeaderView>
@@ -8,17 +8,17 @@
 #include <algorithm>
 #include <tuple>
 
-#include "model/machinefile/steprunstore.h"
+#include "model/machinefile/responsestore.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
-#include "widgets/response/stepresponsewords.h"
+#include "widgets/response/responsewords.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-StepRunTable::StepRunTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
-    look::name(this, u"stepRunTable"_s, tr("Step responses so far"));
+ResponseTable::ResponseTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
+    look::name(this, u"responseRunTable"_s, tr("Step responses so far"));
     setToolTip(
         tr("Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.")
             .arg(kMostKeptRuns));
@@ -42,10 +42,10 @@ StepRunTable::StepRunTable(QWidget* parent) : QTableWidget(0, kColumns, parent) 
         else
             emit named(numberAt(row), cell(row, Name)->text(), cell(row, Note)->text());
     });
-    connect(this, &QTableWidget::itemSelectionChanged, this, &StepRunTable::chosenChanged);
+    connect(this, &QTableWidget::itemSelectionChanged, this, &ResponseTable::chosenChanged);
 }
 
-QTableWidgetItem* StepRunTable::cell(int row, int column) {
+QTableWidgetItem* ResponseTable::cell(int row, int column) {
     QTableWidgetItem* item = this->item(row, column);
     if (item == nullptr) {
         item = new QTableWidgetItem;
@@ -61,7 +61,7 @@ QTableWidgetItem* StepRunTable::cell(int row, int column) {
     return item;
 }
 
-void StepRunTable::showRun(int row, const KeptRun& kept, const ShownRuns& shown) {
+void ResponseTable::showRun(int row, const KeptResponse& kept, const ShownRuns& shown) {
     const servo::SetGain& gains = kept.run.taken.gains;
     for (const int which : {A, B}) {
         QTableWidgetItem* box = cell(row, which);
@@ -95,11 +95,11 @@ void StepRunTable::showRun(int row, const KeptRun& kept, const ShownRuns& shown)
     cell(row, Kp)->setText(QString::number(gains.kp));
     cell(row, Kd)->setText(QString::number(gains.kd));
     cell(row, Ki)->setText(QString::number(gains.ki));
-    cell(row, Overshoot)->setText(texts::stepOvershoot(kept.run.metrics.overshoot));
-    cell(row, Settling)->setText(texts::stepSettling(kept.run.metrics));
+    cell(row, Overshoot)->setText(texts::responseOvershoot(kept.run.metrics.overshoot));
+    cell(row, Settling)->setText(texts::responseSettling(kept.run.metrics));
 }
 
-void StepRunTable::showRuns(const std::vector<KeptRun>& runs, const ShownRuns& shown) {
+void ResponseTable::showRuns(const std::vector<KeptResponse>& runs, const ShownRuns& shown) {
     const std::optional<int> before = chosen();
     {
         const QSignalBlocker blocker(this);
@@ -115,11 +115,12 @@ void StepRunTable::showRuns(const std::vector<KeptRun>& runs, const ShownRuns& s
 }
 
 /// A row goes with its run, and so do what is chosen and an editor that is open.
-void StepRunTable::arrangeRows(const std::vector<KeptRun>& runs) {
+void ResponseTable::arrangeRows(const std::vector<KeptResponse>& runs) {
     int row = 0;
     for (auto kept = runs.rbegin(); kept != runs.rend(); ++kept, ++row) {
         const auto wanted = [&](int number) {
-            return std::any_of(kept, runs.rend(), [=](const KeptRun& run) { return run.number == number; });
+            return std::any_of(kept, runs.rend(),
+                               [=](const KeptResponse& run) { return run.number == number; });
         };
         while (row < rowCount() && !wanted(numberAt(row)))
             removeRow(row);
@@ -131,20 +132,20 @@ void StepRunTable::arrangeRows(const std::vector<KeptRun>& runs) {
     setRowCount(row);
 }
 
-int StepRunTable::numberAt(int row) const {
+int ResponseTable::numberAt(int row) const {
     const QTableWidgetItem* number = item(row, Run);
     return number != nullptr ? number->text().toInt() : 0;
 }
 
-std::optional<int> StepRunTable::chosen() const {
+std::optional<int> ResponseTable::chosen() const {
     return currentRow() >= 0 ? std::optional(numberAt(currentRow())) : std::nullopt;
 }
 
-QSize StepRunTable::sizeHint() const {
+QSize ResponseTable::sizeHint() const {
     return {fontMetrics().height() * 20, fontMetrics().height() * 7};
 }
 
-QSize StepRunTable::minimumSizeHint() const {
+QSize ResponseTable::minimumSizeHint() const {
     return {fontMetrics().height() * 14, fontMetrics().height() * 5};
 }
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "model/procedure/stepresponse.h"
-#include "model/response/steprun.h"
+#include "model/response/responserecord.h"
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {
@@ -33,7 +33,7 @@ struct Truth {
     bool off = false;
 
     /// By hand: twice the step, or a quarter of it the wrong way.
-    [[nodiscard]] bool wentTooFar(const StepTaken& taken) const {
+    [[nodiscard]] bool wentTooFar(const ResponseTaken& taken) const {
         const double step = taken.goal - taken.from;
         return std::any_of(positions.begin(), positions.end(), [&](std::int32_t position) {
             const double way = (position - taken.from) / step;
@@ -50,7 +50,7 @@ struct TrueMetrics {
     double steadyError = 0.0;
 };
 
-[[nodiscard]] TrueMetrics measured(const Truth& truth, const StepRun& run) {
+[[nodiscard]] TrueMetrics measured(const Truth& truth, const ResponseRecord& run) {
     const double step = run.taken.goal - run.taken.from;
     TrueMetrics m;
     std::optional<std::size_t> low, high, lastOutside;
@@ -101,7 +101,7 @@ public:
         const ProcedureReport report = goOn(10);
         return report.step || truth.off ? std::optional(report) : std::nullopt;
     }
-    [[nodiscard]] StepRun run(const StepTaken& taken) const {
+    [[nodiscard]] ResponseRecord run(const ResponseTaken& taken) const {
         std::vector<ScopeSample> samples;
         for (const auto& sample : bus.all<bus::Sample>()) {
             if (!sample.report.position)
@@ -160,7 +160,7 @@ public:
         trial.gains.sr = uniform(0, 1) < 0.8 ? std::uint8_t{1} : static_cast<std::uint8_t>(uniform(2, 4));
         trial.gains.db = std::uint8_t{0};
         trial.wanted.counts = uniform(0, 1) < 0.5 ? -step : step;
-        trial.wanted.way = uniform(0, 1) < 0.5 ? StepWay::Profile : StepWay::StopHere;
+        trial.wanted.way = uniform(0, 1) < 0.5 ? ResponseMethod::Profile : ResponseMethod::StopHere;
         trial.wanted.record = kRecord;
         trial.inertia = 1.7e-5 * spread(1, 4);
         trial.friction = uniform(0, 0.006);
@@ -201,7 +201,7 @@ struct Share {
         return off <= tolerance;
     }
     /// Where there is none, the truth must have none either.
-    bool add(const StepMetrics::Result<Measured>& measured, const std::optional<double>& truth,
+    bool add(const ResponseMetrics::Result<Measured>& measured, const std::optional<double>& truth,
              double tolerance) {
         return measured && truth ? add(*measured, *truth, tolerance)
                                  : measured.has_value() == truth.has_value();
@@ -246,7 +246,7 @@ public:
     }
 
 private:
-    void compare(const StepRun& run, const Truth& truth) {
+    void compare(const ResponseRecord& run, const Truth& truth) {
         const TrueMetrics is = measured(truth, run);
         const double interval = run.metrics.interval;
         const bool rise = m_rise.add(run.metrics.rise, is.rise, interval);
@@ -264,7 +264,7 @@ private:
 };
 
 /// Sets that cannot be tried at all do not count.
-TEST(StepTruth, MetricsFromTheWireAreThoseOfTheMotor) {
+TEST(ResponseTruth, MetricsFromTheWireAreThoseOfTheMotor) {
     const char* const wanted = std::getenv("NMC_STEP_SETS");
     const int sets = wanted != nullptr ? std::atoi(wanted) : 200;
     const unsigned seed = 20'240'601;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/response/stepresults.h"
+#include "widgets/response/responseresults.h"
 
 #include <QHeaderView>
 
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
-#include "widgets/response/stepresponsewords.h"
+#include "widgets/response/responsewords.h"
 
 namespace nmc {
 
@@ -15,8 +15,8 @@ namespace {
 enum Row { Number, Rise, Overshoot, Settling, AtRest, SteadyError, PeakPwm, Interval, kRows };
 }
 
-StepResults::StepResults(QWidget* parent) : QTableWidget(kRows, 2, parent) {
-    look::name(this, u"stepResults"_s, tr("Results of the runs shown"));
+ResponseResults::ResponseResults(QWidget* parent) : QTableWidget(kRows, 2, parent) {
+    look::name(this, u"responseResults"_s, tr("Results of the runs shown"));
     setHorizontalHeaderLabels({tr("A"), tr("B")});
     setVerticalHeaderLabels({tr("Run"), tr("Rise, 10 to 90 %"), tr("Overshoot"), tr("Settling to the goal"),
                              tr("Settling to rest position"), tr("Steady-state error"),
@@ -45,16 +45,16 @@ StepResults::StepResults(QWidget* parent) : QTableWidget(kRows, 2, parent) {
     showRuns(nullptr, nullptr);
 }
 
-void StepResults::showRun(int column, const KeptRun* kept) {
+void ResponseResults::showRun(int column, const KeptResponse* kept) {
     QStringList cells(kRows, u"–"_s);
     if (kept != nullptr) {
-        const StepMetrics& metrics = kept->run.metrics;
+        const ResponseMetrics& metrics = kept->run.metrics;
         cells[Number] = QString::number(kept->number);
-        cells[Rise] = texts::stepTime(metrics.rise);
-        cells[Overshoot] = texts::stepOvershoot(metrics.overshoot);
-        cells[Settling] = texts::stepTime(metrics.settling);
-        cells[AtRest] = texts::stepTime(metrics.settlingAtRest);
-        cells[SteadyError] = texts::stepError(metrics.steadyError, kept->scale);
+        cells[Rise] = texts::responseTime(metrics.rise);
+        cells[Overshoot] = texts::responseOvershoot(metrics.overshoot);
+        cells[Settling] = texts::responseTime(metrics.settling);
+        cells[AtRest] = texts::responseTime(metrics.settlingAtRest);
+        cells[SteadyError] = texts::responseError(metrics.steadyError, kept->scale);
         cells[PeakPwm] = texts::peakPwm(kept->run.pwm);
         cells[Interval] = tr("%1 ms").arg(texts::readout(metrics.interval * 1e3, 3));
     }
@@ -66,12 +66,12 @@ void StepResults::showRun(int column, const KeptRun* kept) {
     }
 }
 
-void StepResults::showRuns(const KeptRun* a, const KeptRun* b) {
+void ResponseResults::showRuns(const KeptResponse* a, const KeptResponse* b) {
     showRun(0, a);
     showRun(1, b);
 }
 
-QSize StepResults::sizeHint() const {
+QSize ResponseResults::sizeHint() const {
     const int rows = verticalHeader()->length() + horizontalHeader()->sizeHint().height();
     const int cell = fontMetrics().horizontalAdvance(u"\u2212100.0 ± 10.0 counts"_s);
     return {verticalHeader()->sizeHint().width() + 2 * cell, rows + 2 * frameWidth()};

@@ -18,11 +18,11 @@ class NumberField;
 class QuantityField;
 
 /// How the next step is made, and the button that makes it.
-class StepForm : public QWidget {
+class ResponseForm : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StepForm(QWidget* parent = nullptr);
+    explicit ResponseForm(QWidget* parent = nullptr);
 
     // Emit nothing.
     void showModule(const PanelView& view);

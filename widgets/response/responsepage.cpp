@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/response/stepresponsepage.h"
+#include "widgets/response/responsepage.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
@@ -12,73 +12,73 @@
 #include <iterator>
 #include <utility>
 
-#include "model/machinefile/steprunstore.h"
+#include "model/machinefile/responsestore.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
-#include "widgets/response/stepform.h"
-#include "widgets/response/stepplot.h"
-#include "widgets/response/stepresults.h"
-#include "widgets/response/stepview.h"
+#include "widgets/response/responseform.h"
+#include "widgets/response/responseplot.h"
+#include "widgets/response/responseresults.h"
+#include "widgets/response/responseview.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
 namespace {
-const QString kSaveDialog = u"stepRunsDialog"_s;
+const QString kSaveDialog = u"responseRunsDialog"_s;
 }
 
-StepResponsePage::StepResponsePage(QWidget* parent)
+ResponsePage::ResponsePage(QWidget* parent)
     : QWidget(parent),
-      m_form(new StepForm(this)),
-      m_results(new StepResults(this)),
+      m_form(new ResponseForm(this)),
+      m_results(new ResponseResults(this)),
       m_model(new ModelBox(m_kept, this)),
-      m_view(new StepView(this)),
-      m_table(new StepRunTable(this)) {
-    look::name(this, u"stepResponsePage"_s, tr("Step response"));
+      m_view(new ResponseView(this)),
+      m_table(new ResponseTable(this)) {
+    look::name(this, u"responsePage"_s, tr("Step response"));
     m_runs = newRunsPart();
     m_findings = new QTabWidget(this);
-    look::name(m_findings, u"stepFindings"_s, tr("Step results"));
+    look::name(m_findings, u"responseFindings"_s, tr("Step results"));
     m_findings->addTab(m_results, tr("Results"));
     m_findings->addTab(m_model, tr("Model"));
     keepFocusOnTabs(*m_findings);
-    connect(m_model, &ModelBox::identifyWanted, this, &StepResponsePage::identifyWanted);
-    connect(m_model, &ModelBox::suggestionWanted, this, &StepResponsePage::suggestionWanted);
-    connect(m_model, &ModelBox::gainsWanted, this, &StepResponsePage::gainsWanted);
-    connect(m_model, &ModelBox::curvesChanged, this, &StepResponsePage::showModelCurves);
+    connect(m_model, &ModelBox::identifyWanted, this, &ResponsePage::identifyWanted);
+    connect(m_model, &ModelBox::suggestionWanted, this, &ResponsePage::suggestionWanted);
+    connect(m_model, &ModelBox::gainsWanted, this, &ResponsePage::gainsWanted);
+    connect(m_model, &ModelBox::curvesChanged, this, &ResponsePage::showModelCurves);
     lay();
-    connect(m_form, &StepForm::asked, this, &StepResponsePage::asked);
-    connect(m_form, &StepForm::bandEdited, this, &StepResponsePage::judgeAll);
-    connect(m_table, &StepRunTable::shownWanted, this, &StepResponsePage::showAs);
-    connect(m_table, &StepRunTable::chosenChanged, this, &StepResponsePage::refreshButtons);
-    connect(m_table, &StepRunTable::named, this, &StepResponsePage::nameRun);
-    connect(m_putBack, &QPushButton::clicked, this, &StepResponsePage::putBack);
-    connect(m_use, &QPushButton::clicked, this, &StepResponsePage::useGains);
-    connect(m_remove, &QPushButton::clicked, this, &StepResponsePage::removeChosen);
-    connect(m_save, &QPushButton::clicked, this, &StepResponsePage::chooseFile);
-    connect(m_view, &StepView::saveRequested, this, &StepResponsePage::saveRequested);
-    connect(m_view, &StepView::printRequested, this, &StepResponsePage::printRequested);
+    connect(m_form, &ResponseForm::asked, this, &ResponsePage::asked);
+    connect(m_form, &ResponseForm::bandEdited, this, &ResponsePage::judgeAll);
+    connect(m_table, &ResponseTable::shownWanted, this, &ResponsePage::showAs);
+    connect(m_table, &ResponseTable::chosenChanged, this, &ResponsePage::refreshButtons);
+    connect(m_table, &ResponseTable::named, this, &ResponsePage::nameRun);
+    connect(m_putBack, &QPushButton::clicked, this, &ResponsePage::putBack);
+    connect(m_use, &QPushButton::clicked, this, &ResponsePage::useGains);
+    connect(m_remove, &QPushButton::clicked, this, &ResponsePage::removeChosen);
+    connect(m_save, &QPushButton::clicked, this, &ResponsePage::chooseFile);
+    connect(m_view, &ResponseView::saveRequested, this, &ResponsePage::saveRequested);
+    connect(m_view, &ResponseView::printRequested, this, &ResponsePage::printRequested);
     refreshRuns();
 }
 
-QPushButton* StepResponsePage::newButton(const QString& objectName, const QString& text,
-                                         const QKeySequence& shortcut) {
+QPushButton* ResponsePage::newButton(const QString& objectName, const QString& text,
+                                     const QKeySequence& shortcut) {
     auto* button = new QPushButton(text, this);
     look::name(button, objectName, text);
     button->setShortcut(shortcut);
     return button;
 }
 
-QWidget* StepResponsePage::newRunsPart() {
-    m_use = newButton(u"stepUseGainsButton"_s, tr("Use these gains"), Qt::CTRL | Qt::SHIFT | Qt::Key_U);
-    m_remove = newButton(u"stepRemoveButton"_s, tr("Remove"), Qt::CTRL | Qt::Key_Delete);
-    m_putBack = newButton(u"stepPutBackButton"_s, tr("Restore"), Qt::CTRL | Qt::SHIFT | Qt::Key_Delete);
-    m_save = newButton(u"stepExportButton"_s, tr("Export CSV…"), Qt::CTRL | Qt::SHIFT | Qt::Key_X);
+QWidget* ResponsePage::newRunsPart() {
+    m_use = newButton(u"responseUseGainsButton"_s, tr("Use these gains"), Qt::CTRL | Qt::SHIFT | Qt::Key_U);
+    m_remove = newButton(u"responseRemoveButton"_s, tr("Remove"), Qt::CTRL | Qt::Key_Delete);
+    m_putBack = newButton(u"responsePutBackButton"_s, tr("Restore"), Qt::CTRL | Qt::SHIFT | Qt::Key_Delete);
+    m_save = newButton(u"responseExportButton"_s, tr("Export CSV…"), Qt::CTRL | Qt::SHIFT | Qt::Key_X);
     m_all = new QCheckBox(tr("All runs"), this);
-    look::name(m_all, u"stepAllRunsBox"_s, tr("All runs of this module in the plot"));
+    look::name(m_all, u"responseAllRunsBox"_s, tr("All runs of this module in the plot"));
     m_all->setToolTip(tr("Shows the other runs of this module, older runs paler."));
-    connect(m_all, &QCheckBox::toggled, this, &StepResponsePage::refreshRuns);
+    connect(m_all, &QCheckBox::toggled, this, &ResponsePage::refreshRuns);
     m_view->addControl(m_all);
     auto* part = new QWidget(this);
     auto* buttons = new QHBoxLayout;
@@ -96,10 +96,10 @@ QWidget* StepResponsePage::newRunsPart() {
     return part;
 }
 
-QWidget* StepResponsePage::lendForm() {
+QWidget* ResponsePage::lendForm() {
     if (m_lent == nullptr) {
         m_lent = new QWidget(this);
-        look::name(m_lent, u"stepFormPlace"_s, tr("Step"));
+        look::name(m_lent, u"responseFormPlace"_s, tr("Step"));
         auto* place = new QVBoxLayout(m_lent);
         const int unit = look::gridUnit(this);
         place->setContentsMargins(unit, 0, unit, 0);
@@ -112,7 +112,7 @@ QWidget* StepResponsePage::lendForm() {
     return m_lent;
 }
 
-void StepResponsePage::takeFormBack() {
+void ResponsePage::takeFormBack() {
     if (m_lent == nullptr)
         return;
     QWidget* place = std::exchange(m_lent, nullptr);
@@ -121,7 +121,7 @@ void StepResponsePage::takeFormBack() {
 }
 
 /// Without its form the plot has most of the room, and what was found stands beside it.
-void StepResponsePage::lay() {
+void ResponsePage::lay() {
     const int unit = look::gridUnit(this);
     delete layout();
     auto* page = new QHBoxLayout(this);
@@ -151,41 +151,41 @@ void StepResponsePage::lay() {
     page->addLayout(right, 1);
 }
 
-void StepResponsePage::showModule(const PanelView& view) {
+void ResponsePage::showModule(const PanelView& view) {
     m_form->showModule(view);
     m_model->showModule(view);
     m_servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
     refreshButtons();
 }
 
-void StepResponsePage::showNothing() {
+void ResponsePage::showNothing() {
     m_form->showNothing();
     m_model->showNothing();
     m_servo.reset();
     refreshButtons();
 }
 
-std::vector<const KeptRun*> StepResponsePage::others() const {
-    std::vector<const KeptRun*> others;
-    const KeptRun* a = find(m_shown[0]);
+std::vector<const KeptResponse*> ResponsePage::others() const {
+    std::vector<const KeptResponse*> others;
+    const KeptResponse* a = find(m_shown[0]);
     if (m_all->isChecked() && a != nullptr)
-        for (const KeptRun& kept : m_kept)
+        for (const KeptResponse& kept : m_kept)
             if (kept.run.module == a->run.module && m_shown[0] != kept.number && m_shown[1] != kept.number)
                 others.push_back(&kept);
     return others;
 }
 
-void StepResponsePage::step() {
+void ResponsePage::step() {
     m_form->step();
 }
 
-const KeptRun* StepResponsePage::find(std::optional<int> number) const {
+const KeptResponse* ResponsePage::find(std::optional<int> number) const {
     const auto found = std::find_if(m_kept.begin(), m_kept.end(),
-                                    [number](const KeptRun& kept) { return kept.number == number; });
+                                    [number](const KeptResponse& kept) { return kept.number == number; });
     return found != m_kept.end() ? &*found : nullptr;
 }
 
-void StepResponsePage::showRun(KeptRun run) {
+void ResponsePage::showRun(KeptResponse run) {
     run.number = ++m_lastNumber;
     setBand(run.run, m_form->band());
     if (!m_shown[1])
@@ -196,15 +196,15 @@ void StepResponsePage::showRun(KeptRun run) {
     emit runsChanged();
 }
 
-void StepResponsePage::showKept(std::vector<KeptRun> runs) {
+void ResponsePage::showKept(std::vector<KeptResponse> runs) {
     int last = 0;
-    for (KeptRun& run : runs) {
+    for (KeptResponse& run : runs) {
         setBand(run.run, m_form->band());
         last = std::max(last, run.number);
     }
     // What was made before these were read is newer all the same.
-    for (std::vector<KeptRun>* made : {&m_kept, &m_removed})
-        for (KeptRun& run : *made)
+    for (std::vector<KeptResponse>* made : {&m_kept, &m_removed})
+        for (KeptResponse& run : *made)
             run.number += last;
     for (std::optional<int>& shown : m_shown)
         if (shown)
@@ -214,7 +214,7 @@ void StepResponsePage::showKept(std::vector<KeptRun> runs) {
     showList();
 }
 
-void StepResponsePage::clearRuns() {
+void ResponsePage::clearRuns() {
     m_kept.clear();
     m_removed.clear();
     m_shown = {};
@@ -223,18 +223,18 @@ void StepResponsePage::clearRuns() {
 }
 
 /// What is listed has changed.
-void StepResponsePage::showList() {
-    keepMost(m_kept, [this](const KeptRun& kept) {
+void ResponsePage::showList() {
+    keepMost(m_kept, [this](const KeptResponse& kept) {
         return kept.number == m_shown[0] || kept.number == m_shown[1] || kept.number == m_lastNumber;
     });
     m_model->showRuns();
     refreshRuns();
 }
 
-void StepResponsePage::nameRun(int number, const QString& name, const QString& note) {
+void ResponsePage::nameRun(int number, const QString& name, const QString& note) {
     constexpr int kLongestName = 60, kLongestNote = 500;
     const auto found = std::find_if(m_kept.begin(), m_kept.end(),
-                                    [number](const KeptRun& kept) { return kept.number == number; });
+                                    [number](const KeptResponse& kept) { return kept.number == number; });
     if (found == m_kept.end())
         return;
     found->name = name.simplified().left(kLongestName).toStdString();
@@ -243,21 +243,21 @@ void StepResponsePage::nameRun(int number, const QString& name, const QString& n
     emit runsChanged();
 }
 
-void StepResponsePage::judgeAll(double bandPercent) {
-    for (KeptRun& kept : m_kept)
+void ResponsePage::judgeAll(double bandPercent) {
+    for (KeptResponse& kept : m_kept)
         setBand(kept.run, bandPercent);
     m_model->showRuns();
     refreshRuns();
 }
 
-void StepResponsePage::showAs(int which, int run, bool shown) {
+void ResponsePage::showAs(int which, int run, bool shown) {
     m_shown[static_cast<std::size_t>(which)] = shown ? std::optional(run) : std::nullopt;
     refreshRuns();
 }
 
-void StepResponsePage::refreshRuns() {
-    const KeptRun* a = find(m_shown[0]);
-    const KeptRun* b = find(m_shown[1]);
+void ResponsePage::refreshRuns() {
+    const KeptResponse* a = find(m_shown[0]);
+    const KeptResponse* b = find(m_shown[1]);
     m_table->showRuns(m_kept, m_shown);
     m_results->showRuns(a, b);
     m_view->showRuns(a, b, others());
@@ -265,23 +265,23 @@ void StepResponsePage::refreshRuns() {
     refreshButtons();
 }
 
-void StepResponsePage::showMotor(ModuleIndex module, const FoundMotor& found) {
+void ResponsePage::showMotor(ModuleIndex module, const FoundMotor& found) {
     m_model->showMotor(module, found);
 }
 
-void StepResponsePage::showSuggestion(const Suggestion& suggestion) {
+void ResponsePage::showSuggestion(const Suggestion& suggestion) {
     m_model->showSuggestion(suggestion);
 }
 
-void StepResponsePage::forgetModules() {
+void ResponsePage::forgetModules() {
     m_model->forget();
 }
 
 /// Over a run of the same module and distance: the one that they are about, or the next, with the gains that
 /// were suggested.
-void StepResponsePage::showModelCurves() {
-    const KeptRun* about = find(m_model->about());
-    const auto alike = [about](const KeptRun* shown) {
+void ResponsePage::showModelCurves() {
+    const KeptResponse* about = find(m_model->about());
+    const auto alike = [about](const KeptResponse* shown) {
         return shown != nullptr && shown->run.module == about->run.module &&
                shown->run.taken.goal - shown->run.taken.from == about->run.taken.goal - about->run.taken.from;
     };
@@ -289,7 +289,7 @@ void StepResponsePage::showModelCurves() {
     m_view->plot().showModel(drawn ? about : nullptr, m_model->fittedPoints(), m_model->predictedPoints());
 }
 
-QString StepResponsePage::whyNotUsable(const KeptRun* run) const {
+QString ResponsePage::whyNotUsable(const KeptResponse* run) const {
     if (run == nullptr)
         return tr("Select a run in the list first.");
     if (m_servo != run->run.module)
@@ -298,8 +298,8 @@ QString StepResponsePage::whyNotUsable(const KeptRun* run) const {
     return {};
 }
 
-void StepResponsePage::refreshButtons() {
-    const KeptRun* chosen = find(m_table->chosen());
+void ResponsePage::refreshButtons() {
+    const KeptResponse* chosen = find(m_table->chosen());
     look::setPossible(m_use, whyNotUsable(chosen),
                       tr("Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U)."));
     look::setPossible(m_remove, chosen == nullptr ? tr("Select a run in the list first.") : QString(),
@@ -310,16 +310,16 @@ void StepResponsePage::refreshButtons() {
                       tr("Saves all runs in the list with their gains and results (Ctrl+Shift+X)."));
 }
 
-void StepResponsePage::useGains() {
-    const KeptRun* chosen = find(m_table->chosen());
+void ResponsePage::useGains() {
+    const KeptResponse* chosen = find(m_table->chosen());
     if (whyNotUsable(chosen).isEmpty())
         emit gainsWanted(chosen->run.taken.gains);
 }
 
-void StepResponsePage::removeChosen() {
+void ResponsePage::removeChosen() {
     const std::optional<int> chosen = m_table->chosen();
     const auto found = std::find_if(m_kept.begin(), m_kept.end(),
-                                    [chosen](const KeptRun& kept) { return kept.number == chosen; });
+                                    [chosen](const KeptResponse& kept) { return kept.number == chosen; });
     if (found == m_kept.end())
         return;
     m_removed.push_back(std::move(*found));
@@ -331,18 +331,19 @@ void StepResponsePage::removeChosen() {
     emit runsChanged();
 }
 
-void StepResponsePage::putBack() {
-    KeptRun run = std::move(m_removed.back());
+void ResponsePage::putBack() {
+    KeptResponse run = std::move(m_removed.back());
     m_removed.pop_back();
     setBand(run.run, m_form->band());
-    const auto place = std::lower_bound(m_kept.begin(), m_kept.end(), run.number,
-                                        [](const KeptRun& kept, int number) { return kept.number < number; });
+    const auto place =
+        std::lower_bound(m_kept.begin(), m_kept.end(), run.number,
+                         [](const KeptResponse& kept, int number) { return kept.number < number; });
     m_kept.insert(place, std::move(run));
     showList();
     emit runsChanged();
 }
 
-void StepResponsePage::chooseFile() {
+void ResponsePage::chooseFile() {
     QFileDialog* dialog =
         newFileDialog(this, kSaveDialog, tr("Export step responses"), {tr("CSV (*.csv)")}, QDir::homePath());
     if (dialog == nullptr)
@@ -353,7 +354,7 @@ void StepResponsePage::chooseFile() {
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         const QString program = u"NMC Panel "_s + QCoreApplication::applicationVersion();
         emit saveRequested(
-            path, [program = program.toStdString(), runs = m_kept] { return stepRunsCsv(program, runs); });
+            path, [program = program.toStdString(), runs = m_kept] { return responsesCsv(program, runs); });
     });
     dialog->show();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/response/steprun.h"
+#include "model/response/responserecord.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,14 +20,14 @@ constexpr Duration kTimeDoubt = kServoTick;
 
 }  // namespace
 
-double StepRun::band() const {
+double ResponseRecord::band() const {
     const double step = static_cast<double>(taken.goal) - static_cast<double>(taken.from);
     return std::max(1.0, std::abs(step) * bandPercent / 100);
 }
 
-StepRun takeRun(ModuleIndex module, std::span<const ScopeSample> samples, const StepTaken& taken,
-                double bandPercent) {
-    StepRun run;
+ResponseRecord takeRun(ModuleIndex module, std::span<const ScopeSample> samples, const ResponseTaken& taken,
+                       double bandPercent) {
+    ResponseRecord run;
     run.module = module;
     run.taken = taken;
     for (const ScopeSample& sample : samples) {
@@ -42,11 +42,11 @@ StepRun takeRun(ModuleIndex module, std::span<const ScopeSample> samples, const 
     return run;
 }
 
-void setBand(StepRun& run, double bandPercent) {
+void setBand(ResponseRecord& run, double bandPercent) {
     run.bandPercent = bandPercent;
     // Positions are whole counts: the edge is half-way from the last one inside to the first one outside.
     const double edge = std::floor(run.band()) + 0.5;
-    run.metrics = measureStep(run.points, run.taken.from, run.taken.goal, edge, toSeconds(kTimeDoubt));
+    run.metrics = measureResponse(run.points, run.taken.from, run.taken.goal, edge, toSeconds(kTimeDoubt));
 }
 
 }  // namespace nmc

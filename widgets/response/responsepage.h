@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/panels/panelview.h"
 #include "widgets/response/modelbox.h"
-#include "widgets/response/stepruntable.h"
+#include "widgets/response/responsetable.h"
 
 class QCheckBox;
 class QPushButton;
@@ -18,25 +18,25 @@ class QTabWidget;
 
 namespace nmc {
 
-class StepForm;
-class StepResults;
-class StepView;
+class ResponseForm;
+class ResponseResults;
+class ResponseView;
 
 /// Step responses of the selected servo: asks for them, keeps those that were made, and compares two.
-class StepResponsePage : public QWidget {
+class ResponsePage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StepResponsePage(QWidget* parent = nullptr);
+    explicit ResponsePage(QWidget* parent = nullptr);
 
     // Emit nothing.
     void showModule(const PanelView& view);
     void showNothing();
     /// A new one: it becomes A, and where there is no B to compare it with, what was A becomes B. Its number
     /// is given here, and it is judged by the band that the user has chosen.
-    void showRun(KeptRun run);
+    void showRun(KeptResponse run);
     /// Those that were kept of the machine, oldest first, below what is there by now.
-    void showKept(std::vector<KeptRun> runs);
+    void showKept(std::vector<KeptResponse> runs);
     /// The runs are of another machine.
     void clearRuns();
     /// The answer to identifyWanted().
@@ -53,7 +53,7 @@ public:
     /// As by the form's button.
     void step();
 
-    [[nodiscard]] const std::vector<KeptRun>& runs() const { return m_kept; }
+    [[nodiscard]] const std::vector<KeptResponse>& runs() const { return m_kept; }
     /// What was found of the motor that is shown; empty for nothing.
     [[nodiscard]] QStringList motorWords() const { return m_model->motorWords(); }
 
@@ -62,7 +62,7 @@ signals:
     /// Into the fields of the gains of the selected module, which is that of the run; not to be sent.
     void gainsWanted(const nmc::servo::SetGain& gains);
     void suggestionWanted(const nmc::SuggestionTask& task);
-    void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::StepRun>& runs);
+    void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
     /// runs() has changed, and not by showKept() or clearRuns(): it is to be kept.
     void runsChanged();
     /// All runs, or a picture of those that are shown.
@@ -85,18 +85,18 @@ private:
     void chooseFile();
     void refreshRuns();
     void refreshButtons();
-    [[nodiscard]] std::vector<const KeptRun*> others() const;
-    [[nodiscard]] const KeptRun* find(std::optional<int> number) const;
-    [[nodiscard]] QString whyNotUsable(const KeptRun* run) const;
+    [[nodiscard]] std::vector<const KeptResponse*> others() const;
+    [[nodiscard]] const KeptResponse* find(std::optional<int> number) const;
+    [[nodiscard]] QString whyNotUsable(const KeptResponse* run) const;
 
-    std::vector<KeptRun> m_kept;     ///< oldest first
-    std::vector<KeptRun> m_removed;  ///< the last at the end
-    StepForm* m_form;
-    StepResults* m_results;
+    std::vector<KeptResponse> m_kept;     ///< oldest first
+    std::vector<KeptResponse> m_removed;  ///< the last at the end
+    ResponseForm* m_form;
+    ResponseResults* m_results;
     ModelBox* m_model;
     QTabWidget* m_findings = nullptr;
-    StepView* m_view;
-    StepRunTable* m_table;
+    ResponseView* m_view;
+    ResponseTable* m_table;
     QWidget* m_runs = nullptr;  ///< the table and its buttons
     QWidget* m_lent = nullptr;  ///< the form, elsewhere
     QPushButton* m_use = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/response/stepview.h"
+#include "widgets/response/responseview.h"
 
 #include <QClipboard>
 #include <QCoreApplication>
@@ -16,20 +16,20 @@
 #include "widgets/common/look.h"
 #include "widgets/common/picture.h"
 #include "widgets/common/words.h"
-#include "widgets/response/stepplot.h"
-#include "widgets/response/stepresponsewords.h"
+#include "widgets/response/responseplot.h"
+#include "widgets/response/responsewords.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-StepView::StepView(QWidget* parent)
+ResponseView::ResponseView(QWidget* parent)
     : QWidget(parent),
-      m_plot(new StepPlot(this)),
+      m_plot(new ResponsePlot(this)),
       m_readings(new QTableWidget(0, 4, this)),
       m_bar(new QHBoxLayout),
       m_folder(QDir::homePath()) {
-    look::name(m_readings, u"stepCursorTable"_s, tr("Cursor readings"));
+    look::name(m_readings, u"responseCursorTable"_s, tr("Cursor readings"));
     m_readings->setHorizontalHeaderLabels({tr("Run"), tr("Cursor 1"), tr("Cursor 2"), tr("Difference")});
     m_readings->verticalHeader()->hide();
     m_readings->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -41,9 +41,9 @@ StepView::StepView(QWidget* parent)
     m_readings->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_readings->hide();
     m_bar->addStretch(1);
-    auto* fit = newButton(u"stepFitButton"_s, tr("Fit"),
+    auto* fit = newButton(u"responseFitButton"_s, tr("Fit"),
                           tr("Fits the view to the motion and all positions (A, in the plot)."));
-    m_cursors = newButton(u"stepCursorsButton"_s, tr("Cursors"),
+    m_cursors = newButton(u"responseCursorsButton"_s, tr("Cursors"),
                           tr("Shows two cursors to measure with: drag them (C, in the plot)."));
     m_cursors->setCheckable(true);
     buildMenu();
@@ -53,13 +53,13 @@ StepView::StepView(QWidget* parent)
     layout->addLayout(m_bar);
     layout->addWidget(m_plot, 1);
     layout->addWidget(m_readings);
-    connect(fit, &QToolButton::clicked, m_plot, &StepPlot::fitTransient);
-    connect(m_cursors, &QToolButton::toggled, this, &StepView::showCursors);
-    connect(m_plot, &StepPlot::cursorsWanted, m_cursors, &QToolButton::toggle);
-    connect(m_plot, &StepPlot::measured, this, &StepView::showReadings);
+    connect(fit, &QToolButton::clicked, m_plot, &ResponsePlot::fitTransient);
+    connect(m_cursors, &QToolButton::toggled, this, &ResponseView::showCursors);
+    connect(m_plot, &ResponsePlot::cursorsWanted, m_cursors, &QToolButton::toggle);
+    connect(m_plot, &ResponsePlot::measured, this, &ResponseView::showReadings);
 }
 
-QToolButton* StepView::newButton(const QString& objectName, const QString& text, const QString& meaning) {
+QToolButton* ResponseView::newButton(const QString& objectName, const QString& text, const QString& meaning) {
     auto* button = new QToolButton(this);
     look::name(button, objectName, text);
     button->setText(text);
@@ -68,14 +68,14 @@ QToolButton* StepView::newButton(const QString& objectName, const QString& text,
     return button;
 }
 
-void StepView::addControl(QWidget* control) {
+void ResponseView::addControl(QWidget* control) {
     m_bar->insertWidget(0, control);
 }
 
-void StepView::buildMenu() {
+void ResponseView::buildMenu() {
     m_menu = new QMenu(this);
     m_menu->setToolTipsVisible(true);
-    look::name(m_menu, u"stepPictureMenu"_s, tr("Picture"));
+    look::name(m_menu, u"responsePictureMenu"_s, tr("Picture"));
     const auto add = [this](const QString& objectName, const QString& text, const QString& meaning,
                             const std::function<void()>& act) {
         QAction* action = m_menu->addAction(text);
@@ -83,30 +83,32 @@ void StepView::buildMenu() {
         action->setToolTip(meaning);
         connect(action, &QAction::triggered, this, act);
     };
-    add(u"stepPngAction"_s, tr("&Picture (PNG)…"), tr("The visible plot as an image."),
+    add(u"responsePngAction"_s, tr("&Picture (PNG)…"), tr("The visible plot as an image."),
         [this] { choose(Kind::Png); });
-    add(u"stepSvgAction"_s, tr("&Vector picture (SVG)…"),
+    add(u"responseSvgAction"_s, tr("&Vector picture (SVG)…"),
         tr("The visible plot as lines that stay sharp at any size."), [this] { choose(Kind::Svg); });
-    add(u"stepPdfAction"_s, tr("P&age (PDF)…"), tr("The visible plot on a page for printing or a report."),
-        [this] { choose(Kind::Pdf); });
+    add(u"responsePdfAction"_s, tr("P&age (PDF)…"),
+        tr("The visible plot on a page for printing or a report."), [this] { choose(Kind::Pdf); });
     m_menu->addSeparator();
-    add(u"stepPrintAction"_s, tr("P&rint"), tr("Prints the visible plot on this computer's default printer."),
+    add(u"responsePrintAction"_s, tr("P&rint"),
+        tr("Prints the visible plot on this computer's default printer."),
         [this] { emit printRequested(pdfOf(picture())); });
-    add(u"stepCopyAction"_s, tr("&Copy picture"), tr("Copies the visible plot to the clipboard."),
+    add(u"responseCopyAction"_s, tr("&Copy picture"), tr("Copies the visible plot to the clipboard."),
         [this] { copy(); });
-    QToolButton* button = newButton(u"stepPictureButton"_s, tr("Picture"),
+    QToolButton* button = newButton(u"responsePictureButton"_s, tr("Picture"),
                                     tr("Exports the visible plot, with a description of the runs."));
     button->setMenu(m_menu);
     button->setPopupMode(QToolButton::InstantPopup);
 }
 
-void StepView::showRuns(const KeptRun* a, const KeptRun* b, const std::vector<const KeptRun*>& others) {
+void ResponseView::showRuns(const KeptResponse* a, const KeptResponse* b,
+                            const std::vector<const KeptResponse*>& others) {
     m_shown.clear();
-    for (const KeptRun* kept : {a, b}) {
+    for (const KeptResponse* kept : {a, b}) {
         if (kept == nullptr)
             continue;
         const servo::SetGain& gains = kept->run.taken.gains;
-        const StepMetrics& metrics = kept->run.metrics;
+        const ResponseMetrics& metrics = kept->run.metrics;
         QString words = (kept == a ? tr("A: run %1, %2, %3, %4") : tr("B: run %1, %2, %3, %4"))
                             .arg(QString::number(kept->number), QString::fromStdString(kept->moduleName),
                                  QString::fromStdString(kept->startedAt),
@@ -117,20 +119,20 @@ void StepView::showRuns(const KeptRun* a, const KeptRun* b, const std::vector<co
         m_shown << words
                 << tr("Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7")
                        .arg(QString::number(gains.kp), QString::number(gains.kd), QString::number(gains.ki),
-                            QString::number(gains.il), texts::stepTime(metrics.rise),
-                            texts::stepOvershoot(metrics.overshoot), texts::stepSettling(metrics));
+                            QString::number(gains.il), texts::responseTime(metrics.rise),
+                            texts::responseOvershoot(metrics.overshoot), texts::responseSettling(metrics));
     }
     m_plot->showRuns(a, b, others);
 }
 
 // ---- cursors ----
 
-void StepView::showCursors(bool shown) {
+void ResponseView::showCursors(bool shown) {
     m_plot->showCursors(shown);
     m_readings->setVisible(shown);
 }
 
-void StepView::showReadings() {
+void ResponseView::showReadings() {
     const auto rows = m_plot->readings();
     m_readings->setRowCount(static_cast<int>(rows.size()));
     for (int row = 0; row < m_readings->rowCount(); ++row)
@@ -148,7 +150,7 @@ void StepView::showReadings() {
 
 // ---- pictures ----
 
-Picture StepView::picture() const {
+Picture ResponseView::picture() const {
     QStringList caption{tr("Step response, by NMC Panel %1").arg(QCoreApplication::applicationVersion())};
     caption << m_shown;
     for (const auto& row : m_plot->readings())
@@ -158,10 +160,10 @@ Picture StepView::picture() const {
     return picture;
 }
 
-void StepView::choose(Kind kind) {
+void ResponseView::choose(Kind kind) {
     const QString suffix = kind == Kind::Png ? u"png"_s : kind == Kind::Svg ? u"svg"_s : u"pdf"_s;
     QFileDialog* dialog =
-        newFileDialog(this, u"stepPicture%1Dialog"_s.arg(suffix), tr("Picture of the step response"),
+        newFileDialog(this, u"responsePicture%1Dialog"_s.arg(suffix), tr("Picture of the step response"),
                       {tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), tr("All files (*)")}, m_folder);
     if (dialog == nullptr)
         return;
@@ -173,7 +175,7 @@ void StepView::choose(Kind kind) {
     dialog->show();
 }
 
-void StepView::save(Kind kind, const QString& path) {
+void ResponseView::save(Kind kind, const QString& path) {
     m_folder = QFileInfo(path).absolutePath();
     switch (kind) {
         case Kind::Png:
@@ -186,7 +188,7 @@ void StepView::save(Kind kind, const QString& path) {
     }
 }
 
-void StepView::copy() {
+void ResponseView::copy() {
     QGuiApplication::clipboard()->setImage(imageOf(picture()));
 }
 

@@ -7,9 +7,9 @@
 
 #include "base/strong.h"
 #include "base/time.h"
-#include "model/intent/steptaken.h"
+#include "model/intent/responsetaken.h"
 #include "model/module/pwmdemand.h"
-#include "model/response/stepmetrics.h"
+#include "model/response/responsemetrics.h"
 #include "model/scope/scopesample.h"
 
 namespace nmc {
@@ -20,12 +20,12 @@ inline constexpr Duration kBeforeStep = std::chrono::milliseconds(20);
 inline constexpr double kFirstBand = 2.0;
 
 /// A step response as it is kept to be compared with others.
-struct StepRun {
+struct ResponseRecord {
     ModuleIndex module;
-    StepTaken taken;
-    double bandPercent = 0.0;       ///< of the step, on either side of the goal
-    std::vector<StepPoint> points;  ///< from shortly before the step to the end of the record
-    StepMetrics metrics;
+    ResponseTaken taken;
+    double bandPercent = 0.0;           ///< of the step, on either side of the goal
+    std::vector<ResponsePoint> points;  ///< from shortly before the step to the end of the record
+    ResponseMetrics metrics;
     std::optional<PwmDemand> pwm;  ///< where the position error before the step was known
 
     /// Counts; not below one, since the encoder tells no less.
@@ -34,10 +34,10 @@ struct StepRun {
 
 /// `samples` of that module, in the order of time, from kBeforeStep before the step on; those outside the
 /// record do not count.
-[[nodiscard]] StepRun takeRun(ModuleIndex module, std::span<const ScopeSample> samples,
-                              const StepTaken& taken, double bandPercent);
+[[nodiscard]] ResponseRecord takeRun(ModuleIndex module, std::span<const ScopeSample> samples,
+                                     const ResponseTaken& taken, double bandPercent);
 
 /// The same run judged by another band.
-void setBand(StepRun& run, double bandPercent);
+void setBand(ResponseRecord& run, double bandPercent);
 
 }  // namespace nmc

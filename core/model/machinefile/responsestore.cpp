@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/machinefile/steprunstore.h"
+#include "model/machinefile/responsestore.h"
 
 #include <algorithm>
 #include <limits>
@@ -18,16 +18,17 @@ constexpr int kRunsVersion = 1;
 constexpr std::string_view kRunsFormat = "nmc-panel-step-runs";
 /// Of a run: four times as many samples as the bus gives in the longest record.
 constexpr std::size_t kMostPoints = 20'000;
-constexpr Word<StepWay> kWayWords[] = {{StepWay::Profile, "profile"}, {StepWay::StopHere, "stop here"}};
+constexpr Word<ResponseMethod> kWayWords[] = {{ResponseMethod::Profile, "profile"},
+                                              {ResponseMethod::StopHere, "stop here"}};
 constexpr Bounds kRecord{kShortestRecord, kLongestRecord};
 constexpr Bounds kPwm{0, 1e9};
 
 struct Runs {
-    std::vector<KeptRun> runs;
+    std::vector<KeptResponse> runs;
 };
 }  // namespace
 
-template <typename Form, As<StepTaken> T>
+template <typename Form, As<ResponseTaken> T>
 void fields(Form& form, T& taken) {
     auto& [at, from, goal, record, way, gains] = taken;
     form.whole("from_counts", from, takenByModule(servo::kPositionRange));
@@ -44,14 +45,14 @@ void fields(Form& form, T& pwm) {
     form.whole("limit", limit, {0, 255});
 }
 
-template <typename Form, As<StepRun> T>
+template <typename Form, As<ResponseRecord> T>
 void fields(Form& form, T& run) {
     auto& [module, taken, bandPercent, points, metrics, pwm] = run;
     form.module("module", module);
     form.part("step", taken);
     form.part("pwm", pwm);
     std::vector<double> numbers;
-    for (const StepPoint& point : points)
+    for (const ResponsePoint& point : points)
         numbers.insert(numbers.end(), {point.seconds, point.position});
     form.numbers("seconds_and_counts", numbers, 2 * kMostPoints);
     if constexpr (!std::is_const_v<T>)
@@ -59,7 +60,7 @@ void fields(Form& form, T& run) {
             points.push_back({numbers[i], numbers[i + 1]});
 }
 
-template <typename Form, As<KeptRun> T>
+template <typename Form, As<KeptResponse> T>
 void fields(Form& form, T& kept) {
     auto& [number, name, note, run, startedAt, moduleName, axisName, scale, port, simulated, earlier] = kept;
     form.whole("number", number, {1, std::numeric_limits<int>::max() - 1.0});
@@ -86,7 +87,7 @@ void fields(Form& form, T& file) {
 
 }  // namespace layout
 
-std::string writeStepRuns(std::span<const KeptRun> runs) {
+std::string writeResponses(std::span<const KeptResponse> runs) {
     layout::FieldWriter::Json file;
     file["format"] = layout::kRunsFormat;
     file["version"] = layout::kRunsVersion;
@@ -96,7 +97,7 @@ std::string writeStepRuns(std::span<const KeptRun> runs) {
     return layout::fileText(file);
 }
 
-tl::expected<std::vector<KeptRun>, FileProblem> readStepRuns(std::string_view text) {
+tl::expected<std::vector<KeptResponse>, FileProblem> readResponses(std::string_view text) {
     if (text.size() > kMaxRunFile)
         return tl::unexpected(
             FileProblem{.kind = FileProblem::Kind::TooLarge, .max = static_cast<double>(kMaxRunFile)});
@@ -111,7 +112,7 @@ tl::expected<std::vector<KeptRun>, FileProblem> readStepRuns(std::string_view te
     layout::FieldReader reader(*file, problem);
     layout::fields(reader, read);
     for (std::size_t i = 0; i < read.runs.size() && !problem; ++i) {
-        StepRun& run = read.runs[i].run;
+        ResponseRecord& run = read.runs[i].run;
         if (run.taken.from == run.taken.goal)
             problem = FileProblem{.kind = FileProblem::Kind::OutOfRange,
                                   .line = file->find("runs")->items[i].line,
@@ -127,14 +128,14 @@ tl::expected<std::vector<KeptRun>, FileProblem> readStepRuns(std::string_view te
     return std::move(read.runs);
 }
 
-std::string idOf(const KeptRun& run) {
+std::string idOf(const KeptResponse& run) {
     return run.startedAt + ' ' + run.port + ' ' + textOf(run.run.module.value());
 }
 
-void keepMost(std::vector<KeptRun>& runs, const std::function<bool(const KeptRun&)>& needed) {
-    const auto free = [&](const KeptRun& run) { return !needed || !needed(run); };
+void keepMost(std::vector<KeptResponse>& runs, const std::function<bool(const KeptResponse&)>& needed) {
+    const auto free = [&](const KeptResponse& run) { return !needed || !needed(run); };
     while (runs.size() > kMostKeptRuns) {
-        auto first = std::find_if(runs.begin(), runs.end(), [&](const KeptRun& run) {
+        auto first = std::find_if(runs.begin(), runs.end(), [&](const KeptResponse& run) {
             return free(run) && run.name.empty() && run.note.empty();
         });
         if (first == runs.end())
@@ -145,15 +146,15 @@ void keepMost(std::vector<KeptRun>& runs, const std::function<bool(const KeptRun
     }
 }
 
-std::vector<KeptRun> together(std::vector<KeptRun> ours, const std::vector<KeptRun>& there,
-                              const std::set<std::string>& gone) {
+std::vector<KeptResponse> together(std::vector<KeptResponse> ours, const std::vector<KeptResponse>& there,
+                                   const std::set<std::string>& gone) {
     std::set<std::string> ids;
     std::set<int> numbers;
-    for (const KeptRun& run : ours) {
+    for (const KeptResponse& run : ours) {
         ids.insert(idOf(run));
         numbers.insert(run.number);
     }
-    for (const KeptRun& run : there) {
+    for (const KeptResponse& run : there) {
         if (gone.contains(idOf(run)) || !ids.insert(idOf(run)).second)
             continue;
         ours.push_back(run);
@@ -161,7 +162,7 @@ std::vector<KeptRun> together(std::vector<KeptRun> ours, const std::vector<KeptR
             ours.back().number = *numbers.insert(*numbers.rbegin() + 1).first;
     }
     std::stable_sort(ours.begin(), ours.end(),
-                     [](const KeptRun& a, const KeptRun& b) { return a.number < b.number; });
+                     [](const KeptResponse& a, const KeptResponse& b) { return a.number < b.number; });
     keepMost(ours);
     return ours;
 }

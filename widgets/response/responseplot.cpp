@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/response/stepplot.h"
+#include "widgets/response/responseplot.h"
 
 #include <QEvent>
 #include <QMouseEvent>
@@ -57,8 +57,8 @@ std::optional<QLineF> within(const QRectF& area, const QLineF& line) {
 }
 }  // namespace
 
-StepPlot::StepPlot(QWidget* parent) : QWidget(parent) {
-    look::name(this, u"stepPlot"_s, tr("Step responses over time"));
+ResponsePlot::ResponsePlot(QWidget* parent) : QWidget(parent) {
+    look::name(this, u"responsePlot"_s, tr("Step responses over time"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
     setToolTip(tr(
@@ -68,15 +68,15 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent) {
     fit();
 }
 
-QColor StepPlot::colour(std::size_t which) const {
+QColor ResponsePlot::colour(std::size_t which) const {
     return look::traceColour(static_cast<int>(which), palette());
 }
 
-StepPlot::Curve StepPlot::curveOf(const KeptRun& kept, const AxisScale& scale) {
-    const StepTaken& taken = kept.run.taken;
+ResponsePlot::Curve ResponsePlot::curveOf(const KeptResponse& kept, const AxisScale& scale) {
+    const ResponseTaken& taken = kept.run.taken;
     Curve curve;
     const double farApart = kGap * kept.run.metrics.interval;
-    for (const StepPoint& point : kept.run.points) {
+    for (const ResponsePoint& point : kept.run.points) {
         const QPointF next(point.seconds, scale.position(point.position - taken.from));
         if (curve.parts.empty() || next.x() - curve.parts.back().back().x() > farApart)
             curve.parts.emplace_back();
@@ -98,9 +98,10 @@ StepPlot::Curve StepPlot::curveOf(const KeptRun& kept, const AxisScale& scale) {
     return curve;
 }
 
-void StepPlot::showRuns(const KeptRun* a, const KeptRun* b, const std::vector<const KeptRun*>& others) {
+void ResponsePlot::showRuns(const KeptResponse* a, const KeptResponse* b,
+                            const std::vector<const KeptResponse*>& others) {
     m_others.clear();
-    for (const KeptRun* other : others)
+    for (const KeptResponse* other : others)
         m_others.push_back(curveOf(*other, a != nullptr ? a->scale : other->scale));
     m_curves[0] = a != nullptr ? std::optional(curveOf(*a, a->scale)) : std::nullopt;
     // The user may have changed the unit between two runs of a module.
@@ -110,22 +111,22 @@ void StepPlot::showRuns(const KeptRun* a, const KeptRun* b, const std::vector<co
     fit();
 }
 
-QPolygonF StepPlot::lineOf(const KeptRun& about, const std::vector<StepPoint>& points) {
+QPolygonF ResponsePlot::lineOf(const KeptResponse& about, const std::vector<ResponsePoint>& points) {
     QPolygonF line;
-    for (const StepPoint& point : points)
+    for (const ResponsePoint& point : points)
         line << QPointF(point.seconds, about.scale.position(point.position - about.run.taken.from));
     return line;
 }
 
-void StepPlot::showModel(const KeptRun* about, const std::vector<StepPoint>& fitted,
-                         const std::vector<StepPoint>& predicted) {
+void ResponsePlot::showModel(const KeptResponse* about, const std::vector<ResponsePoint>& fitted,
+                             const std::vector<ResponsePoint>& predicted) {
     m_fitted = about != nullptr ? lineOf(*about, fitted) : QPolygonF();
     m_predicted = about != nullptr ? lineOf(*about, predicted) : QPolygonF();
     adoptPalette();
     fit();
 }
 
-void StepPlot::adoptPalette() {
+void ResponsePlot::adoptPalette() {
     m_backdrop.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
     std::vector<ChartBackdrop::LegendEntry> legend;
     for (std::size_t i = 0; i < m_curves.size(); ++i)
@@ -142,7 +143,7 @@ void StepPlot::adoptPalette() {
     update();
 }
 
-StepPlot::View StepPlot::fitted() const {
+ResponsePlot::View ResponsePlot::fitted() const {
     double low = 0, high = 0, right = 0;
     const auto takeIn = [&](const QPolygonF& line) {
         if (line.empty())
@@ -166,7 +167,7 @@ StepPlot::View StepPlot::fitted() const {
     return right == 0 ? View{left, kUsualRecord, low, 1} : View{left, right, low, high};
 }
 
-void StepPlot::fit() {
+void ResponsePlot::fit() {
     const int em = fontMetrics().height();
     const int rows = std::clamp((height() - 4 * em) * 2 / (em * 3), 2, 8);
     View view = m_view.value_or(fitted());
@@ -183,28 +184,28 @@ void StepPlot::fit() {
     update();
 }
 
-void StepPlot::fitTransient() {
+void ResponsePlot::fitTransient() {
     m_view.reset();
     m_whole = false;
     fit();
 }
 
-QPointF StepPlot::pointAt(double seconds, double value) const {
+QPointF ResponsePlot::pointAt(double seconds, double value) const {
     return {m_geometry.x(seconds), m_geometry.y(value)};
 }
 
-void StepPlot::paintEvent(QPaintEvent* /*event*/) {
+void ResponsePlot::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_backdrop.picture(devicePixelRatioF()));
     paintOver(painter);
 }
 
-void StepPlot::renderTo(QPainter& painter) {
+void ResponsePlot::renderTo(QPainter& painter) {
     m_backdrop.render(painter);
     paintOver(painter);
 }
 
-void StepPlot::paintOver(QPainter& painter) {
+void ResponsePlot::paintOver(QPainter& painter) {
     m_geometry.area = m_backdrop.plotArea();
     if (m_geometry.empty())
         return;
@@ -250,7 +251,7 @@ void StepPlot::paintOver(QPainter& painter) {
     painter.restore();
 }
 
-void StepPlot::paintTitles(QPainter& painter) const {
+void ResponsePlot::paintTitles(QPainter& painter) const {
     const QRectF& area = m_geometry.area;
     const double em = QFontMetricsF(painter.font()).height();
     const std::optional<Curve>& first = m_curves[0] ? m_curves[0] : m_curves[1];
@@ -270,7 +271,7 @@ void StepPlot::paintTitles(QPainter& painter) const {
     painter.restore();
 }
 
-void StepPlot::paintCursors(QPainter& painter) const {
+void ResponsePlot::paintCursors(QPainter& painter) const {
     if (!m_cursors)
         return;
     for (std::size_t i = 0; i < m_cursors->size(); ++i) {
@@ -285,7 +286,7 @@ void StepPlot::paintCursors(QPainter& painter) const {
 }
 
 /// As far as it is in the area: an SVG file knows no clipping.
-void StepPlot::paintLevel(QPainter& painter, double value, double from, double to) const {
+void ResponsePlot::paintLevel(QPainter& painter, double value, double from, double to) const {
     if (value < m_geometry.bottom || value > m_geometry.top || from > m_geometry.right ||
         to < m_geometry.left)
         return;
@@ -293,7 +294,7 @@ void StepPlot::paintLevel(QPainter& painter, double value, double from, double t
                             pointAt(std::min(to, m_geometry.right), value)));
 }
 
-void StepPlot::paintGoal(QPainter& painter, const Curve& curve) const {
+void ResponsePlot::paintGoal(QPainter& painter, const Curve& curve) const {
     QColor fill = look::mutedText(palette());
     fill.setAlpha(kBandAlpha);
     painter.fillRect(
@@ -305,7 +306,7 @@ void StepPlot::paintGoal(QPainter& painter, const Curve& curve) const {
 }
 
 /// Once for every change and not once a frame, so a polyline is quick enough, and its dashes run through.
-void StepPlot::paintCurve(QPainter& painter, std::size_t which) const {
+void ResponsePlot::paintCurve(QPainter& painter, std::size_t which) const {
     if (!m_curves[which])
         return;
     QPen pen(colour(which), kPenWidth, Qt::SolidLine, Qt::FlatCap);
@@ -316,7 +317,7 @@ void StepPlot::paintCurve(QPainter& painter, std::size_t which) const {
         paintLine(painter, part);
 }
 
-void StepPlot::paintOthers(QPainter& painter) const {
+void ResponsePlot::paintOthers(QPainter& painter) const {
     double strength = 0;
     for (const Curve& curve : m_others) {
         strength += 1.0 / static_cast<double>(m_others.size());
@@ -329,7 +330,7 @@ void StepPlot::paintOthers(QPainter& painter) const {
 }
 
 /// As far as it is in the area: an SVG file knows no clipping. In whole lines, so that dashes run through.
-void StepPlot::paintLine(QPainter& painter, const QPolygonF& line) const {
+void ResponsePlot::paintLine(QPainter& painter, const QPolygonF& line) const {
     QPolygonF places;
     const auto paint = [&] {
         painter.drawPolyline(places);
@@ -351,7 +352,7 @@ void StepPlot::paintLine(QPainter& painter, const QPolygonF& line) const {
 
 // ---- cursors ----
 
-std::optional<double> StepPlot::Curve::at(double seconds) const {
+std::optional<double> ResponsePlot::Curve::at(double seconds) const {
     for (const QPolygonF& part : parts)
         for (qsizetype i = 1; i < part.size(); ++i)
             if (seconds >= part[i - 1].x() && seconds <= part[i].x())
@@ -360,7 +361,7 @@ std::optional<double> StepPlot::Curve::at(double seconds) const {
     return std::nullopt;
 }
 
-void StepPlot::showCursors(bool shown) {
+void ResponsePlot::showCursors(bool shown) {
     if (shown == m_cursors.has_value())
         return;
     m_cursors.reset();
@@ -373,7 +374,7 @@ void StepPlot::showCursors(bool shown) {
     update();
 }
 
-std::vector<std::array<QString, 4>> StepPlot::readings() const {
+std::vector<std::array<QString, 4>> ResponsePlot::readings() const {
     std::vector<std::array<QString, 4>> rows;
     if (!m_cursors)
         return rows;
@@ -397,7 +398,7 @@ std::vector<std::array<QString, 4>> StepPlot::readings() const {
     return rows;
 }
 
-std::optional<std::size_t> StepPlot::cursorAt(const QPointF& position) const {
+std::optional<std::size_t> ResponsePlot::cursorAt(const QPointF& position) const {
     std::optional<std::size_t> nearest;
     double distance = fontMetrics().height() / 2.0;
     for (std::size_t i = 0; m_cursors && i < m_cursors->size(); ++i)
@@ -410,11 +411,11 @@ std::optional<std::size_t> StepPlot::cursorAt(const QPointF& position) const {
 
 // ---- mouse and keys, as in the scope ----
 
-StepPlot::View StepPlot::seen() const {
+ResponsePlot::View ResponsePlot::seen() const {
     return {m_geometry.left, m_geometry.right, m_geometry.bottom, m_geometry.top};
 }
 
-void StepPlot::showView(const View& view) {
+void ResponsePlot::showView(const View& view) {
     const double time = view.right - view.left;
     const double values = view.top - view.bottom;
     if (time < kNarrowest || time > kWidest || values < kNarrowest || values > kMostValues)
@@ -423,24 +424,24 @@ void StepPlot::showView(const View& view) {
     fit();
 }
 
-void StepPlot::zoomTime(double factor, double at) {
+void ResponsePlot::zoomTime(double factor, double at) {
     const View view = seen();
     showView({at - (at - view.left) * factor, at + (view.right - at) * factor, view.bottom, view.top});
 }
 
-void StepPlot::zoomValues(double factor, double at) {
+void ResponsePlot::zoomValues(double factor, double at) {
     const View view = seen();
     showView({view.left, view.right, at - (at - view.bottom) * factor, at + (view.top - at) * factor});
 }
 
-void StepPlot::pan(double timeShare, double valueShare) {
+void ResponsePlot::pan(double timeShare, double valueShare) {
     const View view = seen();
     const double time = timeShare * (view.right - view.left);
     const double value = valueShare * (view.top - view.bottom);
     showView({view.left + time, view.right + time, view.bottom + value, view.top + value});
 }
 
-void StepPlot::mousePressEvent(QMouseEvent* event) {
+void ResponsePlot::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || m_geometry.empty())
         return QWidget::mousePressEvent(event);
     m_dragFrom = m_dragTo = event->position();
@@ -450,7 +451,7 @@ void StepPlot::mousePressEvent(QMouseEvent* event) {
                                                       : Drag::Pan;
 }
 
-void StepPlot::mouseMoveEvent(QMouseEvent* event) {
+void ResponsePlot::mouseMoveEvent(QMouseEvent* event) {
     const QPointF from = std::exchange(m_dragTo, event->position());
     switch (m_drag) {
         case Drag::None:
@@ -473,7 +474,7 @@ void StepPlot::mouseMoveEvent(QMouseEvent* event) {
     }
 }
 
-void StepPlot::mouseReleaseEvent(QMouseEvent* event) {
+void ResponsePlot::mouseReleaseEvent(QMouseEvent* event) {
     if (std::exchange(m_drag, Drag::None) != Drag::Choose)
         return QWidget::mouseReleaseEvent(event);
     update();
@@ -482,13 +483,13 @@ void StepPlot::mouseReleaseEvent(QMouseEvent* event) {
         showView({m_geometry.seconds(from), m_geometry.seconds(to), m_geometry.bottom, m_geometry.top});
 }
 
-void StepPlot::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
+void ResponsePlot::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
     m_view.reset();
     m_whole = !m_whole;
     fit();
 }
 
-void StepPlot::wheelEvent(QWheelEvent* event) {
+void ResponsePlot::wheelEvent(QWheelEvent* event) {
     const QPoint delta = event->angleDelta();
     const double notches = (delta.y() != 0 ? delta.y() : delta.x()) / 120.0;
     event->accept();
@@ -502,7 +503,7 @@ void StepPlot::wheelEvent(QWheelEvent* event) {
         zoomTime(std::pow(kWheelZoom, -notches), m_geometry.seconds(event->position().x()));
 }
 
-void StepPlot::keyPressEvent(QKeyEvent* event) {
+void ResponsePlot::keyPressEvent(QKeyEvent* event) {
     const QPointF middle = m_geometry.area.center();
     const auto zoom = [&](double factor) {
         if (event->modifiers() & Qt::ControlModifier)
@@ -537,23 +538,23 @@ void StepPlot::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void StepPlot::resizeEvent(QResizeEvent* event) {
+void ResponsePlot::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     m_backdrop.resize(size());
     fit();
 }
 
-void StepPlot::changeEvent(QEvent* event) {
+void ResponsePlot::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
         adoptPalette();
 }
 
-QSize StepPlot::sizeHint() const {
+QSize ResponsePlot::sizeHint() const {
     return {fontMetrics().height() * 20, fontMetrics().height() * 10};
 }
 
-QSize StepPlot::minimumSizeHint() const {
+QSize ResponsePlot::minimumSizeHint() const {
     return {fontMetrics().height() * 14, fontMetrics().height() * 7};
 }
 

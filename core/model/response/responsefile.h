@@ -5,17 +5,17 @@
 #include <string>
 #include <string_view>
 
-#include "model/response/steprun.h"
+#include "model/response/responserecord.h"
 #include "model/settings/axisscale.h"
 
 namespace nmc {
 
 /// A step response with what it is labelled by wherever it is listed or saved.
-struct KeptRun {
+struct KeptResponse {
     int number = 0;    ///< from 1
     std::string name;  ///< the user's, UTF-8; as is the note
     std::string note;
-    StepRun run;
+    ResponseRecord run;
     std::string startedAt;   ///< ISO 8601 with the offset of the zone, of the step
     std::string moduleName;  ///< UTF-8
     std::string axisName;    ///< the user's for its axis, by which it is found again; may be empty
@@ -43,6 +43,6 @@ struct KeptRun {
 ///     1,-0.0195,3,0
 ///
 /// What could not be measured is not there.
-[[nodiscard]] std::string stepRunsCsv(std::string_view program, std::span<const KeptRun> runs);
+[[nodiscard]] std::string responsesCsv(std::string_view program, std::span<const KeptResponse> runs);
 
 }  // namespace nmc

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step responses come back from their file as they were, and from a bad one nothing does.
-#include "model/machinefile/steprunstore.h"
+#include "model/machinefile/responsestore.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 namespace nmc {
 namespace {
 
-[[nodiscard]] KeptRun runOf(int number) {
-    KeptRun kept;
+[[nodiscard]] KeptResponse runOf(int number) {
+    KeptResponse kept;
     kept.number = number;
     kept.startedAt = "2026-11-21T21:21:02." + std::to_string(100 + number) + "+01:00";
     kept.moduleName = "Module 2 \"X axis\"";
@@ -21,7 +21,7 @@ namespace {
                       -500,
                       600,
                       0.75,
-                      StepWay::StopHere,
+                      ResponseMethod::StopHere,
                       servo::SetGain{200, 2'000, 20, 200, 255, 0, 4'000, 2, std::uint8_t{3}}};
     kept.run.pwm = PwmDemand{300, 255};
     for (int i = -20; i < 700; ++i)
@@ -30,9 +30,9 @@ namespace {
     return kept;
 }
 
-[[nodiscard]] std::vector<int> numbersOf(const std::vector<KeptRun>& runs) {
+[[nodiscard]] std::vector<int> numbersOf(const std::vector<KeptResponse>& runs) {
     std::vector<int> numbers;
-    for (const KeptRun& run : runs)
+    for (const KeptResponse& run : runs)
         numbers.push_back(run.number);
     return numbers;
 }
@@ -43,18 +43,18 @@ namespace {
     return text.replace(place, what.size(), by);
 }
 
-TEST(StepRunStore, GivesTheSameRunsAgain) {
-    KeptRun named = runOf(7);
+TEST(ResponseStore, GivesTheSameRunsAgain) {
+    KeptResponse named = runOf(7);
     named.name = "stiffer; \"zäh\"";
     named.note = "with the belt, tight\tand oiled";
-    KeptRun plain = runOf(9);
+    KeptResponse plain = runOf(9);
     plain.run.pwm.reset();
     plain.run.taken.gains.db.reset();
     plain.simulated = true;
-    const auto read = readStepRuns(writeStepRuns(std::vector{named, plain}));
+    const auto read = readResponses(writeResponses(std::vector{named, plain}));
     ASSERT_TRUE(read);
     ASSERT_EQ(read->size(), 2U);
-    const KeptRun& first = read->front();
+    const KeptResponse& first = read->front();
     EXPECT_EQ(first.number, 7);
     EXPECT_EQ(first.name, named.name);
     EXPECT_EQ(first.note, "with the belt, tight and oiled") << "one line";
@@ -78,14 +78,14 @@ TEST(StepRunStore, GivesTheSameRunsAgain) {
     EXPECT_FALSE((*read)[1].run.pwm);
     EXPECT_FALSE((*read)[1].run.taken.gains.db);
     EXPECT_TRUE((*read)[1].simulated);
-    EXPECT_TRUE(readStepRuns(writeStepRuns({}))->empty());
+    EXPECT_TRUE(readResponses(writeResponses({}))->empty());
 }
 
-TEST(StepRunStore, SaysWhatIsWrongInABadFile) {
+TEST(ResponseStore, SaysWhatIsWrongInABadFile) {
     using Kind = FileProblem::Kind;
-    const std::string good = writeStepRuns(std::vector{runOf(1), runOf(2)});
+    const std::string good = writeResponses(std::vector{runOf(1), runOf(2)});
     const auto problem = [](const std::string& text) {
-        const auto read = readStepRuns(text);
+        const auto read = readResponses(text);
         EXPECT_FALSE(read);
         return read ? FileProblem{} : read.error();
     };
@@ -107,9 +107,9 @@ TEST(StepRunStore, SaysWhatIsWrongInABadFile) {
     EXPECT_EQ(problem(std::string(kMaxRunFile + 1, ' ')).kind, Kind::TooLarge);
 }
 
-TEST(StepRunStore, HasRoomForAHundredOfTheLongest) {
-    std::vector<KeptRun> runs;
-    KeptRun longest = runOf(1);
+TEST(ResponseStore, HasRoomForAHundredOfTheLongest) {
+    std::vector<KeptResponse> runs;
+    KeptResponse longest = runOf(1);
     longest.run.taken.record = 3.0;
     longest.run.points.clear();
     // A status at least every 0.5 ms, with awkward times.
@@ -119,17 +119,17 @@ TEST(StepRunStore, HasRoomForAHundredOfTheLongest) {
         longest.number = i;
         runs.push_back(longest);
     }
-    const std::string text = writeStepRuns(runs);
+    const std::string text = writeResponses(runs);
     EXPECT_LT(text.size(), kMaxRunFile);
-    EXPECT_TRUE(readStepRuns(text));
+    EXPECT_TRUE(readResponses(text));
 }
 
-TEST(StepRunStore, TwoSessionsLoseNothingToEachOther) {
-    KeptRun renamed = runOf(1);
+TEST(ResponseStore, TwoSessionsLoseNothingToEachOther) {
+    KeptResponse renamed = runOf(1);
     renamed.name = "mine";
-    KeptRun another = runOf(2);  // as ours, of the same number
+    KeptResponse another = runOf(2);  // as ours, of the same number
     another.port = "simulator";
-    const std::vector<KeptRun> all =
+    const std::vector<KeptResponse> all =
         together({renamed, runOf(2)}, {runOf(1), another, runOf(3), runOf(4)}, {idOf(runOf(3))});
     EXPECT_THAT(numbersOf(all), testing::ElementsAre(1, 2, 3, 4));
     EXPECT_EQ(all[0].name, "mine");
@@ -137,17 +137,17 @@ TEST(StepRunStore, TwoSessionsLoseNothingToEachOther) {
     EXPECT_TRUE(together({}, {runOf(1)}, {idOf(runOf(1))}).empty());
 }
 
-TEST(StepRunStore, KeepsAHundredAndWhatSomebodyHasNamedLongest) {
-    std::vector<KeptRun> runs;
+TEST(ResponseStore, KeepsAHundredAndWhatSomebodyHasNamedLongest) {
+    std::vector<KeptResponse> runs;
     for (int i = 1; i <= 104; ++i)
         runs.push_back(runOf(i));
     runs[0].name = "first";
     runs[2].note = "third";
-    keepMost(runs, [](const KeptRun& run) { return run.number == 4; });
+    keepMost(runs, [](const KeptResponse& run) { return run.number == 4; });
     ASSERT_EQ(runs.size(), 100U);
     runs.resize(4);
     EXPECT_THAT(numbersOf(runs), testing::ElementsAre(1, 3, 4, 8));
-    std::vector<KeptRun> named;
+    std::vector<KeptResponse> named;
     for (int i = 1; i <= 101; ++i) {
         named.push_back(runOf(i));
         named.back().name = "a name";

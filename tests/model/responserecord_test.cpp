@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/response/steprun.h"
+#include "model/response/responserecord.h"
 
 #include <gtest/gtest.h>
 
@@ -58,15 +58,15 @@ TEST(PwmDemand, ReckonsWithAnIntegralThatPullsTheOtherWay) {
     return sample;
 }
 
-[[nodiscard]] StepTaken taken(std::int32_t from, std::int32_t goal) {
-    return {atSeconds(1), from, goal, 0.1, StepWay::Profile, gainsOf(10, 50, 0, 255)};
+[[nodiscard]] ResponseTaken taken(std::int32_t from, std::int32_t goal) {
+    return {atSeconds(1), from, goal, 0.1, ResponseMethod::Profile, gainsOf(10, 50, 0, 255)};
 }
 
-TEST(StepRun, KeepsTheRecordFromShortlyBeforeTheStepOn) {
+TEST(ResponseRecord, KeepsTheRecordFromShortlyBeforeTheStepOn) {
     std::vector<ScopeSample> samples;
     for (int ms = 0; ms < 3'000; ++ms)
         samples.push_back(at(ms / 1'000.0, ms > 1'000 ? 600 : 500));
-    const StepRun run = takeRun(ModuleIndex(3), samples, taken(500, 600), 2);
+    const ResponseRecord run = takeRun(ModuleIndex(3), samples, taken(500, 600), 2);
     EXPECT_EQ(run.module, ModuleIndex(3));
     ASSERT_EQ(run.points.size(), 121U) << "20 ms before, 100 ms behind it";
     EXPECT_NEAR(run.points.front().seconds, -0.02, 1e-9);
@@ -76,32 +76,32 @@ TEST(StepRun, KeepsTheRecordFromShortlyBeforeTheStepOn) {
     EXPECT_FALSE(run.pwm) << "the error before it was not known";
 }
 
-TEST(StepRun, TakesTheErrorRightBeforeTheStepForThePwmDemand) {
+TEST(ResponseRecord, TakesTheErrorRightBeforeTheStepForThePwmDemand) {
     std::vector<ScopeSample> samples = {at(0.998, 500), at(0.999, 500), at(1.001, 500)};
     samples[0].error = 7;
     samples[1].error = -20;
     samples[2].error = 80;
-    const StepRun run = takeRun(ModuleIndex(0), samples, taken(500, 580), 2);
+    const ResponseRecord run = takeRun(ModuleIndex(0), samples, taken(500, 580), 2);
     ASSERT_TRUE(run.pwm);
     EXPECT_EQ(run.pwm->wanted, 22) << "10 x 80 + 50 x 100, / 256";
 }
 
-TEST(StepRun, CrossesTheEndOfThe32Bits) {
+TEST(ResponseRecord, CrossesTheEndOfThe32Bits) {
     constexpr std::int32_t kHigh = 0x7FFF'FFFF;
     std::vector<ScopeSample> samples = {at(0.999, kHigh - 60), at(1.001, kHigh - 10),
                                         at(1.002, -kHigh - 1 + 4)};
     for (int i = 3; i < 30; ++i)
         samples.push_back(at(1 + i / 1'000.0, kHigh - 10));
-    const StepRun run = takeRun(ModuleIndex(0), samples, taken(kHigh - 60, kHigh - 10), 2);
+    const ResponseRecord run = takeRun(ModuleIndex(0), samples, taken(kHigh - 60, kHigh - 10), 2);
     // 15 counts beyond the goal: -2^31 + 4 is 5 above 2^31 - 1.
     EXPECT_NEAR(run.metrics.overshoot->value, 30, 1) << "of 50 counts";
 }
 
-TEST(StepRun, CanBeJudgedByAnotherBand) {
+TEST(ResponseRecord, CanBeJudgedByAnotherBand) {
     std::vector<ScopeSample> samples;
     for (int ms = 0; ms < 100; ++ms)
         samples.push_back(at(1 + ms / 1'000.0, ms < 10 ? 0 : ms < 30 ? 90 : 100));
-    StepRun run = takeRun(ModuleIndex(0), samples, taken(0, 100), 20);
+    ResponseRecord run = takeRun(ModuleIndex(0), samples, taken(0, 100), 20);
     EXPECT_EQ(run.band(), 20);
     EXPECT_NEAR(run.metrics.settling->value, 0.01, 0.001);
     setBand(run, 5);

@@ -9,21 +9,21 @@
 namespace nmc {
 
 /// How the command position of a PIC-SERVO is made to jump.
-enum class StepWay : std::uint8_t {
+enum class ResponseMethod : std::uint8_t {
     Profile,   ///< a move so fast that the profile is at its goal in a single tick (DS-V 4.3)
     StopHere,  ///< Stop Motor with a position, which has no profile (DS-V 5.2); not version 1
 };
 
 /// A step that a motor was told to make, and what is needed to measure it.
-struct StepTaken {
+struct ResponseTaken {
     TimePoint at;           ///< when the module latched the command, +-half a tick
     std::int32_t from = 0;  ///< the position that the servo held
     std::int32_t goal = 0;  ///< where the command position jumped to
     double record = 0.0;    ///< s, from `at` on; then the motor was told to hold
-    StepWay way = StepWay::Profile;
+    ResponseMethod way = ResponseMethod::Profile;
     servo::SetGain gains;  ///< in force
 
-    bool operator==(const StepTaken&) const = default;
+    bool operator==(const ResponseTaken&) const = default;
 };
 
 }  // namespace nmc

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/response/stepplot.h"
+#include "widgets/response/responseplot.h"
 
 #include <QPainter>
 #include <QWheelEvent>
 
-#include "stepruns.h"
+#include "responserecords.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
-#include "widgets/response/stepresponsewords.h"
+#include "widgets/response/responsewords.h"
 
 namespace nmc {
 namespace {
@@ -25,10 +25,10 @@ bool drawn(const QImage& picture, const QPointF& at, const QColor& colour) {
 }
 
 TEST(StepPlotPicture, ASolidBDashedFromWhereTheyBegan) {
-    StepPlot plot;
+    ResponsePlot plot;
     plot.resize(600, 400);
-    const KeptRun a = ramp(120);
-    KeptRun b = ramp(60);
+    const KeptResponse a = ramp(120);
+    KeptResponse b = ramp(60);
     b.run.taken.from = 500;
     plot.showRuns(&a, &b);
     QTest::mouseDClick(&plot, Qt::LeftButton);  // the whole record
@@ -49,10 +49,10 @@ TEST(StepPlotPicture, ASolidBDashedFromWhereTheyBegan) {
 }
 
 TEST(StepPlotPicture, TwoRunsOfOneModuleHaveOneUnit) {
-    StepPlot plot;
-    KeptRun inMillimetres = ramp(100);
+    ResponsePlot plot;
+    KeptResponse inMillimetres = ramp(100);
     inMillimetres.scale = AxisScale::servo({UnitKind::Millimetres, 50.0, {}}, 1);
-    KeptRun inCounts = ramp(100);
+    KeptResponse inCounts = ramp(100);
     plot.showRuns(&inMillimetres, &inCounts);
     EXPECT_TRUE(plot.legendText(1).endsWith(u"mm"_s)) << plot.legendText(1).toStdString();
     inCounts.run.module = ModuleIndex(1);
@@ -61,14 +61,14 @@ TEST(StepPlotPicture, TwoRunsOfOneModuleHaveOneUnit) {
 }
 
 TEST(StepPlotPicture, NoLineCrossesAGap) {
-    StepPlot plot;
+    ResponsePlot plot;
     plot.resize(600, 400);
-    KeptRun run = ramp(100);
+    KeptResponse run = ramp(100);
     auto& points = run.run.points;
     points.erase(std::remove_if(points.begin(), points.end(),
-                                [](const StepPoint& p) { return p.seconds > 0.04 && p.seconds < 0.06; }),
+                                [](const ResponsePoint& p) { return p.seconds > 0.04 && p.seconds < 0.06; }),
                  points.end());
-    for (StepPoint& point : points)
+    for (ResponsePoint& point : points)
         point.position = point.seconds > 0.01 ? 560 : point.position;
     setBand(run.run, kFirstBand);
     plot.showRuns(&run, nullptr);
@@ -82,9 +82,9 @@ TEST(StepPlotPicture, NoLineCrossesAGap) {
 }
 
 /// A step of 100 counts that takes 10 ms, in a plot of its own.
-class StepPlotHands : public testing::Test {
+class ResponsePlotHands : public testing::Test {
 protected:
-    StepPlotHands() {
+    ResponsePlotHands() {
         plot.resize(600, 400);
         plot.showRuns(&run, nullptr);
         plot.show();
@@ -102,11 +102,11 @@ protected:
         QTest::mouseRelease(&plot, Qt::LeftButton, modifiers, to.toPoint());
     }
 
-    KeptRun run = ramp(100);
-    StepPlot plot;
+    KeptResponse run = ramp(100);
+    ResponsePlot plot;
 };
 
-TEST_F(StepPlotHands, TheWheelZoomsAboutThePointer) {
+TEST_F(ResponsePlotHands, TheWheelZoomsAboutThePointer) {
     const PlotGeometry before = now();
     const QPointF at = plot.pointAt(0.005, 50);
     wheel(at, 1);
@@ -123,7 +123,7 @@ TEST_F(StepPlotHands, TheWheelZoomsAboutThePointer) {
     EXPECT_NEAR(now().right, 0.1, 1e-9) << "the whole record";
 }
 
-TEST_F(StepPlotHands, ADragMovesAndWithShiftItChoosesATime) {
+TEST_F(ResponsePlotHands, ADragMovesAndWithShiftItChoosesATime) {
     const PlotGeometry before = now();
     const QPointF at = plot.pointAt(0.005, 50);
     drag(at, at + QPointF(40, -30));
@@ -138,7 +138,7 @@ TEST_F(StepPlotHands, ADragMovesAndWithShiftItChoosesATime) {
     EXPECT_NEAR(now().right, 0.012, 1e-4);
 }
 
-TEST_F(StepPlotHands, KeysDoTheSame) {
+TEST_F(ResponsePlotHands, KeysDoTheSame) {
     const PlotGeometry before = now();
     QTest::keyClick(&plot, Qt::Key_Plus);
     EXPECT_NEAR(now().right - now().left, (before.right - before.left) / 1.5, 1e-9);
@@ -153,7 +153,7 @@ TEST_F(StepPlotHands, KeysDoTheSame) {
 }
 
 /// Between 5 and 8 ms it goes from 50 to 80 counts.
-TEST_F(StepPlotHands, TheCursorsReadWhatIsThere) {
+TEST_F(ResponsePlotHands, TheCursorsReadWhatIsThere) {
     EXPECT_TRUE(plot.readings().empty());
     plot.showCursors(true);
     drag(plot.pointAt(now().left + (now().right - now().left) / 4, 0), plot.pointAt(0.005, 0));
@@ -174,7 +174,7 @@ TEST_F(StepPlotHands, TheCursorsReadWhatIsThere) {
 }
 
 /// A reader of SVG need not know clipping.
-TEST_F(StepPlotHands, NothingIsDrawnBesideAZoomedPlot) {
+TEST_F(ResponsePlotHands, NothingIsDrawnBesideAZoomedPlot) {
     drag(plot.pointAt(0.004, 20), plot.pointAt(0.006, 90), Qt::ShiftModifier);
     wheel(plot.pointAt(0.005, 50), 5, Qt::ControlModifier);
     QImage picture(plot.size(), QImage::Format_RGB32);
@@ -194,7 +194,7 @@ TEST_F(StepPlotHands, NothingIsDrawnBesideAZoomedPlot) {
     EXPECT_TRUE(drawn(picture, plot.pointAt(0.005, 50), colour));
 }
 
-TEST(StepResponseWords, NoMoreDigitsThanTheDoubtLeavesAMeaning) {
+TEST(ResponseWords, NoMoreDigitsThanTheDoubtLeavesAMeaning) {
     EXPECT_EQ(texts::plusMinus({12.3456, 0.31}, u"ms"_s), u"12.3 ± 0.4 ms"_s) << "the doubt is rounded up";
     EXPECT_EQ(texts::plusMinus({12.3456, 0.14}, u"ms"_s), u"12.35 ± 0.14 ms"_s);
     EXPECT_EQ(texts::plusMinus({-834.2, 25}, u"ms"_s), u"\u2212834 ± 25 ms"_s);
@@ -202,7 +202,7 @@ TEST(StepResponseWords, NoMoreDigitsThanTheDoubtLeavesAMeaning) {
     EXPECT_EQ(texts::plusMinus({-0.01, 0.5}, u"counts"_s), u"0.0 ± 0.5 counts"_s) << "no minus zero";
 }
 
-TEST(StepResponseTexts, EveryEndOfAStepHasItsSentences) {
+TEST(ResponseTextsOf, EveryEndOfAStepHasItsSentences) {
     for (const ProcedureFailure failure :
          {ProcedureFailure::TravelLimit, ProcedureFailure::Unstable, ProcedureFailure::NotStill,
           ProcedureFailure::WentOff, ProcedureFailure::ModuleSilent, ProcedureFailure::LinkSuspect,

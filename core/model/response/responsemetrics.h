@@ -8,7 +8,7 @@
 
 namespace nmc {
 
-struct StepPoint {
+struct ResponsePoint {
     double seconds = 0.0;   ///< since the step command was latched; before it negative
     double position = 0.0;  ///< counts
 };
@@ -34,7 +34,7 @@ enum class Unmeasured : std::uint8_t {
 /// peak is uncertain by what the parabola adds to the highest sample, and by half a count; a mean by half the
 /// range of what it is taken from, and at least by half a count. Between samples that lie several usual
 /// intervals apart it may have turned round unseen, so nothing is measured there.
-struct StepMetrics {
+struct ResponseMetrics {
     template <typename T>
     using Result = tl::expected<T, Unmeasured>;
 
@@ -50,7 +50,7 @@ struct StepMetrics {
 
 /// `points` in the order of time, those before the step do not count; `from` and `goal` differ. `band`:
 /// counts on either side of the goal. `timeDoubt`: s, by which the time between two points may be off.
-[[nodiscard]] StepMetrics measureStep(std::span<const StepPoint> points, double from, double goal,
-                                      double band, double timeDoubt);
+[[nodiscard]] ResponseMetrics measureResponse(std::span<const ResponsePoint> points, double from, double goal,
+                                              double band, double timeDoubt);
 
 }  // namespace nmc

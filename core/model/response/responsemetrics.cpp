@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/response/stepmetrics.h"
+#include "model/response/responsemetrics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,22 +36,22 @@ void markGaps(std::vector<Look>& looks) {
 }
 
 /// Where the straight line between two looks is at `level`.
-[[nodiscard]] StepMetrics::Result<Measured> crossing(const Look& a, const Look& b, double level) {
+[[nodiscard]] ResponseMetrics::Result<Measured> crossing(const Look& a, const Look& b, double level) {
     if (b.gapBefore)
         return tl::unexpected(Unmeasured::SamplesMissing);
     const double part = (level - a.beyond) / (b.beyond - a.beyond);
     return Measured{a.seconds + part * (b.seconds - a.seconds), (b.seconds - a.seconds) / 2};
 }
 
-[[nodiscard]] StepMetrics::Result<Measured> firstAt(const std::vector<Look>& looks, double level) {
+[[nodiscard]] ResponseMetrics::Result<Measured> firstAt(const std::vector<Look>& looks, double level) {
     for (std::size_t i = 1; i < looks.size(); ++i)
         if (looks[i].beyond >= level)
             return crossing(looks[i - 1], looks[i], level);
     return tl::unexpected(Unmeasured::NeverRose);
 }
 
-[[nodiscard]] StepMetrics::Result<Measured> riseOf(const std::vector<Look>& looks, double step,
-                                                   double timeDoubt) {
+[[nodiscard]] ResponseMetrics::Result<Measured> riseOf(const std::vector<Look>& looks, double step,
+                                                       double timeDoubt) {
     const auto low = firstAt(looks, -step * 9 / 10);
     const auto high = firstAt(looks, -step / 10);
     if (!low || !high)
@@ -71,8 +71,8 @@ void markGaps(std::vector<Look>& looks) {
     return slope * slope / (-4 * bend);
 }
 
-[[nodiscard]] StepMetrics::Result<Measured> overshootOf(const std::vector<Look>& looks, double step,
-                                                        double band) {
+[[nodiscard]] ResponseMetrics::Result<Measured> overshootOf(const std::vector<Look>& looks, double step,
+                                                            double band) {
     for (std::size_t i = 1; i < looks.size(); ++i) {
         const bool onTheWay = std::abs(looks[i - 1].beyond) > band || std::abs(looks[i].beyond) > band;
         if (looks[i].gapBefore && onTheWay)
@@ -88,8 +88,8 @@ void markGaps(std::vector<Look>& looks) {
 }
 
 /// `middle`: of the band, beyond the goal.
-[[nodiscard]] StepMetrics::Result<Measured> settlingOf(const std::vector<Look>& looks, double middle,
-                                                       double band, double lastPart, double timeDoubt) {
+[[nodiscard]] ResponseMetrics::Result<Measured> settlingOf(const std::vector<Look>& looks, double middle,
+                                                           double band, double lastPart, double timeDoubt) {
     const auto outside = [=](const Look& look) { return std::abs(look.beyond - middle) > band; };
     const auto last = std::find_if(looks.rbegin(), looks.rend(), outside);
     if (last == looks.rend())
@@ -97,18 +97,18 @@ void markGaps(std::vector<Look>& looks) {
     if (last->seconds >= lastPart)
         return tl::unexpected(Unmeasured::NeverSettled);
     const Look& inside = *(last - 1);  // backwards, so the one after
-    StepMetrics::Result<Measured> settled =
+    ResponseMetrics::Result<Measured> settled =
         crossing(*last, inside, last->beyond > middle ? middle + band : middle - band);
     if (settled)
         settled->doubt += timeDoubt;
     return settled;
 }
 
-[[nodiscard]] StepMetrics::Result<Measured> steadyErrorOf(std::span<const StepPoint> points, double goal,
-                                                          double lastPart) {
+[[nodiscard]] ResponseMetrics::Result<Measured> steadyErrorOf(std::span<const ResponsePoint> points,
+                                                              double goal, double lastPart) {
     double sum = 0.0, lowest = 0.0, highest = 0.0;
     std::size_t count = 0;
-    for (const StepPoint& point : points) {
+    for (const ResponsePoint& point : points) {
         if (point.seconds < lastPart)
             continue;
         lowest = count == 0 ? point.position : std::min(lowest, point.position);
@@ -121,8 +121,9 @@ void markGaps(std::vector<Look>& looks) {
     return Measured{goal - sum / static_cast<double>(count), std::max(kHalfCount, (highest - lowest) / 2)};
 }
 
-[[nodiscard]] StepMetrics::Result<Measured> settlingAtRestOf(const std::vector<Look>& looks, double step,
-                                                             double band, double lastPart, double timeDoubt) {
+[[nodiscard]] ResponseMetrics::Result<Measured> settlingAtRestOf(const std::vector<Look>& looks, double step,
+                                                                 double band, double lastPart,
+                                                                 double timeDoubt) {
     double sum = 0.0;
     std::size_t count = 0;
     for (auto look = looks.rbegin(); look != looks.rend() && look->seconds >= lastPart; ++look, ++count)
@@ -137,11 +138,11 @@ void markGaps(std::vector<Look>& looks) {
 
 }  // namespace
 
-StepMetrics measureStep(std::span<const StepPoint> points, double from, double goal, double band,
-                        double timeDoubt) {
+ResponseMetrics measureResponse(std::span<const ResponsePoint> points, double from, double goal, double band,
+                                double timeDoubt) {
     const double step = std::abs(goal - from);
     std::vector<Look> looks{{0.0, -step}};  // when the command is latched it still stands
-    for (const StepPoint& point : points)
+    for (const ResponsePoint& point : points)
         if (point.seconds > looks.back().seconds)
             looks.push_back({point.seconds, goal < from ? goal - point.position : point.position - goal});
     if (looks.size() <= kFewest) {
@@ -151,12 +152,12 @@ StepMetrics measureStep(std::span<const StepPoint> points, double from, double g
     markGaps(looks);
     const double length = looks.back().seconds;
     const double lastPart = length * (1 - kLastPart);
-    StepMetrics metrics{riseOf(looks, step, timeDoubt),
-                        overshootOf(looks, step, band),
-                        settlingOf(looks, 0.0, band, lastPart, timeDoubt),
-                        settlingAtRestOf(looks, step, band, lastPart, timeDoubt),
-                        steadyErrorOf(points, goal, lastPart),
-                        0.0};
+    ResponseMetrics metrics{riseOf(looks, step, timeDoubt),
+                            overshootOf(looks, step, band),
+                            settlingOf(looks, 0.0, band, lastPart, timeDoubt),
+                            settlingAtRestOf(looks, step, band, lastPart, timeDoubt),
+                            steadyErrorOf(points, goal, lastPart),
+                            0.0};
     metrics.interval = (length - looks[1].seconds) / static_cast<double>(looks.size() - 2);
     return metrics;
 }

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/response/steprunfile.h"
+#include "model/response/responsefile.h"
 #include "windowtest.h"
 
 namespace nmc {
 
 /// A motor that is on its way for 10 ms, straight, and then stays at `there`; a sample every millisecond.
-inline KeptRun ramp(double there = 100, int module = 0) {
-    KeptRun kept;
+inline KeptResponse ramp(double there = 100, int module = 0) {
+    KeptResponse kept;
     kept.run.module = ModuleIndex(static_cast<std::uint8_t>(module));
-    kept.run.taken = {TimePoint(std::chrono::seconds(1)), 500, 600, 0.1, StepWay::Profile, someGains()};
+    kept.run.taken = {
+        TimePoint(std::chrono::seconds(1)), 500, 600, 0.1, ResponseMethod::Profile, someGains()};
     for (int ms = -10; ms <= 100; ++ms) {
         const double gone = ms < 0 ? 0 : ms > 10 ? there : there * ms / 10;
         kept.run.points.push_back({ms / 1'000.0, 500 + gone});

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/response/responsedock.h"
+
+#include <QScrollArea>
+#include <utility>
+
+#include "widgets/common/scrolled.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+ResponseDock::ResponseDock(QWidget* parent)
+    : LazyDock(u"responseDock"_s, ResponsePage::tr("Step response"), Qt::Key_F9, parent) {}
+
+ResponsePage& ResponseDock::page() {
+    if (m_page == nullptr) {
+        m_page = new ResponsePage(this);
+        connect(m_page, &ResponsePage::asked, this, &ResponseDock::asked);
+        connect(m_page, &ResponsePage::gainsWanted, this, &ResponseDock::gainsWanted);
+        connect(m_page, &ResponsePage::suggestionWanted, this, &ResponseDock::suggestionWanted);
+        connect(m_page, &ResponsePage::identifyWanted, this, &ResponseDock::identifyWanted);
+        connect(m_page, &ResponsePage::saveRequested, this, &ResponseDock::saveRequested);
+        connect(m_page, &ResponsePage::printRequested, this, &ResponseDock::printRequested);
+        connect(m_page, &ResponsePage::runsChanged, this, &ResponseDock::runsChanged);
+        setWidget(scrolled(m_page));
+        if (!m_waiting.empty())
+            m_page->showKept(std::exchange(m_waiting, {}));
+    }
+    return *m_page;
+}
+
+void ResponseDock::showModule(const PanelView& view) {
+    if (inUse())
+        page().showModule(view);
+}
+
+void ResponseDock::showKept(std::vector<KeptResponse> runs) {
+    if (m_page != nullptr)
+        m_page->showKept(std::move(runs));
+    else
+        m_waiting = std::move(runs);
+}
+
+void ResponseDock::clearRuns() {
+    m_waiting.clear();
+    if (m_page != nullptr)
+        m_page->clearRuns();
+}
+
+void ResponseDock::forgetModules() {
+    if (m_page != nullptr)
+        m_page->forgetModules();
+}
+
+void ResponseDock::takeFormBack() {
+    if (m_page != nullptr)
+        m_page->takeFormBack();
+}
+
+void ResponseDock::showNothing() {
+    if (inUse())
+        page().showNothing();
+}
+
+}  // namespace nmc
