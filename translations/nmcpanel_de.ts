@@ -11276,7 +11276,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepByBox</name>
+    <name>nmc::MoveByBox</name>
     <message>
         <source>Step by a distance</source>
         <translation>Um eine Strecke weiterfahren</translation>

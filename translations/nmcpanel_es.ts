@@ -11276,7 +11276,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepByBox</name>
+    <name>nmc::MoveByBox</name>
     <message>
         <source>Step by a distance</source>
         <translation>Mover por pasos de una distancia</translation>

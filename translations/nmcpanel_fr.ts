@@ -11276,7 +11276,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepByBox</name>
+    <name>nmc::MoveByBox</name>
     <message>
         <source>Step by a distance</source>
         <translation>Déplacement par pas d’une distance donnée</translation>

@@ -11262,7 +11262,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepByBox</name>
+    <name>nmc::MoveByBox</name>
     <message>
         <source>Step by a distance</source>
         <translation>ステップ送り：指定距離</translation>

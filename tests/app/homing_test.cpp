@@ -294,17 +294,17 @@ TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
     NmcsimProcess sim(u"servo,servo"_s);
     ASSERT_NO_FATAL_FAILURE(begin(sim));
     auto* procedures = panel.composition().findChild<ProcedureController*>();
-    panel.ask(intent::StepBy{{250, 3, 0.05, false}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)});
+    panel.ask(intent::MoveBy{{250, 3, 0.05, false}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)});
     ASSERT_TRUE(procedures->anyRunning());
     ASSERT_TRUE(panel.waitFor([&] { return !procedures->anyRunning(); }));
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 750, 4);
-    panel.ask(intent::StepBy{{-250, 30, 0.0, false}, CountsPerTick(1 << 14), CountsPerTickSquared(1'311)});
+    panel.ask(intent::MoveBy{{-250, 30, 0.0, false}, CountsPerTick(1 << 14), CountsPerTickSquared(1'311)});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     panel.ask(intent::Home{});
     EXPECT_EQ(panel.count(u"Module 1 cannot do this now"_s), 1) << "not in a queue either";
     EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning() && !testing_support::moves(sim); }));
     ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
-    panel.ask(intent::StepBy{{-250, 30, 0.0, false}, CountsPerTick(1 << 14), CountsPerTickSquared(1'311)});
+    panel.ask(intent::MoveBy{{-250, 30, 0.0, false}, CountsPerTick(1 << 14), CountsPerTickSquared(1'311)});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     panel.pressStopAll();
     EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
@@ -317,7 +317,7 @@ TEST_F(HomingPage, N2_AfterAFreezeOfThePanelNoMoveFollows) {
     NmcsimProcess sim(u"servo,servo"_s);
     ASSERT_NO_FATAL_FAILURE(begin(sim));
     auto* procedures = panel.composition().findChild<ProcedureController*>();
-    panel.ask(intent::StepBy{{5'000, 1'000, 0.0, true}, CountsPerTick(1 << 15), CountsPerTickSquared(1'311)});
+    panel.ask(intent::MoveBy{{5'000, 1'000, 0.0, true}, CountsPerTick(1 << 15), CountsPerTickSquared(1'311)});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     bool frozen = false;
     QTimer::singleShot(0, [&] {

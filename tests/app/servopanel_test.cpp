@@ -104,17 +104,17 @@ TEST_F(ServoPage, StepsThereAndBackAsOftenAsAsked) {
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     type("velocityField", u"4"_s);
     type("accelerationField", u"0.05"_s);
-    type("stepSizeField", u"250"_s);
-    type("stepRoundsField", u"3"_s);
-    click("stepperForwardButton");
+    type("moveByDistanceField", u"250"_s);
+    type("moveByRoundsField", u"3"_s);
+    click("moveByForwardButton");
     EXPECT_TRUE(arrives(1, 750));
-    ASSERT_TRUE(panel.waitFor([&] { return find<QLabel>("stepProgress")->text() == u"Done"_s; }))
-        << find<QLabel>("stepProgress")->text().toStdString();
-    find<QCheckBox>("stepBackAndForthBox")->setChecked(true);
-    type("stepRoundsField", u"1000"_s);
-    click("stepperReverseButton");
+    ASSERT_TRUE(panel.waitFor([&] { return find<QLabel>("moveByProgress")->text() == u"Done"_s; }))
+        << find<QLabel>("moveByProgress")->text().toStdString();
+    find<QCheckBox>("moveByBackAndForthBox")->setChecked(true);
+    type("moveByRoundsField", u"1000"_s);
+    click("moveByReverseButton");
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
-    click("stepEndButton");
+    click("moveByEndButton");
     EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim) && !module(0).moving(); }));
     EXPECT_EQ(sim.violations(), "");
 }

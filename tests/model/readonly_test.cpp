@@ -35,7 +35,7 @@ std::vector<Intent> forServo(const ModuleState& module) {
             intent::SetAmplifier{true},
             intent::ControlIo{},
             intent::Home{recipe(module)},
-            intent::StepBy{{100}, CountsPerTick(1 << 16), CountsPerTickSquared(100)},
+            intent::MoveBy{{100}, CountsPerTick(1 << 16), CountsPerTickSquared(100)},
             intent::StepResponse{100, ResponseMethod::Profile, 0.1},
             intent::ArmLimitStop{true}};
 }

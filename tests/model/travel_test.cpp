@@ -84,7 +84,7 @@ TEST(Travel, MovesBeyondAreRefusedBeforeTheyAreSent) {
     EXPECT_EQ(plan(to(1'501), module).error(), Refusal::BeyondTravel);
     EXPECT_EQ(plan(intent::LoadMove{to(799)}, module).error(), Refusal::BeyondTravel);
     // 3 x 200 from 1000 is 1600; there and back is 1200 at most.
-    intent::StepBy steps{{200, 3}, kOne, kGentle};
+    intent::MoveBy steps{{200, 3}, kOne, kGentle};
     EXPECT_EQ(plan(steps, module).error(), Refusal::BeyondTravel);
     steps.moves.backAndForth = true;
     EXPECT_TRUE(plan(steps, module).has_value());
@@ -164,7 +164,7 @@ TEST(Travel, NothingIsFasterThanTheAxisMayGo) {
     EXPECT_EQ(plan(fast, module).error(), Refusal::TooFast);
     EXPECT_EQ(travelProblem(fast, module)->fastest, 1.0);
     EXPECT_EQ(plan(intent::RunAtVelocity{fast.velocity, kGentle, true}, module).error(), Refusal::TooFast);
-    EXPECT_EQ(plan(intent::StepBy{{10}, fast.velocity, kGentle}, module).error(), Refusal::TooFast);
+    EXPECT_EQ(plan(intent::MoveBy{{10}, fast.velocity, kGentle}, module).error(), Refusal::TooFast);
     HomingRecipe recipe = firstRecipe(module.info.identity);
     EXPECT_FALSE(whyNotHome(recipe, module));
     recipe.velocity = 1.01;

@@ -32,11 +32,11 @@ namespace {
 const QStringList& starters() {
     static const QStringList names{
         u"goButton"_s, u"goHomeButton"_s, u"startButton"_s, u"runForwardButton"_s, u"runReverseButton"_s,
-        u"stepperForwardButton"_s, u"stepperReverseButton"_s, u"homeButton"_s, u"pwmForwardButton"_s,
+        u"moveByForwardButton"_s, u"moveByReverseButton"_s, u"homeButton"_s, u"pwmForwardButton"_s,
         u"pwmReverseButton"_s, u"stepperGoButton"_s, u"stepperRunForwardButton"_s,
         u"stepperRunReverseButton"_s, u"stepperStartLoadedButton"_s, u"stepperHomeButton"_s,
-        u"responseButton"_s, u"startDirectionCheckButton"_s, u"stepperStepForwardButton"_s,
-        u"stepperStepReverseButton"_s, u"stepperGoHomeButton"_s,
+        u"responseButton"_s, u"startDirectionCheckButton"_s, u"stepperMoveByForwardButton"_s,
+        u"stepperMoveByReverseButton"_s, u"stepperGoHomeButton"_s,
         // which may hold any of them
         u"moduleMenu"_s, u"commandList"_s};
     return names;

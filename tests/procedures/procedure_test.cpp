@@ -14,7 +14,7 @@ constexpr TimePoint kNow{std::chrono::seconds(1)};
 /// Sends a start, and is done when that was answered.
 class StartOnly : public Procedure {
 public:
-    StartOnly() : Procedure(ModuleIndex(3), ProcedureKind::StepBy) {}
+    StartOnly() : Procedure(ModuleIndex(3), ProcedureKind::MoveBy) {}
     using Procedure::fail;
 
     int asked = 0;
@@ -58,7 +58,7 @@ protected:
 
 TEST_F(AProcedure, HasOneOperationInFlightAtATime) {
     EXPECT_EQ(procedure.report().module, ModuleIndex(3));
-    EXPECT_EQ(procedure.report().kind, ProcedureKind::StepBy);
+    EXPECT_EQ(procedure.report().kind, ProcedureKind::MoveBy);
     EXPECT_EQ(next(), Is::Start);
     EXPECT_EQ(next(), Is::Wait);
     EXPECT_EQ(procedure.asked, 1);

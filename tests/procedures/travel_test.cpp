@@ -372,7 +372,7 @@ protected:
                                                         std::uint32_t{sent.bytes[7]} << 24U));
         return all;
     }
-    [[nodiscard]] static intent::StepBy by(std::int32_t counts, unsigned rounds) {
+    [[nodiscard]] static intent::MoveBy by(std::int32_t counts, unsigned rounds) {
         return {{counts, rounds}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
     }
     ServoBench bench;

@@ -78,7 +78,7 @@ TEST_F(Axes, StepByTheChosenSizeInTheirOwnUnit) {
     click(u"axisStepReverseButton2"_s);
     ASSERT_EQ(asked.size(), 1U);
     EXPECT_EQ(asked[0].first, ModuleIndex(1));
-    EXPECT_EQ(std::get<intent::StepBy>(asked[0].second).moves.counts, -20) << "a tenth of a millimetre";
+    EXPECT_EQ(std::get<intent::MoveBy>(asked[0].second).moves.counts, -20) << "a tenth of a millimetre";
 }
 
 TEST_F(Axes, EnableAllThatAreOff) {

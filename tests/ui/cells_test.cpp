@@ -188,7 +188,7 @@ const std::vector<Cell> kStepCells{
 };
 
 /// They send what the table has, several commands one after the other, or only tell the panel something.
-const QSet<QString> kMadeOfCells{u"stepperForwardButton"_s, u"stepperReverseButton"_s,
+const QSet<QString> kMadeOfCells{u"moveByForwardButton"_s, u"moveByReverseButton"_s,
                                  u"directionCheckButton"_s, u"declarePositionButton"_s,
                                  u"doubtPositionButton"_s};
 

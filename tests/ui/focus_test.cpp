@@ -99,7 +99,7 @@ TEST_P(FocusAfter, AClickStaysOnTheButtonAndNotInAField) {
 }
 INSTANTIATE_TEST_SUITE_P(Buttons, FocusAfter,
                          testing::Values("goButton", "runForwardButton", "runReverseButton",
-                                         "stepperForwardButton", "stepperReverseButton"));
+                                         "moveByForwardButton", "moveByReverseButton"));
 
 TEST_F(Focus, GoesToNothingWhereAnotherWasChosenMeanwhile) {
     type(u"goalField"_s, u"1000"_s);

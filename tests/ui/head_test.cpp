@@ -63,7 +63,7 @@ TEST_F(Head, AllMotionsAreInViewOnASmallLaptop) {
         QApplication::processEvents();
     for (const QString& name : {u"goButton"_s, u"goHomeButton"_s, u"runForwardButton"_s,
                                 u"runReverseButton"_s, u"holdForwardButton"_s, u"holdReverseButton"_s,
-                                u"stepperForwardButton"_s, u"stepperReverseButton"_s, u"stepEndButton"_s})
+                                u"moveByForwardButton"_s, u"moveByReverseButton"_s, u"moveByEndButton"_s})
         EXPECT_TRUE(isWhole(*find(name))) << name.toStdString();
 }
 

@@ -373,7 +373,7 @@ TEST(ProcedureTexts, AnEndThatWasAskedForIsNoNews) {
     ProcedureReport report;
     report.stage = ProcedureStage::Cancelled;
     EXPECT_FALSE(texts::procedureEnded(report, AxisScale::servo({}, 1)));
-    report.kind = ProcedureKind::StepBy;
+    report.kind = ProcedureKind::MoveBy;
     report.stage = ProcedureStage::Done;
     EXPECT_FALSE(texts::procedureEnded(report, AxisScale::servo({}, 1)));
     report.kind = ProcedureKind::Homing;

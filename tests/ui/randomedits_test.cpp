@@ -94,7 +94,7 @@ protected:
                 return number(u"runVelocityField"_s, Amount::Velocity, speeds,
                               [&](double v) { motion.runVelocity = v; });
             case 3:
-                return number(u"stepSizeField"_s, Amount::Position, {u"20"_s, u"7"_s},
+                return number(u"moveByDistanceField"_s, Amount::Position, {u"20"_s, u"7"_s},
                               [&](double d) { motion.stepSize = d; });
             default:  // typed for now, and not kept
                 return number(

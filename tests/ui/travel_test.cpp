@@ -135,10 +135,10 @@ TEST_F(TravelPanel, AtALimitThereIsOnlyTheWayBack) {
     const QString reason = u"Highest position reached: 1\u202f500 counts. Move in reverse."_s;
     EXPECT_EQ(whyNot(u"runForwardButton"_s), reason);
     EXPECT_EQ(whyNot(u"holdForwardButton"_s), reason);
-    whyNot(u"stepperForwardButton"_s);
+    whyNot(u"moveByForwardButton"_s);
     EXPECT_TRUE(button(u"runReverseButton"_s)->isEnabled());
     EXPECT_TRUE(button(u"holdReverseButton"_s)->isEnabled());
-    EXPECT_TRUE(button(u"stepperReverseButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"moveByReverseButton"_s)->isEnabled());
     standAt(1'700);
     EXPECT_EQ(text(u"headTravel"_s), u"▲ Above the highest position"_s);
     EXPECT_TRUE(button(u"runReverseButton"_s)->isEnabled());

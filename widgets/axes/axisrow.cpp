@@ -145,7 +145,7 @@ std::optional<Intent> AxisRow::stepperIntent(bool reverse) const {
             steppermotion::Trapezoid{way, true, wanted->speed, wanted->accelerationTime}};
     }
     const MotionSettings motion = servodefaults::motionOf(m_context.settings());
-    return intent::StepBy{{.counts = way},
+    return intent::MoveBy{{.counts = way},
                           CountsPerTick(servodefaults::toFixed(velocity())),
                           CountsPerTickSquared(servodefaults::toFixed(motion.acceleration))};
 }

@@ -208,7 +208,7 @@ void NumberField::judge() {
     update();
 }
 
-void NumberField::stepBy(int steps) {
+void NumberField::moveBy(int steps) {
     const std::optional<double> now = value();
     if (!now.has_value() || isReadOnly() || steps == 0)
         return;
@@ -233,10 +233,10 @@ bool NumberField::event(QEvent* event) {
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
-        stepBy(event->key() == Qt::Key_Up ? 1 : -1);
+        moveBy(event->key() == Qt::Key_Up ? 1 : -1);
         event->accept();
     } else if (event->key() == Qt::Key_PageUp || event->key() == Qt::Key_PageDown) {
-        stepBy(event->key() == Qt::Key_PageUp ? 10 : -10);
+        moveBy(event->key() == Qt::Key_PageUp ? 10 : -10);
         event->accept();
     } else {
         QLineEdit::keyPressEvent(event);
@@ -247,7 +247,7 @@ void NumberField::wheelEvent(QWheelEvent* event) {
     m_wheelRest += event->angleDelta().y();
     const int steps = m_wheelRest / 120;
     m_wheelRest -= steps * 120;
-    stepBy(steps);
+    moveBy(steps);
     event->accept();
 }
 

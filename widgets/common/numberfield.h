@@ -63,7 +63,7 @@ protected:
 
 private:
     void judge();
-    void stepBy(int steps);
+    void moveBy(int steps);
     /// With two digits at least that are no leading zeros.
     [[nodiscard]] QString textOf(double value) const;
     /// Within the range, or what the field itself writes for a limit, which rounding may have put beyond it.

@@ -204,7 +204,7 @@ std::optional<Intent> MotionBox::movesBy(const Rounds& moves) const {
     const auto acceleration = this->acceleration();
     if (!velocity || !acceleration)
         return std::nullopt;
-    return intent::StepBy{moves, *velocity, *acceleration};
+    return intent::MoveBy{moves, *velocity, *acceleration};
 }
 
 /// What the user types is kept with the axis; what is no value stays in its field.

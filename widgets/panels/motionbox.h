@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "widgets/panels/modulecontext.h"
-#include "widgets/panels/stepbybox.h"
+#include "widgets/panels/movebybox.h"
 
 class QComboBox;
 class QGridLayout;

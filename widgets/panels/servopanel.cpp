@@ -17,9 +17,9 @@
 #include "widgets/panels/iobox.h"
 #include "widgets/panels/jogbox.h"
 #include "widgets/panels/motionbox.h"
+#include "widgets/panels/movebybox.h"
 #include "widgets/panels/panelhead.h"
 #include "widgets/panels/pwmbox.h"
-#include "widgets/panels/stepbybox.h"
 #include "widgets/panels/travelbox.h"
 
 namespace nmc {
@@ -38,7 +38,7 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     left->setSpacing(look::gridUnit(this) / 2);
     left->addWidget(motion);
     left->addWidget(new JogBox(m_context, *motion, this));
-    left->addWidget(new StepByBox(m_context, *motion, this));
+    left->addWidget(new MoveByBox(m_context, *motion, this));
     left->addStretch(1);
 
     m_pages = new QTabWidget(this);

@@ -258,7 +258,7 @@ QString StepperMotionBox::whyNoMovesBy() const {
 }
 
 std::optional<Intent> StepperMotionBox::movesBy(const Rounds& moves) const {
-    return stepperintent::StepBy{moves, moveSpeed(), accelerationTime()};
+    return stepperintent::MoveBy{moves, moveSpeed(), accelerationTime()};
 }
 
 std::optional<Refusal> StepperMotionBox::refusalOf(bool reverse) const {

@@ -6,7 +6,7 @@
 
 #include "model/module/stepperspeed.h"
 #include "widgets/panels/modulecontext.h"
-#include "widgets/panels/stepbybox.h"
+#include "widgets/panels/movebybox.h"
 #include "widgets/panels/steppermodechoice.h"
 
 class QCheckBox;

@@ -8,8 +8,8 @@
 #include "widgets/panels/axisbox.h"
 #include "widgets/panels/expertbox.h"
 #include "widgets/panels/homingbox.h"
+#include "widgets/panels/movebybox.h"
 #include "widgets/panels/panelhead.h"
-#include "widgets/panels/stepbybox.h"
 #include "widgets/panels/stepperdetailsbox.h"
 #include "widgets/panels/stepperiobox.h"
 #include "widgets/panels/steppermotionbox.h"
@@ -26,7 +26,7 @@ StepperPanel::StepperPanel(const PanelView& view, QWidget* parent) : ModulePage(
     auto* motion = new QVBoxLayout;
     auto* moves = new StepperMotionBox(m_context, this);
     motion->addWidget(moves);
-    motion->addWidget(new StepByBox(m_context, *moves, this));
+    motion->addWidget(new MoveByBox(m_context, *moves, this));
     motion->addStretch(1);
     auto* pages = new QTabWidget(this);
     look::name(pages, u"stepperPages"_s, tr("Pages of the module"));

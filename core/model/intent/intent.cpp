@@ -194,10 +194,10 @@ struct Planner {
         const auto refusal = whyNotHome(home.recipe, module);
         return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
     }
-    Plan operator()(const intent::StepBy& stepBy) const {
-        if (const auto refusal = lacking({{}, stepBy.velocity, stepBy.acceleration}))
+    Plan operator()(const intent::MoveBy& moveBy) const {
+        if (const auto refusal = lacking({{}, moveBy.velocity, moveBy.acceleration}))
             return tl::unexpected(*refusal);
-        if (stepBy.moves.counts == 0)
+        if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
         return allowed(Request::Move, module, [] { return Steps{}; });
     }
@@ -234,7 +234,7 @@ struct Planner {
         return Steps{};
     }
     Plan operator()(const AnyOf<stepperintent::SetParameters, stepperintent::SetOutputs, stepperintent::Move,
-                                stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::StepBy,
+                                stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::MoveBy,
                                 stepperintent::GoHome> auto&) const {
         return tl::unexpected(Refusal::NotAStepper);
     }
@@ -273,12 +273,12 @@ bool isStop(const Intent& intent) {
                            intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
                            intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
                            intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::ControlSc,
-                           intent::SaveConfiguration, intent::Home, intent::StepBy, intent::StepResponse,
+                           intent::SaveConfiguration, intent::Home, intent::MoveBy, intent::StepResponse,
                            intent::SquareWave, intent::FrequencyResponse, intent::TryGains, intent::KeepGains,
                            intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
                            intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
                            stepperintent::SetParameters, stepperintent::SetOutputs, stepperintent::Move,
-                           stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::StepBy,
+                           stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::MoveBy,
                            stepperintent::GoHome> auto&) { return false; },
             [](const IoIntent auto&) { return false; },
         },

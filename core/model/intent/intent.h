@@ -87,7 +87,7 @@ struct Home {
     std::int32_t tolerance = 0;
 };
 /// Trapezoidal moves by N, one after the other. A procedure.
-struct StepBy {
+struct MoveBy {
     Rounds moves;
     CountsPerTick velocity;
     CountsPerTickSquared acceleration;
@@ -160,11 +160,11 @@ using Intent = std::variant<
     intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
     intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded, intent::StopHere,
     intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::ControlSc, intent::SaveConfiguration,
-    intent::Home, intent::StepBy, intent::StepResponse, intent::SquareWave, intent::FrequencyResponse,
+    intent::Home, intent::MoveBy, intent::StepResponse, intent::SquareWave, intent::FrequencyResponse,
     intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
     intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
     stepperintent::SetParameters, stepperintent::SetOutputs, stepperintent::Move, stepperintent::LoadMove,
-    stepperintent::ChangeMotion, stepperintent::StepBy, stepperintent::GoHome, iointent::SetDirection,
+    stepperintent::ChangeMotion, stepperintent::MoveBy, stepperintent::GoHome, iointent::SetDirection,
     iointent::SetOutput, iointent::SetPwm, iointent::SetTimer, iointent::StoreOutputs, iointent::SynchOutput,
     iointent::SynchInput>;
 

@@ -28,8 +28,8 @@ struct LoadMove {
 struct ChangeMotion {
     StepperMotion motion;
 };
-/// As intent::StepBy. A procedure.
-struct StepBy {
+/// As intent::MoveBy. A procedure.
+struct MoveBy {
     Rounds moves;
     std::uint8_t speed = 1;  ///< 1..250
     std::uint8_t accelerationTime = 1;

@@ -180,12 +180,12 @@ struct Planner {
         return tl::unexpected(whyNotFromStandstill(change.motion, module).value_or(Refusal::NeedsStop));
     }
     /// A procedure again: why its first move is not possible.
-    Plan operator()(const stepperintent::StepBy& stepBy) const {
-        if (stepBy.moves.counts == 0)
+    Plan operator()(const stepperintent::MoveBy& moveBy) const {
+        if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
         if (const auto refusal = whyNotStep(Request::Move, module))
             return tl::unexpected(*refusal);
-        return allowed(whyNotFromStandstill(motionOf(stepBy), module), [] { return Steps{}; });
+        return allowed(whyNotFromStandstill(motionOf(moveBy), module), [] { return Steps{}; });
     }
     Plan operator()(const stepperintent::GoHome& home) const {
         if (const auto refusal = whyNotStep(Request::GoHome, module))
@@ -203,7 +203,7 @@ struct Planner {
     Plan operator()(
         const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
                     intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
-                    intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::StepBy,
+                    intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::MoveBy,
                     intent::StepResponse, intent::SquareWave, intent::FrequencyResponse, intent::TryGains,
                     intent::KeepGains, intent::CheckDirection, intent::FollowPath,
                     intent::ArmLimitStop> auto&) const {
@@ -244,8 +244,8 @@ std::optional<std::int64_t> goalOf(const StepperMotion& motion, const ModuleStat
     return std::visit(GoalOf{module.stepper.position().value_or(0)}, motion);
 }
 
-StepperMotion motionOf(const stepperintent::StepBy& stepBy) {
-    return steppermotion::Trapezoid{stepBy.moves.counts, true, stepBy.speed, stepBy.accelerationTime};
+StepperMotion motionOf(const stepperintent::MoveBy& moveBy) {
+    return steppermotion::Trapezoid{moveBy.moves.counts, true, moveBy.speed, moveBy.accelerationTime};
 }
 
 std::optional<StepperMotion> motionOf(const stepperintent::GoHome& home, const ModuleState& module) {

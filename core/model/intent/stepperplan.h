@@ -22,7 +22,7 @@ namespace nmc {
                                                           Request as = Request::Move);
 
 /// The first of its moves, and the way home; where home is not known, there is none.
-[[nodiscard]] StepperMotion motionOf(const stepperintent::StepBy& stepBy);
+[[nodiscard]] StepperMotion motionOf(const stepperintent::MoveBy& moveBy);
 [[nodiscard]] std::optional<StepperMotion> motionOf(const stepperintent::GoHome& home,
                                                     const ModuleState& module);
 

@@ -70,10 +70,10 @@ struct CourseOf {
                                                    : recipe.velocity};
     }
     /// As far as the last of its moves, from where the first one starts.
-    std::optional<Course> operator()(const intent::StepBy& step) const {
+    std::optional<Course> operator()(const intent::MoveBy& step) const {
         return of(step.moves, native(step.velocity));
     }
-    std::optional<Course> operator()(const stepperintent::StepBy& step) const {
+    std::optional<Course> operator()(const stepperintent::MoveBy& step) const {
         return of(step.moves, speedOf(motionOf(step), module));
     }
     std::optional<Course> operator()(const stepperintent::GoHome& home) const {

@@ -18,7 +18,7 @@ namespace nmc {
 
 enum class ProcedureKind : std::uint8_t {
     Homing,
-    StepBy,        ///< moves by N, as often as asked for
+    MoveBy,        ///< moves by N, as often as asked for
     ChangeMotion,  ///< PIC-STEP: stop, wait, go
     StepResponse,
     SquareWave,

@@ -9,9 +9,9 @@
 #include "model/procedure/directioncheck.h"
 #include "model/procedure/frequencyrun.h"
 #include "model/procedure/homingrun.h"
+#include "model/procedure/moveby.h"
 #include "model/procedure/pathrun.h"
 #include "model/procedure/squarewave.h"
-#include "model/procedure/stepby.h"
 #include "model/procedure/stepresponse.h"
 #include "model/procedure/trygains.h"
 
@@ -54,10 +54,10 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
     if (const auto* home = std::get_if<stepperintent::GoHome>(&intent))
         return plan(intent, module) ? approachFor(stepperintent::Move{*motionOf(*home, module)}, module)
                                     : nullptr;
-    if (const auto* stepBy = std::get_if<intent::StepBy>(&intent))
-        return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
-    if (const auto* stepBy = std::get_if<stepperintent::StepBy>(&intent))
-        return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
+    if (const auto* moveBy = std::get_if<intent::MoveBy>(&intent))
+        return plan(intent, module) ? std::make_unique<MoveByRun>(*moveBy, module) : nullptr;
+    if (const auto* moveBy = std::get_if<stepperintent::MoveBy>(&intent))
+        return plan(intent, module) ? std::make_unique<MoveByRun>(*moveBy, module) : nullptr;
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
         return plan(intent, module) ? std::make_unique<StepResponseRun>(*step, module) : nullptr;
     if (const auto* wave = std::get_if<intent::SquareWave>(&intent))

@@ -26,11 +26,11 @@ public:
 };
 
 /// Step by N: one click is one move of exactly this distance, or as many as are asked for.
-class StepByBox : public QGroupBox {
+class MoveByBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    StepByBox(ModuleContext& context, const MovesBy& motion, QWidget* parent);
+    MoveByBox(ModuleContext& context, const MovesBy& motion, QWidget* parent);
 
 private:
     [[nodiscard]] QString named(const QString& name) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/procedure/stepby.h"
+#include "model/procedure/moveby.h"
 
 #include <algorithm>
 
@@ -8,19 +8,19 @@
 
 namespace nmc {
 
-StepByRun::StepByRun(const Wanted& wanted, const ModuleState& module)
-    : GoalMoves(ProcedureKind::StepBy, module),
+MoveByRun::MoveByRun(const Wanted& wanted, const ModuleState& module)
+    : GoalMoves(ProcedureKind::MoveBy, module),
       m_wanted(wanted),
       m_moves(std::visit([](const auto& one) { return one.moves; }, wanted)) {
     m_report.rounds = std::max(m_moves.rounds, 1U);
 }
 
-Intent StepByRun::moveTo(std::int32_t goal) const {
+Intent MoveByRun::moveTo(std::int32_t goal) const {
     return std::visit(Overloaded{
-                          [goal](const intent::StepBy& by) -> Intent {
+                          [goal](const intent::MoveBy& by) -> Intent {
                               return intent::GoTo{Counts(goal), by.velocity, by.acceleration};
                           },
-                          [goal](const stepperintent::StepBy& by) -> Intent {
+                          [goal](const stepperintent::MoveBy& by) -> Intent {
                               return stepperintent::Move{
                                   steppermotion::Trapezoid{goal, false, by.speed, by.accelerationTime}};
                           },
@@ -28,7 +28,7 @@ Intent StepByRun::moveTo(std::int32_t goal) const {
                       m_wanted);
 }
 
-StepByRun::Next StepByRun::standing(const ModuleState& module, TimePoint now) {
+MoveByRun::Next MoveByRun::standing(const ModuleState& module, TimePoint now) {
     if (m_report.stage == ProcedureStage::TakingUpBacklash)
         return go(ProcedureStage::Moving, *m_goal, module);
     if (m_report.stage == ProcedureStage::Moving) {
@@ -44,7 +44,7 @@ StepByRun::Next StepByRun::standing(const ModuleState& module, TimePoint now) {
     return nextMove(module);
 }
 
-StepByRun::Next StepByRun::nextMove(const ModuleState& module) {
+MoveByRun::Next MoveByRun::nextMove(const ModuleState& module) {
     if (!module.latest->position)
         return fail(ProcedureFailure::Refused);
     if (!m_goal)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/panels/stepbybox.h"
+#include "widgets/panels/movebybox.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -23,9 +23,9 @@ constexpr double kMostRounds = 100'000;
 constexpr double kLongestPause = 3'600;  // s
 }  // namespace
 
-StepByBox::StepByBox(ModuleContext& context, const MovesBy& motion, QWidget* parent)
+MoveByBox::MoveByBox(ModuleContext& context, const MovesBy& motion, QWidget* parent)
     : QGroupBox(parent), m_context(context), m_motion(motion) {
-    look::name(this, named(u"stepByBox"_s), tr("Step by a distance"));
+    look::name(this, named(u"moveByBox"_s), tr("Step by a distance"));
     QGridLayout* grid = quantitygrid::newGrid(this);
     int line = 0;
     buildDistance(grid, line);
@@ -35,23 +35,23 @@ StepByBox::StepByBox(ModuleContext& context, const MovesBy& motion, QWidget* par
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
-QString StepByBox::named(const QString& name) const {
+QString MoveByBox::named(const QString& name) const {
     return look::nameFor(m_context.state().info.identity.type, name);
 }
 
-void StepByBox::buildDistance(QGridLayout* grid, int& line) {
+void MoveByBox::buildDistance(QGridLayout* grid, int& line) {
     m_distance = new QuantityField(QuantityField::Kind::Position, this);
-    m_distance->setName(named(u"stepSizeField"_s), tr("Distance of a step"));
+    m_distance->setName(named(u"moveByDistanceField"_s), tr("Distance of a step"));
     m_distance->setQuantity(tr("The distance of a step"));
     m_distance->setNativeRange(1, static_cast<double>(servo::kPositionRange.max));
     m_distance->setMeaning(tr("Distance per click, at the velocity of Go to."));
     quantitygrid::addFirstRow(grid, line, tr("Step by"), m_distance);
-    m_reverse = new Command({.name = named(u"stepperReverseButton"_s),
+    m_reverse = new Command({.name = named(u"moveByReverseButton"_s),
                              .icon = {},
                              .text = tr("◂| Step"),
                              .accessible = tr("Step in reverse")},
                             this, [this] { step(true); });
-    m_forward = new Command({.name = named(u"stepperForwardButton"_s),
+    m_forward = new Command({.name = named(u"moveByForwardButton"_s),
                              .icon = {},
                              .text = tr("Step |▸"),
                              .accessible = tr("Step forward")},
@@ -70,7 +70,7 @@ void StepByBox::buildDistance(QGridLayout* grid, int& line) {
     });
 }
 
-void StepByBox::buildRepeat(QGridLayout* grid, int& line) {
+void MoveByBox::buildRepeat(QGridLayout* grid, int& line) {
     const auto newField = [this](int decimals, const QString& objectName, const QString& name, double min,
                                  double max, double value, const QString& meaning) {
         auto* field = new NumberField(decimals, this);
@@ -80,24 +80,24 @@ void StepByBox::buildRepeat(QGridLayout* grid, int& line) {
         field->setDigits(6);
         field->setMeaning(meaning);
         field->showValue(value);
-        connect(field, &NumberField::edited, this, &StepByBox::refresh);
+        connect(field, &NumberField::edited, this, &MoveByBox::refresh);
         return field;
     };
-    m_rounds = newField(0, named(u"stepRoundsField"_s), tr("The number of steps"), 1, kMostRounds, 1,
+    m_rounds = newField(0, named(u"moveByRoundsField"_s), tr("The number of steps"), 1, kMostRounds, 1,
                         tr("Number of steps per click."));
-    m_pause = newField(2, named(u"stepPauseField"_s), tr("The pause between steps"), 0, kLongestPause, 0,
+    m_pause = newField(2, named(u"moveByPauseField"_s), tr("The pause between steps"), 0, kLongestPause, 0,
                        tr("Time to wait after each move, in seconds."));
     m_backAndForth = new QCheckBox(tr("there and back"), this);
-    look::name(m_backAndForth, named(u"stepBackAndForthBox"_s), tr("There and back with each step"));
+    look::name(m_backAndForth, named(u"moveByBackAndForthBox"_s), tr("There and back with each step"));
     m_backAndForth->setToolTip(tr("Each step goes there and back."));
-    connect(m_backAndForth, &QCheckBox::toggled, this, &StepByBox::refresh);
-    m_end = new Command({.name = named(u"stepEndButton"_s),
+    connect(m_backAndForth, &QCheckBox::toggled, this, &MoveByBox::refresh);
+    m_end = new Command({.name = named(u"moveByEndButton"_s),
                          .icon = u"player-stop"_s,
                          .text = tr("End steps"),
                          .accessible = tr("End steps and stop")},
                         this, [this] { m_context.ask(intent::CancelProcedure{}); });
     m_progress = look::newMutedLabel({}, this);
-    m_progress->setObjectName(named(u"stepProgress"_s));
+    m_progress->setObjectName(named(u"moveByProgress"_s));
     auto* repeat = new QHBoxLayout;
     repeat->setSpacing(look::gridUnit(this));
     repeat->addWidget(m_rounds);
@@ -113,19 +113,19 @@ void StepByBox::buildRepeat(QGridLayout* grid, int& line) {
     grid->addLayout(repeat, line++, 1, 1, quantitygrid::kColumns - 1);
 }
 
-double StepByBox::kept() const {
+double MoveByBox::kept() const {
     const double size = m_context.settings().motion.stepSize;
     return size > 0 ? size : kFirstDistance;
 }
 
-void StepByBox::showModule() {
+void MoveByBox::showModule() {
     m_distance->setScale(m_context.scale());
     const double before = std::exchange(m_shown, kept());
     quantitygrid::follow(m_distance, m_shown, before);
     refresh();
 }
 
-QString StepByBox::whyNotNow() const {
+QString MoveByBox::whyNotNow() const {
     if (const QString reason = m_context.reasonNow(Request::Move); !reason.isEmpty())
         return reason;
     if (const QString reason = m_motion.whyNoMovesBy(); !reason.isEmpty())
@@ -136,13 +136,13 @@ QString StepByBox::whyNotNow() const {
     return {};
 }
 
-void StepByBox::refreshStep(Command& command, bool reverse, const QString& reason, const QString& meaning) {
+void MoveByBox::refreshStep(Command& command, bool reverse, const QString& reason, const QString& meaning) {
     const auto steps = wanted(reverse);
     command.setPossible(reason.isEmpty() && steps ? m_context.reasonFor(*steps) : reason, meaning);
 }
 
-void StepByBox::refresh() {
-    const std::optional<ProcedureReport> report = m_context.procedure(ProcedureKind::StepBy);
+void MoveByBox::refresh() {
+    const std::optional<ProcedureReport> report = m_context.procedure(ProcedureKind::MoveBy);
     const bool running = report && !report->over();
     const QString reason = running ? tr("A series of steps is already running.") : whyNotNow();
     refreshStep(*m_forward, false, reason, tr("Moves forward by this distance, then holds."));
@@ -156,7 +156,7 @@ void StepByBox::refresh() {
     look::setText(m_progress, progress);
 }
 
-std::optional<Intent> StepByBox::wanted(bool reverse) const {
+std::optional<Intent> MoveByBox::wanted(bool reverse) const {
     const auto distance = m_distance->native();
     const auto rounds = m_rounds->value();
     const auto pause = m_pause->value();
@@ -166,7 +166,7 @@ std::optional<Intent> StepByBox::wanted(bool reverse) const {
                              static_cast<unsigned>(*rounds), *pause, m_backAndForth->isChecked()});
 }
 
-void StepByBox::step(bool reverse) {
+void MoveByBox::step(bool reverse) {
     if (const auto steps = wanted(reverse))
         m_context.ask(*steps);
 }

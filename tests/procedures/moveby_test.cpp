@@ -8,9 +8,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class StepBy : public testing::Test {
+class MoveBy : public testing::Test {
 protected:
-    [[nodiscard]] static intent::StepBy by(std::int32_t counts, unsigned rounds) {
+    [[nodiscard]] static intent::MoveBy by(std::int32_t counts, unsigned rounds) {
         return {{counts, rounds}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
     }
     /// Goals of every move that was loaded, from the wire: AA 01 n4 control position...
@@ -26,7 +26,7 @@ protected:
     ServoBench bench;
 };
 
-TEST_F(StepBy, MovesFromGoalToGoal) {
+TEST_F(MoveBy, MovesFromGoalToGoal) {
     ASSERT_TRUE(bench.enable());
     // Weak, without Ki: what it is off by would add up otherwise.
     ASSERT_TRUE(bench.perform(intent::ApplyGains{{20, 500, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}}}));
@@ -44,7 +44,7 @@ TEST_F(StepBy, MovesFromGoalToGoal) {
     bench.bus.expectNoViolations();
 }
 
-TEST_F(StepBy, BeginsAtTheGoalOfTheMoveBefore) {
+TEST_F(MoveBy, BeginsAtTheGoalOfTheMoveBefore) {
     ASSERT_TRUE(bench.enable());
     ASSERT_TRUE(bench.perform(intent::ApplyGains{{20, 500, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}}}));
     bench.set(sim::Input::Friction, 0.02);
@@ -57,9 +57,9 @@ TEST_F(StepBy, BeginsAtTheGoalOfTheMoveBefore) {
     EXPECT_EQ(bench.truth().commandPosition, 900);
 }
 
-TEST_F(StepBy, GoesBackAndForthAndPauses) {
+TEST_F(MoveBy, GoesBackAndForthAndPauses) {
     ASSERT_TRUE(bench.enable());
-    intent::StepBy wanted = by(300, 2);
+    intent::MoveBy wanted = by(300, 2);
     wanted.moves.backAndForth = true;
     wanted.moves.pause = 0.5;
     std::vector<TimePoint> starts;
@@ -74,7 +74,7 @@ TEST_F(StepBy, GoesBackAndForthAndPauses) {
     bench.bus.expectNoViolations();
 }
 
-TEST_F(StepBy, CancelStopsIt) {
+TEST_F(MoveBy, CancelStopsIt) {
     ASSERT_TRUE(bench.enable());
     bench.begin(by(20'000, 3));
     bench.turn();
@@ -89,7 +89,7 @@ TEST_F(StepBy, CancelStopsIt) {
     bench.bus.expectNoViolations();
 }
 
-TEST_F(StepBy, AnyOtherStopEndsItAndIsLeftAsItIs) {
+TEST_F(MoveBy, AnyOtherStopEndsItAndIsLeftAsItIs) {
     ASSERT_TRUE(bench.enable());
     bench.begin(by(20'000, 3));
     for (int i = 0; i < 30; ++i)
@@ -105,7 +105,7 @@ TEST_F(StepBy, AnyOtherStopEndsItAndIsLeftAsItIs) {
     EXPECT_EQ(goals().size(), 1U);
 }
 
-TEST_F(StepBy, ATripFailsItAndNothingIsSwitchedOnAgain) {
+TEST_F(MoveBy, ATripFailsItAndNothingIsSwitchedOnAgain) {
     ASSERT_TRUE(bench.enable(200));
     bench.set(sim::Input::TravelMax, 700.0);
     const ProcedureReport report = bench.run(by(500, 3));
@@ -116,7 +116,7 @@ TEST_F(StepBy, ATripFailsItAndNothingIsSwitchedOnAgain) {
     bench.bus.expectNoViolations();
 }
 
-TEST_F(StepBy, ALinkInDoubtEndsIt) {
+TEST_F(MoveBy, ALinkInDoubtEndsIt) {
     ASSERT_TRUE(bench.enable());
     bench.begin(by(20'000, 3));
     for (int i = 0; i < 30; ++i)
@@ -128,12 +128,12 @@ TEST_F(StepBy, ALinkInDoubtEndsIt) {
     EXPECT_EQ(bench.truth().commandVelocity, 0);
 }
 
-TEST_F(StepBy, BeyondTheChipsRangeNothingIsSent) {
+TEST_F(MoveBy, BeyondTheChipsRangeNothingIsSent) {
     ASSERT_TRUE(bench.enable());
     const std::size_t before = bench.bus.sent.size();
     ASSERT_TRUE(bench.perform(intent::StopAbruptly{}));
     bench.module().latest->position = 0x7FFFFF00;
-    bench.begin(intent::StepBy{{0x7FFFFFFF}, CountsPerTick(1), CountsPerTickSquared(1)});
+    bench.begin(intent::MoveBy{{0x7FFFFFFF}, CountsPerTick(1), CountsPerTickSquared(1)});
     bench.module().latest->position = 0x7FFFFF00;
     Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
     ASSERT_TRUE(std::holds_alternative<Procedure::Send>(next)) << "a stop, and no load";
@@ -142,7 +142,7 @@ TEST_F(StepBy, BeyondTheChipsRangeNothingIsSent) {
     EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 0U);
 }
 
-TEST_F(StepBy, IsRefusedWhereItCannotWork) {
+TEST_F(MoveBy, IsRefusedWhereItCannotWork) {
     ASSERT_TRUE(bench.connect());
     bench.settle();
     EXPECT_EQ(plan(by(1, 1), bench.module()).error(), Refusal::ServoOff);
@@ -151,7 +151,7 @@ TEST_F(StepBy, IsRefusedWhereItCannotWork) {
 }
 
 /// A PIC-STEP, switched on: 25 steps/s a unit of speed.
-class StepperBy : public testing::Test {
+class StepperMoveBy : public testing::Test {
 protected:
     void SetUp() override {
         ASSERT_TRUE(bench.connect());
@@ -160,13 +160,13 @@ protected:
             stepperintent::SetParameters{{stepper::SpeedMode::X1, false, false, false, 4, 200, 50, 0}}));
         ASSERT_TRUE(bench.perform(intent::Enable{}));
     }
-    [[nodiscard]] static stepperintent::StepBy by(std::int32_t counts, unsigned rounds) {
+    [[nodiscard]] static stepperintent::MoveBy by(std::int32_t counts, unsigned rounds) {
         return {{counts, rounds}, 40, 4};
     }
     ProcedureBench bench{{{ModuleType::Stepper, 1}}};
 };
 
-TEST_F(StepperBy, MovesThatFarAsOftenAsAskedFor) {
+TEST_F(StepperMoveBy, MovesThatFarAsOftenAsAskedFor) {
     const std::int64_t start = bench.stepperTruth().position;
     const ProcedureReport report = bench.run(by(-250, 3));
     EXPECT_EQ(report.stage, ProcedureStage::Done);
@@ -176,9 +176,9 @@ TEST_F(StepperBy, MovesThatFarAsOftenAsAskedFor) {
     bench.bus.expectNoViolations();
 }
 
-TEST_F(StepperBy, GoesBackAndForthAndPauses) {
+TEST_F(StepperMoveBy, GoesBackAndForthAndPauses) {
     const std::int64_t start = bench.stepperTruth().position;
-    stepperintent::StepBy wanted = by(100, 2);
+    stepperintent::MoveBy wanted = by(100, 2);
     wanted.moves.backAndForth = true;
     wanted.moves.pause = 0.5;
     const TimePoint began = bench.bus.now;
@@ -187,7 +187,7 @@ TEST_F(StepperBy, GoesBackAndForthAndPauses) {
     EXPECT_GE(bench.bus.now - began, 1'500ms) << "three pauses between four moves";
 }
 
-TEST_F(StepperBy, ALimitSwitchOnItsWayEndsItForGood) {
+TEST_F(StepperMoveBy, ALimitSwitchOnItsWayEndsItForGood) {
     bench.begin(by(2'000, 5));
     ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
     for (int i = 0; i < 20; ++i)
@@ -201,7 +201,7 @@ TEST_F(StepperBy, ALimitSwitchOnItsWayEndsItForGood) {
     bench.bus.expectNoViolations();
 }
 
-TEST_F(StepperBy, AMoveThatIsNotItsOwnEndsIt) {
+TEST_F(StepperMoveBy, AMoveThatIsNotItsOwnEndsIt) {
     bench.begin(by(2'000, 5));
     ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
     bench.settle();
@@ -217,9 +217,9 @@ TEST_F(StepperBy, AMoveThatIsNotItsOwnEndsIt) {
     EXPECT_NE(bench.stepperTruth().stepRate, 0) << "the motion of whoever has taken it over goes on";
 }
 
-TEST_F(StepperBy, IsRefusedWhereItCannotWork) {
+TEST_F(StepperMoveBy, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(plan(by(0, 1), bench.module()).error(), Refusal::StepTooShort);
-    const intent::StepBy servos{{10}, CountsPerTick(1 << 16), CountsPerTickSquared(100)};
+    const intent::MoveBy servos{{10}, CountsPerTick(1 << 16), CountsPerTickSquared(100)};
     EXPECT_EQ(plan(servos, bench.module()).error(), Refusal::NotAServo);
     bench.set(sim::Input::Limit1, 1);
     bench.settle();
@@ -230,7 +230,7 @@ TEST_F(StepperBy, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(procedureFor(by(-10, 1), bench.module()), nullptr);
 }
 
-TEST_F(StepperBy, GoesHomeOnlyWhereHomeIsKnown) {
+TEST_F(StepperMoveBy, GoesHomeOnlyWhereHomeIsKnown) {
     const stepperintent::GoHome home{40, 4};
     EXPECT_EQ(plan(home, bench.module()).error(), Refusal::HomeUnknown);
     ASSERT_EQ(bench.run(by(120, 1)).stage, ProcedureStage::Done);

@@ -10,10 +10,10 @@ namespace nmc {
 
 /// Trapezoidal moves by N counts, from where the last move was to go: what a servo is off by does not add up.
 /// Each turns round beyond its goal first where the axis has backlash (model/intent/backlash.h).
-class StepByRun : public GoalMoves {
+class MoveByRun : public GoalMoves {
 public:
-    using Wanted = std::variant<intent::StepBy, stepperintent::StepBy>;
-    StepByRun(const Wanted& wanted, const ModuleState& module);
+    using Wanted = std::variant<intent::MoveBy, stepperintent::MoveBy>;
+    MoveByRun(const Wanted& wanted, const ModuleState& module);
 
 private:
     [[nodiscard]] Intent moveTo(std::int32_t goal) const override;
