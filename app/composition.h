@@ -175,8 +175,8 @@ private:
     ProcedureController m_procedures{m_store,
                                      [this](Procedure::Send send) { return submit(std::move(send)); }, this};
     SequenceController m_sequences{m_store, m_procedures,
-                                   [this](std::vector<bus::Step> steps) {
-                                       return submit({std::move(steps), {}, {}});
+                                   [this](std::vector<bus::Order> orders) {
+                                       return submit({std::move(orders), {}, {}});
                                    },
                                    this};
     PathController m_paths;

@@ -59,11 +59,11 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
             m_messages.tellOf(texts::notPossible(index, texts::refusal(Refusal::Moving)));
         return;
     }
-    auto steps = plan(intent, *module);
-    if (!steps) {
+    auto orders = plan(intent, *module);
+    if (!orders) {
         m_procedures.cancel(index);
         const AxisScale scale = scaleOf(*module, m_machine.machine().axis(index));
-        m_messages.tellOf(texts::notPossible(index, texts::refusal(steps.error(), intent, *module, scale)));
+        m_messages.tellOf(texts::notPossible(index, texts::refusal(orders.error(), intent, *module, scale)));
         return;
     }
     if (std::holds_alternative<intent::ResetModule>(intent))
@@ -72,7 +72,7 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
         return m_worker.resetModule(index, save->configuration);
     if (const auto* declare = std::get_if<intent::DeclarePosition>(&intent))
         return m_store.declarePosition(index, declare->right);
-    const bus::OperationId id = submit({std::move(*steps), {}, {}});
+    const bus::OperationId id = submit({std::move(*orders), {}, {}});
     m_machine.noteSent(index, intent);
     if (stops)
         m_procedures.overtake(index);
@@ -120,8 +120,8 @@ void Composition::keepArmed(const ModuleState& module) {
     const auto arm = limitStopDue(module);
     if (!arm || module.awaited || !mayTell(module.info.index))
         return;
-    if (auto steps = plan(*arm, asOfPanel(module)))
-        submit({std::move(*steps), {}, {}});
+    if (auto orders = plan(*arm, asOfPanel(module)))
+        submit({std::move(*orders), {}, {}});
 }
 
 void Composition::keepWithinTravel(const ModuleState& module) {
@@ -139,12 +139,12 @@ void Composition::keepWithinTravel(const ModuleState& module) {
 bus::OperationId Composition::submit(Procedure::Send send) {
     const bus::OperationId id(++m_lastOperation);
     std::vector<ModuleIndex> moved;
-    for (const bus::Step& step : send.steps)
-        if (mayMove(step.command))
-            moved.push_back(step.module);
+    for (const bus::Order& order : send.orders)
+        if (mayMove(order.command))
+            moved.push_back(order.module);
     if (!moved.empty())
         m_motionMarker.asked(id, moved);
-    m_worker.submit({id, std::move(send.steps), send.sine, std::move(send.path)});
+    m_worker.submit({id, std::move(send.orders), send.sine, std::move(send.path)});
     return id;
 }
 

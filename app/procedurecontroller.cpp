@@ -15,8 +15,8 @@ namespace {
 constexpr int kIntervalMs = 50;
 
 /// After a stop by somebody else: what neither moves nor switches anything on.
-void keepWhatIsHarmless(std::vector<bus::Step>& steps) {
-    const auto harmless = [](const bus::Step& step) {
+void keepWhatIsHarmless(std::vector<bus::Order>& orders) {
+    const auto harmless = [](const bus::Order& step) {
         const auto* servo = std::get_if<ServoCommand>(&step.command);
         const auto* stepper = std::get_if<StepperCommand>(&step.command);
         const auto* stop = servo != nullptr ? std::get_if<servo::StopMotor>(servo) : nullptr;
@@ -25,7 +25,7 @@ void keepWhatIsHarmless(std::vector<bus::Step>& steps) {
                (servo != nullptr && std::holds_alternative<servo::SetGain>(*servo)) ||
                (stepper != nullptr && std::holds_alternative<stepper::SetHoming>(*stepper));
     };
-    steps.erase(std::remove_if(steps.begin(), steps.end(), std::not_fn(harmless)), steps.end());
+    orders.erase(std::remove_if(orders.begin(), orders.end(), std::not_fn(harmless)), orders.end());
 }
 
 }  // namespace
@@ -144,8 +144,8 @@ void ProcedureController::ask(Run& run, const ModuleState& module, TimePoint now
     Procedure::Next next = run.procedure->next(asOfPanel(module), now);
     if (auto* send = std::get_if<Procedure::Send>(&next)) {
         if (run.overtaken)
-            keepWhatIsHarmless(send->steps);
-        if (send->steps.empty())
+            keepWhatIsHarmless(send->orders);
+        if (send->orders.empty())
             run.procedure->onFinished(bus::Outcome::Done);
         else
             run.operation = m_submit(std::move(*send));

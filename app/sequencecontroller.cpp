@@ -119,8 +119,8 @@ void SequenceController::advance() {
         return;
     SequenceRun::Next next = m_run->next(asOfSequence(m_store.link().modules), monotonicNow());
     if (auto* send = std::get_if<SequenceRun::Send>(&next))
-        for (std::vector<bus::Step>& steps : send->operations)
-            m_operations.push_back(m_submit(std::move(steps)));
+        for (std::vector<bus::Order>& orders : send->operations)
+            m_operations.push_back(m_submit(std::move(orders)));
     if (const auto* ask = std::get_if<SequenceRun::Ask>(&next))
         obey(*ask);
     tell();

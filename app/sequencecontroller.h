@@ -23,7 +23,7 @@ class SequenceController : public QObject {
     Q_OBJECT
 
 public:
-    using Submit = std::function<bus::OperationId(std::vector<bus::Step>)>;
+    using Submit = std::function<bus::OperationId(std::vector<bus::Order>)>;
 
     SequenceController(BusStore& store, ProcedureController& procedures, Submit submit,
                        QObject* parent = nullptr);

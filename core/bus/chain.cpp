@@ -52,19 +52,19 @@ void Chain::forgetStates() {
     }
 }
 
-Ask Chain::command(Purpose purpose, const Step& step) const {
-    const Belief& module = belief(step.module);
-    const Payload payload = payloadOf(step.command);
+Ask Chain::command(Purpose purpose, const Order& order) const {
+    const Belief& module = belief(order.module);
+    const Payload payload = payloadOf(order.command);
     const RetryRule rule = retryRule(payload);
     Ask ask;
     ask.purpose = purpose;
-    ask.module = step.module;
+    ask.module = order.module;
     ask.request = {module.info().address, payload, layoutOf(module, payload)};
     if (m_readOnly && payload.code != CommandCode::ReadStatus) {
         ask.request.reply.items = {};
         ask.request.framing = Framing::Open;  // its length hangs on what another host has defined
     }
-    ask.command = step.command;
+    ask.command = order.command;
     ask.silentRepeats = rule.silentRepeats;
     ask.repeatAtOnce = rule.afterSilence == AfterSilence::RepeatAtOnce;
     ask.refusedAttempts = rule.refusedAttempts;
@@ -139,8 +139,8 @@ void Chain::welcome(ModuleIndex index, TimePoint now) {
     m_schedule.recover(index, now);
 }
 
-std::vector<Step> Chain::stops() const {
-    std::vector<Step> stops;
+std::vector<Order> Chain::stops() const {
+    std::vector<Order> stops;
     for (const Module& module : m_modules) {
         const ModuleInfo& info = module.belief.info();
         auto stop = stopFor(module.belief);
@@ -163,7 +163,7 @@ std::vector<std::uint8_t> Chain::stopBurst() const {
     if (m_readOnly)
         return burst;
     const std::size_t pause = nullsForTurnaround(byteTimeAtBaud(m_rate));
-    for (const Step& stop : stops()) {
+    for (const Order& stop : stops()) {
         if (burst.empty())
             burst.assign(kNullCount, 0);
         const PacketBytes packet = toPacket({belief(stop.module).info().address, payloadOf(stop.command)});
@@ -175,14 +175,16 @@ std::vector<std::uint8_t> Chain::stopBurst() const {
     return burst;
 }
 
-std::optional<BusAddress> Chain::groupOf(const std::vector<Step>& stops) const {
+std::optional<BusAddress> Chain::groupOf(const std::vector<Order>& stops) const {
     if (stops.size() < 2)
         return std::nullopt;
     const auto& place = belief(stops.front().module).info().group;
-    const auto same = [&](const Step& s) { return payloadOf(s.command) == payloadOf(stops.front().command); };
+    const auto same = [&](const Order& s) {
+        return payloadOf(s.command) == payloadOf(stops.front().command);
+    };
     const auto told = [&](const Module& module) {
         return std::any_of(stops.begin(), stops.end(),
-                           [&](const Step& s) { return s.module == module.belief.info().index; });
+                           [&](const Order& s) { return s.module == module.belief.info().index; });
     };
     // Only where the groups are known: those that another host left behind may have a leader, or be others.
     // And only where all answer: one that restarted unseen is in group FF, off, and would be switched on.
@@ -200,20 +202,20 @@ std::optional<BusAddress> Chain::groupOf(const std::vector<Step>& stops) const {
     return BusAddress(place->group);
 }
 
-Line::Script Chain::stopScript(const std::vector<Step>& stops) const {
+Line::Script Chain::stopScript(const std::vector<Order>& stops) const {
     Line::Script script;
     if (const auto group = groupOf(stops)) {
         std::size_t reply = 0;  // of its leader
-        for (const Step& step : stops)
-            if (belief(step.module).info().group->leader)
-                reply = layoutOf(belief(step.module), payloadOf(step.command)).length();
+        for (const Order& order : stops)
+            if (belief(order.module).info().group->leader)
+                reply = layoutOf(belief(order.module), payloadOf(order.command)).length();
         addStop(script, *group, payloadOf(stops.front().command), reply);
         return script;
     }
-    for (const Step& step : stops) {
-        const Payload payload = payloadOf(step.command);
-        addStop(script, belief(step.module).info().address, payload,
-                layoutOf(belief(step.module), payload).length());
+    for (const Order& order : stops) {
+        const Payload payload = payloadOf(order.command);
+        addStop(script, belief(order.module).info().address, payload,
+                layoutOf(belief(order.module), payload).length());
     }
     return script;
 }

@@ -95,7 +95,7 @@ public:
     /// How to ask a module: a command with the repeats that the retry table grants (link.md 2.3), Read Status
     /// with `items`, or No Operation. While the defined items are in doubt, defining them is the question;
     /// a chain that is only looked at is asked for the standing ones each time.
-    [[nodiscard]] Ask command(Purpose purpose, const Step& step) const;
+    [[nodiscard]] Ask command(Purpose purpose, const Order& order) const;
     [[nodiscard]] Ask status(Purpose purpose, ModuleIndex module, std::optional<StatusItems> items) const;
     /// A status that is newer than whatever was sent, of another length than the last one, so that two of
     /// them permit; or first of all a known length.
@@ -118,14 +118,14 @@ public:
     void welcome(ModuleIndex module, TimePoint now);
 
     /// What would have to be told to whom for nothing to move any more.
-    [[nodiscard]] std::vector<Step> stops() const;
+    [[nodiscard]] std::vector<Order> stops() const;
     /// The same as bytes that need no answer, nulls first; empty when nothing is on, or it is read-only.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
     /// Packets with these stops, one to a whole group where that is the same, and the pauses after them.
-    [[nodiscard]] Line::Script stopScript(const std::vector<Step>& stops) const;
+    [[nodiscard]] Line::Script stopScript(const std::vector<Order>& stops) const;
     /// The group to which one packet is the same as these stops; nothing where it would be heard by others,
     /// or not by all of them.
-    [[nodiscard]] std::optional<BusAddress> groupOf(const std::vector<Step>& stops) const;
+    [[nodiscard]] std::optional<BusAddress> groupOf(const std::vector<Order>& stops) const;
 
 private:
     void addStop(Line::Script& script, BusAddress address, const Payload& payload, std::size_t reply) const;

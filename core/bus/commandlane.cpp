@@ -12,15 +12,15 @@ Payload payloadOf(const ModuleCommand& command) {
 
 OperationFinished rejected(const Operation& operation, Outcome outcome) {
     OperationFinished event{operation.id, outcome, {}, 0};
-    if (!operation.steps.empty()) {
-        event.module = operation.steps.front().module;
-        event.commandByte = payloadOf(operation.steps.front().command).commandByte();
+    if (!operation.orders.empty()) {
+        event.module = operation.orders.front().module;
+        event.commandByte = payloadOf(operation.orders.front().command).commandByte();
     }
     return event;
 }
 
 bool CommandLane::submit(Operation operation) {
-    return push({operation.id, std::move(operation.steps), std::nullopt, operation.sine});
+    return push({operation.id, std::move(operation.orders), std::nullopt, operation.sine});
 }
 
 bool CommandLane::submit(GroupOperation operation) {
@@ -47,7 +47,7 @@ void CommandLane::beginStep(TimePoint now) {
         return;
     m_began = now;
     if (m_sine)
-        m_waiting.front().steps.front().command = m_sine->commandAt(now);
+        m_waiting.front().orders.front().command = m_sine->commandAt(now);
 }
 
 std::optional<TimePoint> CommandLane::due() const {
@@ -64,9 +64,9 @@ std::optional<Event> CommandLane::accepted(const ReplyEnd& end) {
             return std::nullopt;
         return finish(m_sine->over(m_began) ? Outcome::Done : Outcome::Cancelled);
     }
-    if (m_step + 1 == m_waiting.front().steps.size())
+    if (m_order + 1 == m_waiting.front().orders.size())
         return finish(Outcome::Done);
-    ++m_step;
+    ++m_order;
     m_begun = false;
     return std::nullopt;
 }
@@ -83,10 +83,10 @@ std::vector<Event> CommandLane::cancelAll() {
 }
 
 bool CommandLane::concerns(const Waiting& waiting, const std::vector<ModuleIndex>& modules) {
-    const auto toOne = [&](const Step& step) {
-        return std::find(modules.begin(), modules.end(), step.module) != modules.end();
+    const auto toOne = [&](const Order& order) {
+        return std::find(modules.begin(), modules.end(), order.module) != modules.end();
     };
-    return waiting.group || std::any_of(waiting.steps.begin(), waiting.steps.end(), toOne);
+    return waiting.group || std::any_of(waiting.orders.begin(), waiting.orders.end(), toOne);
 }
 
 std::vector<Event> CommandLane::cancelFor(const std::vector<ModuleIndex>& modules) {
@@ -100,7 +100,7 @@ std::vector<Event> CommandLane::cancelFor(const std::vector<ModuleIndex>& module
             events.emplace_back(
                 GroupFinished{waiting.id, Outcome::Cancelled, waiting.group->what, {}, false});
         else
-            events.emplace_back(rejected({waiting.id, waiting.steps}, Outcome::Cancelled));
+            events.emplace_back(rejected({waiting.id, waiting.orders}, Outcome::Cancelled));
     }
     std::erase_if(m_waiting, [&](const Waiting& waiting) { return concerns(waiting, modules); });
     return events;
@@ -109,7 +109,7 @@ std::vector<Event> CommandLane::cancelFor(const std::vector<ModuleIndex>& module
 Event CommandLane::finish(Outcome outcome) {
     if (group() != nullptr)
         return finishGroup(outcome, membersOfChange(outcome));
-    const Step& last = step();
+    const Order& last = order();
     OperationFinished event{m_waiting.front().id, outcome, last.module,
                             payloadOf(last.command).commandByte()};
     if (m_sine)
@@ -125,23 +125,23 @@ GroupFinished CommandLane::finishGroup(Outcome outcome, std::vector<GroupMember>
     return event;
 }
 
-/// Of a change, whose steps went to one module after the other.
+/// Of a change, whose orders went to one module after the other.
 std::vector<GroupMember> CommandLane::membersOfChange(Outcome outcome) const {
-    const std::vector<Step>& steps = m_waiting.front().steps;
+    const std::vector<Order>& orders = m_waiting.front().orders;
     std::vector<GroupMember> members;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        const bool before = i < m_step || outcome == Outcome::Done;
-        const bool open = i == m_step && (outcome == Outcome::NoAnswer || outcome == Outcome::Cancelled);
-        members.push_back({steps[i].module, before ? MemberOutcome::Done
-                                            : open ? MemberOutcome::NoAnswer
-                                                   : MemberOutcome::NotDone});
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+        const bool before = i < m_order || outcome == Outcome::Done;
+        const bool open = i == m_order && (outcome == Outcome::NoAnswer || outcome == Outcome::Cancelled);
+        members.push_back({orders[i].module, before ? MemberOutcome::Done
+                                             : open ? MemberOutcome::NoAnswer
+                                                    : MemberOutcome::NotDone});
     }
     return members;
 }
 
 void CommandLane::next() {
     m_waiting.pop_front();
-    m_step = 0;
+    m_order = 0;
     m_begun = false;
     beginFront();
 }
@@ -149,7 +149,7 @@ void CommandLane::next() {
 void CommandLane::beginFront() {
     m_sine.reset();
     if (!empty() && m_waiting.front().sine)
-        m_sine.emplace(*m_waiting.front().sine, m_waiting.front().steps.front().command);
+        m_sine.emplace(*m_waiting.front().sine, m_waiting.front().orders.front().command);
 }
 
 }  // namespace nmc::bus

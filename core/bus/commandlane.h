@@ -12,8 +12,8 @@
 
 namespace nmc::bus {
 
-/// Operations that wait, and the one that is being carried out, step by step. Pure bookkeeping: what goes out
-/// and when is the engine's business.
+/// Operations that wait, and the one that is being carried out, order by order. Pure bookkeeping: what goes
+/// out and when is the engine's business.
 class CommandLane {
 public:
     static constexpr std::size_t kCapacity = 256;
@@ -23,14 +23,15 @@ public:
     [[nodiscard]] bool submit(GroupOperation operation);
     [[nodiscard]] bool empty() const { return m_waiting.empty(); }
 
-    /// The operation to carry out now, when it is one of groups. It has no steps before plan() gives it some.
+    /// The operation to carry out now, when it is one of groups. It has no orders before plan() gives it
+    /// some.
     [[nodiscard]] const GroupOperation* group() const;
-    [[nodiscard]] bool planned() const { return !m_waiting.front().steps.empty(); }
-    void plan(std::vector<Step> steps) { m_waiting.front().steps = std::move(steps); }
+    [[nodiscard]] bool planned() const { return !m_waiting.front().orders.empty(); }
+    void plan(std::vector<Order> orders) { m_waiting.front().orders = std::move(orders); }
 
-    /// The step to carry out now, and when it became that. The lane must not be empty.
-    [[nodiscard]] const Step& step() const { return m_waiting.front().steps[m_step]; }
-    /// Notes that somebody looks at the step for the first time; later calls change nothing. A sine goes to
+    /// The order to carry out now, and when it became that. The lane must not be empty.
+    [[nodiscard]] const Order& order() const { return m_waiting.front().orders[m_order]; }
+    /// Notes that somebody looks at the order for the first time; later calls change nothing. A sine goes to
     /// where it is now.
     void beginStep(TimePoint now);
     [[nodiscard]] TimePoint stepBegan() const { return m_began; }
@@ -39,17 +40,17 @@ public:
     [[nodiscard]] bool swings() const { return m_sine.has_value(); }
     /// A poll told of a position of that module.
     void notePosition(ModuleIndex module, TimePoint latched, std::int32_t counts) {
-        if (m_sine && step().module == module)
+        if (m_sine && order().module == module)
             m_sine->notePosition(latched, counts);
     }
     /// The operation to carry out now is a sine, and something else is asked for.
     [[nodiscard]] bool sineOver() const { return m_sine && m_waiting.size() > 1; }
     /// When there is something to do; at once, but between two steps of a sine.
     [[nodiscard]] std::optional<TimePoint> due() const;
-    /// The step was accepted: on to the next. The event of the end when it was the last. `end`: of its
+    /// The order was accepted: on to the next. The event of the end when it was the last. `end`: of its
     /// exchange.
     [[nodiscard]] std::optional<Event> accepted(const ReplyEnd& end);
-    /// The step ended the operation.
+    /// The order ended the operation.
     [[nodiscard]] Event failed(Outcome outcome);
     /// The operation of groups has ended.
     [[nodiscard]] GroupFinished finishGroup(Outcome outcome, std::vector<GroupMember> members = {});
@@ -65,7 +66,7 @@ public:
 private:
     struct Waiting {
         OperationId id;
-        std::vector<Step> steps;
+        std::vector<Order> orders;
         std::optional<GroupOperation> group;
         std::optional<Sine> sine{};
     };
@@ -77,9 +78,9 @@ private:
     void beginFront();
 
     std::deque<Waiting> m_waiting;
-    std::size_t m_step = 0;
+    std::size_t m_order = 0;
     std::optional<SineRun> m_sine;  ///< of the operation to carry out now
-    bool m_begun = false;           ///< the present step has its time, and is not answered yet
+    bool m_begun = false;           ///< the present order has its time, and is not answered yet
     TimePoint m_began;
 };
 

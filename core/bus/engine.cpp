@@ -15,11 +15,11 @@ namespace {
 /// The modules of which it stops the motor, or sets it to another place.
 [[nodiscard]] std::vector<ModuleIndex> stoppedBy(const Operation& operation) {
     std::vector<ModuleIndex> stopped;
-    for (const Step& step : operation.steps) {
-        const auto* servo = std::get_if<ServoCommand>(&step.command);
+    for (const Order& order : operation.orders) {
+        const auto* servo = std::get_if<ServoCommand>(&order.command);
         const auto* stop = servo != nullptr ? std::get_if<servo::StopMotor>(servo) : nullptr;
         if (stop != nullptr && stop->manner != servo::StopManner::AmplifierOnly)
-            stopped.push_back(step.module);
+            stopped.push_back(order.module);
     }
     return stopped;
 }
@@ -67,7 +67,7 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
 }
 
 void Engine::submit(Operation operation, TimePoint now) {
-    if (operation.steps.empty()) {
+    if (operation.orders.empty()) {
         m_events.emplace_back(rejected(operation, Outcome::Done));
         return;
     }
@@ -261,8 +261,8 @@ std::optional<TimePoint> Engine::nextDeadline() const {
 std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
     bool changed = std::exchange(m_burstBaud, stopBurstBaud()) != stopBurstBaud() && !m_chain.empty();
     decltype(m_burstStops) stops;
-    for (Step& step : m_chain.stops())
-        stops.emplace_back(m_chain.belief(step.module).info().address, std::move(step.command));
+    for (Order& order : m_chain.stops())
+        stops.emplace_back(m_chain.belief(order.module).info().address, std::move(order.command));
     changed = std::exchange(m_burstStops, stops) != stops || changed;
     return changed ? std::optional(stopBurst()) : std::nullopt;
 }
@@ -485,7 +485,7 @@ void Engine::onForeignTraffic() {
 
 /// Commands may still arrive (faults.md F-11).
 void Engine::onLinkLost() {
-    for (const Step& stop : m_chain.stops())
+    for (const Order& stop : m_chain.stops())
         m_chain.owe(stop.module, StopCause::LinkGivenUp);
 }
 

@@ -30,20 +30,20 @@ std::optional<Next> GroupWork::next(TimePoint now) {
     return Again{};
 }
 
-/// Gives the change its steps: first the old leader becomes a member, so that there are never two. Or whom it
-/// fails for.
+/// Gives the change its orders: first the old leader becomes a member, so that there are never two. Or whom
+/// it fails for.
 std::optional<ModuleIndex> GroupWork::planChange(const GroupChange& change) {
     if (!reachable(change.module) || change.place.group < kFirstGroup)
         return change.module;
     // Group FF is everybody's: its stops and rates must not be answered.
     if (change.place.leader && BusAddress(change.place.group) == kEverybody)
         return change.module;
-    const auto stepTo = [&](ModuleIndex module, GroupPlace place) {
+    const auto orderTo = [&](ModuleIndex module, GroupPlace place) {
         const SetAddress set{m_chain.belief(module).info().address, BusAddress(place.group), place.leader};
         const bool stepper = m_chain.belief(module).info().identity.type == ModuleType::Stepper;
-        return stepper ? Step{module, StepperCommand(set)} : Step{module, ServoCommand(set)};
+        return stepper ? Order{module, StepperCommand(set)} : Order{module, ServoCommand(set)};
     };
-    std::vector<Step> steps;
+    std::vector<Order> orders;
     for (const Chain::Module& other : m_chain.modules()) {
         const ModuleInfo& info = other.belief.info();
         if (!change.place.leader || info.index == change.module)
@@ -55,10 +55,10 @@ std::optional<ModuleIndex> GroupWork::planChange(const GroupChange& change) {
             continue;
         if (!reachable(info.index))
             return info.index;
-        steps.push_back(stepTo(info.index, {info.group->group, false}));
+        orders.push_back(orderTo(info.index, {info.group->group, false}));
     }
-    steps.push_back(stepTo(change.module, change.place));
-    m_commands.plan(std::move(steps));
+    orders.push_back(orderTo(change.module, change.place));
+    m_commands.plan(std::move(orders));
     return std::nullopt;
 }
 
@@ -186,7 +186,7 @@ bool GroupWork::onEnd(const Ask& ask, const ReplyEnd& end) {
 void GroupWork::tellUnknown() {
     if (m_commands.group() == nullptr || !m_commands.planned())
         return;
-    const ModuleIndex module = m_commands.step().module;
+    const ModuleIndex module = m_commands.order().module;
     if (!m_chain.belief(module).info().group)
         m_events.emplace_back(GroupChanged{module, std::nullopt});
 }

@@ -13,8 +13,8 @@
 
 namespace nmc::bus {
 
-/// The part of OperationTask that is about groups: changes of membership get their steps, commands to a group
-/// are judged for all members, sent once, and looked after at each of them (grouprun.h).
+/// The part of OperationTask that is about groups: changes of membership get their orders, commands to a
+/// group are judged for all members, sent once, and looked after at each of them (grouprun.h).
 class GroupWork {
 public:
     GroupWork(Chain& chain, const Line& line, CommandLane& commands, std::vector<Event>& events)
@@ -24,7 +24,7 @@ public:
     /// Only some members have started: once, and the operation is over by then.
     [[nodiscard]] std::vector<GroupMember> takeHalfStarted() { return std::exchange(m_halfStarted, {}); }
 
-    /// The operation in front is one of groups; nothing when its next step is an ordinary one.
+    /// The operation in front is one of groups; nothing when its next order is an ordinary one.
     [[nodiscard]] std::optional<Next> next(TimePoint now);
     void onAnswer(const Ask& ask, const ReplyEnd& end);
     /// False when that exchange was not its own.

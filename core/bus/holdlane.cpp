@@ -34,7 +34,7 @@ std::optional<TimePoint> HoldLane::deadline() const {
     return m_wanted ? std::optional(m_until) : std::nullopt;
 }
 
-std::optional<Step> HoldLane::start() const {
+std::optional<Order> HoldLane::start() const {
     if (!m_wanted || m_wanted == m_told)
         return std::nullopt;
     const std::optional<Counts> goal = m_wanted->goal ? std::optional<Counts>(*m_wanted->goal) : std::nullopt;
@@ -45,7 +45,7 @@ std::optional<Step> HoldLane::start() const {
         load.accelerationTime = m_wanted->pace->accelerationTime;
         load.reverse = !goal && m_wanted->reverse;
         load.startNow = !goal;
-        return Step{m_wanted->module, StepperCommand(load)};
+        return Order{m_wanted->module, StepperCommand(load)};
     }
     servo::LoadTrajectory load;
     load.velocity = m_wanted->velocity;
@@ -54,10 +54,10 @@ std::optional<Step> HoldLane::start() const {
     load.profile = goal ? servo::ProfileMode::Trapezoidal : servo::ProfileMode::Velocity;
     load.reverse = !goal && m_wanted->reverse;
     load.startNow = !goal;
-    return Step{m_wanted->module, ServoCommand(load)};
+    return Order{m_wanted->module, ServoCommand(load)};
 }
 
-Step HoldLane::startLoaded() const {
+Order HoldLane::startLoaded() const {
     if (m_wanted->pace)
         return {m_wanted->module, StepperCommand(StartMotion{})};
     return {m_wanted->module, ServoCommand(StartMotion{})};

@@ -30,8 +30,8 @@ public:
     [[nodiscard]] const std::optional<HoldToMove>& wanted() const { return m_wanted; }
     /// What has to be sent, if the module has not been told what is wanted: the start; with a goal the load
     /// for it, which startLoaded() has to follow.
-    [[nodiscard]] std::optional<Step> start() const;
-    [[nodiscard]] Step startLoaded() const;
+    [[nodiscard]] std::optional<Order> start() const;
+    [[nodiscard]] Order startLoaded() const;
 
     void onStartSent() { m_told = m_wanted; }
     /// The start was certainly not carried out.

@@ -60,7 +60,7 @@ bool HoldTask::wants(TimePoint /*now*/) const {
 }
 
 Next HoldTask::next(TimePoint /*now*/) {
-    const Step start = *m_lane.start();
+    const Order start = *m_lane.start();
     const Belief& module = m_chain.belief(start.module);
     if (!module.fresh() || !module.items())
         return m_chain.look(Purpose::Hold, start.module);
@@ -79,7 +79,7 @@ Next HoldTask::next(TimePoint /*now*/) {
     return tell(start);
 }
 
-Next HoldTask::nextTowards(std::int32_t goal, const Step& load) {
+Next HoldTask::nextTowards(std::int32_t goal, const Order& load) {
     const ModuleIndex index = load.module;
     const Belief& module = m_chain.belief(index);
     if (m_chain.at(index).owed)
@@ -102,14 +102,14 @@ bool HoldTask::leadsTo(std::int32_t goal, const Belief& module) const {
     return m_lane.wanted()->reverse ? way < -kStillCounts : way > kStillCounts;
 }
 
-Next HoldTask::tell(const Step& step) {
-    if (judge(m_chain.belief(step.module), step.command) != Verdict::Allowed) {
+Next HoldTask::tell(const Order& order) {
+    if (judge(m_chain.belief(order.module), order.command) != Verdict::Allowed) {
         giveUp();
         return Again{};
     }
-    m_chain.at(step.module).owed.reset();  // the operator wants it to move again
+    m_chain.at(order.module).owed.reset();  // the operator wants it to move again
     m_toldBefore = m_lane.told();
-    Ask ask = m_chain.command(Purpose::Hold, step);
+    Ask ask = m_chain.command(Purpose::Hold, order);
     if (mayStartMotion(ask.request.payload))
         m_lane.onStartSent();
     ask.reported = true;

@@ -46,8 +46,8 @@ private:
     /// Whether a motion to `goal` goes the way that is held, and leads anywhere.
     [[nodiscard]] bool leadsTo(std::int32_t goal, const Belief& module) const;
     /// Of a hold with a goal: its load, then its start.
-    [[nodiscard]] Next nextTowards(std::int32_t goal, const Step& load);
-    [[nodiscard]] Next tell(const Step& step);
+    [[nodiscard]] Next nextTowards(std::int32_t goal, const Order& load);
+    [[nodiscard]] Next tell(const Order& order);
 
     Chain& m_chain;
     std::vector<Event>& m_events;

@@ -49,23 +49,23 @@ Next OperationTask::next(TimePoint now) {
         if (auto next = m_group.next(now))
             return std::move(*next);
     m_commands.beginStep(now);
-    const Step& step = m_commands.step();
-    const bool known = m_chain.has(step.module);
+    const Order& order = m_commands.order();
+    const bool known = m_chain.has(order.module);
     const bool change = m_commands.group() != nullptr;  // judged when it was planned
     Verdict verdict = !known   ? Verdict::Never
                       : change ? Verdict::Allowed
-                               : judge(m_chain.belief(step.module), step.command);
+                               : judge(m_chain.belief(order.module), order.command);
     // What forbids may be over by now: two more looks before saying no, since one is not enough to permit.
-    if (verdict == Verdict::InMotion && m_chain.belief(step.module).looksSince(m_commands.stepBegan()) < 2)
+    if (verdict == Verdict::InMotion && m_chain.belief(order.module).looksSince(m_commands.stepBegan()) < 2)
         verdict = Verdict::NeedsStatus;
-    const bool lengthUnknown = known && !m_chain.belief(step.module).items();
+    const bool lengthUnknown = known && !m_chain.belief(order.module).items();
     if (verdict == Verdict::Allowed && lengthUnknown)
         verdict = Verdict::NeedsStatus;
     switch (verdict) {
         case Verdict::Allowed:
             return send();
         case Verdict::NeedsStatus:
-            return look(step.module);
+            return look(order.module);
         case Verdict::InMotion:
         case Verdict::Never:
             break;
@@ -75,9 +75,9 @@ Next OperationTask::next(TimePoint now) {
 }
 
 Next OperationTask::send() {
-    const Step& step = m_commands.step();
-    Ask ask = m_chain.command(Purpose::Operation, step);
-    auto& owed = m_chain.at(step.module).owed;
+    const Order& order = m_commands.order();
+    Ask ask = m_chain.command(Purpose::Operation, order);
+    auto& owed = m_chain.at(order.module).owed;
     if (owed && mayStartMotion(ask.request.payload)) {
         // A motion that strayed has to be seen at rest first.
         if (!ofOperator(owed->cause) || owed->target.stopOwed()) {
@@ -96,26 +96,26 @@ Next OperationTask::send() {
         ask.refusedAttempts = 1;
         ask.refusedBefore = static_cast<std::uint8_t>(m_attempts);
     }
-    m_positionBefore = m_chain.belief(step.module).position();
+    m_positionBefore = m_chain.belief(order.module).position();
     return ask;
 }
 
 /// Was the command that nobody answered carried out? A look at the module tells, or it stays open.
 Next OperationTask::verifyStep() {
-    const Step& step = m_commands.step();
+    const Order& order = m_commands.order();
     // Two looks: one is not enough to say that it stands still.
     if (m_verification->looks < 2) {
         ++m_verification->looks;
-        return look(step.module);
+        return look(order.module);
     }
     const Verification verification = *std::exchange(m_verification, std::nullopt);
-    Belief& belief = m_chain.at(step.module).belief;
-    m_chain.takeUnanswered(step.module, verification.end.latched);
-    switch (verify(step, belief, verification)) {
+    Belief& belief = m_chain.at(order.module).belief;
+    m_chain.takeUnanswered(order.module, verification.end.latched);
+    switch (verify(order, belief, verification)) {
         case Carried::Out:
-            belief.onExecuted(step.command);
-            m_events.emplace_back(
-                CommandExecuted{step.module, verification.end.latched, step.command, verification.end.late});
+            belief.onExecuted(order.command);
+            m_events.emplace_back(CommandExecuted{order.module, verification.end.latched, order.command,
+                                                  verification.end.late});
             accept(verification.end);
             return Again{};
         case Carried::NotOut:
@@ -167,7 +167,7 @@ void OperationTask::fail(const ReplyEnd& end) {
     m_verification.reset();
     const bool refused = end.result == ReplyResult::Refused;
     if (m_commands.group() == nullptr)
-        m_chain.takeUnanswered(m_commands.step().module, end.latched);
+        m_chain.takeUnanswered(m_commands.order().module, end.latched);
     m_group.tellUnknown();
     m_events.emplace_back(m_commands.failed(refused ? Outcome::Refused : Outcome::NoAnswer));
 }

@@ -12,7 +12,7 @@
 
 namespace nmc::bus {
 
-/// What the operator asks for, one operation after the other, step by step: each is judged by the command
+/// What the operator asks for, one operation after the other, order by order: each is judged by the command
 /// gate, sent, and looked at where its answer got lost (verification.h). Each ends in exactly one
 /// OperationFinished or GroupFinished.
 class OperationTask : public Task {
@@ -66,8 +66,8 @@ private:
     CommandLane m_commands;
     GroupWork m_group;
     std::optional<Verification> m_verification;
-    std::optional<std::int32_t> m_positionBefore;  ///< of the step that is on its way
-    unsigned m_attempts = 0;                       ///< of the present step, after looks
+    std::optional<std::int32_t> m_positionBefore;  ///< of the order that is on its way
+    unsigned m_attempts = 0;                       ///< of the present order, after looks
 };
 
 }  // namespace nmc::bus

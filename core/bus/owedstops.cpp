@@ -77,7 +77,7 @@ Next OwedStops::next(TimePoint now) {
 
 /// The leader's answer is dropped: each member answers for itself.
 Line::Script OwedStops::groupScript(TimePoint now) {
-    std::vector<Step> stops;
+    std::vector<Order> stops;
     for (const ModuleIndex module : std::exchange(m_together, {})) {
         const auto& owed = m_chain.at(module).owed;
         if (const auto stop = owed ? owed->target.stop(m_chain.belief(module)) : std::nullopt)
@@ -87,7 +87,7 @@ Line::Script OwedStops::groupScript(TimePoint now) {
     const auto group = m_chain.groupOf(stops);
     if (!here || !group)
         return {};
-    for (const Step& stop : stops) {
+    for (const Order& stop : stops) {
         const PacketBytes packet = toPacket({*group, payloadOf(stop.command)});
         const TimePoint latched = m_line.latchTime(packet.size(), now);
         m_chain.tell(stop.module, stop.command, latched);
@@ -102,7 +102,7 @@ Line::Script OwedStops::groupScript(TimePoint now) {
 
 /// All that are due, in one go, at the rate of the chain; the port then goes back to where it was.
 Next OwedStops::blindScript(TimePoint now) {
-    std::vector<Step> stops;
+    std::vector<Order> stops;
     for (Chain::Module& module : m_chain.modules()) {
         const ModuleIndex index = module.belief.info().index;
         if (!module.owed || !blindly(index) || module.owed->due > now)
@@ -113,7 +113,7 @@ Next OwedStops::blindScript(TimePoint now) {
     }
     if (stops.empty())
         return Again{};
-    for (const Step& stop : stops)  // nothing is answered before the script is over
+    for (const Order& stop : stops)  // nothing is answered before the script is over
         m_chain.tell(stop.module, stop.command, m_line.latchTime(0, now));
     const std::uint32_t here = m_line.baud();
     Line::Script script{Line::Gap{}};

@@ -124,7 +124,7 @@ Next WayBack::next(TimePoint /*now*/) {
     const std::uint32_t there = here == change->from() ? change->to() : change->from();
     Line::Script script{Line::Gap{}};
     const auto add = [&](const Line::Script& more) { script.insert(script.end(), more.begin(), more.end()); };
-    const std::vector<Step> stops = m_stop.blindStops();
+    const std::vector<Order> stops = m_stop.blindStops();
     if (m_stop.active())
         m_stop.onBlindSent();
     if (!stops.empty()) {

@@ -25,12 +25,12 @@ void StopRun::restart(const Chain& chain) {
     });
 }
 
-std::vector<Step> StopRun::blindStops(const Chain& chain) const {
-    std::vector<Step> steps;
+std::vector<Order> StopRun::blindStops(const Chain& chain) const {
+    std::vector<Order> orders;
     for (const Target& target : m_targets)
         if (const auto stop = target.stop.stop(chain.belief(target.stop.module())))
-            steps.push_back({target.stop.module(), *stop});
-    return steps;
+            orders.push_back({target.stop.module(), *stop});
+    return orders;
 }
 
 StopTarget* StopRun::next(TimePoint now) {

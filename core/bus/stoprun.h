@@ -25,7 +25,7 @@ public:
     void restart(const Chain& chain);
 
     /// Stops to send without waiting for answers, because an answer is under way or the link is in doubt.
-    [[nodiscard]] std::vector<Step> blindStops(const Chain& chain) const;
+    [[nodiscard]] std::vector<Order> blindStops(const Chain& chain) const;
 
     /// Whom to ask now; nothing when the run is over.
     [[nodiscard]] StopTarget* next(TimePoint now);

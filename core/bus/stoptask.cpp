@@ -34,8 +34,8 @@ void StopTask::onSearchOver(TimePoint now) {
     m_blindDue = false;
 }
 
-std::vector<Step> StopTask::blindStops() const {
-    return m_run ? m_run->blindStops(m_chain) : std::vector<Step>{};
+std::vector<Order> StopTask::blindStops() const {
+    return m_run ? m_run->blindStops(m_chain) : std::vector<Order>{};
 }
 
 void StopTask::onBlindSent() {
@@ -89,14 +89,14 @@ Line::Script StopTask::blindScript() {
 
 /// The blind stops are out: what they may have done is believed from now on.
 void StopTask::noteBlindStops() {
-    const std::vector<Step> steps = std::exchange(m_blind, {});
+    const std::vector<Order> orders = std::exchange(m_blind, {});
     const std::vector<TimePoint>& latches = m_line.scriptLatches();
-    for (std::size_t i = 0; i < steps.size() && !latches.empty(); ++i) {
+    for (std::size_t i = 0; i < orders.size() && !latches.empty(); ++i) {
         const TimePoint latched = latches[std::min(i, latches.size() - 1)];
-        m_chain.tell(steps[i].module, steps[i].command, latched);
-        m_chain.noteUnanswered(steps[i].module, latched);
-        if (StopTarget* target = m_run->find(steps[i].module))
-            target->onBlindSent(m_blindHeard ? std::optional(StopTarget::Blind{steps[i].command, latched})
+        m_chain.tell(orders[i].module, orders[i].command, latched);
+        m_chain.noteUnanswered(orders[i].module, latched);
+        if (StopTarget* target = m_run->find(orders[i].module))
+            target->onBlindSent(m_blindHeard ? std::optional(StopTarget::Blind{orders[i].command, latched})
                                              : std::nullopt);
     }
 }

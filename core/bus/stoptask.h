@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool waits() const { return m_waiting; }
 
     /// The stops to send blindly, for somebody who sends them himself, and that he did.
-    [[nodiscard]] std::vector<Step> blindStops() const;
+    [[nodiscard]] std::vector<Order> blindStops() const;
     void onBlindSent();
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return running(); }
@@ -49,11 +49,11 @@ private:
     const Line& m_line;
     std::vector<Event>& m_events;
     std::optional<StopRun> m_run;
-    TimePoint m_pressed;        ///< the first of those that this stop answers
-    bool m_waiting = false;     ///< for the search
-    bool m_blindDue = false;    ///< what next() does first, once a begin()
-    std::vector<Step> m_blind;  ///< under way
-    bool m_blindHeard = false;  ///< the link was not in doubt when they went out
+    TimePoint m_pressed;         ///< the first of those that this stop answers
+    bool m_waiting = false;      ///< for the search
+    bool m_blindDue = false;     ///< what next() does first, once a begin()
+    std::vector<Order> m_blind;  ///< under way
+    bool m_blindHeard = false;   ///< the link was not in doubt when they went out
     StopTarget* m_asked = nullptr;
 };
 

@@ -41,7 +41,7 @@ template <typename Command>
 using OperationId = Strong<struct OperationIdTag, std::uint32_t>;
 
 /// One command to one module.
-struct Step {
+struct Order {
     ModuleIndex module;
     ModuleCommand command;
 };
@@ -65,15 +65,15 @@ struct SineRecord {
     std::vector<SinePoint> polls;    ///< positions from between the commands
 };
 
-/// What one click asks for: steps that run in order, each after the one before was answered without the
+/// What one click asks for: orders that run in order, each after the one before was answered without the
 /// communication-error bit. The first failure ends it, so "load, check, start" never starts on a doubt.
 struct Operation {
     OperationId id;
-    std::vector<Step> steps;
-    /// The only step is a Stop Here, and the centre of this: sent again and again, up to 200 times a second,
+    std::vector<Order> orders;
+    /// The only order is a Stop Here, and the centre of this: sent again and again, up to 200 times a second,
     /// with polls between. Whatever else is asked for ends it, as Cancelled.
     std::optional<Sine> sine{};
-    /// The steps are Add Path Points without points, one to each of its axes: the engine lays the points,
+    /// The orders are Add Path Points without points, one to each of its axes: the engine lays the points,
     /// starts the path and keeps the buffers filled beside whatever else it does (pathtask.h). A stop of any
     /// of its axes ends it for all, as Cancelled. One path at a time.
     std::shared_ptr<const PathPlan> path{};
@@ -245,8 +245,8 @@ struct ConnectFailed {
 struct OperationFinished {
     OperationId id;
     Outcome outcome;
-    ModuleIndex module;            ///< of the step that ended it
-    std::uint8_t commandByte = 0;  ///< of that step
+    ModuleIndex module;            ///< of the order that ended it
+    std::uint8_t commandByte = 0;  ///< of that order
     SineRecord sine{};             ///< of Operation::sine
 };
 

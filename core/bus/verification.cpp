@@ -83,12 +83,12 @@ bool canVerify(const ModuleCommand& command) {
     return std::visit([](const auto& chip) { return std::visit(CanLook{}, chip); }, command);
 }
 
-Carried verify(const Step& step, const Belief& belief, const Verification& verification) {
+Carried verify(const Order& order, const Belief& belief, const Verification& verification) {
     return std::visit(
         [&](const auto& chip) {
             return std::visit(Look{belief, verification}, chip);
         },
-        step.command);
+        order.command);
 }
 
 }  // namespace nmc::bus

@@ -30,6 +30,6 @@ enum class Carried : std::uint8_t {
 };
 
 /// What a status that is newer than the command says about it.
-[[nodiscard]] Carried verify(const Step& step, const Belief& belief, const Verification& verification);
+[[nodiscard]] Carried verify(const Order& order, const Belief& belief, const Verification& verification);
 
 }  // namespace nmc::bus

@@ -66,7 +66,7 @@ void waitFor(const char* what, const std::function<bool()>& condition) {
         fail(what);
 }
 
-bus::Step step(std::uint8_t module, ServoCommand command) {
+bus::Order step(std::uint8_t module, ServoCommand command) {
     return {ModuleIndex(module), std::move(command)};
 }
 
@@ -128,7 +128,7 @@ private:
         return std::all_of(link().modules.begin(), link().modules.end(),
                            [is](const ModuleState& module) { return (module.*is)(); });
     }
-    void submit(std::vector<bus::Step> steps) {
+    void submit(std::vector<bus::Order> steps) {
         m_composition.worker().submit({bus::OperationId(1'000'000 + ++m_operation), std::move(steps)});
     }
 

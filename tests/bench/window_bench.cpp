@@ -156,7 +156,7 @@ private:
         load.profile = servo::ProfileMode::Velocity;
         for (std::uint8_t i = 0; i < kModules; ++i) {
             const auto step = [i](ServoCommand command) {
-                return bus::Step{ModuleIndex(i), std::move(command)};
+                return bus::Order{ModuleIndex(i), std::move(command)};
             };
             m_composition->worker().submit(
                 {bus::OperationId(1'000'000U + i),

@@ -29,12 +29,12 @@ public:
         report.velocity = velocity;
         belief.onStatus(report, m_now += 1ms);
     }
-    void executed(const Step& step) {
-        belief.onSent(step.command, m_now += 1ms);
-        belief.onExecuted(step.command);
+    void executed(const Order& order) {
+        belief.onSent(order.command, m_now += 1ms);
+        belief.onExecuted(order.command);
     }
-    void unanswered(const Step& step) { belief.onSent(step.command, m_now += 1ms); }
-    [[nodiscard]] Verdict judge(const Step& step) const { return bus::judge(belief, step.command); }
+    void unanswered(const Order& order) { belief.onSent(order.command, m_now += 1ms); }
+    [[nodiscard]] Verdict judge(const Order& order) const { return bus::judge(belief, order.command); }
     /// Of the start of a trapezoidal move that has been loaded.
     [[nodiscard]] Verdict judgeMove() const {
         Module loaded = *this;
@@ -240,7 +240,7 @@ constexpr std::uint8_t kPathMode = 0x40;
     return module;
 }
 
-[[nodiscard]] Step scControl(bool fastPath, bool stepAndDirection = false) {
+[[nodiscard]] Order scControl(bool fastPath, bool stepAndDirection = false) {
     servo::ScIoControl control;
     control.fastPath = fastPath;
     control.stepAndDirection = stepAndDirection;

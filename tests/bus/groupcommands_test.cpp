@@ -203,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(Leader, GroupCommands, testing::Bool(),
 TEST(GroupStops, ServosAndSteppersEachInItsOwnWords) {
     GroupBus bus({{ModuleType::Servo, 4}, {ModuleType::Stepper, 1}});
     ASSERT_TRUE(bus.connect());
-    const auto toStepper = [](StepperCommand command) { return Step{ModuleIndex(1), std::move(command)}; };
+    const auto toStepper = [](StepperCommand command) { return Order{ModuleIndex(1), std::move(command)}; };
     const stepper::LoadTrajectory run{std::nullopt, std::uint8_t{40}, std::uint8_t{4}, std::nullopt, false,
                                       true};
     ASSERT_EQ(

@@ -183,7 +183,7 @@ TEST(GroupStart, IsNotForAGroupThatHasNobody) {
 TEST(GroupStart, TakesServosAndSteppersTogether) {
     GroupBus bus({{ModuleType::Servo, 4}, {ModuleType::Stepper, 1}});
     ASSERT_TRUE(bus.connect());
-    const auto toStepper = [](StepperCommand command) { return Step{ModuleIndex(1), std::move(command)}; };
+    const auto toStepper = [](StepperCommand command) { return Order{ModuleIndex(1), std::move(command)}; };
     const stepper::LoadTrajectory far{Counts(2'000), std::uint8_t{40}, std::uint8_t{4}, std::nullopt};
     ASSERT_EQ(bus.perform({gains(0), enable(0),
                            toStepper(stepper::SetParameters{stepper::SpeedMode::X1, false, false, false, 10,

@@ -25,7 +25,7 @@ protected:
         for (const std::uint8_t module : {kServo, kIo})
             ASSERT_EQ(bus.put(module, kGroup, leader == module).outcome, Outcome::Done);
     }
-    [[nodiscard]] static Step told(const IoCommand& command) { return {ModuleIndex(kIo), command}; }
+    [[nodiscard]] static Order told(const IoCommand& command) { return {ModuleIndex(kIo), command}; }
     [[nodiscard]] sim::IoSnapshot truth() { return *bus.chain.snapshot(ModuleIndex(kIo), bus.now).io; }
 
     GroupBus bus{{{ModuleType::Servo, 4}, {ModuleType::Io, 1}}};

@@ -19,7 +19,7 @@ protected:
     StopsAnIoModule() : bus({{ModuleType::Servo, 4}, {ModuleType::Io, 1}, {ModuleType::Servo, 10}}) {
         EXPECT_TRUE(bus.connect());
     }
-    [[nodiscard]] static Step told(const IoCommand& command) { return {ModuleIndex(kIo), command}; }
+    [[nodiscard]] static Order told(const IoCommand& command) { return {ModuleIndex(kIo), command}; }
     /// IO1 to IO4 and both PWM outputs are on.
     void switchOn() {
         ASSERT_EQ(bus.perform({told(io::SetDirection{0x0FF0}), told(io::SetOutput{0x000F}),

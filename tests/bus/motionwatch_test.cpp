@@ -31,7 +31,7 @@ public:
                                .aux = aux};
         return watch.onReport(accepted(ModuleType::Servo, items, bytesOf(state, items), {}).report);
     }
-    void told(const Step& step) { watch.onSent(step.command); }
+    void told(const Order& order) { watch.onSent(order.command); }
 
     MotionWatch watch;
 
@@ -39,7 +39,7 @@ private:
     bool m_long = false;
 };
 
-[[nodiscard]] Step turn(bool reverse) {
+[[nodiscard]] Order turn(bool reverse) {
     servo::LoadTrajectory load;
     load.velocity = CountsPerTick(65'536);
     load.acceleration = CountsPerTickSquared(655);

@@ -70,9 +70,9 @@ private:
     void did(const std::string& what) {
         m_lately = (m_lately + ", " + what).substr(m_lately.size() / 200 * 40);
     }
-    void ask(const std::string& what, std::vector<Step> steps) {
+    void ask(const std::string& what, std::vector<Order> orders) {
         did(what);
-        bus.submit(std::move(steps));
+        bus.submit(std::move(orders));
     }
     void set(std::uint8_t module, Input input, std::optional<double> value) {
         did("input " + std::to_string(static_cast<int>(input)));
@@ -181,7 +181,7 @@ private:
     }
 
     void actOnStepper(std::uint8_t m) {
-        const auto to = [m](StepperCommand command) { return Step{ModuleIndex(m), std::move(command)}; };
+        const auto to = [m](StepperCommand command) { return Order{ModuleIndex(m), std::move(command)}; };
         switch (below(16)) {
             case 0:
             case 1: {

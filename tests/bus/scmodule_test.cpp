@@ -14,10 +14,10 @@ using namespace std::chrono_literals;
 
 constexpr std::uint8_t kSc = 1;
 
-[[nodiscard]] Step moveBy(std::int32_t counts) {
-    Step step = loadMove(kSc, counts);
-    std::get<servo::LoadTrajectory>(std::get<ServoCommand>(step.command)).relative = true;
-    return step;
+[[nodiscard]] Order moveBy(std::int32_t counts) {
+    Order order = loadMove(kSc, counts);
+    std::get<servo::LoadTrajectory>(std::get<ServoCommand>(order.command)).relative = true;
+    return order;
 }
 
 class ScOnTheBus : public testing::Test {

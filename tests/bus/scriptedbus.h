@@ -71,7 +71,7 @@ public:
         const TimePoint end = now + time;
         pump();
         while (now < end)
-            step(end);
+            order(end);
     }
 
     template <typename Condition>
@@ -81,7 +81,7 @@ public:
         while (!condition()) {
             if (now >= end)
                 return false;
-            step(end);
+            order(end);
         }
         return true;
     }
@@ -167,7 +167,7 @@ private:
             m_arriving.push_back({m_free + replyDelay, std::move(back)});
     }
 
-    void step(TimePoint end) {
+    void order(TimePoint end) {
         TimePoint next = end;
         if (const auto deadline = engine.nextDeadline())
             next = std::min(next, *deadline);

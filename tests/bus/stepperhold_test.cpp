@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 class StepperHold : public ::testing::Test {
 protected:
-    [[nodiscard]] static Step to(StepperCommand command) { return {ModuleIndex(0), std::move(command)}; }
+    [[nodiscard]] static Order to(StepperCommand command) { return {ModuleIndex(0), std::move(command)}; }
     void prepare(bool enabled = true) {
         ASSERT_TRUE(bus.connect());
         stepper::SetParameters parameters;

@@ -8,24 +8,24 @@
 /// What a panel would ask for, as steps; gains as of simulator.md, which suit the simulated motor.
 namespace nmc::test {
 
-[[nodiscard]] inline bus::Step toServo(std::uint8_t module, ServoCommand command) {
+[[nodiscard]] inline bus::Order toServo(std::uint8_t module, ServoCommand command) {
     return {ModuleIndex(module), std::move(command)};
 }
 
-[[nodiscard]] inline bus::Step gains(std::uint8_t module) {
+[[nodiscard]] inline bus::Order gains(std::uint8_t module) {
     return toServo(module, servo::SetGain{200, 2000, 20, 200, 255, 0, 4000, 1, std::uint8_t{0}});
 }
 
-[[nodiscard]] inline bus::Step enable(std::uint8_t module) {
+[[nodiscard]] inline bus::Order enable(std::uint8_t module) {
     return toServo(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}});
 }
 
-[[nodiscard]] inline bus::Step motorOff(std::uint8_t module) {
+[[nodiscard]] inline bus::Order motorOff(std::uint8_t module) {
     return toServo(module, servo::StopMotor{false, servo::StopManner::MotorOff, {}});
 }
 
 /// Up to 2 counts per tick, 0.01 counts per tick squared.
-[[nodiscard]] inline bus::Step loadMove(std::uint8_t module, std::int32_t goal) {
+[[nodiscard]] inline bus::Order loadMove(std::uint8_t module, std::int32_t goal) {
     servo::LoadTrajectory load;
     load.position = Counts(goal);
     load.velocity = CountsPerTick(2 * 65'536);
@@ -33,12 +33,12 @@ namespace nmc::test {
     return toServo(module, load);
 }
 
-[[nodiscard]] inline bus::Step start(std::uint8_t module) {
+[[nodiscard]] inline bus::Order start(std::uint8_t module) {
     return toServo(module, StartMotion{});
 }
 
-[[nodiscard]] inline bus::Step loadVelocity(std::uint8_t module, std::uint32_t velocity,
-                                            bool startNow = false) {
+[[nodiscard]] inline bus::Order loadVelocity(std::uint8_t module, std::uint32_t velocity,
+                                             bool startNow = false) {
     servo::LoadTrajectory load;
     load.velocity = CountsPerTick(velocity);
     load.acceleration = CountsPerTickSquared(655);
@@ -47,7 +47,7 @@ namespace nmc::test {
     return toServo(module, load);
 }
 
-[[nodiscard]] inline bus::Step loadPwm(std::uint8_t module, std::uint8_t pwm) {
+[[nodiscard]] inline bus::Order loadPwm(std::uint8_t module, std::uint8_t pwm) {
     servo::LoadTrajectory load;
     load.pwm = pwm;
     load.servo = false;

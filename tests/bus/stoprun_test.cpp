@@ -154,12 +154,12 @@ TEST(StopRun, SendsNullsFirstWhenTheLinkIsSuspect) {
 TEST(StopRun, ReachesEverybodyWithOnePacketWhereAllMayTakeIt) {
     VirtualBus bus(servos(32));
     ASSERT_TRUE(bus.connect());
-    std::vector<Step> steps;
+    std::vector<Order> orders;
     for (std::uint8_t i = 0; i < 32; ++i) {
-        steps.push_back(gains(i));
-        steps.push_back(enable(i));
+        orders.push_back(gains(i));
+        orders.push_back(enable(i));
     }
-    ASSERT_EQ(bus.perform(steps), Outcome::Done);
+    ASSERT_EQ(bus.perform(orders), Outcome::Done);
     bus.runFor(1s);
     const std::size_t from = bus.sent.size();
     const TimePoint asked = bus.now;
@@ -395,7 +395,7 @@ TEST(StopRun, IsReportedBeforeWhatTheModuleSaysAfterIt) {
 TEST(StopRun, StopsASimulatedStepperAndLeavesAnOffOneOff) {
     VirtualBus bus({{ModuleType::Servo, 4}, {ModuleType::Stepper, 1}, {ModuleType::Stepper, 1}});
     ASSERT_TRUE(bus.connect());
-    const auto toStep = [](StepperCommand command) { return bus::Step{ModuleIndex(1), std::move(command)}; };
+    const auto toStep = [](StepperCommand command) { return bus::Order{ModuleIndex(1), std::move(command)}; };
     stepper::LoadTrajectory run;
     run.speed = std::uint8_t{100};
     run.accelerationTime = std::uint8_t{2};

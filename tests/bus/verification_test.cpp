@@ -20,12 +20,12 @@ constexpr std::uint8_t kEverything = 0x3F;
 class Lost {
 public:
     explicit Lost(ServoCommand command, std::int32_t position = 1'000, std::int32_t home = 50)
-        : m_step(toServo(0, std::move(command))) {
+        : m_order(toServo(0, std::move(command))) {
         m_before.position = position;
         m_before.home = home;
         status(m_before);
         m_verification.position = m_belief.position();
-        m_belief.onSent(m_step.command, m_now += 10ms);
+        m_belief.onSent(m_order.command, m_now += 10ms);
     }
     /// Refused with the communication-error bit, says the module.
     Lost& refused() {
@@ -38,7 +38,7 @@ public:
     }
     [[nodiscard]] Carried looksLike(const ServoState& state) {
         status(state);
-        return verify(m_step, m_belief, m_verification);
+        return verify(m_order, m_belief, m_verification);
     }
     /// As it was, but for what is changed.
     [[nodiscard]] Carried looksLike(auto change) {
@@ -56,7 +56,7 @@ private:
 
     Belief m_belief{{ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}}};
     TimePoint m_now{};
-    Step m_step;
+    Order m_order;
     ServoState m_before;
     Verification m_verification;
 };

@@ -148,10 +148,10 @@ TEST(F41_UnknownModuleType, IsOnlyLookedAt) {
         EXPECT_EQ(bus.all<ChainFound>()[0].modules[0].identity.type, static_cast<ModuleType>(type));
         const std::size_t from = bus.sent.size();
         std::uint32_t id = 0;
-        for (const Step& step :
+        for (const Order& order :
              {loadMove(0, 100), start(0), gains(0), toServo(0, ResetPosition{}), toServo(0, SaveAsHome{}),
               toServo(0, servo::SetHoming{}), toServo(0, servo::IoControl{})}) {
-            bus.engine.submit({OperationId(++id), {step}}, bus.now);
+            bus.engine.submit({OperationId(++id), {order}}, bus.now);
             bus.runFor(50ms);
             EXPECT_EQ(bus.all<OperationFinished>().back().outcome, Outcome::Forbidden);
         }

@@ -27,10 +27,10 @@ protected:
         ASSERT_TRUE(bus.chain.foreignSends(toPacket({address, payload}), bus.now));
         bus.runFor(20ms);
     }
-    void sends(const Step& step) {
-        const auto& chip = step.command;
+    void sends(const Order& order) {
+        const auto& chip = order.command;
         sends(
-            step.module.value(),
+            order.module.value(),
             std::visit([](const auto& c) { return std::visit([](const auto& x) { return x.encode(); }, c); },
                        chip));
     }
@@ -174,7 +174,7 @@ TEST_F(F45_ForeignTraffic, EndsAHoldUntilTheButtonIsPressedAnew) {
 TEST_F(F45_ForeignTraffic, CancelsAnOperation) {
     // So long that it cannot have ended: each step waits for its answers on a disturbed line.
     bus.fault("bus foreign on=nop t=10ms..30ms");
-    std::vector<Step> steps;
+    std::vector<Order> steps;
     for (int i = 0; i < 2'000; ++i)
         steps.push_back(gains(0));
     const OperationId id = bus.submit(std::move(steps));

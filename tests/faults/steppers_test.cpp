@@ -11,7 +11,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-[[nodiscard]] Step toStep(StepperCommand command) {
+[[nodiscard]] Order toStep(StepperCommand command) {
     return {ModuleIndex(0), std::move(command)};
 }
 

@@ -138,7 +138,7 @@ private:
     }
 
     void act();
-    void submit(std::uint8_t module, std::vector<Step> steps);
+    void submit(std::uint8_t module, std::vector<Order> orders);
     void found(const ChainFound& chain);
     void stop() {
         m_bus.engine.stopAll(m_bus.now);
@@ -184,22 +184,22 @@ void Session::found(const ChainFound& chain) {
     }
 }
 
-void Session::submit(std::uint8_t module, std::vector<Step> steps) {
+void Session::submit(std::uint8_t module, std::vector<Order> orders) {
     ++m_submitted;
     if (module >= m_places.size()) {
-        m_bus.submit(std::move(steps));
+        m_bus.submit(std::move(orders));
         return;
     }
     Asked& asked = m_asked[m_places[module]];
-    for (const Step& step : steps) {
-        const Payload payload = std::visit([](const auto& c) { return encode(c); }, step.command);
+    for (const Order& order : orders) {
+        const Payload payload = std::visit([](const auto& c) { return encode(c); }, order.command);
         const PacketBytes packet =
             toPacket({BusAddress(static_cast<std::uint8_t>(m_places[module] + 1)), payload});
         ++asked.packets[{packet.begin(), packet.end()}].asked;
         m_starts[m_places[module]] += payload.code == CommandCode::StartMotion ? 1U : 0U;
         asked.on = asked.on || payload.code != CommandCode::SetGain;
     }
-    m_bus.submit(std::move(steps));
+    m_bus.submit(std::move(orders));
 }
 
 void Session::act() {

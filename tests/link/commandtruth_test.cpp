@@ -85,7 +85,7 @@ protected:
             },
             20'000);
     }
-    [[nodiscard]] bool perform(std::vector<bus::Step> steps) {
+    [[nodiscard]] bool perform(std::vector<bus::Order> steps) {
         m_worker.submit({bus::OperationId(++m_operations), std::move(steps)});
         if (!waitFor<bus::OperationFinished>())
             return false;

@@ -79,11 +79,11 @@ public:
         return false;
     }
 
-    void submit(std::vector<bus::Step> steps) {
+    void submit(std::vector<bus::Order> steps) {
         m_worker.submit({bus::OperationId(++m_lastId), std::move(steps)});
     }
     /// Sends the steps and waits for how they ended.
-    bus::Outcome carryOut(std::vector<bus::Step> steps) {
+    bus::Outcome carryOut(std::vector<bus::Order> steps) {
         m_news.clear();
         submit(std::move(steps));
         return waitFor<bus::OperationFinished>() ? news<bus::OperationFinished>()->outcome
@@ -101,17 +101,17 @@ private:
     std::uint32_t m_lastId = 0;
 };
 
-inline bus::Step step(std::uint8_t module, ServoCommand command) {
+inline bus::Order step(std::uint8_t module, ServoCommand command) {
     return {ModuleIndex(module), std::move(command)};
 }
 
 /// The gains, the enabling and the move that every end-to-end test makes.
-inline std::vector<bus::Step> gainsAndEnable(std::uint8_t module) {
+inline std::vector<bus::Order> gainsAndEnable(std::uint8_t module) {
     return {step(module, servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}),
             step(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}})};
 }
 
-inline std::vector<bus::Step> move(std::uint8_t module, std::int32_t goal) {
+inline std::vector<bus::Order> move(std::uint8_t module, std::int32_t goal) {
     servo::LoadTrajectory load;
     load.position = Counts(goal);
     load.velocity = CountsPerTick(8 << 16);

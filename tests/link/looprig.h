@@ -112,7 +112,7 @@ inline std::vector<ModuleIdentity> servoChain(std::size_t modules) {
 inline bus::Operation servoOperation(std::uint32_t id, std::vector<ServoCommand> commands) {
     bus::Operation operation{bus::OperationId(id), {}};
     for (ServoCommand& command : commands)
-        operation.steps.push_back({ModuleIndex(0), std::move(command)});
+        operation.orders.push_back({ModuleIndex(0), std::move(command)});
     return operation;
 }
 

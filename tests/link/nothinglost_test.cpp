@@ -41,7 +41,7 @@ protected:
     }
     void flood() {
         for (std::uint32_t i = 0; i < kFlood; ++i)
-            connection.submit({bus::Step{ModuleIndex(0), ServoCommand(Nop{})}});
+            connection.submit({bus::Order{ModuleIndex(0), ServoCommand(Nop{})}});
     }
     void expectEachEndedOnce() {
         EXPECT_TRUE(connection.waitUntil([this] { return endings().size() == kFlood; }))

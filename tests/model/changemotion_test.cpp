@@ -64,7 +64,7 @@ protected:
                 continue;
             Procedure::Next next = procedure.next(module, bus.now);
             if (auto* send = std::get_if<Procedure::Send>(&next))
-                m_operation = bus.submit(std::move(send->steps));
+                m_operation = bus.submit(std::move(send->orders));
             else if (std::holds_alternative<Procedure::End>(next))
                 break;
             if (onTurn)

@@ -143,7 +143,7 @@ private:
         follow();
     }
     void perform(std::vector<ServoCommand> commands) {
-        std::vector<bus::Step> steps;
+        std::vector<bus::Order> steps;
         for (ServoCommand& next : commands)
             steps.push_back({ModuleIndex(0), std::move(next)});
         (void)m_bus.perform(std::move(steps));

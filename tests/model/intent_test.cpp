@@ -24,7 +24,7 @@ std::vector<std::string> payloads(const Intent& intent, const ModuleState& modul
     const auto steps = plan(intent, module);
     EXPECT_TRUE(steps.has_value());
     if (steps)
-        for (const bus::Step& step : *steps) {
+        for (const bus::Order& step : *steps) {
             const Payload payload = encode(std::get<ServoCommand>(step.command));
             hex.push_back(toHex(ByteBuffer<1>{payload.commandByte()}) +
                           (payload.data.empty() ? "" : " " + toHex(payload.data)));

@@ -22,7 +22,7 @@ protected:
         const auto steps = plan(intent, module);
         EXPECT_TRUE(steps.has_value()) << (steps ? -1 : static_cast<int>(steps.error()));
         std::vector<IoCommand> commands;
-        for (const bus::Step& step : steps.value_or(std::vector<bus::Step>{}))
+        for (const bus::Order& step : steps.value_or(std::vector<bus::Order>{}))
             commands.push_back(std::get<IoCommand>(step.command));
         return commands;
     }

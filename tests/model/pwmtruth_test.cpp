@@ -28,7 +28,7 @@ protected:
         perform({stopWith(StopManner::Abruptly)});
     }
     void perform(std::vector<ServoCommand> commands) {
-        std::vector<bus::Step> steps;
+        std::vector<bus::Order> steps;
         for (ServoCommand& next : commands)
             steps.push_back({ModuleIndex(0), std::move(next)});
         ASSERT_EQ(bus.perform(std::move(steps)), bus::Outcome::Done);

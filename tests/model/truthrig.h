@@ -27,7 +27,7 @@ public:
     }
 
     [[nodiscard]] bool perform(std::vector<ServoCommand> commands) {
-        std::vector<bus::Step> steps;
+        std::vector<bus::Order> steps;
         for (ServoCommand& next : commands)
             steps.push_back({ModuleIndex(0), std::move(next)});
         const auto outcome = bus.perform(std::move(steps));

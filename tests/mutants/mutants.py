@@ -183,7 +183,7 @@ LOSING = (
 
 GROUPS = (
     Mutant("old-leader-stays", "faults.md F-44: never two leaders of a group", (
-        Edit("core/bus/groupwork.cpp", "        steps.push_back(stepTo(info.index, {info.group->group, false}));\n", ""),
+        Edit("core/bus/groupwork.cpp", "        orders.push_back(orderTo(info.index, {info.group->group, false}));\n", ""),
     )),
     Mutant("group-start-blindly-repeated", "link.md 2.3: no second start on a doubt", (
         Edit("core/bus/groupwork.cpp", "    ask.silentRepeats = 0;\n", "    ask.silentRepeats = 2;\n"),

@@ -37,8 +37,8 @@ STOPPING = (
              "    const auto& place = belief(stops.front().module).info().group;\n",
              "    const std::optional place = belief(stops.front().module).info().group.value_or(GroupPlace{});\n"),
         Edit("core/bus/chain.cpp",
-             "            if (belief(step.module).info().group->leader)",
-             "            if (belief(step.module).info().group.value_or(GroupPlace{}).leader)"),
+             "            if (belief(order.module).info().group->leader)",
+             "            if (belief(order.module).info().group.value_or(GroupPlace{}).leader)"),
     )),
     Mutant("suspect-motion-goes-on", "faults.md M-17: a motor that is not where it should be is stopped", (
         Edit("core/bus/engineoutcome.cpp",
@@ -148,7 +148,7 @@ OWING = (
     )),
     Mutant("owed-stop-dropped-when-the-link-is-lost", "issue 13, 3: commands may still arrive", (
         Edit("core/bus/engine.cpp",
-             "    for (const Step& stop : m_chain.stops())\n"
+             "    for (const Order& stop : m_chain.stops())\n"
              "        m_chain.owe(stop.module, StopCause::LinkGivenUp);\n",
              "    for (Chain::Module& module : m_chain.modules())\n"
              "        module.owed.reset();\n"),

@@ -137,7 +137,7 @@ TEST_F(MoveBy, BeyondTheChipsRangeNothingIsSent) {
     bench.module().latest->position = 0x7FFFFF00;
     Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
     ASSERT_TRUE(std::holds_alternative<Procedure::Send>(next)) << "a stop, and no load";
-    EXPECT_EQ(std::get<Procedure::Send>(next).steps.size(), 1U);
+    EXPECT_EQ(std::get<Procedure::Send>(next).orders.size(), 1U);
     EXPECT_EQ(bench.procedure->report().failure, ProcedureFailure::TravelLimit);
     EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 0U);
 }

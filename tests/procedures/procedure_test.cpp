@@ -28,7 +28,7 @@ private:
         m_mayRun = true;
         return send({{ModuleIndex(3), ServoCommand(StartMotion{})}});
     }
-    std::vector<bus::Step> lastWord(const ModuleState&) const override {
+    std::vector<bus::Order> lastWord(const ModuleState&) const override {
         if (!m_mayRun)
             return {};
         return {{ModuleIndex(3), ServoCommand(servo::StopMotor{true, servo::StopManner::Smoothly, {}})}};
@@ -44,8 +44,8 @@ protected:
     Is next() {
         const Procedure::Next next = procedure.next(module, kNow);
         if (const auto* send = std::get_if<Procedure::Send>(&next)) {
-            EXPECT_EQ(send->steps.size(), 1U);
-            const auto& command = std::get<ServoCommand>(send->steps.at(0).command);
+            EXPECT_EQ(send->orders.size(), 1U);
+            const auto& command = std::get<ServoCommand>(send->orders.at(0).command);
             return std::holds_alternative<StartMotion>(command) ? Is::Start : Is::Stop;
         }
         return std::holds_alternative<Procedure::Wait>(next) ? Is::Wait : Is::End;

@@ -157,7 +157,7 @@ private:
         if (!m_procedureOperation) {
             Procedure::Next next = procedure->next(module, bus.now);
             if (auto* send = std::get_if<Procedure::Send>(&next))
-                m_procedureOperation = bus.submit(std::move(send->steps));
+                m_procedureOperation = bus.submit(std::move(send->orders));
         }
         const ProcedureReport report = procedure->report();
         if (report.home && !module.home.place())

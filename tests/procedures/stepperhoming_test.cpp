@@ -26,7 +26,7 @@ protected:
         bench.settle();
         return done;
     }
-    [[nodiscard]] static bus::Step toStep(StepperCommand command) {
+    [[nodiscard]] static bus::Order toStep(StepperCommand command) {
         return {ModuleIndex(0), std::move(command)};
     }
     [[nodiscard]] static HomingRecipe recipe() {

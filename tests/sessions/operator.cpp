@@ -16,7 +16,7 @@ constexpr std::uint8_t kStepRamp = 4;
     return identity.type == ModuleType::Stepper;
 }
 
-[[nodiscard]] Step toStep(std::uint8_t index, StepperCommand command) {
+[[nodiscard]] Order toStep(std::uint8_t index, StepperCommand command) {
     return {ModuleIndex(index), std::move(command)};
 }
 
@@ -27,7 +27,7 @@ constexpr std::uint8_t kStepRamp = 4;
 
 }  // namespace
 
-std::vector<Step> switchOn(std::uint8_t index, ModuleIdentity identity) {
+std::vector<Order> switchOn(std::uint8_t index, ModuleIdentity identity) {
     if (isStep(identity))
         return {
             toStep(index, stepper::SetParameters{stepper::SpeedMode::X1, false, false, false, 5, 200, 50, 0}),
@@ -38,13 +38,13 @@ std::vector<Step> switchOn(std::uint8_t index, ModuleIdentity identity) {
     return {toServo(index, gain), enable(index)};
 }
 
-std::vector<Step> switchOff(std::uint8_t index, ModuleIdentity identity) {
+std::vector<Order> switchOff(std::uint8_t index, ModuleIdentity identity) {
     if (isStep(identity))
         return {toStep(index, stepper::StopMotor{false, stepper::StopManner::Abruptly})};
     return {motorOff(index)};
 }
 
-Step loadFar(std::uint8_t index, ModuleIdentity identity, unsigned far) {
+Order loadFar(std::uint8_t index, ModuleIdentity identity, unsigned far) {
     if (isStep(identity)) {
         stepper::LoadTrajectory load;
         load.position = Counts(static_cast<std::int32_t>(far) * 1'000);
@@ -55,13 +55,13 @@ Step loadFar(std::uint8_t index, ModuleIdentity identity, unsigned far) {
     return loadMove(index, static_cast<std::int32_t>(far) * 1'000);
 }
 
-std::vector<Step> moveFar(std::uint8_t index, ModuleIdentity identity, unsigned far) {
+std::vector<Order> moveFar(std::uint8_t index, ModuleIdentity identity, unsigned far) {
     if (isStep(identity))
         return {loadFar(index, identity, far), toStep(index, StartMotion{})};
     return {loadFar(index, identity, far), start(index)};
 }
 
-std::vector<Step> runOn(std::uint8_t index, ModuleIdentity identity, unsigned speed) {
+std::vector<Order> runOn(std::uint8_t index, ModuleIdentity identity, unsigned speed) {
     if (isStep(identity)) {
         stepper::LoadTrajectory load;
         load.speed = stepperSpeed(speed);

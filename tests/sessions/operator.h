@@ -11,14 +11,14 @@
 namespace nmc::test {
 
 /// Gains, or the parameters without which a stepper does not move; then the motor's current.
-[[nodiscard]] std::vector<bus::Step> switchOn(std::uint8_t index, ModuleIdentity identity);
-[[nodiscard]] std::vector<bus::Step> switchOff(std::uint8_t index, ModuleIdentity identity);
+[[nodiscard]] std::vector<bus::Order> switchOn(std::uint8_t index, ModuleIdentity identity);
+[[nodiscard]] std::vector<bus::Order> switchOff(std::uint8_t index, ModuleIdentity identity);
 /// A move that takes its time: `far` is 1..256.
-[[nodiscard]] std::vector<bus::Step> moveFar(std::uint8_t index, ModuleIdentity identity, unsigned far);
+[[nodiscard]] std::vector<bus::Order> moveFar(std::uint8_t index, ModuleIdentity identity, unsigned far);
 /// Only loads it.
-[[nodiscard]] bus::Step loadFar(std::uint8_t index, ModuleIdentity identity, unsigned far);
+[[nodiscard]] bus::Order loadFar(std::uint8_t index, ModuleIdentity identity, unsigned far);
 /// Without an end: `speed` is 1..256.
-[[nodiscard]] std::vector<bus::Step> runOn(std::uint8_t index, ModuleIdentity identity, unsigned speed);
+[[nodiscard]] std::vector<bus::Order> runOn(std::uint8_t index, ModuleIdentity identity, unsigned speed);
 [[nodiscard]] bus::HoldToMove holdOn(std::uint8_t index, ModuleIdentity identity, unsigned speed);
 
 /// Connects, gives all modules what they need, and sets `moving` of them in motion. False when that fails.

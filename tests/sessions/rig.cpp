@@ -107,11 +107,11 @@ void Rig::distrust() {
     settle();
 }
 
-void Rig::submit(std::vector<Step> steps) {
+void Rig::submit(std::vector<Order> steps) {
     m_oath.forget();
-    for (const Step& step : steps)
-        if (known && step.module.value() < known->modules.size())
-            if (const std::uint8_t place = known->modules[step.module.value()].place; place < size())
+    for (const Order& order : steps)
+        if (known && order.module.value() < known->modules.size())
+            if (const std::uint8_t place = known->modules[order.module.value()].place; place < size())
                 everOn[place] = true;
     m_operations.push_back(bus.submit(std::move(steps)));
 }

@@ -53,7 +53,7 @@ public:
     void restart();
     void changeRate(std::uint32_t baud);
     void distrust();
-    void submit(std::vector<bus::Step> steps);
+    void submit(std::vector<bus::Order> steps);
     void submit(std::variant<bus::GroupChange, bus::GroupCommand> what);
     /// Asked for again every 100 ms until `time` has passed; then released, or let lapse.
     void hold(const bus::HoldToMove& hold, Duration time, bool lapses);

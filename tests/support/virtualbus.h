@@ -99,13 +99,13 @@ public:
     }
 
     /// Submits the steps as one operation and runs until it has ended.
-    [[nodiscard]] std::optional<bus::Outcome> perform(std::vector<bus::Step> steps) {
+    [[nodiscard]] std::optional<bus::Outcome> perform(std::vector<bus::Order> steps) {
         const bus::OperationId id = submit(std::move(steps));
         std::optional<bus::Outcome> outcome;
         const auto ended = [&] { return (outcome = outcomeOf(id)).has_value(); };
         return runUntil(ended, std::chrono::seconds(10)) ? outcome : std::nullopt;
     }
-    bus::OperationId submit(std::vector<bus::Step> steps, const std::optional<bus::Sine>& sine = {},
+    bus::OperationId submit(std::vector<bus::Order> steps, const std::optional<bus::Sine>& sine = {},
                             std::shared_ptr<const bus::PathPlan> path = {}) {
         const bus::OperationId id(++m_lastId);
         engine.submit({id, std::move(steps), sine, std::move(path)}, now);

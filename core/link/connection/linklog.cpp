@@ -186,7 +186,7 @@ std::string logLine(const WorkerEvent& event) {
 
 std::string logLine(const bus::Operation& operation) {
     std::string text = "operation " + std::to_string(operation.id.value());
-    for (const bus::Step& step : operation.steps) {
+    for (const bus::Order& step : operation.orders) {
         const auto words = [](const auto& command) { return describeCommand(command); };
         text += "; " + name(step.module) + ' ' + std::visit(words, step.command);
     }

@@ -28,9 +28,9 @@ public:
     [[nodiscard]] sim::Chain& simulated() { return m_chain; }
     [[nodiscard]] TimePoint now() const { return m_now; }
     void connect() { m_engine.connect(m_now); }
-    bus::OperationId submit(std::vector<bus::Step> steps) {
+    bus::OperationId submit(std::vector<bus::Order> orders) {
         const bus::OperationId id(++m_lastId);
-        m_engine.submit({id, std::move(steps)}, m_now);
+        m_engine.submit({id, std::move(orders)}, m_now);
         carryOut();
         return id;
     }
@@ -221,8 +221,8 @@ private:
                 tell(index(real), iointent::SetOutput{pin, true});
     }
     void tell(ModuleIndex index, const Intent& intent) {
-        if (auto steps = plan(intent, m_modules[index.value()])) {
-            m_bus.submit(std::move(*steps));
+        if (auto orders = plan(intent, m_modules[index.value()])) {
+            m_bus.submit(std::move(*orders));
             take(m_bus.runFor(kSettling));
         }
     }
@@ -235,8 +235,8 @@ private:
             assumeWaited(*row);
         SequenceRun::Next next = m_run->next(m_modules, m_bus.now());
         if (auto* send = std::get_if<SequenceRun::Send>(&next))
-            for (std::vector<bus::Step>& steps : send->operations)
-                m_own.push_back(m_bus.submit(std::move(steps)));
+            for (std::vector<bus::Order>& orders : send->operations)
+                m_own.push_back(m_bus.submit(std::move(orders)));
         if (const auto* ask = std::get_if<SequenceRun::Ask>(&next))
             assumeHome(*ask);
         return !m_run->report().over();
@@ -285,8 +285,8 @@ private:
         if (home->recipe.goToHome) {
             const auto move =
                 moveIntent({ask.module, 0, true}, 100, module, m_start.machine.axis(ask.module));
-            if (const auto steps = move ? plan(*move, module) : tl::unexpected(move.error()); steps)
-                m_bus.submit(*steps);
+            if (const auto orders = move ? plan(*move, module) : tl::unexpected(move.error()); orders)
+                m_bus.submit(*orders);
             for (const TimePoint end = m_bus.now() + kPatience; m_bus.now() < end && !m_cancelled;) {
                 take(m_bus.runFor(kSettling));
                 if (!module.moving())

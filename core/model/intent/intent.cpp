@@ -16,12 +16,12 @@ namespace nmc {
 
 namespace {
 
-using Steps = std::vector<bus::Step>;
-using Plan = tl::expected<Steps, Refusal>;
+using Orders = std::vector<bus::Order>;
+using Plan = tl::expected<Orders, Refusal>;
 
 template <typename... Commands>
-Steps stepsFor(const ModuleState& module, Commands... commands) {
-    return {bus::Step{module.info.index, ServoCommand(std::move(commands))}...};
+Orders stepsFor(const ModuleState& module, Commands... commands) {
+    return {bus::Order{module.info.index, ServoCommand(std::move(commands))}...};
 }
 
 bool gainsAct(const ModuleState& module) {
@@ -42,16 +42,16 @@ int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
 }
 
 /// Applies the rule first, so that what a control greys out is never sent from elsewhere either.
-template <typename MakeSteps>
-Plan allowed(Request request, const ModuleState& module, MakeSteps makeSteps) {
+template <typename MakeOrders>
+Plan allowed(Request request, const ModuleState& module, MakeOrders makeOrders) {
     if (const auto refusal = whyNot(request, module))
         return tl::unexpected(*refusal);
-    return makeSteps();
+    return makeOrders();
 }
 
 /// An SC that minds its limits would not start, and would not say so (docs/family.md).
-bool startsIntoLimit(const Steps& steps, const ModuleState& module) {
-    for (const bus::Step& step : steps)
+bool startsIntoLimit(const Orders& orders, const ModuleState& module) {
+    for (const bus::Order& step : orders)
         if (const auto* command = std::get_if<ServoCommand>(&step.command))
             if (const auto* load = std::get_if<servo::LoadTrajectory>(command))
                 if (module.limitEnds(directionOf(*load, module)))
@@ -62,7 +62,7 @@ bool startsIntoLimit(const Steps& steps, const ModuleState& module) {
 struct Planner {
     const ModuleState& module;
 
-    Plan operator()(const intent::AskAnew&) const { return Steps{}; }
+    Plan operator()(const intent::AskAnew&) const { return Orders{}; }
 
     Plan operator()(const intent::Enable&) const {
         // One Stop Motor sets AMP_EN and lets the servo hold where it is (DS-V 5.2). The position error bit
@@ -148,7 +148,7 @@ struct Planner {
 
     /// It is for whoever keeps the module's state.
     Plan operator()(const intent::DeclarePosition&) const {
-        return allowed(Request::DeclarePosition, module, [] { return Steps{}; });
+        return allowed(Request::DeclarePosition, module, [] { return Orders{}; });
     }
 
     Plan operator()(const intent::StopHere&) const {
@@ -163,7 +163,7 @@ struct Planner {
         load.servo = false;
         load.pwm = drive.pwm;
         load.reverse = drive.reverse;
-        return allowed(Request::DrivePwm, module, [&]() -> Steps {
+        return allowed(Request::DrivePwm, module, [&]() -> Orders {
             if (module.amplifierEnabled)
                 return stepsFor(module, load, StartMotion{});
             // Without AMP_EN nothing would turn.
@@ -192,36 +192,36 @@ struct Planner {
     // here.
     Plan operator()(const intent::Home& home) const {
         const auto refusal = whyNotHome(home.recipe, module);
-        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
     }
     Plan operator()(const intent::MoveBy& moveBy) const {
         if (const auto refusal = lacking({{}, moveBy.velocity, moveBy.acceleration}))
             return tl::unexpected(*refusal);
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
-        return allowed(Request::Move, module, [] { return Steps{}; });
+        return allowed(Request::Move, module, [] { return Orders{}; });
     }
     Plan operator()(const intent::StepResponse& response) const {
         const auto refusal = whyNot(response, module);
-        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
     }
     Plan operator()(const AnyOf<intent::SquareWave, intent::FrequencyResponse> auto& test) const {
         const auto refusal = whyNot(test, module);
-        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
     }
     Plan operator()(const intent::TryGains& wanted) const {
         const auto refusal = whyNot(wanted, module);
-        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
     }
-    Plan operator()(const intent::KeepGains&) const { return Steps{}; }
+    Plan operator()(const intent::KeepGains&) const { return Orders{}; }
     Plan operator()(const intent::CheckDirection&) const {
-        return allowed(Request::CheckDirection, module, [] { return Steps{}; });
+        return allowed(Request::CheckDirection, module, [] { return Orders{}; });
     }
     Plan operator()(const intent::FollowPath& follow) const {
         const auto refusal = whyNot(follow, module);
-        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
     }
-    Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
+    Plan operator()(const intent::CancelProcedure&) const { return Orders{}; }
 
     Plan operator()(const intent::ArmLimitStop& arm) const {
         if (const auto refusal = whyNotArm(arm, module))
@@ -231,7 +231,7 @@ struct Planner {
 
     // plan() has answered these for both chips.
     Plan operator()(const AnyOf<intent::Direct, intent::ResetModule, intent::SaveConfiguration> auto&) const {
-        return Steps{};
+        return Orders{};
     }
     Plan operator()(const AnyOf<stepperintent::SetParameters, stepperintent::SetOutputs, stepperintent::Move,
                                 stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::MoveBy,
@@ -285,7 +285,7 @@ bool isStop(const Intent& intent) {
         intent);
 }
 
-tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& module) {
+tl::expected<Orders, Refusal> plan(const Intent& intent, const ModuleState& module) {
     if (std::holds_alternative<intent::AskAnew>(intent))
         return stepsFor(module, Nop{});
     if (const auto* direct = std::get_if<intent::Direct>(&intent)) {
@@ -293,22 +293,22 @@ tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& modul
             return tl::unexpected(Refusal::OperatorMode);
         if (const auto refusal = whyNotDirect(direct->command, module))
             return tl::unexpected(*refusal);
-        return Steps{{module.info.index, direct->command}};
+        return Orders{{module.info.index, direct->command}};
     }
     // The bus does these (bus/readdresstask.h).
     if (std::holds_alternative<intent::ResetModule>(intent))
-        return allowed(Request::ResetModule, module, [] { return Steps{}; });
+        return allowed(Request::ResetModule, module, [] { return Orders{}; });
     if (std::holds_alternative<intent::SaveConfiguration>(intent))
-        return allowed(Request::ControlSc, module, [] { return Steps{}; });
+        return allowed(Request::ControlSc, module, [] { return Orders{}; });
     if (module.isIo())
         return planIo(intent, module);
-    Plan steps = module.isStepper() ? planStep(intent, module) : std::visit(Planner{module}, intent);
-    if (steps)
+    Plan orders = module.isStepper() ? planStep(intent, module) : std::visit(Planner{module}, intent);
+    if (orders)
         if (const auto problem = travelProblem(intent, module))
             return tl::unexpected(problem->refusal);
-    if (steps && module.isServo() && startsIntoLimit(*steps, module))
+    if (orders && module.isServo() && startsIntoLimit(*orders, module))
         return tl::unexpected(Refusal::LimitClosed);
-    return steps;
+    return orders;
 }
 
 std::optional<Refusal> whyNot(Request request, const ModuleState& module) {

@@ -230,8 +230,8 @@ enum class Refusal : std::uint8_t {
 
 /// The commands for an intent, in order, or why not. The same rule enables and disables the controls:
 /// what whyNot() refuses is greyed out and says so.
-[[nodiscard]] tl::expected<std::vector<bus::Step>, Refusal> plan(const Intent& intent,
-                                                                 const ModuleState& module);
+[[nodiscard]] tl::expected<std::vector<bus::Order>, Refusal> plan(const Intent& intent,
+                                                                  const ModuleState& module);
 
 /// The kinds of request a panel shows a control for; values that are still being typed do not matter here.
 enum class Request : std::uint8_t {

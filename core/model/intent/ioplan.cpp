@@ -5,8 +5,8 @@ namespace nmc {
 
 namespace {
 
-using Steps = std::vector<bus::Step>;
-using Plan = tl::expected<Steps, Refusal>;
+using Orders = std::vector<bus::Order>;
+using Plan = tl::expected<Orders, Refusal>;
 
 constexpr StatusItems kLatched{StatusItems::LatchedPins | StatusItems::LatchedCounter};
 
@@ -15,14 +15,14 @@ struct Planner {
 
     Plan operator()(const iointent::SetDirection& set) const {
         return allowed(Request::ControlIo, [&] {
-            Steps steps = {step(io::SetDirection{set.inputs})};
+            Orders orders = {step(io::SetDirection{set.inputs})};
             // Whether an input keeps what it was told as an output is not said: what becomes an output is
             // told its level on both sides of that.
             if (const auto levels = module.pins.levels(*module.latest)) {
-                steps.insert(steps.begin(), step(io::SetOutput{*levels}));
-                steps.push_back(step(io::SetOutput{*levels}));
+                orders.insert(orders.begin(), step(io::SetOutput{*levels}));
+                orders.push_back(step(io::SetOutput{*levels}));
             }
-            return steps;
+            return orders;
         });
     }
     Plan operator()(const iointent::SetOutput& set) const {
@@ -32,36 +32,36 @@ struct Planner {
         const unsigned bit = 1U << set.pin;
         const unsigned outputs = set.high ? *levels | bit : *levels & ~bit;
         return allowed(Request::SetOutputs,
-                       [&] { return Steps{step(io::SetOutput{static_cast<std::uint16_t>(outputs)})}; });
+                       [&] { return Orders{step(io::SetOutput{static_cast<std::uint16_t>(outputs)})}; });
     }
     Plan operator()(const iointent::SetPwm& set) const {
         auto values = module.pins.pwm().value_or(std::array<std::uint8_t, 2>{});
         values.at(set.output) = set.value;
-        return allowed(Request::SetOutputs, [&] { return Steps{step(io::SetPwm{values[0], values[1]})}; });
+        return allowed(Request::SetOutputs, [&] { return Orders{step(io::SetPwm{values[0], values[1]})}; });
     }
     Plan operator()(const iointent::SetTimer& set) const {
-        return allowed(Request::ControlIo, [&] { return Steps{step(set.mode)}; });
+        return allowed(Request::ControlIo, [&] { return Orders{step(set.mode)}; });
     }
     Plan operator()(const iointent::StoreOutputs& store) const {
-        return allowed(Request::SetOutputs, [&] { return Steps{step(store.outputs)}; });
+        return allowed(Request::SetOutputs, [&] { return Orders{step(store.outputs)}; });
     }
     Plan operator()(const iointent::SynchOutput&) const {
-        return allowed(Request::SetOutputs, [&] { return Steps{step(io::SynchOutput{})}; });
+        return allowed(Request::SetOutputs, [&] { return Orders{step(io::SynchOutput{})}; });
     }
     Plan operator()(const iointent::SynchInput&) const {
         return allowed(Request::ControlIo, [&] {
-            return Steps{step(io::SynchInput{}), step(ReadStatus{kLatched})};
+            return Orders{step(io::SynchInput{}), step(ReadStatus{kLatched})};
         });
     }
     Plan operator()(const auto& /*of a motor*/) const { return tl::unexpected(Refusal::NoMotor); }
 
 private:
-    [[nodiscard]] bus::Step step(const IoCommand& command) const { return {module.info.index, command}; }
-    template <typename MakeSteps>
-    [[nodiscard]] Plan allowed(Request request, MakeSteps makeSteps) const {
+    [[nodiscard]] bus::Order step(const IoCommand& command) const { return {module.info.index, command}; }
+    template <typename MakeOrders>
+    [[nodiscard]] Plan allowed(Request request, MakeOrders makeOrders) const {
         if (const auto refusal = whyNotIo(request, module))
             return tl::unexpected(*refusal);
-        return makeSteps();
+        return makeOrders();
     }
 };
 

@@ -12,20 +12,20 @@ namespace nmc {
 
 namespace {
 
-using Steps = std::vector<bus::Step>;
-using Plan = tl::expected<Steps, Refusal>;
+using Orders = std::vector<bus::Order>;
+using Plan = tl::expected<Orders, Refusal>;
 using bus::StepperMode;
 
 template <typename... Commands>
-Steps stepsFor(const ModuleState& module, Commands... commands) {
-    return {bus::Step{module.info.index, StepperCommand(std::move(commands))}...};
+Orders stepsFor(const ModuleState& module, Commands... commands) {
+    return {bus::Order{module.info.index, StepperCommand(std::move(commands))}...};
 }
 
-template <typename MakeSteps>
-Plan allowed(const std::optional<Refusal>& refusal, MakeSteps makeSteps) {
+template <typename MakeOrders>
+Plan allowed(const std::optional<Refusal>& refusal, MakeOrders makeOrders) {
     if (refusal)
         return tl::unexpected(*refusal);
-    return makeSteps();
+    return makeOrders();
 }
 
 struct GoalOf {
@@ -129,7 +129,8 @@ struct Planner {
         });
     }
     Plan operator()(const intent::StopSmoothly&) const {
-        return allowed(whyNotStep(Request::StopMotion, module), [this] { return Steps{smoothStop(module)}; });
+        return allowed(whyNotStep(Request::StopMotion, module),
+                       [this] { return Orders{smoothStop(module)}; });
     }
     Plan operator()(const intent::StopAbruptly&) const {
         return allowed(whyNotStep(Request::StopMotion, module), [this] {
@@ -158,7 +159,7 @@ struct Planner {
                        [this] { return stepsFor(module, StartMotion{}); });
     }
     Plan operator()(const intent::DeclarePosition&) const {
-        return allowed(whyNotStep(Request::DeclarePosition, module), [] { return Steps{}; });
+        return allowed(whyNotStep(Request::DeclarePosition, module), [] { return Orders{}; });
     }
     Plan operator()(const stepperintent::SetParameters& set) const {
         return allowed(whyNotSet(set.parameters, module), [&] { return stepsFor(module, set.parameters); });
@@ -185,7 +186,7 @@ struct Planner {
             return tl::unexpected(Refusal::StepTooShort);
         if (const auto refusal = whyNotStep(Request::Move, module))
             return tl::unexpected(*refusal);
-        return allowed(whyNotFromStandstill(motionOf(moveBy), module), [] { return Steps{}; });
+        return allowed(whyNotFromStandstill(motionOf(moveBy), module), [] { return Orders{}; });
     }
     Plan operator()(const stepperintent::GoHome& home) const {
         if (const auto refusal = whyNotStep(Request::GoHome, module))
@@ -193,12 +194,12 @@ struct Planner {
         return (*this)(stepperintent::Move{*motionOf(home, module)});
     }
     Plan operator()(const intent::Home& home) const {
-        return allowed(whyNotHome(home.recipe, module), [] { return Steps{}; });
+        return allowed(whyNotHome(home.recipe, module), [] { return Orders{}; });
     }
-    Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
+    Plan operator()(const intent::CancelProcedure&) const { return Orders{}; }
     /// plan() has answered that for both chips.
     Plan operator()(const AnyOf<intent::AskAnew, intent::Direct, intent::ResetModule> auto&) const {
-        return Steps{};
+        return Orders{};
     }
     Plan operator()(
         const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
@@ -393,7 +394,7 @@ stepper::LoadTrajectory loadFor(const StepperMotion& motion, const ModuleState& 
     return std::visit(LoadOf{goal, wantsReverse(motion, module)}, motion);
 }
 
-bus::Step smoothStop(const ModuleState& module) {
+bus::Order smoothStop(const ModuleState& module) {
     if (!module.isStepper())
         return {module.info.index, ServoCommand(servo::StopMotor{true, servo::StopManner::Smoothly, {}})};
     const StepperState& stepper = module.stepper;

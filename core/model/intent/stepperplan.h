@@ -8,8 +8,8 @@
 namespace nmc {
 
 /// plan() and whyNot() of a PIC-STEP.
-[[nodiscard]] tl::expected<std::vector<bus::Step>, Refusal> planStep(const Intent& intent,
-                                                                     const ModuleState& module);
+[[nodiscard]] tl::expected<std::vector<bus::Order>, Refusal> planStep(const Intent& intent,
+                                                                      const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNotStep(Request request, const ModuleState& module);
 
 /// Why a motion cannot be started now. NeedsStop: stepperintent::ChangeMotion could do it. `as`: what it is
@@ -44,6 +44,6 @@ namespace nmc {
 /// The load for a motion, from where the module is; a position that does not change in motion is left out.
 [[nodiscard]] stepper::LoadTrajectory loadFor(const StepperMotion& motion, const ModuleState& module);
 /// Of a motor that is on. Smoothly, where a PIC-STEP knows a ramp, with the amplifier left as it is.
-[[nodiscard]] bus::Step smoothStop(const ModuleState& module);
+[[nodiscard]] bus::Order smoothStop(const ModuleState& module);
 
 }  // namespace nmc

@@ -61,17 +61,17 @@ Procedure::Next ChangeMotion::waitForStandstill(const ModuleState& module, TimeP
 }
 
 Procedure::Next ChangeMotion::go(const ModuleState& module) {
-    auto steps = planStep(stepperintent::Move{m_motion}, module);
-    if (!steps)
+    auto orders = planStep(stepperintent::Move{m_motion}, module);
+    if (!orders)
         return fail(ProcedureFailure::Refused);
     m_report.stage = ProcedureStage::Moving;
     m_mayRun = true;
-    return send(std::move(*steps));
+    return send(std::move(*orders));
 }
 
-std::vector<bus::Step> ChangeMotion::lastWord(const ModuleState& module) const {
+std::vector<bus::Order> ChangeMotion::lastWord(const ModuleState& module) const {
     // Before the new motion was asked for, the old one has been told to stop, or was left alone.
-    return m_mayRun ? std::vector{smoothStop(module)} : std::vector<bus::Step>{};
+    return m_mayRun ? std::vector{smoothStop(module)} : std::vector<bus::Order>{};
 }
 
 }  // namespace nmc

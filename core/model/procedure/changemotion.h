@@ -21,7 +21,7 @@ private:
     static constexpr Duration kStopLimit = std::chrono::seconds(20);
 
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
-    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const override;
+    [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const override;
     [[nodiscard]] Next stop(const ModuleState& module, TimePoint now);
     [[nodiscard]] Next waitForStandstill(const ModuleState& module, TimePoint now);
     [[nodiscard]] Next go(const ModuleState& module);

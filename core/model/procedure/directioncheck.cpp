@@ -97,7 +97,7 @@ DirectionCheck::Next DirectionCheck::push() {
     load.pwm = m_push;
     load.reverse = m_reverse;
     const ReadStatus read{StatusItems(StatusItems::Position | StatusItems::Aux)};
-    return send(steps({off(true), load, StartMotion{}, read, read, read, read, off(true), off(false)}));
+    return send(orders({off(true), load, StartMotion{}, read, read, read, read, off(true), off(false)}));
 }
 
 DirectionCheck::Next DirectionCheck::conclude(DirectionVerdict verdict, const ModuleState& module) {
@@ -108,18 +108,18 @@ DirectionCheck::Next DirectionCheck::conclude(DirectionVerdict verdict, const Mo
     m_report.direction = m_found;
     m_report.stage = ProcedureStage::Stopping;
     m_concluded = true;
-    return send(steps({off(false)}));
+    return send(orders({off(false)}));
 }
 
-std::vector<bus::Step> DirectionCheck::lastWord(const ModuleState& module) const {
-    return m_pushed && !module.servoOn() ? steps({off(false)}) : std::vector<bus::Step>{};
+std::vector<bus::Order> DirectionCheck::lastWord(const ModuleState& module) const {
+    return m_pushed && !module.servoOn() ? orders({off(false)}) : std::vector<bus::Order>{};
 }
 
-std::vector<bus::Step> DirectionCheck::steps(std::vector<ServoCommand> commands) const {
-    std::vector<bus::Step> steps;
+std::vector<bus::Order> DirectionCheck::orders(std::vector<ServoCommand> commands) const {
+    std::vector<bus::Order> orders;
     for (ServoCommand& command : commands)
-        steps.push_back({m_report.module, std::move(command)});
-    return steps;
+        orders.push_back({m_report.module, std::move(command)});
+    return orders;
 }
 
 bool DirectionCheck::stands(const ModuleState& module, TimePoint now) {

@@ -32,13 +32,13 @@ public:
 
 private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
-    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const override;
+    [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const override;
     [[nodiscard]] Next begin(const ModuleState& module);
     [[nodiscard]] Next look(const ModuleState& module);
     [[nodiscard]] Next push();
     [[nodiscard]] Next conclude(DirectionVerdict verdict, const ModuleState& module);
     [[nodiscard]] bool stands(const ModuleState& module, TimePoint now);
-    [[nodiscard]] std::vector<bus::Step> steps(std::vector<ServoCommand> commands) const;
+    [[nodiscard]] std::vector<bus::Order> orders(std::vector<ServoCommand> commands) const;
 
     intent::CheckDirection m_wanted;
     DirectionFound m_found;

@@ -28,13 +28,13 @@ GoalMoves::Next GoalMoves::go(ProcedureStage stage, std::int64_t goal, const Mod
     const Intent next = moveTo(m_heading);
     if (travelProblem(next, module))
         return fail(ProcedureFailure::SoftLimit);
-    const auto steps = plan(next, module);
-    if (!steps)
+    const auto orders = plan(next, module);
+    if (!orders)
         return fail(ProcedureFailure::Refused);
     m_report.stage = stage;
     m_moves = true;
     m_startedAt.reset();
-    return send(*steps);
+    return send(*orders);
 }
 
 std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, TimePoint now) {
@@ -58,7 +58,7 @@ std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, Ti
     return std::nullopt;
 }
 
-std::vector<bus::Step> GoalMoves::lastWord(const ModuleState& module) const {
+std::vector<bus::Order> GoalMoves::lastWord(const ModuleState& module) const {
     // To a servo that is off the stop would be what switches it on.
     if (!m_mayRun || !module.driveOn())
         return {};

@@ -23,7 +23,7 @@ protected:
 
 private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) final;
-    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const final;
+    [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const final;
     /// Nothing: it has arrived.
     [[nodiscard]] std::optional<Next> underWay(const ModuleState& module, TimePoint now);
 

@@ -93,13 +93,13 @@ bool HomingChip::goesOff(const HomingRecipe& recipe) const {
 }
 
 template <typename... Commands>
-HomingChip::Steps HomingChip::steps(Commands... commands) const {
+HomingChip::Orders HomingChip::orders(Commands... commands) const {
     if (m_identity.type == ModuleType::Stepper) {
         if constexpr ((std::is_constructible_v<StepperCommand, Commands> && ...))
-            return {bus::Step{m_module, StepperCommand(std::move(commands))}...};
+            return {bus::Order{m_module, StepperCommand(std::move(commands))}...};
     } else {
         if constexpr ((std::is_constructible_v<ServoCommand, Commands> && ...))
-            return {bus::Step{m_module, ServoCommand(std::move(commands))}...};
+            return {bus::Order{m_module, ServoCommand(std::move(commands))}...};
     }
     return {};
 }
@@ -135,72 +135,72 @@ bool HomingChip::stopsByItself() const {
     return m_identity.type == ModuleType::Stepper || m_identity.version >= servo::kAutoStopVersion;
 }
 
-HomingChip::Steps HomingChip::clearStickyBits() const {
-    return steps(servo::ClearStickyBits{});
+HomingChip::Orders HomingChip::clearStickyBits() const {
+    return orders(servo::ClearStickyBits{});
 }
 
-HomingChip::Steps HomingChip::run(const Motion& motion) const {
+HomingChip::Orders HomingChip::run(const Motion& motion) const {
     if (m_identity.type != ModuleType::Stepper)
-        return steps(servoRun(motion), StartMotion{});
+        return orders(servoRun(motion), StartMotion{});
     stepper::LoadTrajectory load;
     load.speed = speed(motion.velocity);
     load.accelerationTime = accelerationTime(motion.acceleration);
     load.reverse = motion.reverse;
-    return steps(load, StartMotion{});
+    return orders(load, StartMotion{});
 }
 
-HomingChip::Steps HomingChip::watch(const HomeConditions& conditions, Stop stop) const {
+HomingChip::Orders HomingChip::watch(const HomeConditions& conditions, Stop stop) const {
     if (m_identity.type == ModuleType::Stepper)
-        return steps(stoppingBy(stop, stepperHoming(conditions)));
-    return stopsByItself() ? steps(stoppingBy(stop, servoHoming(conditions)))
-                           : steps(servoHoming(conditions));
+        return orders(stoppingBy(stop, stepperHoming(conditions)));
+    return stopsByItself() ? orders(stoppingBy(stop, servoHoming(conditions)))
+                           : orders(servoHoming(conditions));
 }
 
-HomingChip::Steps HomingChip::search(const HomeConditions& conditions, Stop stop,
-                                     const Motion& motion) const {
-    Steps all = watch(conditions, stop);
-    const Steps motionSteps = run(motion);
+HomingChip::Orders HomingChip::search(const HomeConditions& conditions, Stop stop,
+                                      const Motion& motion) const {
+    Orders all = watch(conditions, stop);
+    const Orders motionSteps = run(motion);
     all.insert(all.end(), motionSteps.begin(), motionSteps.end());
     return all;
 }
 
-HomingChip::Steps HomingChip::stop(Stop manner) const {
-    return m_identity.type == ModuleType::Stepper ? steps(stepperStop(manner)) : steps(servoStop(manner));
+HomingChip::Orders HomingChip::stop(Stop manner) const {
+    return m_identity.type == ModuleType::Stepper ? orders(stepperStop(manner)) : orders(servoStop(manner));
 }
 
-HomingChip::Steps HomingChip::disarm() const {
-    return m_identity.type == ModuleType::Stepper ? steps(stepper::SetHoming{}) : steps(servo::SetHoming{});
+HomingChip::Orders HomingChip::disarm() const {
+    return m_identity.type == ModuleType::Stepper ? orders(stepper::SetHoming{}) : orders(servo::SetHoming{});
 }
 
-HomingChip::Steps HomingChip::enable() const {
+HomingChip::Orders HomingChip::enable() const {
     if (m_identity.type == ModuleType::Stepper)
-        return steps(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
+        return orders(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
     // A position error that is still set would say that the next one has come already.
-    return steps(servo::StopMotor{true, servo::StopManner::Abruptly, {}}, servo::ClearStickyBits{});
+    return orders(servo::StopMotor{true, servo::StopManner::Abruptly, {}}, servo::ClearStickyBits{});
 }
 
-HomingChip::Steps HomingChip::goTo(std::int32_t position, const Motion& motion) const {
+HomingChip::Orders HomingChip::goTo(std::int32_t position, const Motion& motion) const {
     if (m_identity.type == ModuleType::Stepper) {
         stepper::LoadTrajectory load;
         load.position = Counts(position);
         load.speed = speed(motion.velocity);
         load.accelerationTime = accelerationTime(motion.acceleration);
-        return steps(load, StartMotion{});
+        return orders(load, StartMotion{});
     }
     servo::LoadTrajectory load = servoRun(motion);
     load.position = Counts(position);
     load.profile = servo::ProfileMode::Trapezoidal;
     load.reverse = false;
-    return steps(load, StartMotion{});
+    return orders(load, StartMotion{});
 }
 
-HomingChip::Steps HomingChip::zero() const {
-    return steps(ResetPosition{});
+HomingChip::Orders HomingChip::zero() const {
+    return orders(ResetPosition{});
 }
 
-HomingChip::Steps HomingChip::read(bool second) const {
-    return steps(ReadStatus{StatusItems(second ? std::uint8_t{StatusItems::Position | StatusItems::Home}
-                                               : std::uint8_t{StatusItems::All})});
+HomingChip::Orders HomingChip::read(bool second) const {
+    return orders(ReadStatus{StatusItems(second ? std::uint8_t{StatusItems::Position | StatusItems::Home}
+                                                : std::uint8_t{StatusItems::All})});
 }
 
 std::uint8_t HomingChip::speed(double stepsPerSecond) const {

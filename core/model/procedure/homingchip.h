@@ -40,7 +40,7 @@ struct HomingLook {
 /// between the two are here only. Pure.
 class HomingChip {
 public:
-    using Steps = std::vector<bus::Step>;
+    using Orders = std::vector<bus::Order>;
     struct Motion {
         bool reverse = false;
         double velocity = 0.0;  ///< native; what is sent is never faster
@@ -59,25 +59,25 @@ public:
     /// Finding home switches the motor off, one way or another.
     [[nodiscard]] bool goesOff(const HomingRecipe& recipe) const;
 
-    [[nodiscard]] Steps clearStickyBits() const;
-    [[nodiscard]] Steps run(const Motion& motion) const;
+    [[nodiscard]] Orders clearStickyBits() const;
+    [[nodiscard]] Orders run(const Motion& motion) const;
     /// From now on the chip looks for home.
-    [[nodiscard]] Steps watch(const HomeConditions& conditions, HomingRecipe::Stop stop) const;
+    [[nodiscard]] Orders watch(const HomeConditions& conditions, HomingRecipe::Stop stop) const;
     /// The same, then run.
-    [[nodiscard]] Steps search(const HomeConditions& conditions, HomingRecipe::Stop stop,
-                               const Motion& motion) const;
-    [[nodiscard]] Steps stop(HomingRecipe::Stop manner) const;
+    [[nodiscard]] Orders search(const HomeConditions& conditions, HomingRecipe::Stop stop,
+                                const Motion& motion) const;
+    [[nodiscard]] Orders stop(HomingRecipe::Stop manner) const;
     /// Does not look for home any more.
-    [[nodiscard]] Steps disarm() const;
-    [[nodiscard]] Steps enable() const;
-    [[nodiscard]] Steps goTo(std::int32_t position, const Motion& motion) const;
-    [[nodiscard]] Steps zero() const;
+    [[nodiscard]] Orders disarm() const;
+    [[nodiscard]] Orders enable() const;
+    [[nodiscard]] Orders goTo(std::int32_t position, const Motion& motion) const;
+    [[nodiscard]] Orders zero() const;
     /// A status with home in it; `second`: in a reply of another length.
-    [[nodiscard]] Steps read(bool second) const;
+    [[nodiscard]] Orders read(bool second) const;
 
 private:
     template <typename... Commands>
-    [[nodiscard]] Steps steps(Commands... commands) const;
+    [[nodiscard]] Orders orders(Commands... commands) const;
     [[nodiscard]] std::uint8_t speed(double stepsPerSecond) const;
     [[nodiscard]] std::uint8_t accelerationTime(double stepsPerSecondSquared) const;
 

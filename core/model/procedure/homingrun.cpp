@@ -198,7 +198,7 @@ HomingRun::Next HomingRun::search(const HomingLook& seen, TimePoint now) {
         // On a chip that has stopped by itself this changes nothing; on the others it is the stop.
         m_offSince.reset();
         return enter(ProcedureStage::Stopping, now,
-                     seen.on ? m_chip.stop(m_recipe.stop) : HomingChip::Steps{});
+                     seen.on ? m_chip.stop(m_recipe.stop) : HomingChip::Orders{});
     }
     if (!seen.on) {
         if (!m_offSince)
@@ -246,7 +246,7 @@ HomingRun::Next HomingRun::read(const HomingLook& seen, TimePoint now) {
     }
     if (!m_recipe.goToHome)
         return disarm();
-    return enter(ProcedureStage::GoingHome, now, seen.on ? HomingChip::Steps{} : m_chip.enable());
+    return enter(ProcedureStage::GoingHome, now, seen.on ? HomingChip::Orders{} : m_chip.enable());
 }
 
 HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
@@ -289,29 +289,29 @@ HomingRun::Next HomingRun::disarm() {
 }
 
 /// Stops what this run may have set going, and what it told the chip to watch for.
-std::vector<bus::Step> HomingRun::lastWord(const ModuleState& module) const {
+std::vector<bus::Order> HomingRun::lastWord(const ModuleState& module) const {
     const auto seen = m_chip.look(module);
-    HomingChip::Steps steps;
+    HomingChip::Orders orders;
     // To what is off the stop would be what switches it on.
     if (m_mayRun && seen && seen->on)
-        steps = m_chip.stop(Stop::Smoothly);
-    const HomingChip::Steps disarm = m_chip.disarm();
-    steps.insert(steps.end(), disarm.begin(), disarm.end());
-    return steps;
+        orders = m_chip.stop(Stop::Smoothly);
+    const HomingChip::Orders disarm = m_chip.disarm();
+    orders.insert(orders.end(), disarm.begin(), disarm.end());
+    return orders;
 }
 
-HomingRun::Next HomingRun::tell(HomingChip::Steps steps, Sent what) {
+HomingRun::Next HomingRun::tell(HomingChip::Orders orders, Sent what) {
     m_sent = what;
-    return send(std::move(steps));
+    return send(std::move(orders));
 }
 
-HomingRun::Next HomingRun::enter(ProcedureStage stage, TimePoint now, HomingChip::Steps steps) {
+HomingRun::Next HomingRun::enter(ProcedureStage stage, TimePoint now, HomingChip::Orders orders) {
     m_report.stage = stage;
     m_told = false;
     m_began = m_toldAt = now;
     m_standstill.reset();
     m_offSince.reset();
-    return steps.empty() ? Next(Wait{}) : tell(std::move(steps));
+    return orders.empty() ? Next(Wait{}) : tell(std::move(orders));
 }
 
 HomeConditions HomingRun::conditions() const {

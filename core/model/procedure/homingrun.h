@@ -32,7 +32,7 @@ private:
     enum class Sent : std::uint8_t { Nothing, Commands, Enable, FirstRead, SecondRead, LastWord };
 
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
-    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const override;
+    [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const override;
     [[nodiscard]] Next decide(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next prepare(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next beginSearch(const HomingLook& seen, TimePoint now);
@@ -44,8 +44,8 @@ private:
     [[nodiscard]] Next goHome(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next makeZero(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next disarm();
-    [[nodiscard]] Next tell(HomingChip::Steps steps, Sent what = Sent::Commands);
-    [[nodiscard]] Next enter(ProcedureStage stage, TimePoint now, HomingChip::Steps steps);
+    [[nodiscard]] Next tell(HomingChip::Orders orders, Sent what = Sent::Commands);
+    [[nodiscard]] Next enter(ProcedureStage stage, TimePoint now, HomingChip::Orders orders);
 
     [[nodiscard]] bool inIndexSearch() const { return m_round == 2; }
     [[nodiscard]] HomeConditions conditions() const;

@@ -57,21 +57,21 @@ LoopTest::Next LoopTest::prepare(const ModuleState& module, TimePoint now) {
     return next;
 }
 
-std::vector<bus::Step> LoopTest::jump(const ModuleState& module, std::int32_t goal,
-                                      ResponseMethod way) const {
+std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t goal,
+                                       ResponseMethod way) const {
     if (way == ResponseMethod::StopHere)
-        return steps({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(goal)}});
+        return orders({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(goal)}});
     servo::LoadTrajectory load;
     load.position = Counts(goal);
     load.velocity = CountsPerTick(kAtOnce);
     load.acceleration = CountsPerTickSquared(kAtOnce);
-    return steps({load, StartMotion{}});
+    return orders({load, StartMotion{}});
 }
 
 LoopTest::Next LoopTest::conclude(const ModuleState& module, std::int32_t goal) {
     m_report.stage = ProcedureStage::Stopping;
     m_since.reset();
-    std::vector<bus::Step> both = hold(module);
+    std::vector<bus::Order> both = hold(module);
     if (module.info.identity.version >= servo::kStopHereVersion)
         both.push_back(jump(module, goal, ResponseMethod::StopHere).front());
     return send(std::move(both));
@@ -98,9 +98,9 @@ LoopTest::Next LoopTest::settle(const ModuleState& module, TimePoint now) {
     return fail(ProcedureFailure::NotStill);
 }
 
-std::vector<bus::Step> LoopTest::lastWord(const ModuleState& module) const {
+std::vector<bus::Order> LoopTest::lastWord(const ModuleState& module) const {
     // To a servo that is off the hold would be what switches it on.
-    return m_mayRun && module.servoOn() ? hold(module) : std::vector<bus::Step>{};
+    return m_mayRun && module.servoOn() ? hold(module) : std::vector<bus::Order>{};
 }
 
 /// What a hold does not calm the servo itself keeps going.
@@ -115,18 +115,18 @@ LoopTest::Next LoopTest::afterLastWord(const ModuleState& module, TimePoint now)
         return Wait{};
     m_mayRun = false;
     m_report.failure = ProcedureFailure::Unstable;
-    return send(steps({servo::StopMotor{false, servo::StopManner::MotorOff, {}}}));
+    return send(orders({servo::StopMotor{false, servo::StopManner::MotorOff, {}}}));
 }
 
-std::vector<bus::Step> LoopTest::hold(const ModuleState& module) const {
-    return steps({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Abruptly, {}}});
+std::vector<bus::Order> LoopTest::hold(const ModuleState& module) const {
+    return orders({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Abruptly, {}}});
 }
 
-std::vector<bus::Step> LoopTest::steps(std::vector<ServoCommand> commands) const {
-    std::vector<bus::Step> steps;
+std::vector<bus::Order> LoopTest::orders(std::vector<ServoCommand> commands) const {
+    std::vector<bus::Order> orders;
     for (ServoCommand& command : commands)
-        steps.push_back({m_report.module, std::move(command)});
-    return steps;
+        orders.push_back({m_report.module, std::move(command)});
+    return orders;
 }
 
 bool LoopTest::stands(const ModuleState& module, TimePoint now) {

@@ -35,24 +35,24 @@ protected:
     /// Counts, where the shaft stood then.
     [[nodiscard]] std::int32_t stood() const { return m_stood; }
     /// The command position goes there in one tick.
-    [[nodiscard]] std::vector<bus::Step> jump(const ModuleState& module, std::int32_t goal,
-                                              ResponseMethod way) const;
+    [[nodiscard]] std::vector<bus::Order> jump(const ModuleState& module, std::int32_t goal,
+                                               ResponseMethod way) const;
     /// While `taken` is recorded: what comes next until it is over. The motion may be somebody else's by
     /// then, or go too far.
     [[nodiscard]] std::optional<Next> record(const ModuleState& module, TimePoint now,
                                              const ResponseTaken& taken);
     /// The test is over: it is held at `goal`.
     [[nodiscard]] Next conclude(const ModuleState& module, std::int32_t goal);
-    [[nodiscard]] std::vector<bus::Step> steps(std::vector<ServoCommand> commands) const;
+    [[nodiscard]] std::vector<bus::Order> orders(std::vector<ServoCommand> commands) const;
 
 private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) final;
-    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const final;
+    [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const final;
     [[nodiscard]] Next afterLastWord(const ModuleState& module, TimePoint now) final;
     void whileItLasts(const ModuleState& module) final;
     [[nodiscard]] Next prepare(const ModuleState& module, TimePoint now);
     [[nodiscard]] Next settle(const ModuleState& module, TimePoint now);
-    [[nodiscard]] std::vector<bus::Step> hold(const ModuleState& module) const;
+    [[nodiscard]] std::vector<bus::Order> hold(const ModuleState& module) const;
     [[nodiscard]] bool stands(const ModuleState& module, TimePoint now);
 
     /// Of a module that cannot be tested any more.

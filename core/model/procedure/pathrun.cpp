@@ -43,7 +43,7 @@ PathRun::Next PathRun::proceed(const ModuleState& module, TimePoint /*now*/) {
         return fail(ProcedureFailure::Refused);
     m_report.stage = ProcedureStage::Moving;
     m_mayRun = true;
-    std::vector<bus::Step> starts;
+    std::vector<bus::Order> starts;
     for (const bus::PathAxis& axis : m_plan->axes)
         starts.push_back({axis.module, ServoCommand(servo::AddPathPoints())});
     return follow(std::move(starts), m_plan);
@@ -57,7 +57,7 @@ void PathRun::look(const ModuleState& module) {
 
 /// To a servo that is off a stop would be what switches it on; of a path that has ended the bus has seen to
 /// the stops.
-std::vector<bus::Step> PathRun::lastWord(const ModuleState& module) const {
+std::vector<bus::Order> PathRun::lastWord(const ModuleState& module) const {
     const bool ended = module.path && module.path->plan == m_plan && module.path->end;
     if (!m_mayRun || ended || !module.servoOn())
         return {};

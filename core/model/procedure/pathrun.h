@@ -19,7 +19,7 @@ public:
 
 private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
-    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const override;
+    [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const override;
     [[nodiscard]] Next afterLastWord(const ModuleState& module, TimePoint now) override;
     void whileItLasts(const ModuleState& module) override { look(module); }
 

@@ -26,9 +26,9 @@ Procedure::Next Procedure::next(const ModuleState& module, TimePoint now) {
             return next;
     }
     if (!std::exchange(m_lastWordSent, true)) {
-        if (auto steps = lastWord(module); !steps.empty()) {
+        if (auto orders = lastWord(module); !orders.empty()) {
             m_report.stage = ProcedureStage::Stopping;
-            return send(std::move(steps));
+            return send(std::move(orders));
         }
     }
     Next rest = afterLastWord(module, now);
@@ -61,19 +61,19 @@ void Procedure::cancel() {
         m_end = ProcedureStage::Cancelled;
 }
 
-Procedure::Next Procedure::send(std::vector<bus::Step> steps) {
+Procedure::Next Procedure::send(std::vector<bus::Order> orders) {
     m_inFlight = true;
     m_lasts = false;
-    return Send{std::move(steps)};
+    return Send{std::move(orders)};
 }
 
-Procedure::Next Procedure::swing(bus::Step centre, const bus::Sine& sine) {
+Procedure::Next Procedure::swing(bus::Order centre, const bus::Sine& sine) {
     m_inFlight = true;
     m_lasts = true;
     return Send{{std::move(centre)}, sine};
 }
 
-Procedure::Next Procedure::follow(std::vector<bus::Step> starts, std::shared_ptr<const bus::PathPlan> path) {
+Procedure::Next Procedure::follow(std::vector<bus::Order> starts, std::shared_ptr<const bus::PathPlan> path) {
     m_inFlight = true;
     m_lasts = true;
     return Send{std::move(starts), {}, std::move(path)};

@@ -111,7 +111,7 @@ public:
     /// again; or the end, after which it is asked no more.
     struct Wait {};
     struct Send {
-        std::vector<bus::Step> steps;
+        std::vector<bus::Order> orders;
         std::optional<bus::Sine> sine{};  ///< as in bus::Operation
         std::shared_ptr<const bus::PathPlan> path{};
     };
@@ -144,7 +144,7 @@ protected:
     /// What comes next; while nothing is in flight, and as long as it has not ended early.
     [[nodiscard]] virtual Next proceed(const ModuleState& module, TimePoint now) = 0;
     /// What must be sent when it ends early; nothing for nothing. Once.
-    [[nodiscard]] virtual std::vector<bus::Step> lastWord(const ModuleState& module) const = 0;
+    [[nodiscard]] virtual std::vector<bus::Order> lastWord(const ModuleState& module) const = 0;
     /// Behind the last word: whatever else it takes; End when that is all.
     [[nodiscard]] virtual Next afterLastWord(const ModuleState& /*module*/, TimePoint /*now*/) {
         return End{};
@@ -153,11 +153,11 @@ protected:
     /// While a sine or a path is in flight: fail() ends it.
     virtual void whileItLasts(const ModuleState& /*module*/) {}
 
-    [[nodiscard]] Next send(std::vector<bus::Step> steps);
+    [[nodiscard]] Next send(std::vector<bus::Order> orders);
     /// About the Stop Here that is the only step.
-    [[nodiscard]] Next swing(bus::Step centre, const bus::Sine& sine);
+    [[nodiscard]] Next swing(bus::Order centre, const bus::Sine& sine);
     /// `starts`: as bus::Operation::path wants them.
-    [[nodiscard]] Next follow(std::vector<bus::Step> starts, std::shared_ptr<const bus::PathPlan> path);
+    [[nodiscard]] Next follow(std::vector<bus::Order> starts, std::shared_ptr<const bus::PathPlan> path);
     /// What came of the last one.
     [[nodiscard]] const bus::SineRecord& swung() const { return m_swung; }
     /// The goal is reached.

@@ -48,18 +48,18 @@ SquareWaveRun::Next SquareWaveRun::begin(const ModuleState& module) {
 SquareWaveRun::Next SquareWaveRun::edge(const ModuleState& module) {
     const std::int32_t half = m_wanted.counts / 2;
     const std::int32_t goal = m_edges % 2 == 0 ? from() + half : from() + half - m_wanted.counts;
-    std::vector<bus::Step> sent;
+    std::vector<bus::Order> sent;
     if (m_next) {
         m_taken.gains = gainsFor(module, *std::exchange(m_next, std::nullopt));
-        sent = steps({m_taken.gains});
+        sent = orders({m_taken.gains});
     }
     m_taken = {{}, m_taken.goal, goal, m_wanted.period / 2, m_wanted.way, m_taken.gains};
     m_told = false;
     ++m_edges;
     m_report.round = (m_edges + 1) / 2;
-    for (bus::Step& step : jump(module, goal, m_wanted.way))
+    for (bus::Order& step : jump(module, goal, m_wanted.way))
         sent.push_back(std::move(step));
-    sent.push_back(steps({ReadStatus{kFirstQuestions.at(m_edges / 2 % kFirstQuestions.size())}}).front());
+    sent.push_back(orders({ReadStatus{kFirstQuestions.at(m_edges / 2 % kFirstQuestions.size())}}).front());
     return send(std::move(sent));
 }
 

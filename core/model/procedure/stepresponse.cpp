@@ -11,7 +11,7 @@ namespace nmc {
 
 std::optional<StepResponseRun::Next> StepResponseRun::beforeStandstill(const ModuleState& module) {
     if (m_wanted.gains && !std::exchange(m_gainsSent, true))
-        return send(steps({gainsFor(module, *m_wanted.gains)}));
+        return send(orders({gainsFor(module, *m_wanted.gains)}));
     return std::nullopt;
 }
 

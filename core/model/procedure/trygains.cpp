@@ -58,12 +58,12 @@ bool TryGainsRun::goneTooFar(const ModuleState& module) const {
            std::min(m_before.el, m_wanted.el) / kOfErrorLimit;
 }
 
-std::vector<bus::Step> TryGainsRun::lastWord(const ModuleState& /*module*/) const {
+std::vector<bus::Order> TryGainsRun::lastWord(const ModuleState& /*module*/) const {
     const bool sent = m_report.stage == ProcedureStage::Trying;
-    return sent && !m_report.kept ? set(m_before) : std::vector<bus::Step>{};
+    return sent && !m_report.kept ? set(m_before) : std::vector<bus::Order>{};
 }
 
-std::vector<bus::Step> TryGainsRun::set(const servo::SetGain& gains) const {
+std::vector<bus::Order> TryGainsRun::set(const servo::SetGain& gains) const {
     return {{m_report.module, ServoCommand(gains)}};
 }
 

@@ -20,10 +20,10 @@ public:
 
 private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
-    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const override;
+    [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const override;
     [[nodiscard]] Next watch(const ModuleState& module, TimePoint now);
     [[nodiscard]] bool goneTooFar(const ModuleState& module) const;
-    [[nodiscard]] std::vector<bus::Step> set(const servo::SetGain& gains) const;
+    [[nodiscard]] std::vector<bus::Order> set(const servo::SetGain& gains) const;
 
     servo::SetGain m_wanted;
     servo::SetGain m_before;

@@ -16,16 +16,16 @@ const ModuleState* find(const std::vector<ModuleState>& modules, ModuleIndex ind
 }
 
 /// Motions begin only when all of them are loaded: a load that is refused leaves every motor where it is.
-void startsLast(std::vector<bus::Step>& steps) {
+void startsLast(std::vector<bus::Order>& steps) {
     std::stable_partition(steps.begin(), steps.end(),
-                          [](const bus::Step& step) { return !bus::is<StartMotion>(step.command); });
+                          [](const bus::Order& step) { return !bus::is<StartMotion>(step.command); });
 }
 
 /// What stops its motor, tried whatever is believed of it; nothing where nothing is on.
-std::vector<bus::Step> stopOf(ModuleState module) {
+std::vector<bus::Order> stopOf(ModuleState module) {
     module.silent = false;
     auto steps = plan(intent::StopSmoothly{}, module);
-    return steps ? std::move(*steps) : std::vector<bus::Step>{};
+    return steps ? std::move(*steps) : std::vector<bus::Order>{};
 }
 
 }  // namespace
@@ -156,7 +156,7 @@ SequenceRun::Next SequenceRun::finishEnding(const Modules& modules) {
         return Ask{*m_procedure, intent::CancelProcedure{}};
     }
     if (!m_saysNothingMore && !std::exchange(m_stopsSent, true)) {
-        std::vector<std::vector<bus::Step>> stops;
+        std::vector<std::vector<bus::Order>> stops;
         for (const auto& [index, move] : m_moves)
             if (const ModuleState* module = find(modules, index);
                 module != nullptr && !m_leftAlone.contains(index))
@@ -247,7 +247,7 @@ SequenceRun::Next SequenceRun::rowDone() {
     return Wait{};
 }
 
-SequenceRun::Next SequenceRun::send(std::vector<std::vector<bus::Step>> operations) {
+SequenceRun::Next SequenceRun::send(std::vector<std::vector<bus::Order>> operations) {
     m_inFlight = static_cast<unsigned>(operations.size());
     return Send{std::move(operations)};
 }
@@ -268,7 +268,7 @@ bool SequenceRun::anyMoves(const std::vector<PointAxis>& axes) const {
 
 SequenceRun::Next SequenceRun::sendMoves(const std::vector<PointAxis>& axes, unsigned percent,
                                          const Modules& modules) {
-    std::vector<bus::Step> steps;
+    std::vector<bus::Order> steps;
     std::map<ModuleIndex, Move> moves;
     for (const PointAxis& axis : axes) {
         const ModuleState* module = find(modules, axis.module);

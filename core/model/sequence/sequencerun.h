@@ -82,7 +82,7 @@ public:
     struct Wait {};
     /// To be submitted, each by itself; as many onFinished() follow.
     struct Send {
-        std::vector<std::vector<bus::Step>> operations;
+        std::vector<std::vector<bus::Order>> operations;
     };
     /// A procedure to begin or to cancel; onProcedure() follows until it is over, or onNotBegun().
     struct Ask {
@@ -148,7 +148,7 @@ private:
                                  const Modules& modules);
     [[nodiscard]] bool anyMoves(const std::vector<PointAxis>& axes) const;
     [[nodiscard]] Next refused(ModuleIndex module, Refusal refusal);
-    [[nodiscard]] Next send(std::vector<std::vector<bus::Step>> operations);
+    [[nodiscard]] Next send(std::vector<std::vector<bus::Order>> operations);
     [[nodiscard]] Next rowDone();
     [[nodiscard]] const Action* currentRow();
     [[nodiscard]] bool ending() const { return m_report.end.has_value() || m_report.over(); }
