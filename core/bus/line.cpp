@@ -85,7 +85,7 @@ bool Line::onBytes(ByteSpan bytes, TimePoint now) {
 void Line::passBy(std::uint8_t byte, TimePoint now) {
     if (!m_echo.take(byte)) {
         if (m_done && now < m_pending->left)
-            return spoil({&byte, 1});
+            return invalidate({&byte, 1});
         settle();
         drop({&byte, 1}, now);
     }
@@ -97,13 +97,13 @@ void Line::passBy(std::uint8_t byte, TimePoint now) {
 void Line::hear(ByteSpan bytes, TimePoint now) {
     if (!m_pending) {
         if (m_done)
-            return spoil(bytes);
+            return invalidate(bytes);
         return drop(bytes, now);
     }
     // No module answers before it has heard the whole command.
     if (m_pending->received.empty() && now < m_pending->left) {
         if (m_done)
-            return spoil(bytes);
+            return invalidate(bytes);
         ReplyBytes& early = m_pending->early;
         early.append(bytes.first(std::min(bytes.size(), early.capacity() - early.size())));
         return drop(bytes, now);
@@ -306,7 +306,7 @@ void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
 }
 
 /// More bytes than the reply before them has.
-void Line::spoil(ByteSpan surplus) {
+void Line::invalidate(ByteSpan surplus) {
     m_statistics.surplusBytes += surplus.size();
     ReplyBytes& bytes = m_done->end.bytes;
     bytes.append(surplus.first(std::min(surplus.size(), bytes.capacity() - bytes.size())));

@@ -144,7 +144,7 @@ private:
     void take(ByteSpan bytes, TimePoint now);
     void complete(TimePoint now);
     void expire(TimePoint now);
-    void spoil(ByteSpan surplus);
+    void invalidate(ByteSpan surplus);
     void settle();
     [[nodiscard]] ReplyEnd endOf(const Pending& pending, ReplyResult result, TimePoint now) const;
     void drop(ByteSpan bytes, TimePoint now);

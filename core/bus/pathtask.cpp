@@ -14,8 +14,8 @@ namespace {
 using servo::AddPathPoints;
 
 /// Of a look for it that does not come to an end.
-constexpr unsigned kMostLooks = 12;
-constexpr unsigned kMostInVain = 4;
+constexpr unsigned kMaxLooks = 12;
+constexpr unsigned kMaxInVain = 4;
 /// A module that nobody has asked for so long is asked.
 constexpr Duration kInSight = std::chrono::milliseconds(250);
 }  // namespace
@@ -139,8 +139,8 @@ Next PathTask::next(TimePoint now) {
         // Dropped on its way: it may have arrived.
         if (const std::size_t points = std::exchange(axis.sending, 0); points > 0)
             axis.doubtFrame(points);
-        if (axis.vain > kMostInVain || axis.looks > kMostLooks) {
-            end(axis.looks > kMostLooks ? PathEnd::Uncertain : PathEnd::NoAnswer, axis.module());
+        if (axis.vain > kMaxInVain || axis.looks > kMaxLooks) {
+            end(axis.looks > kMaxLooks ? PathEnd::Uncertain : PathEnd::NoAnswer, axis.module());
             return Again{};
         }
         if (axis.doubt > 0 || halts(axis))

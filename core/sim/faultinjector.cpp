@@ -207,8 +207,8 @@ void FaultInjector::act(Fault& fault, std::vector<Act>& acts) {
         if (!fault.isActive(when))
             return;
         // At least a byte's time at the fastest rate, or time would stand still.
-        constexpr Duration kLeast = std::chrono::microseconds(80);
-        fault.next = when + std::max(fault.between(), kLeast);
+        constexpr Duration kMin = std::chrono::microseconds(80);
+        fault.next = when + std::max(fault.between(), kMin);
     }
     switch (fault.spec.kind) {
         case FaultKind::PowerCycle:

@@ -62,7 +62,7 @@ void printShares(const char* what, std::vector<double> values, const char* unit)
                                   std::int32_t step, std::uint64_t seed) {
     double best = kRecord;
     for (const std::uint8_t sr : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{4}, std::uint8_t{8}})
-        for (double noise = kMostNoise; noise > 0.03 * kMostNoise; noise /= 1.3) {
+        for (double noise = kMaxNoise; noise > 0.03 * kMaxNoise; noise /= 1.3) {
             servo::SetGain gains = suggested;
             gains.sr = sr;
             gains.kd = 1;

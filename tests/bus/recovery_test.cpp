@@ -18,7 +18,7 @@ using Bytes = std::vector<std::uint8_t>;
 /// How an answer can be wrong.
 struct Doubt {
     const char* name;
-    Bytes (*spoil)(Bytes whole);
+    Bytes (*damage)(Bytes whole);
 
     friend void PrintTo(const Doubt& doubt, std::ostream* stream) { *stream << doubt.name; }
 };
@@ -61,7 +61,7 @@ TEST_P(AfterADoubtfulAnswer, AsksTwoQuestionsOfDifferentLength) {
     bus.answer = [&](ByteSpan packet) {
         Bytes whole = bus.likeAServo(packet);
         if (toHex(packet) == "AA 01 13 3F 53" && spoilt++ == 0)
-            return GetParam().spoil(whole);
+            return GetParam().damage(whole);
         return whole;
     };
     ASSERT_TRUE(bus.runUntil([&] { return spoilt > 0; }));

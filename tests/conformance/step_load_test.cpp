@@ -5,7 +5,7 @@
 namespace nmc::conformance {
 namespace {
 
-constexpr std::int32_t kMost = 0x7FFFFFFF;
+constexpr std::int32_t kMax = 0x7FFFFFFF;
 
 class PicStepLoad : public PicStep {
 protected:
@@ -113,16 +113,16 @@ TEST_P(PicStepLoad, LoadTrajectory11_ThePositionIsTheGoalOfTheUnprofiledPosition
 
 TEST_P(PicStepLoad, LoadTrajectory12_PositionsReachFromMinus7FFFFFFFToPlus7FFFFFFF) {
     parameters(k8x, 250);
-    load({.position = kMost, .speed = 250, .acceleration = 1});
+    load({.position = kMax, .speed = 250, .acceleration = 1});
     rig->wait(seconds(43'000));  // 2 147 483 647 / 50 000 = 42 949.7
-    EXPECT_EQ(report().position, kMost);
+    EXPECT_EQ(report().position, kMax);
     load({.position = 0});
     rig->wait(seconds(43'000));
-    load({.position = -kMost});
+    load({.position = -kMax});
     rig->wait(seconds(43'000));
-    EXPECT_EQ(report().position, -kMost);
+    EXPECT_EQ(report().position, -kMax);
     expectNoViolations();
-    load({.position = -kMost - 1});
+    load({.position = -kMax - 1});
     expectViolations({"out_of_range"});
 }
 
@@ -130,10 +130,10 @@ TEST_P(PicStepLoad, LoadTrajectory13_TheGoalIsNoFartherThan7FFFFFFFFromThePositi
     parameters(k8x, 250);
     load({.position = -1'000, .speed = 250, .acceleration = 1});
     rig->wait(seconds(1));
-    load({.position = kMost - 1'000});
+    load({.position = kMax - 1'000});
     stop(0x05);
     expectNoViolations();
-    load({.position = kMost});
+    load({.position = kMax});
     expectViolations({"out_of_range"});
 }
 

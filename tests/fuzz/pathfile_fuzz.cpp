@@ -66,7 +66,7 @@ void keepsItsLimits(const PathTable& table) {
     require(table.columns.size() == 1 || table.columns[0].module != table.columns[1].module);
     for (const PathTable::Column& column : table.columns) {
         const auto& points = column.points;
-        require(points.size() >= 2 && points.size() <= kMostPathPoints);
+        require(points.size() >= 2 && points.size() <= kMaxPathPoints);
         require(points.size() == table.columns.front().points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
             const std::int64_t way = i > 0 ? std::int64_t{points[i]} - points[i - 1] : 0;
@@ -85,7 +85,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string text(data, data + size);
     const auto read = readPath(text, axes());
     if (!read) {
-        require(!read.error().empty() && read.error().size() <= kMostPathProblems);
+        require(!read.error().empty() && read.error().size() <= kMaxPathProblems);
         const auto lines = 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
         for (const PathProblem& problem : read.error())
             require(problem.line <= lines);

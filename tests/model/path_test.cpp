@@ -118,13 +118,13 @@ TEST(PathFile, StopsLookingAfterTwentyProblems) {
 
 TEST(PathFile, HasAnEnd) {
     std::string text = "Y\n";
-    for (std::size_t i = 0; i < kMostPathPoints; ++i)
+    for (std::size_t i = 0; i < kMaxPathPoints; ++i)
         text += "5\n";
     EXPECT_TRUE(problems(text).empty());
     const auto found = problems(text + "5\n");
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].kind, Kind::TooManyPoints);
-    EXPECT_EQ(found[0].line, kMostPathPoints + 2);
+    EXPECT_EQ(found[0].line, kMaxPathPoints + 2);
 }
 
 /// 32 ticks of 0.512 ms are 16.384 ms.

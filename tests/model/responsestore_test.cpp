@@ -143,7 +143,7 @@ TEST(ResponseStore, KeepsAHundredAndWhatSomebodyHasNamedLongest) {
         runs.push_back(runOf(i));
     runs[0].name = "first";
     runs[2].note = "third";
-    keepMost(runs, [](const KeptResponse& run) { return run.number == 4; });
+    dropOldest(runs, [](const KeptResponse& run) { return run.number == 4; });
     ASSERT_EQ(runs.size(), 100U);
     runs.resize(4);
     EXPECT_THAT(numbersOf(runs), testing::ElementsAre(1, 3, 4, 8));
@@ -152,7 +152,7 @@ TEST(ResponseStore, KeepsAHundredAndWhatSomebodyHasNamedLongest) {
         named.push_back(runOf(i));
         named.back().name = "a name";
     }
-    keepMost(named);
+    dropOldest(named);
     EXPECT_EQ(named.size(), 100U);
     EXPECT_EQ(named.front().number, 2);
 }

@@ -132,9 +132,9 @@ private:
     void takeRows(QAbstractItemView* view) {
         if (view->model() == nullptr || qobject_cast<QHeaderView*>(view) != nullptr)
             return;
-        constexpr int kMost = 6;  // or a long list would be most of what there is
+        constexpr int kMax = 6;  // or a long list would be most of what there is
         const int rows = view->model()->rowCount(view->rootIndex());
-        for (int row = 0; row < std::min(rows, kMost); ++row) {
+        for (int row = 0; row < std::min(rows, kMax); ++row) {
             const QModelIndex index = view->model()->index(row, 0, view->rootIndex());
             add(view->viewport(), view->visualRect(index), u"row %1"_s.arg(row));
         }

@@ -34,7 +34,7 @@ protected:
         return recipe;
     }
     /// Bytes on their way to the host and to the module are lost or changed with about this probability.
-    void spoil(ServoBench& bench, double probability) {
+    void invalidate(ServoBench& bench, double probability) {
         bench.bus.onHostByte = [this, probability](std::uint8_t& byte) {
             if (chance(probability))
                 byte = static_cast<std::uint8_t>(byte ^ (1U << between(0, 7)));
@@ -66,7 +66,7 @@ TEST_P(Campaign, NothingIsHomeThatIsNot) {
         bench.begin(intent::Home{recipe});
         ASSERT_NE(bench.procedure, nullptr);
         constexpr std::array kBad{0.0, 0.0002, 0.0005, 0.002, 0.005};
-        spoil(bench, kBad[static_cast<std::size_t>(between(0, 4))]);
+        invalidate(bench, kBad[static_cast<std::size_t>(between(0, 4))]);
         if (chance(0.3)) {
             const int turns = between(0, 300);
             bench.onTurn = [n = 0, turns](Procedure& run) mutable {

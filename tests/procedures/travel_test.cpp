@@ -240,7 +240,7 @@ protected:
         return std::uniform_int_distribution<>(low, high)(m_random);
     }
     /// One bit of a command at most: two may leave the sum right, which no host can tell.
-    void spoil(VirtualBus& bus) {
+    void invalidate(VirtualBus& bus) {
         bus.onHostByte = [this](std::uint8_t& byte) {
             if (chance(0.002))
                 byte = static_cast<std::uint8_t>(byte ^ (1U << between(0, 7)));
@@ -299,7 +299,7 @@ TEST_P(TravelSequences, TheShaftNeverPassesALimitByMoreThanTheBound) {
         TravelBench bench(type);
         ASSERT_TRUE(bench.prepare(-between(100, 2'000), between(100, 2'000)));
         if (chance(0.5))
-            spoil(bench.bus);
+            invalidate(bench.bus);
         for (int n = 0; n < 10; ++n) {
             const double before = bench.shaft();
             act(bench);

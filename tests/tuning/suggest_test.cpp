@@ -44,8 +44,8 @@ TEST(Suggest, KeepsWhatProtectsTheMotorAndTheMargins) {
     EXPECT_LE(gains->el, 800);
     const LoopMargins margins = marginsOf(kSmallMotor, *gains);
     EXPECT_TRUE(margins.stable);
-    EXPECT_GE(margins.phaseDegrees, kLeastPhaseMargin);
-    EXPECT_GE(margins.gain, kLeastGainMargin);
+    EXPECT_GE(margins.phaseDegrees, kMinPhaseMargin);
+    EXPECT_GE(margins.gain, kMinGainMargin);
 }
 
 TEST(Suggest, IsNoLouderThanWished) {
@@ -54,7 +54,7 @@ TEST(Suggest, IsNoLouderThanWished) {
         wish.noise = noise;
         const auto gains = suggest(modelOf(kSmallMotor), wish, kNow, 200);
         ASSERT_TRUE(gains);
-        EXPECT_LE(figuresOf(kSmallMotor, *gains).noise, noise * kMostNoise * 1.01);
+        EXPECT_LE(figuresOf(kSmallMotor, *gains).noise, noise * kMaxNoise * 1.01);
     }
 }
 
@@ -95,7 +95,7 @@ TEST(Suggest, LowersTheServoRateForALargeInertiaAndACoarseEncoder) {
     const auto gains = suggest(modelOf(heavy), {}, kNow, 40);
     ASSERT_TRUE(gains);
     EXPECT_GT(gains->sr, 1);
-    EXPECT_LE(figuresOf(heavy, *gains).noise, kMostNoise * 1.01);
+    EXPECT_LE(figuresOf(heavy, *gains).noise, kMaxNoise * 1.01);
 }
 
 TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {

@@ -98,9 +98,9 @@ void WindowTest::showServos(std::vector<Servo> servos) {
 }
 
 QSet<const QWidget*> WindowTest::reachedByTab() {
-    constexpr int kMost = 1'000;
+    constexpr int kMax = 1'000;
     QSet<const QWidget*> reached;
-    for (int i = 0; i < kMost; ++i) {
+    for (int i = 0; i < kMax; ++i) {
         QTest::keyClick(window->windowHandle(), Qt::Key_Tab);
         const QWidget* focused = QApplication::focusWidget();
         if (focused == nullptr || reached.contains(focused))

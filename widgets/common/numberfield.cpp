@@ -137,9 +137,9 @@ std::optional<double> NumberField::value() const {
 }
 
 QString NumberField::textOf(double value) const {
-    constexpr int kMostDecimals = 12;
+    constexpr int kMaxDecimals = 12;
     int decimals = m_decimals;
-    while (m_decimals > 0 && decimals < kMostDecimals && value != 0.0 &&
+    while (m_decimals > 0 && decimals < kMaxDecimals && value != 0.0 &&
            std::abs(value) * std::pow(10.0, decimals) < 10.0)
         ++decimals;
     return format(value, decimals);

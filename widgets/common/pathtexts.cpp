@@ -64,7 +64,7 @@ QString sentence(const PathProblem& problem, const AxisScale& scale) {
         case TooFewPoints:
             return Texts::tr("A path needs at least two points.");
         case TooManyPoints:
-            return Texts::tr("A path has at most %1 points.").arg(grouped(kMostPathPoints));
+            return Texts::tr("A path has at most %1 points.").arg(grouped(kMaxPathPoints));
     }
     return {};
 }
@@ -155,7 +155,7 @@ QString drawingProblem(const DrawingProblem& problem) {
             return where.arg(Texts::tr("A path cannot repeat forever."));
         case TooManyPoints:
             return where.arg(Texts::tr("Up to here the path would have more than %1 points.")
-                                 .arg(grouped(kMostPathPoints)));
+                                 .arg(grouped(kMaxPathPoints)));
         case NoMove:
             return Texts::tr("The sequence \"%1\" moves nothing.")
                 .arg(QString::fromStdString(problem.sequence));

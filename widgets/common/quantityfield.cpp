@@ -16,7 +16,7 @@ using namespace Qt::StringLiterals;
 namespace {
 constexpr int kVelocityDecimals = 4;
 constexpr int kAccelerationDecimals = 5;
-constexpr int kMostDecimals = 6;
+constexpr int kMaxDecimals = 6;
 /// Digits that a velocity in the user's unit keeps below that of one count per tick.
 constexpr double kFinePart = 1e-4;
 
@@ -145,7 +145,7 @@ int QuantityField::decimalsWanted() const {
             finest = toUser(1.0) * (m_scale.steps() ? 1.0 : kFinePart);
             break;
     }
-    return qBound(0, static_cast<int>(std::ceil(-std::log10(finest))), kMostDecimals);
+    return qBound(0, static_cast<int>(std::ceil(-std::log10(finest))), kMaxDecimals);
 }
 
 QString QuantityField::unitText() const {

@@ -64,8 +64,8 @@ QString accelerationUnitOf(const AxisScale& scale) {
 }
 
 int positionDecimals(const AxisScale& scale) {
-    constexpr int kMost = 6;
-    return qBound(0, static_cast<int>(std::ceil(-std::log10(scale.position(1.0)))), kMost);
+    constexpr int kMax = 6;
+    return qBound(0, static_cast<int>(std::ceil(-std::log10(scale.position(1.0)))), kMax);
 }
 
 QString fixedPosition(const AxisScale& scale, double counts) {
@@ -74,8 +74,8 @@ QString fixedPosition(const AxisScale& scale, double counts) {
 
 QString measuredVelocity(const AxisScale& scale, double countsPerSecond) {
     // What is seen within a fifth of a second tells no more.
-    constexpr int kMostDecimals = 3;
-    const int decimals = qBound(0, positionDecimals(scale) - 1, kMostDecimals);
+    constexpr int kMaxDecimals = 3;
+    const int decimals = qBound(0, positionDecimals(scale) - 1, kMaxDecimals);
     return fixed(scale.position(countsPerSecond), decimals) + u' ' + measuredVelocityUnitOf(scale);
 }
 

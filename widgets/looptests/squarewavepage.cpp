@@ -58,7 +58,7 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
     m_period->setRange(kShortestPeriod, kLongestPeriod);
     m_period->showValue(kFirstPeriod);
     m_rounds = m_form->addNumber(u"squareWaveRoundsField"_s, tr("Periods"), tr("Periods to run"), {}, 0);
-    m_rounds->setRange(1, kMostPeriods);
+    m_rounds->setRange(1, kMaxPeriods);
     m_rounds->showValue(kFirstRounds);
     m_excursion = m_form->addDistance(u"squareWaveExcursionField"_s, tr("Excursion"), tr("Excursion"));
     m_excursion->setNativeRange(1, kLongestStep);

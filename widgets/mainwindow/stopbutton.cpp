@@ -11,7 +11,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr double kLeastHeight = 15.0;  // mm
+constexpr double kMinHeight = 15.0;  // mm
 }  // namespace
 
 StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
@@ -42,14 +42,14 @@ QFont StopButton::largeFont() const {
 }
 
 int StopButton::symbolSide() const {
-    return look::millimetres(this, kLeastHeight) * 6 / 10;
+    return look::millimetres(this, kMinHeight) * 6 / 10;
 }
 
 QSize StopButton::sizeHint() const {
     const QFontMetrics large(largeFont());
     const int unit = look::gridUnit(this);
     const int height =
-        qMax(look::millimetres(this, kLeastHeight), large.height() + fontMetrics().height() + unit * 2);
+        qMax(look::millimetres(this, kMinHeight), large.height() + fontMetrics().height() + unit * 2);
     const int keycap = fontMetrics().horizontalAdvance(tr("Esc")) + unit * 2;
     const int words = qMax(large.horizontalAdvance(tr("STOP ALL")) + unit * 2 + keycap,
                            fontMetrics().horizontalAdvance(tr("goes to all modules")));

@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr double kFirstDistance = 100;
-constexpr double kMostRounds = 100'000;
+constexpr double kMaxRounds = 100'000;
 constexpr double kLongestPause = 3'600;  // s
 }  // namespace
 
@@ -83,7 +83,7 @@ void MoveByBox::buildRepeat(QGridLayout* grid, int& line) {
         connect(field, &NumberField::edited, this, &MoveByBox::refresh);
         return field;
     };
-    m_rounds = newField(0, named(u"moveByRoundsField"_s), tr("The number of steps"), 1, kMostRounds, 1,
+    m_rounds = newField(0, named(u"moveByRoundsField"_s), tr("The number of steps"), 1, kMaxRounds, 1,
                         tr("Number of steps per click."));
     m_pause = newField(2, named(u"moveByPauseField"_s), tr("The pause between steps"), 0, kLongestPause, 0,
                        tr("Time to wait after each move, in seconds."));

@@ -282,7 +282,7 @@ void PathsPage::showProblems(const QString& name, const std::vector<PathProblem>
     QStringList lines{tr("%1 is not a path for this chain:").arg(name)};
     for (const PathProblem& problem : problems)
         lines << texts::pathProblem(problem, axes);
-    if (problems.size() >= kMostPathProblems)
+    if (problems.size() >= kMaxPathProblems)
         lines << tr("There may be more problems after these.");
     m_problems = lines.join(u'\n');
     refresh();

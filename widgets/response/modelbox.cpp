@@ -93,8 +93,8 @@ std::vector<const KeptResponse*> ModelBox::ofThisModule() const {
     for (const KeptResponse& kept : m_runs)
         if (m_servo == kept.run.module && !kept.earlier)
             mine.push_back(&kept);
-    if (mine.size() > kMostRuns)
-        mine.erase(mine.begin(), mine.end() - kMostRuns);
+    if (mine.size() > kMaxRuns)
+        mine.erase(mine.begin(), mine.end() - kMaxRuns);
     return mine;
 }
 
@@ -198,7 +198,7 @@ void ModelBox::refresh() {
         : ofThisModule().empty() ? tr("Record a step with this module first.")
                                  : QString(),
         tr("Calculates the motor model from up to %1 recent steps of this module. Sends nothing.")
-            .arg(kMostRuns));
+            .arg(kMaxRuns));
     look::setPossible(m_fill,
                       m_suggestion.gains ? QString() : tr("No suggested gains. Find the motor first."),
                       tr("Copies the suggested gains to the Gains page. Sends nothing."));

@@ -224,7 +224,7 @@ void ResponsePage::clearRuns() {
 
 /// What is listed has changed.
 void ResponsePage::showList() {
-    keepMost(m_kept, [this](const KeptResponse& kept) {
+    dropOldest(m_kept, [this](const KeptResponse& kept) {
         return kept.number == m_shown[0] || kept.number == m_shown[1] || kept.number == m_lastNumber;
     });
     m_model->showRuns();

@@ -32,7 +32,7 @@ constexpr double kWheelZoom = 1.25;   ///< for each notch
 constexpr double kKeyZoom = 1.5;
 constexpr double kPan = 0.1;  ///< of what is seen
 /// s, and the unit of the axis: zooming ends here.
-constexpr double kNarrowest = 1e-5, kWidest = 100, kMostValues = 1e13;
+constexpr double kNarrowest = 1e-5, kWidest = 100, kMaxValues = 1e13;
 
 /// The part of a line that is in an area (Liang and Barsky).
 std::optional<QLineF> within(const QRectF& area, const QLineF& line) {
@@ -418,7 +418,7 @@ ResponsePlot::View ResponsePlot::seen() const {
 void ResponsePlot::showView(const View& view) {
     const double time = view.right - view.left;
     const double values = view.top - view.bottom;
-    if (time < kNarrowest || time > kWidest || values < kNarrowest || values > kMostValues)
+    if (time < kNarrowest || time > kWidest || values < kNarrowest || values > kMaxValues)
         return;
     m_view = view;
     fit();

@@ -21,7 +21,7 @@ ResponseTable::ResponseTable(QWidget* parent) : QTableWidget(0, kColumns, parent
     look::name(this, u"responseRunTable"_s, tr("Step responses so far"));
     setToolTip(
         tr("Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.")
-            .arg(kMostKeptRuns));
+            .arg(kMaxKeptRuns));
     setHorizontalHeaderLabels({tr("A"), tr("B"), tr("Run"), tr("Name"), tr("Module"), tr("Time"), u"Kp"_s,
                                u"Kd"_s, u"Ki"_s, tr("Overshoot"), tr("Settling"), tr("Note")});
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);

@@ -68,13 +68,13 @@ QString responseMethodMeaning(ResponseMethod way) {
 }
 
 QString plusMinus(const Measured& measured, const QString& unit) {
-    constexpr int kMost = 6;
+    constexpr int kMax = 6;
     const double doubt = std::max(measured.doubt, 1e-9);
     int decimals = -static_cast<int>(std::floor(std::log10(doubt)));
     // 0.1 says much less than 0.14.
     if (doubt * std::pow(10, decimals) < 2)
         ++decimals;
-    decimals = std::clamp(decimals, 0, kMost);
+    decimals = std::clamp(decimals, 0, kMax);
     // Rounded up: no more certain than it is.
     const double power = std::pow(10, decimals);
     const double shown = std::ceil(doubt * power - 1e-6) / power;

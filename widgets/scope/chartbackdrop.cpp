@@ -36,13 +36,13 @@ ChartBackdrop::ChartBackdrop(QObject* parent)
     m_chart->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     connect(m_chart, &QChart::plotAreaChanged, this, [this](const QRectF& area) {
         m_labels->setArea(area);
-        spoil();
+        invalidate();
     });
     // What changes in the scene later, when the event loop lays it out.
-    connect(&m_scene, &QGraphicsScene::changed, this, &ChartBackdrop::spoil);
+    connect(&m_scene, &QGraphicsScene::changed, this, &ChartBackdrop::invalidate);
 }
 
-void ChartBackdrop::spoil() {
+void ChartBackdrop::invalidate() {
     m_spoilt = true;
     emit changed();
 }
@@ -67,7 +67,7 @@ void ChartBackdrop::setLegend(const std::vector<LegendEntry>& entries) {
         m_series[i]->setPen(pen);
     }
     m_entries = entries;
-    spoil();
+    invalidate();
 }
 
 QString ChartBackdrop::legendText(std::size_t entry) const {
@@ -86,14 +86,14 @@ void ChartBackdrop::setLook(const QPalette& palette, const QFont& font) {
     m_labels->setLook(font, text);
     m_chart->legend()->setLabelColor(text);
     m_chart->legend()->setFont(font);
-    spoil();
+    invalidate();
 }
 
 void ChartBackdrop::resize(const QSizeF& size) {
     m_scene.setSceneRect(QRectF(QPointF(), size));
     m_chart->resize(size);
     m_chart->layout()->activate();
-    spoil();
+    invalidate();
 }
 
 void ChartBackdrop::setMargins(int left, int right, int bottom) {
@@ -101,18 +101,18 @@ void ChartBackdrop::setMargins(int left, int right, int bottom) {
     if (margins == m_chart->margins())
         return;
     m_chart->setMargins(margins);
-    spoil();
+    invalidate();
 }
 
 void ChartBackdrop::setTimeAxis(double left, double right, double division, double labelInterval) {
     if (move(*m_timeAxis, left, right, division))
-        spoil();
+        invalidate();
     m_labels->setTimes(left, right, labelInterval);
 }
 
 void ChartBackdrop::setValueAxis(double bottom, double top, double interval) {
     if (move(*m_valueAxis, bottom, top, interval))
-        spoil();
+        invalidate();
     m_labels->setValues(bottom, top, interval);
 }
 

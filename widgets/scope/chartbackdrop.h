@@ -56,7 +56,7 @@ signals:
     void changed();
 
 private:
-    void spoil();
+    void invalidate();
     [[nodiscard]] static bool move(QValueAxis& axis, double from, double to, double interval);
 
     QGraphicsScene m_scene;

@@ -25,7 +25,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /// More of them are for a file.
-constexpr std::uint64_t kMostForClipboard = 5'000;
+constexpr std::uint64_t kMaxForClipboard = 5'000;
 
 class Scope {
     Q_DECLARE_TR_FUNCTIONS(Scope)
@@ -85,7 +85,7 @@ std::string fewSamples(const Seen& seen, const std::vector<ScopeModule>& modules
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < seen.history->modules(); ++i)
         count += seen.history->module(ModuleIndex(static_cast<std::uint8_t>(i)))->count();
-    return count <= kMostForClipboard ? contentOf(seen, modules, origin)() : std::string();
+    return count <= kMaxForClipboard ? contentOf(seen, modules, origin)() : std::string();
 }
 
 QStringList captionOf(const ScopeOrigin& origin, const QString& title, double left) {

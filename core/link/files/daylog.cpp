@@ -16,7 +16,7 @@ namespace {
 /// Those of earlier days that are one too many. Their names are in the order of their days.
 void removeOldest(const QDir& folder) {
     QStringList files = folder.entryList({QStringLiteral("messages-*-*-*.log")}, QDir::Files, QDir::Name);
-    while (files.size() > DayLog::kMostFiles) {
+    while (files.size() > DayLog::kMaxFiles) {
         const QString oldest = folder.filePath(files.takeFirst());
         QFile::remove(oldest);
         QFile::remove(oldest + QStringLiteral(".old"));

@@ -20,7 +20,7 @@ class DayLog : public QObject {
 public:
     /// Called in another thread.
     using Append = FileWriter::Disk;
-    static constexpr int kMostFiles = 30;
+    static constexpr int kMaxFiles = 30;
     static constexpr qint64 kMostBytes = 4'000'000;
 
     /// `folder` need not be there. `append`: for tests, a disk that behaves otherwise.

@@ -15,7 +15,7 @@ constexpr int kProgressMs = 100;
 constexpr std::size_t kModules = std::numeric_limits<std::uint8_t>::max();
 
 /// More than anybody sends: a file must not take memory without end.
-constexpr std::size_t kMostGains = 10'000;
+constexpr std::size_t kMaxGains = 10'000;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void RecordingLoader::Reading::read(const BackgroundJob::Cancelled& cancelled) {
     RecordingReader reader(
         {[this](ModuleIndex module, const ScopeSample& sample) { result.history.append(module, sample); },
          [this](const GainsChange& change) {
-             if (result.history.gains().size() < kMostGains)
+             if (result.history.gains().size() < kMaxGains)
                  result.history.noteGains(change);
          }});
     const qint64 size = (*file)->size();

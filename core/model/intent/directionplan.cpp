@@ -10,10 +10,10 @@ std::int32_t directionReach(const AxisUnit& unit) {
     constexpr double kPart = 8.0;
     constexpr double kCountsPerTurnUnknown = 2'000.0;
     /// Five times what is seen as a motion; and behind a gear a turn of the axis is many of the motor.
-    constexpr double kLeast = 5.0 * kMovedCounts;
-    constexpr double kMost = 1'000.0;
+    constexpr double kMin = 5.0 * kMovedCounts;
+    constexpr double kMax = 1'000.0;
     const double part = countsPerTurn(unit).value_or(kCountsPerTurnUnknown) / kPart;
-    return static_cast<std::int32_t>(std::lround(std::clamp(part, kLeast, kMost)));
+    return static_cast<std::int32_t>(std::lround(std::clamp(part, kMin, kMax)));
 }
 
 }  // namespace nmc

@@ -67,7 +67,7 @@ std::optional<Refusal> whyNot(const intent::SquareWave& wanted, const ModuleStat
     if (wanted.way == ResponseMethod::StopHere && module.info.identity.version < servo::kStopHereVersion)
         return Refusal::VersionLacksIt;
     const bool inRange = wanted.period >= kShortestPeriod && wanted.period <= kLongestPeriod &&
-                         wanted.rounds >= 1 && wanted.rounds <= kMostPeriods && wanted.excursion > 0;
+                         wanted.rounds >= 1 && wanted.rounds <= kMaxPeriods && wanted.excursion > 0;
     return inRange ? std::nullopt : std::optional(Refusal::TestOutOfRange);
 }
 

@@ -27,7 +27,7 @@ inline constexpr double kFastestSine = 40.0;
 /// s.
 inline constexpr double kShortestPeriod = 0.1;
 inline constexpr double kLongestPeriod = 5.0;
-inline constexpr unsigned kMostPeriods = 200;
+inline constexpr unsigned kMaxPeriods = 200;
 
 /// A jump of the command position by so many counts would trip, or come close to it: a tenth, and what a
 /// servo swings at standstill.

@@ -82,7 +82,7 @@ void fields(Form& form, T& kept) {
 
 template <typename Form, As<Runs> T>
 void fields(Form& form, T& file) {
-    form.list("runs", file.runs, kMostKeptRuns);
+    form.list("runs", file.runs, kMaxKeptRuns);
 }
 
 }  // namespace layout
@@ -132,9 +132,9 @@ std::string idOf(const KeptResponse& run) {
     return run.startedAt + ' ' + run.port + ' ' + textOf(run.run.module.value());
 }
 
-void keepMost(std::vector<KeptResponse>& runs, const std::function<bool(const KeptResponse&)>& needed) {
+void dropOldest(std::vector<KeptResponse>& runs, const std::function<bool(const KeptResponse&)>& needed) {
     const auto free = [&](const KeptResponse& run) { return !needed || !needed(run); };
-    while (runs.size() > kMostKeptRuns) {
+    while (runs.size() > kMaxKeptRuns) {
         auto first = std::find_if(runs.begin(), runs.end(), [&](const KeptResponse& run) {
             return free(run) && run.name.empty() && run.note.empty();
         });
@@ -163,7 +163,7 @@ std::vector<KeptResponse> together(std::vector<KeptResponse> ours, const std::ve
     }
     std::stable_sort(ours.begin(), ours.end(),
                      [](const KeptResponse& a, const KeptResponse& b) { return a.number < b.number; });
-    keepMost(ours);
+    dropOldest(ours);
     return ours;
 }
 

@@ -16,7 +16,7 @@
 namespace nmc {
 
 /// So many are kept of a machine.
-inline constexpr std::size_t kMostKeptRuns = 100;
+inline constexpr std::size_t kMaxKeptRuns = 100;
 /// Longer files are not read; as many runs of the longest record do not fill it.
 inline constexpr std::size_t kMaxRunFile = 32'000'000;
 /// How the name of a file of runs ends.
@@ -31,9 +31,9 @@ inline constexpr std::string_view kRunFileSuffix = "runs";
 /// By which a run is known, whatever number it has.
 [[nodiscard]] std::string idOf(const KeptResponse& run);
 
-/// Takes the oldest off until there are kMostKeptRuns, those that nobody has named or made a note of before
+/// Takes the oldest off until there are kMaxKeptRuns, those that nobody has named or made a note of before
 /// the others; none of `needed`.
-void keepMost(std::vector<KeptResponse>& runs, const std::function<bool(const KeptResponse&)>& needed = {});
+void dropOldest(std::vector<KeptResponse>& runs, const std::function<bool(const KeptResponse&)>& needed = {});
 
 /// What the file is to hold: `ours`, and of what is in it already, which another session may have written,
 /// all but `gone`. Oldest first; of a number that is taken it gets the next that is free.

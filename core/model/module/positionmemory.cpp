@@ -21,13 +21,13 @@ struct Field {
     Number min;
     Number max;
 };
-constexpr Number kLeast = std::numeric_limits<std::int32_t>::min();
-constexpr Number kMost = std::numeric_limits<std::int32_t>::max();
+constexpr Number kMin = std::numeric_limits<std::int32_t>::min();
+constexpr Number kMax = std::numeric_limits<std::int32_t>::max();
 constexpr Field kModule{"module", 1, kMostModules};
 constexpr Field kType{"type", 0, 255};
 constexpr Field kVersion{"version", 0, 255};
-constexpr Field kFromHome{"from_home", kLeast, kMost};
-constexpr Field kCounter{"counter", kLeast, kMost};
+constexpr Field kFromHome{"from_home", kMin, kMax};
+constexpr Field kCounter{"counter", kMin, kMax};
 constexpr Field kSaved{"home_saved", 0, 1};
 constexpr Field kSeen{"seen", 0, std::numeric_limits<Number>::max()};
 constexpr Field kMoving{"moving", 0, 1};

@@ -12,13 +12,13 @@ namespace nmc {
 namespace {
 
 constexpr Duration kWindow = std::chrono::milliseconds(1'000);
-constexpr Duration kLeastSpan = std::chrono::milliseconds(800);
+constexpr Duration kMinSpan = std::chrono::milliseconds(800);
 constexpr Duration kBetween = std::chrono::milliseconds(200);
 /// Where it is looked at rarely, they go farther back than the window.
 constexpr std::ptrdiff_t kFewestLooks = 12;
 constexpr std::size_t kFewestForRate = 16;
 /// Counts to either side: friction and Ki make a good servo creep by a few.
-constexpr double kLeastAmplitude = 8.0;
+constexpr double kMinAmplitude = 8.0;
 /// Less than that of the half second before: it calms down by itself.
 constexpr double kStays = 0.7;
 /// Of all that is seen, what one sine has to account for.
@@ -106,7 +106,7 @@ void SwingWatch::look(TimePoint time, std::int32_t position) {
     while (time - kept->time > kWindow && m_looks.end() - kept > kFewestLooks)
         ++kept;
     m_looks.erase(m_looks.begin(), kept);
-    if (time - m_lookedInto < kBetween || time - m_looks.front().time < kLeastSpan)
+    if (time - m_lookedInto < kBetween || time - m_looks.front().time < kMinSpan)
         return;
     m_lookedInto = time;
     m_swing = lookInto();
@@ -125,7 +125,7 @@ std::optional<SwingWatch::Swing> SwingWatch::lookInto() const {
     const auto middle = m_looks.begin() + static_cast<std::ptrdiff_t>(m_looks.size() / 2);
     const double now = reach(middle, m_looks.end());
     const double before = reach(m_looks.begin(), middle);
-    if (now < kLeastAmplitude || before < kLeastAmplitude || now < kStays * before)
+    if (now < kMinAmplitude || before < kMinAmplitude || now < kStays * before)
         return std::nullopt;
     double mean = 0;
     for (const Look& one : m_looks)

@@ -69,7 +69,7 @@ public:
     }
     void operator()(const action::Wait& wait) {
         const double count = std::round(wait.seconds / toSeconds(bus::pathPeriod(m_table.rate)));
-        if (!(count <= static_cast<double>(kMostPathPoints)))
+        if (!(count <= static_cast<double>(kMaxPathPoints)))
             return fail(Kind::TooManyPoints);
         PathTable rest{m_table.rate, {}};
         for (const PathTable::Column& column : m_table.columns)
@@ -126,7 +126,7 @@ private:
             const Action& row = sequence->rows[m_next++];
             std::visit(*this, row);
             // Moves to where it stands make no points, however often they are repeated.
-            if (!m_problem && ++steps > kMostPathPoints)
+            if (!m_problem && ++steps > kMaxPathPoints)
                 fail(Kind::TooManyPoints);
         }
     }
@@ -136,7 +136,7 @@ private:
     }
 
     void append(const PathTable& leg) {
-        if (!leg.columns.empty() && points() + leg.columns.front().points.size() > kMostPathPoints)
+        if (!leg.columns.empty() && points() + leg.columns.front().points.size() > kMaxPathPoints)
             return fail(Kind::TooManyPoints);
         for (std::size_t i = 0; i < leg.columns.size(); ++i)
             m_table.columns[i].points.insert(m_table.columns[i].points.end(), leg.columns[i].points.begin(),

@@ -48,7 +48,7 @@ public:
     explicit Reader(std::span<const PathColumn> axes) : m_axes(axes) {}
 
     tl::expected<PathTable, std::vector<PathProblem>> read(std::string_view text) {
-        while (!text.empty() && m_problems.size() < kMostPathProblems && !m_tooMany) {
+        while (!text.empty() && m_problems.size() < kMaxPathProblems && !m_tooMany) {
             ++m_line;
             const auto end = text.find('\n');
             take(trimmed(text.substr(0, end)));
@@ -65,7 +65,7 @@ public:
 
 private:
     void add(PathProblem problem) {
-        if (m_problems.size() < kMostPathProblems)
+        if (m_problems.size() < kMaxPathProblems)
             m_problems.push_back(std::move(problem));
     }
 
@@ -121,11 +121,11 @@ private:
 
     void takePoints(std::string_view line) {
         ++m_points;
-        if (m_points > kMostPathPoints) {
+        if (m_points > kMaxPathPoints) {
             m_tooMany = true;
             return add({.kind = Kind::TooManyPoints,
                         .line = m_line,
-                        .allowed = static_cast<double>(kMostPathPoints)});
+                        .allowed = static_cast<double>(kMaxPathPoints)});
         }
         const auto cells = cellsOf(line);
         if (cells.size() != m_columns.size()) {

@@ -71,9 +71,9 @@ struct PathProblem {
 };
 
 /// An hour at 120 Hz.
-inline constexpr std::size_t kMostPathPoints = 450'000;
+inline constexpr std::size_t kMaxPathPoints = 450'000;
 /// Problems that are told; those behind them are not looked for.
-inline constexpr std::size_t kMostPathProblems = 20;
+inline constexpr std::size_t kMaxPathProblems = 20;
 
 /// The points, or all that is wrong, by line.
 [[nodiscard]] tl::expected<PathTable, std::vector<PathProblem>> readPath(std::string_view text,

@@ -58,20 +58,20 @@ constexpr bool isDigit(char c) {
 
 /// Nothing for what is not written with nine decimals at most.
 std::optional<Duration> exactTime(std::string_view cell) {
-    constexpr std::size_t kMostDigits = 9;
+    constexpr std::size_t kMaxDigits = 9;
     const bool negative = cell.starts_with('-');
     cell.remove_prefix(negative ? 1 : 0);
     const std::size_t mark = std::min(cell.find_first_of(".,"), cell.size());
     const std::string_view seconds = cell.substr(0, mark);
     const std::string_view fraction = cell.substr(std::min(mark + 1, cell.size()));
-    if (seconds.empty() || seconds.size() > kMostDigits || fraction.size() > kMostDigits ||
+    if (seconds.empty() || seconds.size() > kMaxDigits || fraction.size() > kMaxDigits ||
         !std::all_of(seconds.begin(), seconds.end(), isDigit) ||
         !std::all_of(fraction.begin(), fraction.end(), isDigit))
         return std::nullopt;
     std::int64_t ns = 0;
     for (const char digit : seconds)
         ns = ns * 10 + (digit - '0');
-    for (std::size_t i = 0; i < kMostDigits; ++i)
+    for (std::size_t i = 0; i < kMaxDigits; ++i)
         ns = ns * 10 + (i < fraction.size() ? fraction[i] - '0' : 0);
     return Duration(negative ? -ns : ns);
 }

@@ -176,8 +176,8 @@ std::optional<servo::SetGain> gainValues(std::string_view text) {
 }  // namespace
 
 std::string shown(std::string_view text) {
-    constexpr std::size_t kMost = 40;
-    std::string cut(text.substr(0, kMost));
+    constexpr std::size_t kMax = 40;
+    std::string cut(text.substr(0, kMax));
     std::replace_if(
         cut.begin(), cut.end(), [](char c) { return c < 0x20 || c > 0x7E; }, '?');
     return cut;

@@ -19,8 +19,8 @@ constexpr std::string_view kComment = "# ";
 constexpr std::array kRequired{RecordingColumn::Module, RecordingColumn::Time, RecordingColumn::Position};
 constexpr cells::Bounds kPositions{std::numeric_limits<std::int32_t>::min(),
                                    std::numeric_limits<std::int32_t>::max()};
-constexpr auto kMostFloat = static_cast<double>(std::numeric_limits<float>::max());
-constexpr cells::Bounds kFloats{-kMostFloat, kMostFloat};
+constexpr auto kMaxFloat = static_cast<double>(std::numeric_limits<float>::max());
+constexpr cells::Bounds kFloats{-kMaxFloat, kMaxFloat};
 
 std::string_view nameOf(RecordingColumn column) {
     return kRecordingColumns[static_cast<std::size_t>(column)];

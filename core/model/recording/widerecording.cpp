@@ -165,7 +165,7 @@ void appendEven(std::string& out, const std::vector<WideModule>& modules, TimePo
     }
     if (!first)
         return;
-    interval = std::max(interval, (*last - *first) / kMostWideRows + Duration(1));
+    interval = std::max(interval, (*last - *first) / kMaxWideRows + Duration(1));
     // On whole intervals from the start, as the long form counts them.
     auto step = (*first - zero) / interval;
     if (zero + step * interval < *first)

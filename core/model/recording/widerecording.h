@@ -16,10 +16,10 @@ namespace nmc {
 /// Times are those of the long form (model/recording/recording.h). Without an `interval` there is a row for
 /// each status reply, and the cells of the other modules are empty. With it there is a row every `interval`,
 /// with what is on a straight line between two samples, and the bytes of the sample before; where samples are
-/// missing the cells are empty. Its step is enlarged until there are at most kMostWideRows.
+/// missing the cells are empty. Its step is enlarged until there are at most kMaxWideRows.
 [[nodiscard]] std::string wideRecordingOf(const RecordingHeader& header, const History& history,
                                           Duration interval = Duration::zero());
 
-inline constexpr std::int64_t kMostWideRows = 5'000'000;
+inline constexpr std::int64_t kMaxWideRows = 5'000'000;
 
 }  // namespace nmc

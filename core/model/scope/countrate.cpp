@@ -14,7 +14,7 @@ std::optional<CountRate::Value> CountRate::take(const ScopeSample& sample) {
         // 32 bits that wrap: the difference of two is right across the wrap.
         return static_cast<double>(here.count - from.count) / toSeconds(here.time - from.time);
     };
-    if (!m_looks.empty() && (here.time <= m_looks.back().time || perSecond(m_looks.back()) > kMost)) {
+    if (!m_looks.empty() && (here.time <= m_looks.back().time || perSecond(m_looks.back()) > kMax)) {
         m_looks.clear();
         m_gap = true;
     }

@@ -14,7 +14,7 @@ class CountRate {
 public:
     static constexpr Duration kTime = std::chrono::milliseconds(100);
     /// More than the timer's 5.0 MHz is no counting but a counter that was cleared (docs/family.md).
-    static constexpr double kMost = 5.5e6;
+    static constexpr double kMax = 5.5e6;
 
     struct Value {
         TimePoint time;

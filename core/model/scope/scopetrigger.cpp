@@ -125,9 +125,9 @@ Duration ScopeTrigger::before() const {
 }
 
 Duration ScopeTrigger::window() const {
-    constexpr double kLeast = 1e-6;
-    constexpr double kMost = 864'000.0;
-    return fromSeconds(bounded(m_settings.window, kLeast, kMost));
+    constexpr double kMin = 1e-6;
+    constexpr double kMax = 864'000.0;
+    return fromSeconds(bounded(m_settings.window, kMin, kMax));
 }
 
 }  // namespace nmc

@@ -55,7 +55,7 @@ std::int32_t homeTolerance(const AxisUnit& unit) {
     constexpr double kPart = 1e-3;
     constexpr double kMillimetres = 0.01;
     /// Beyond that it is not at home, whatever the scale.
-    constexpr double kMost = 1'000.0;
+    constexpr double kMax = 1'000.0;
     double counts = 1.0;
     switch (unit.kind) {
         case UnitKind::Native:
@@ -71,7 +71,7 @@ std::int32_t homeTolerance(const AxisUnit& unit) {
             counts = unit.countsPerUnit * kPart;
             break;
     }
-    return static_cast<std::int32_t>(std::floor(std::clamp(counts, 1.0, kMost)));
+    return static_cast<std::int32_t>(std::floor(std::clamp(counts, 1.0, kMax)));
 }
 
 }  // namespace nmc

@@ -12,12 +12,12 @@ namespace {
 constexpr double kCountsPerTurnUnknown = 2'000.0;
 /// Below the least a servo with these gains trips at a push; and a unit that turns behind a gear must not
 /// make a runaway long.
-constexpr double kLeastErrorLimit = 100.0;
-constexpr double kMostErrorLimit = 2'000.0;
+constexpr double kMinErrorLimit = 100.0;
+constexpr double kMaxErrorLimit = 2'000.0;
 
 [[nodiscard]] std::uint16_t errorLimit(const AxisUnit& unit) {
     const double quarter = countsPerTurn(unit).value_or(kCountsPerTurnUnknown) / 4.0;
-    return static_cast<std::uint16_t>(std::lround(std::clamp(quarter, kLeastErrorLimit, kMostErrorLimit)));
+    return static_cast<std::uint16_t>(std::lround(std::clamp(quarter, kMinErrorLimit, kMaxErrorLimit)));
 }
 
 }  // namespace

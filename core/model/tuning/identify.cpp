@@ -292,14 +292,14 @@ struct Found {
 
 /// From the coarse grid of motors that anyone would have, the best few.
 [[nodiscard]] Found solve(const Fit& fit) {
-    constexpr double kLeastPush = 30.0, kMostPush = 3e6, kPushStep = 1.5;
-    constexpr double kLeastTau = 2e-3, kMostTau = 2.0, kTauStep = 2.2;
+    constexpr double kMinPush = 30.0, kMaxPush = 3e6, kPushStep = 1.5;
+    constexpr double kMinTau = 2e-3, kMaxTau = 2.0, kTauStep = 2.2;
     constexpr std::size_t kTried = 5;
     std::vector<Solution> starts;
-    for (double tau = kLeastTau; tau < kMostTau; tau *= kTauStep)
+    for (double tau = kMinTau; tau < kMaxTau; tau *= kTauStep)
         for (const double friction : {0.1, 1.0, 6.0}) {
             Solution best;
-            for (double push = kLeastPush; push < kMostPush; push *= kPushStep) {
+            for (double push = kMinPush; push < kMaxPush; push *= kPushStep) {
                 VectorXd x = fit.likely();
                 x[kPush] = std::log(push);
                 x[kTau] = std::log(tau);
@@ -447,7 +447,7 @@ namespace {
 
 tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecord> runs) {
     std::vector<Record> records;
-    for (const ResponseRecord& run : runs.first(std::min(runs.size(), kMostRuns)))
+    for (const ResponseRecord& run : runs.first(std::min(runs.size(), kMaxRuns)))
         records.push_back(recordOf(run));
     if (records.empty())
         return tl::unexpected(IdentifyFailure::TooFewSamples);

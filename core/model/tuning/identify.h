@@ -52,15 +52,15 @@ struct Identified {
 };
 
 inline constexpr std::size_t kFewestSamples = 20;
-inline constexpr std::size_t kMostRuns = 5;
+inline constexpr std::size_t kMaxRuns = 5;
 
-/// The motor that explains one to kMostRuns step responses best, by their gains in force, tick by tick
+/// The motor that explains one to kMaxRuns step responses best, by their gains in force, tick by tick
 /// (DS-V 4.3): least squares of measured less reckoned position at the samples' own times
 /// (Levenberg-Marquardt), each weighted by what is known of it: an encoder tells whole counts, a time is off
 /// by up to half a tick. Found for each run as well, and forgotten: when the command jumped (a tick after it
 /// was latched, or SR of them), the part of a count at which the shaft stood, and what the integral held.
 ///
-/// The shaft stood before each step. Runs beyond kMostRuns are not looked at. Pure; some tenths of a second:
+/// The shaft stood before each step. Runs beyond kMaxRuns are not looked at. Pure; some tenths of a second:
 /// for a background job.
 [[nodiscard]] tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecord> runs);
 

@@ -11,8 +11,8 @@ namespace nmc {
 
 namespace {
 
-constexpr double kMostGain = 32'767;  // DS-V 5.2 Set Gain
-constexpr double kMostErrorLimit = 16'383;
+constexpr double kMaxGain = 32'767;  // DS-V 5.2 Set Gain
+constexpr double kMaxErrorLimit = 16'383;
 constexpr double kCutOff = 0.5;           ///< PWM counts that the filter cuts off on average
 constexpr double kSlowestSettling = 5.0;  ///< s
 constexpr double kSlowest = 0.1;          ///< of the fastest natural frequency, for a stiffness of 0
@@ -39,10 +39,10 @@ struct Terms {
         servo::SetGain slower = gains;
         slower.sr = static_cast<std::uint8_t>(sr);
         const double kd = wanted / servoTickOf(slower);
-        slower.kd = static_cast<std::uint16_t>(std::lround(std::min(kd, kMostGain)));
+        slower.kd = static_cast<std::uint16_t>(std::lround(std::min(kd, kMaxGain)));
         if (figuresOf(motor, slower).noise > terms.noise)
             break;
-        if (kd > kMostGain)
+        if (kd > kMaxGain)
             continue;
         gains = slower;
         found = true;
@@ -66,22 +66,22 @@ struct Terms {
     if (terms.periods > kSlow && held > kBandOfStep * std::abs(terms.step))
         return false;
     const double fast = gains.kp * 256 * servoTickOf(gains) * omega / terms.periods;
-    const double ki = std::clamp(std::min(fast, terms.carried * 256 / kFewestSteps), 1.0, kMostGain);
+    const double ki = std::clamp(std::min(fast, terms.carried * 256 / kFewestSteps), 1.0, kMaxGain);
     gains.ki = static_cast<std::uint16_t>(std::lround(ki));
-    gains.il = static_cast<std::uint16_t>(std::min(kMostGain, std::ceil(terms.carried * 256 / gains.ki)));
+    gains.il = static_cast<std::uint16_t>(std::min(kMaxGain, std::ceil(terms.carried * 256 / gains.ki)));
     return true;
 }
 
 [[nodiscard]] std::optional<servo::SetGain> gainsAt(const Terms& terms, double omega) {
     servo::SetGain gains = terms.now;
     const double kp = omega * omega * 256 * terms.motor.timeConstant / terms.motor.gain;
-    if (kp > kMostGain || kp < 0.5)
+    if (kp > kMaxGain || kp < 0.5)
         return std::nullopt;
     gains.kp = static_cast<std::uint16_t>(std::lround(kp));
     if (!setDamping(terms, omega, gains) || !setIntegral(terms, omega, gains))
         return std::nullopt;
     const LoopMargins margins = marginsOf(terms.motor, gains);
-    if (!margins.stable || margins.phaseDegrees < kLeastPhaseMargin || margins.gain < kLeastGainMargin)
+    if (!margins.stable || margins.phaseDegrees < kMinPhaseMargin || margins.gain < kMinGainMargin)
         return std::nullopt;
     return gains;
 }
@@ -106,9 +106,9 @@ struct Terms {
     constexpr double kBand = 1.4;  // %, so that what is a little otherwise is within the usual 2
     constexpr double kPeriods = 60;
     /// %; the least damping has less. What has more does so by its integral, and may well swing for good.
-    constexpr double kMostOvershoot = 25;
+    constexpr double kMaxOvershoot = 25;
     constexpr double kErrorMargin = 1.5;
-    constexpr double kLeastError = 20;
+    constexpr double kMinError = 20;
     const double accelerating = std::sqrt(std::abs(terms.step) * terms.motor.timeConstant /
                                           (terms.motor.gain * std::max<int>(gains.ol, 1)));
     const double record = std::clamp(kPeriods / omega + 5 * accelerating, 0.1, kSlowestSettling);
@@ -119,14 +119,14 @@ struct Terms {
         motor.gain *= 1 + 0.03 * stronger;
         motor.friction *= 1 - 0.15 * stronger;
         const ResponseRecord run = reckonStep(motor, gains, 0, terms.step, record, kBand);
-        if (!isCalm(run) || (run.metrics.overshoot && run.metrics.overshoot->value > kMostOvershoot))
+        if (!isCalm(run) || (run.metrics.overshoot && run.metrics.overshoot->value > kMaxOvershoot))
             return std::nullopt;
         const auto& settled = run.metrics.settling;
         longest = std::max(longest, settled ? settled->value : record);
         error = std::max(error, largestError(run));
     }
-    gains.el = static_cast<std::uint16_t>(
-        std::lround(std::min(kMostErrorLimit, kErrorMargin * error + kLeastError)));
+    gains.el =
+        static_cast<std::uint16_t>(std::lround(std::min(kMaxErrorLimit, kErrorMargin * error + kMinError)));
     return longest;
 }
 
@@ -143,15 +143,15 @@ LoopFigures figuresOf(const MotorConstants& motor, const servo::SetGain& gains) 
 std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& wish,
                                       const servo::SetGain& now, std::int32_t step) {
     constexpr double kReserve = 1.1;
-    constexpr double kMostUnsure = 0.1;
+    constexpr double kMaxUnsure = 0.1;
     constexpr double kLadder = 0.94;
     Terms terms;
     terms.motor = motor.constants();
-    terms.zeta = kLeastDamping + std::clamp(wish.damping, 0.0, 1.0) * (kMostDamping - kLeastDamping);
-    terms.noise = kMostNoise * std::clamp(wish.noise, 0.01, 1.0);
+    terms.zeta = kMinDamping + std::clamp(wish.damping, 0.0, 1.0) * (kMaxDamping - kMinDamping);
+    terms.noise = kMaxNoise * std::clamp(wish.noise, 0.01, 1.0);
     const double unsure = std::hypot(motor.load.doubt, motor.friction.doubt);
     terms.carried = kReserve * (std::abs(motor.load.value) + motor.friction.value + kCutOff +
-                                std::min(unsure, kMostUnsure * now.ol));
+                                std::min(unsure, kMaxUnsure * now.ol));
     terms.now = now;
     terms.step = step;
 

@@ -12,22 +12,22 @@ namespace nmc {
 /// What a person wants of a loop, each 0..1.
 struct LoopWish {
     double stiffness = 1.0;  ///< 1: as fast as noise, output limit and margins permit; 0: a tenth of that
-    double damping = 0.5;    ///< zeta, from kLeastDamping to kMostDamping
-    double noise = 1.0;      ///< how loud it may be, up to kMostNoise
+    double damping = 0.5;    ///< zeta, from kMinDamping to kMaxDamping
+    double noise = 1.0;      ///< how loud it may be, up to kMaxNoise
 };
 
-inline constexpr double kLeastDamping = 0.5;
-inline constexpr double kMostDamping = 1.1;
+inline constexpr double kMinDamping = 0.5;
+inline constexpr double kMaxDamping = 1.1;
 /// Counts by which a tick goes on when the encoder tells one count more, by way of Kd.
-inline constexpr double kMostNoise = 0.3;
+inline constexpr double kMaxNoise = 0.3;
 /// What a suggested loop has at least.
-inline constexpr double kLeastPhaseMargin = 35.0;  ///< degrees
-inline constexpr double kLeastGainMargin = 2.0;
+inline constexpr double kMinPhaseMargin = 35.0;  ///< degrees
+inline constexpr double kMinGainMargin = 2.0;
 
 struct LoopFigures {
     double naturalFrequency = 0.0;  ///< rad/s
     double damping = 0.0;           ///< zeta
-    double noise = 0.0;             ///< K Kd T^2 / (256 tau), see kMostNoise
+    double noise = 0.0;             ///< K Kd T^2 / (256 tau), see kMaxNoise
 };
 
 /// With T the servo tick: wn^2 = K Kp / (256 tau), 2 zeta wn = (1 + K Kd T / 256) / tau. Pure.
