@@ -225,7 +225,7 @@ void Composition::takePosition(ModuleIndex module) {
     const ModuleState* state = m_store.module(module);
     if (state == nullptr)
         return;
-    if (const auto refusal = whyNotTold(Request::SaveAsHome, *state))
+    if (const auto refusal = whyNotTold(IntentKind::SaveAsHome, *state))
         m_messages.tellOf(texts::notPossible(module, texts::refusal(*refusal)));
     else
         m_store.takeHome(module);
@@ -390,8 +390,8 @@ void Composition::connectOffered() {
         return;
     const ConnectTarget offer = *m_ports.offered();
     m_window.choosePort(offer.port, offer.baud);
-    if (m_troublePort)
-        m_troublePort = offer.port;  // the same adapter by another name
+    if (m_lostPort)
+        m_lostPort = offer.port;  // the same adapter by another name
     connectAnyway(offer);
 }
 

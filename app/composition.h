@@ -140,7 +140,7 @@ private:
     void told(const bus::ConnectFailed& failed);
     void told(const bus::OperationFinished& finished);
     void told(const bus::StopFinished& finished);
-    void told(const bus::ModuleSilence& silence);
+    void told(const bus::ModuleUnresponsive& silence);
     void told(const bus::CommandRefused& refused);
     void told(const bus::LinkLost& lost);
     void told(const bus::EchoNoticed& noticed);
@@ -151,7 +151,7 @@ private:
     void told(const bus::AddressChanged& changed);
     void told(const bus::ReaddressFailed& failed);
     void told(const bus::MotionSuspect& suspect);
-    void told(const bus::OwedStopConfirmed& confirmed);
+    void told(const bus::UnacknowledgedStopConfirmed& confirmed);
     void told(const bus::ForeignTraffic& traffic);
     void told(const bus::ForeignMotion& motion);
     void told(const bus::GroupFinished& finished);
@@ -160,7 +160,7 @@ private:
     void told(const PortClosed& closed);
     void told(const SimulatorAnswered& answer);
     void told(const PanelFroze& froze);
-    void told(const MachineSlept& slept);
+    void told(const ComputerSlept& slept);
     void told(const GuardianStopped& stopped);
     void told(const GuardianMissing& missing);
     void checkSettings();
@@ -202,7 +202,7 @@ private:
     std::optional<ConnectTarget> m_openNext;        ///< to be opened when the present connection has closed
     std::vector<bus::StopOutputs> m_stopOutputs;    ///< as the worker was told last
     std::vector<ModuleIndex> m_watched;             ///< what the worker polls most: panel and scope show it
-    std::optional<QString> m_troublePort;           ///< where motors' states became unknown
+    std::optional<QString> m_lostPort;              ///< where motors' states became unknown
     std::map<ModuleIndex, ResponseTaken> m_edges;   ///< of the square waves that run, the last of each
     std::map<ModuleIndex, TimePoint> m_axisToldAt;  ///< the last time that watchAxes() told it something
     bool m_quitWhenClosed = false;

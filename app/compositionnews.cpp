@@ -45,7 +45,7 @@ void Composition::tell(const StoreEvent& event) {
     std::visit([this](const auto& news) { told(news); }, event);
 }
 
-void Composition::told(const bus::OwedStopConfirmed& confirmed) {
+void Composition::told(const bus::UnacknowledgedStopConfirmed& confirmed) {
     endLeft(m_motionMarker.stopped({confirmed.module}));
     m_messages.stopConfirmed(confirmed);
 }
@@ -54,8 +54,8 @@ void Composition::told(const bus::ChainFound& found) {
     m_messages.chainFound();
     m_motionMarker.found(monotonicNow());
     m_positions.found(found);
-    if (m_troublePort == m_target->port) {
-        m_troublePort.reset();
+    if (m_lostPort == m_target->port) {
+        m_lostPort.reset();
         m_messages.end(texts::key::gone());
         m_messages.end(texts::key::link());
     }
@@ -89,7 +89,7 @@ void Composition::told(const bus::StopFinished& finished) {
     m_window.showStopResult(finished);
 }
 
-void Composition::told(const bus::ModuleSilence& silence) {
+void Composition::told(const bus::ModuleUnresponsive& silence) {
     if (!silence.silent)
         m_messages.end(texts::key::link());
 }
@@ -99,7 +99,7 @@ void Composition::told(const bus::CommandRefused& refused) {
 }
 
 void Composition::told(const bus::LinkLost&) {
-    m_troublePort = m_target->port;
+    m_lostPort = m_target->port;
     m_messages.tell(texts::withRecord(texts::linkLost(m_target->port, m_store.movingModules())));
 }
 
@@ -198,7 +198,7 @@ void Composition::told(const PortClosed& closed) {
         PortError error = *closed.error;
         error.port = m_target->port.toStdString();
         if (error.problem == PortProblem::Gone)
-            m_troublePort = m_target->port;
+            m_lostPort = m_target->port;
         m_messages.tell(texts::portProblem(error));
         m_ports.closed(error);
     } else
@@ -219,7 +219,7 @@ void Composition::told(const PanelFroze& froze) {
         m_messages.tell(texts::panelFroze(toSeconds(froze.length), froze.stopped));
 }
 
-void Composition::told(const MachineSlept& slept) {
+void Composition::told(const ComputerSlept& slept) {
     m_messages.tell(texts::machineSlept(toSeconds(slept.length), slept.stopped));
 }
 

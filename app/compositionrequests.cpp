@@ -85,7 +85,7 @@ void Composition::hold(const bus::HoldToMove& wanted) {
     if (module == nullptr)
         return;
     const auto hold = withinTravel(wanted, *module);
-    if (!hold || whyNot(Request::Hold, *module)) {
+    if (!hold || whyNot(IntentKind::Hold, *module)) {
         m_window.endHold();  // the button says why
         return;
     }

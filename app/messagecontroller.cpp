@@ -63,7 +63,7 @@ void MessageController::noteStop(const Message& message, bus::StopCause cause,
     m_stopMessages[message.key] = message;
 }
 
-void MessageController::stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
+void MessageController::stopConfirmed(const bus::UnacknowledgedStopConfirmed& confirmed) {
     const auto told = m_toldToStop.find({confirmed.cause, confirmed.module});
     if (told == m_toldToStop.end())
         return;

@@ -37,7 +37,7 @@ public:
     /// Of modules that were told to stop: the message says so when they are seen at rest.
     void noteStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
 
-    void stopConfirmed(const bus::OwedStopConfirmed& confirmed);
+    void stopConfirmed(const bus::UnacknowledgedStopConfirmed& confirmed);
     void obeyed(ModuleIndex module);
     /// The chain has been looked for anew: what still is the case is told again.
     void chainFound();

@@ -185,14 +185,14 @@ bool ProcedureController::take(const StoreEvent& event) {
         return finished(*end);
     std::visit(
         Overloaded{
-            [this](const AnyOf<bus::ModuleSilence, bus::ModuleRestarted> auto& news) {
+            [this](const AnyOf<bus::ModuleUnresponsive, bus::ModuleRestarted> auto& news) {
                 suspect(news.module);
             },
             [this](const bus::HealthChanged& changed) {
                 if (changed.health != bus::LinkHealth::Good)
                     suspect(changed.module);
             },
-            [this](const AnyOf<MachineSlept, GuardianStopped, bus::LinkLost> auto&) {
+            [this](const AnyOf<ComputerSlept, GuardianStopped, bus::LinkLost> auto&) {
                 suspect(std::nullopt);
             },
             [this](const AnyOf<bus::MotionSuspect, bus::ForeignMotion> auto& motion) {
@@ -213,9 +213,9 @@ bool ProcedureController::take(const StoreEvent& event) {
             [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, PortClosed> auto&) { forget(); },
             // What these concern ends a procedure's operation, shows in the module, or is no motor's.
             [](const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::HoldExpired, bus::GroupFinished,
-                           bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
-                           bus::ReaddressFailed, bus::AddressChanged, bus::EchoNoticed, SimulatorAnswered,
-                           GuardianMissing> auto&) {},
+                           bus::RateChanged, bus::RateChangeFailed, bus::UnacknowledgedStopConfirmed,
+                           bus::Readdressed, bus::ReaddressFailed, bus::AddressChanged, bus::EchoNoticed,
+                           SimulatorAnswered, GuardianMissing> auto&) {},
         },
         event);
     return true;

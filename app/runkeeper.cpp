@@ -24,7 +24,7 @@ const QString kSuffix = QLatin1Char('.') + QLatin1String(kRunFileSuffix.data(), 
 
 [[nodiscard]] bool mayBeReplaced(const QString& path) {
     const auto text = readFile(path, kMaxRunFile);
-    return text ? readResponses(*text).has_value() : text.error().trouble == FileTrouble::NotThere;
+    return text ? readResponses(*text).has_value() : text.error().trouble == FileErrorKind::NotThere;
 }
 
 [[nodiscard]] bool setAside(const QString& path) {
@@ -38,7 +38,7 @@ FileWriter::Disk sparing(FileWriter::Disk disk) {
     return [disk = std::move(disk)](const QString& path, std::string_view content) -> FileWriter::Result {
         QDir().mkpath(QFileInfo(path).path());
         if (!mayBeReplaced(path) && !setAside(path))
-            return tl::unexpected(FileError{FileTrouble::NoPermission, path});
+            return tl::unexpected(FileError{FileErrorKind::NoPermission, path});
         return disk(path, content);
     };
 }
@@ -75,7 +75,7 @@ void RunKeeper::open(const QString& file, const Machine& machine) {
     m_loading.start([into = m_reading](const BackgroundJob::Cancelled& /*cancelled*/) {
         const auto text = readFile(into->path, kMaxRunFile);
         if (!text) {
-            if (text.error().trouble != FileTrouble::NotThere)
+            if (text.error().trouble != FileErrorKind::NotThere)
                 into->error = text.error();
         } else if (auto runs = readResponses(*text)) {
             into->runs = std::move(*runs);

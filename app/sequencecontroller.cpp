@@ -133,7 +133,7 @@ void SequenceController::obey(const SequenceRun::Ask& ask) {
         return m_procedures.cancel(ask.module);
     const ModuleState* module = m_store.module(ask.module);
     const auto refusal =
-        module != nullptr ? plan(ask.intent, asOfSequence(*module)) : tl::unexpected(Refusal::Silent);
+        module != nullptr ? plan(ask.intent, asOfSequence(*module)) : tl::unexpected(Refusal::Unresponsive);
     auto procedure = refusal ? procedureFor(ask.intent, asOfSequence(*module)) : nullptr;
     if (!procedure || !m_procedures.begin(std::move(procedure)))
         m_run->onNotBegun(ask.module, refusal ? Refusal::Moving : refusal.error());
@@ -158,7 +158,7 @@ bool SequenceController::take(const StoreEvent& event) {
     if (!running())
         return true;
     std::visit(Overloaded{
-                   [this](const AnyOf<MachineSlept, GuardianStopped> auto&) { m_run->onLinkSuspect(); },
+                   [this](const AnyOf<ComputerSlept, GuardianStopped> auto&) { m_run->onLinkSuspect(); },
                    [this](const PanelFroze& froze) {
                        if (froze.stopped)
                            m_run->onStopOfAll();

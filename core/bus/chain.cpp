@@ -48,7 +48,7 @@ void Chain::forgetStates() {
         module = Module(module.belief);
         module.belief.forgetItems();
         if (owed)
-            module.owed = OwedStop{StopTarget(module.belief), owed->cause};
+            module.owed = UnacknowledgedStop{StopTarget(module.belief), owed->cause};
     }
 }
 
@@ -121,10 +121,10 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
     if (m_readOnly && cause != StopCause::StopAll)
         return;  // nobody asked
     const StopCause first = module.owed ? module.owed->cause : cause;
-    module.owed = OwedStop{StopTarget(module.belief, manner), first};
+    module.owed = UnacknowledgedStop{StopTarget(module.belief, manner), first};
 }
 
-void Chain::hurryOwed(ModuleIndex index, TimePoint now) {
+void Chain::hurryUnacknowledged(ModuleIndex index, TimePoint now) {
     if (auto& owed = at(index).owed)
         owed->due = now;
 }

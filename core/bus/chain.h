@@ -19,8 +19,8 @@
 namespace nmc::bus {
 
 /// A stop that somebody owes to one module (the end of a hold, a motion that strays, a stop of all that was
-/// not confirmed): repeated while the port is open, ended by a confirmation only. OwedStops sends.
-struct OwedStop {
+/// not confirmed): repeated while the port is open, ended by a confirmation only. UnacknowledgedStops sends.
+struct UnacknowledgedStop {
     StopTarget target;
     StopCause cause;
     TimePoint due{};     ///< of the next question; at once at first
@@ -48,7 +48,7 @@ public:
         MotionWatch watch;
         OwnMotion ownMotion;
         Health health;
-        std::optional<OwedStop> owed{};
+        std::optional<UnacknowledgedStop> owed{};
         /// Since then there is a command that nobody has answered, and it may have been carried out.
         std::optional<TimePoint> unanswered{};
     };
@@ -112,7 +112,7 @@ public:
     void owe(ModuleIndex module, StopCause cause, StopManner manner = StopManner::Abruptly);
 
     /// The module was heard of after a silence: what is owed to it is due at once.
-    void hurryOwed(ModuleIndex module, TimePoint now);
+    void hurryUnacknowledged(ModuleIndex module, TimePoint now);
 
     /// The module has its address again after a restart: nothing that was known of it holds.
     void welcome(ModuleIndex module, TimePoint now);

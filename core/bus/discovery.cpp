@@ -295,7 +295,7 @@ void Discovery::onProbe(const ReplyEnd& end) {
         case ReplyResult::Rejected:
         case ReplyResult::Echo:
             return fail(ConnectFailure::Garbled, {indexOf(m_modules.size())});
-        case ReplyResult::Silent:
+        case ReplyResult::Unresponsive:
             m_unheard.emplace_back(m_number);
             return ++m_unheardInRow < kSetAttempts ? enter(Phase::Set) : endOfAddressing();
     }

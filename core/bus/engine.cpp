@@ -62,7 +62,7 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
     EngineConfig config = m_config;
     config.known = knownModules();
     m_search.begin(config, start);
-    m_owed.setBlind(true);
+    m_unacknowledged.setBlind(true);
     proceed(now);
 }
 
@@ -118,15 +118,15 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
         if (!owed || ofOperator(owed->cause) || manner == StopManner::Off)
             m_chain.owe(module, StopCause::GroupStop, manner);
     }
-    m_owed.tellTogether(std::move(members));
+    m_unacknowledged.tellTogether(std::move(members));
     if (finished.members.empty())
         finished.outcome = Outcome::Forbidden;
     return finished;
 }
 
 void Engine::changeRate(std::uint32_t baud, TimePoint now) {
-    m_rate.begin(baud,
-                 !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() || m_owed.due());
+    m_rate.begin(baud, !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() ||
+                           m_unacknowledged.due());
     proceed(now);
 }
 
@@ -248,7 +248,7 @@ std::optional<TimePoint> Engine::nextDeadline() const {
     consider(m_hold.expiry());
     consider(m_path.foreseeAt());
     if (m_line.idle()) {
-        consider(m_owed.due());
+        consider(m_unacknowledged.due());
         if (m_connected) {
             consider(m_path.due());
             consider(m_operations.due());
@@ -273,7 +273,7 @@ void Engine::proceed(TimePoint now) {
     m_path.foresee(now);
     stopPath();
     // A stop that is owed does not wait for a quarantine.
-    if (m_recovery.resyncing() && m_owed.untold())
+    if (m_recovery.resyncing() && m_unacknowledged.untold())
         interrupt(now);
     do
         takeEnds(now);
@@ -284,7 +284,7 @@ void Engine::proceed(TimePoint now) {
 bool Engine::dispatch(TimePoint now) {
     if (m_line.idle())
         m_recovery.onFree();
-    m_stopAsked = m_stopAsked && (m_stop.active() || m_owed.due());
+    m_stopAsked = m_stopAsked && (m_stop.active() || m_unacknowledged.due());
     if (m_config.readOnly)
         m_line.permit(m_stopAsked ? Line::Permit::QuestionsAndStops : Line::Permit::Questions);
     const bool live = m_connected || m_search.active();
@@ -297,7 +297,7 @@ bool Engine::dispatch(TimePoint now) {
     if (taken == Turn::Nobody)
         taken = repeat(true, now);
     if (taken == Turn::Nobody)
-        taken = turn(m_owed);
+        taken = turn(m_unacknowledged);
     if (taken == Turn::Nobody && live)
         taken = turn(m_recovery, m_restartSearch);
     if (taken == Turn::Nobody)
@@ -382,7 +382,7 @@ void Engine::takeFindings(TimePoint now) {
 }
 
 void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
-    m_owed.setBlind(false);
+    m_unacknowledged.setBlind(false);
     if (const auto* found = std::get_if<ChainFound>(&ended.result)) {
         adopt(*found, ended.discovery, now);
     } else {

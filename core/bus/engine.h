@@ -15,7 +15,6 @@
 #include "bus/holdtask.h"
 #include "bus/line.h"
 #include "bus/operationtask.h"
-#include "bus/owedstops.h"
 #include "bus/pathtask.h"
 #include "bus/polltask.h"
 #include "bus/ratetask.h"
@@ -25,6 +24,7 @@
 #include "bus/searchtask.h"
 #include "bus/stoptask.h"
 #include "bus/types.h"
+#include "bus/unacknowledgedstops.h"
 
 namespace nmc::bus {
 
@@ -60,7 +60,7 @@ public:
     /// The same for groups; ends in exactly one GroupFinished. A command to a group is sent once, and what
     /// came of it is what each member shows; only if all groups are known.
     /// A stop of a group goes past all that waits: what was asked for of its members is cancelled, a hold of
-    /// one of them ends, and they are owed the stop until each has confirmed (OwedStopConfirmed).
+    /// one of them ends, and they are owed the stop until each has confirmed (UnacknowledgedStopConfirmed).
     void submit(const GroupOperation& operation, TimePoint now);
 
     /// Takes the chain to another rate that the chips can make (findBrd); positions, gains and loads stay.
@@ -224,7 +224,7 @@ private:
 
     Recovery m_recovery{m_chain, m_line, m_events};
     StopTask m_stop{m_chain, m_recovery, m_line, m_events};
-    OwedStops m_owed{m_chain, m_recovery, m_line, m_events};
+    UnacknowledgedStops m_unacknowledged{m_chain, m_recovery, m_line, m_events};
     RestartSearch m_restartSearch{m_chain, m_recovery, m_line, m_events};
     SearchTask m_search{m_events};
     RateTask m_rate{m_config, m_chain, m_events};

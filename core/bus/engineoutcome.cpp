@@ -27,9 +27,9 @@ void Engine::onEnd(ReplyEnd end, TimePoint now) {
     if (m_connected)
         noteHealth(work.ask, end, now);
     const bool right = end.result == ReplyResult::Accepted;
-    if (work.ask.believed && (right || !work.ask.ownTrouble))
+    if (work.ask.believed && (right || !work.ask.handlesFailure))
         learn(work, end);
-    if (work.ask.ownTrouble)
+    if (work.ask.handlesFailure)
         return deliver(work, end, now);
     if (work.ask.reported && !right && end.result != ReplyResult::Refused)
         m_chain.noteUnanswered(*work.ask.module, end.latched);
@@ -76,7 +76,7 @@ void Engine::count(const ReplyEnd& end, std::optional<Rejection> rejection) {
         case ReplyResult::Refused:
             ++statistics.refused;
             return;
-        case ReplyResult::Silent:
+        case ReplyResult::Unresponsive:
         case ReplyResult::Partial:
             ++statistics.timeouts;
             return;

@@ -34,7 +34,7 @@ void Engine::stopPath() {
     dropWorkOf(m_path);
     for (const ModuleIndex module : stops.modules)
         m_chain.owe(module, StopCause::PathEnded, stops.manner);
-    m_owed.tellTogether(std::move(stops.modules));
+    m_unacknowledged.tellTogether(std::move(stops.modules));
 }
 
 }  // namespace nmc::bus

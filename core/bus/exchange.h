@@ -85,13 +85,13 @@ struct Request {
 /// What came of a request.
 enum class ReplyResult : std::uint8_t {
     Accepted,
-    Refused,      ///< the communication-error bit: certainly not carried out
-    Silent,       ///< not one byte
-    Partial,      ///< fewer bytes than the layout has
-    BadChecksum,  ///< as many, but the sum is wrong
-    Surplus,      ///< more: the reply of something else, or noise
-    Rejected,     ///< the sum is right, but it cannot be true (link.md 2.4)
-    Echo,         ///< an adapter that echoes did not return the command as it was sent, or one does since now
+    Refused,       ///< the communication-error bit: certainly not carried out
+    Unresponsive,  ///< not one byte
+    Partial,       ///< fewer bytes than the layout has
+    BadChecksum,   ///< as many, but the sum is wrong
+    Surplus,       ///< more: the reply of something else, or noise
+    Rejected,      ///< the sum is right, but it cannot be true (link.md 2.4)
+    Echo,  ///< an adapter that echoes did not return the command as it was sent, or one does since now
 };
 
 /// All bytes 00 or all FF: a line that is held at one level. The sum of such a reply is right.
@@ -107,7 +107,7 @@ enum class ReplyResult : std::uint8_t {
 }
 
 struct ReplyEnd {
-    ReplyResult result = ReplyResult::Silent;
+    ReplyResult result = ReplyResult::Unresponsive;
     StatusReport report;  ///< of Accepted and Refused
     TimePoint latched;    ///< when the module latched it: command's end on the wire plus half a tick
     TimePoint latchedBy;  ///< not later than this, however late this machine was

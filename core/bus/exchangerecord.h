@@ -27,13 +27,13 @@ enum class Purpose : std::uint8_t {
 /// What became of it.
 enum class ExchangeEnd : std::uint8_t {
     Accepted,
-    Refused,      ///< communication-error bit
-    Silent,       ///< not one byte
-    Partial,      ///< too few bytes
-    BadChecksum,  ///< as many as expected, wrong sum
-    Rejected,     ///< right sum, not believed: see `rejection`
-    Abandoned,    ///< a stop went past it
-    NotAsked,     ///< no reply was expected; `reply` holds what came all the same
+    Refused,       ///< communication-error bit
+    Unresponsive,  ///< not one byte
+    Partial,       ///< too few bytes
+    BadChecksum,   ///< as many as expected, wrong sum
+    Rejected,      ///< right sum, not believed: see `rejection`
+    Abandoned,     ///< a stop went past it
+    NotAsked,      ///< no reply was expected; `reply` holds what came all the same
 };
 
 /// One exchange as the packet monitor shows it: bytes and what the engine made of them. A value.

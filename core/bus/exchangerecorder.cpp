@@ -14,8 +14,8 @@ namespace {
             return ExchangeEnd::Accepted;
         case ReplyResult::Refused:
             return ExchangeEnd::Refused;
-        case ReplyResult::Silent:
-            return ExchangeEnd::Silent;
+        case ReplyResult::Unresponsive:
+            return ExchangeEnd::Unresponsive;
         case ReplyResult::Partial:
             return ExchangeEnd::Partial;
         case ReplyResult::BadChecksum:

@@ -10,18 +10,18 @@ namespace {
 
 using servo::ProfileMode;
 
-[[nodiscard]] Verdict onlyAtStandstill(const Belief& belief) {
+[[nodiscard]] Permission onlyAtStandstill(const Belief& belief) {
     if (!belief.fresh())
-        return Verdict::NeedsStatus;
+        return Permission::NeedsStatus;
     if (belief.mayMove())
-        return Verdict::InMotion;
+        return Permission::InMotion;
     // With the servo off the command velocity follows the actual one: a motor that coasts is in motion.
     if (belief.info().identity.type == ModuleType::Servo && !belief.on()) {
         if (!belief.velocity())
-            return Verdict::NeedsStatus;
-        return *belief.velocity() == 0 ? Verdict::Allowed : Verdict::InMotion;
+            return Permission::NeedsStatus;
+        return *belief.velocity() == 0 ? Permission::Allowed : Permission::InMotion;
     }
-    return Verdict::Allowed;
+    return Permission::Allowed;
 }
 
 /// Some mode of Table 4 knows what is loaded.
@@ -36,73 +36,76 @@ using servo::ProfileMode;
 struct Judge {
     const Belief& belief;
 
-    Verdict operator()(const Nop&) const { return Verdict::Allowed; }
-    Verdict operator()(const ReadStatus&) const { return Verdict::Allowed; }
-    Verdict operator()(const DefineStatus&) const { return Verdict::Allowed; }
-    Verdict operator()(const SetAddress&) const { return Verdict::Never; }
-    Verdict operator()(const SetBaud&) const { return Verdict::Never; }
-    Verdict operator()(const HardReset&) const { return Verdict::Never; }
-    Verdict operator()(const ResetPosition&) const { return onlyAtStandstill(belief); }
-    Verdict operator()(const SaveAsHome&) const { return Verdict::Allowed; }
-    Verdict operator()(const StartMotion&) const {
+    Permission operator()(const Nop&) const { return Permission::Allowed; }
+    Permission operator()(const ReadStatus&) const { return Permission::Allowed; }
+    Permission operator()(const DefineStatus&) const { return Permission::Allowed; }
+    Permission operator()(const SetAddress&) const { return Permission::Never; }
+    Permission operator()(const SetBaud&) const { return Permission::Never; }
+    Permission operator()(const HardReset&) const { return Permission::Never; }
+    Permission operator()(const ResetPosition&) const { return onlyAtStandstill(belief); }
+    Permission operator()(const SaveAsHome&) const { return Permission::Allowed; }
+    Permission operator()(const StartMotion&) const {
         if (!belief.loaded())
-            return Verdict::Never;
+            return Permission::Never;
         if (const auto& load = belief.stepperLoad())
             return mayStart(*load);
         const auto& load = belief.servoLoad();
         return load && trapezoidal(*load) ? onlyAtStandstill(belief) : offThePath();
     }
 
-    Verdict operator()(const servo::LoadTrajectory& load) const {
+    Permission operator()(const servo::LoadTrajectory& load) const {
         // Until it is started a load changes nothing (DS-V 5.1, note 1).
         if (trapezoidal(load) && load.startNow)
-            return Verdict::Never;
-        return load.startNow ? offThePath() : Verdict::Allowed;
+            return Permission::Never;
+        return load.startNow ? offThePath() : Permission::Allowed;
     }
-    Verdict operator()(const AnyOf<servo::SetGain, servo::StopMotor> auto&) const { return Verdict::Allowed; }
+    Permission operator()(const AnyOf<servo::SetGain, servo::StopMotor> auto&) const {
+        return Permission::Allowed;
+    }
     /// Fast path would change the rate of the points that are in the buffer.
-    Verdict operator()(const servo::IoControl&) const { return offThePath(); }
-    Verdict operator()(const servo::SetHoming&) const { return Verdict::Allowed; }
-    Verdict operator()(const servo::ClearStickyBits&) const { return Verdict::Allowed; }
-    Verdict operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
+    Permission operator()(const servo::IoControl&) const { return offThePath(); }
+    Permission operator()(const servo::SetHoming&) const { return Permission::Allowed; }
+    Permission operator()(const servo::ClearStickyBits&) const { return Permission::Allowed; }
+    Permission operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
         return onlyAtStandstill(belief);
     }
     /// Each of its bits acts at once, and some of them can destroy an amplifier that is on.
-    Verdict operator()(const servo::ScIoControl&) const {
+    Permission operator()(const servo::ScIoControl&) const {
         if (!belief.fresh())
-            return Verdict::NeedsStatus;
-        return belief.mayBeOn() || belief.mayMove() ? Verdict::InMotion : Verdict::Allowed;
+            return Permission::NeedsStatus;
+        return belief.mayBeOn() || belief.mayMove() ? Permission::InMotion : Permission::Allowed;
     }
     /// Points belong to PathTask, which asks mayFollowPath().
-    Verdict operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
-        return Verdict::Never;
+    Permission operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
+        return Permission::Never;
     }
 
-    Verdict operator()(const stepper::LoadTrajectory& load) const {
+    Permission operator()(const stepper::LoadTrajectory& load) const {
         if (!inTable(load) || !belief.parametersSet())
-            return Verdict::Never;
+            return Permission::Never;
         // Without the start bit it has no effect whatsoever (DS-S 5.1).
-        return load.startNow ? mayStart(load) : Verdict::Allowed;
+        return load.startNow ? mayStart(load) : Permission::Allowed;
     }
     /// In motion the chip ignores a change of the speed mode and of the minimum speed (DS-S 5.1): nobody
     /// would know which are in force.
-    Verdict operator()(const stepper::SetParameters& parameters) const {
+    Permission operator()(const stepper::SetParameters& parameters) const {
         const auto& now = belief.parameters();
-        return now && stepper::sameInMotion(*now, parameters) ? Verdict::Allowed : onlyAtStandstill(belief);
+        return now && stepper::sameInMotion(*now, parameters) ? Permission::Allowed
+                                                              : onlyAtStandstill(belief);
     }
-    Verdict operator()(const stepper::StopMotor&) const { return Verdict::Allowed; }
-    Verdict operator()(const stepper::SetOutputs&) const { return Verdict::Allowed; }
-    Verdict operator()(const stepper::SetHoming&) const { return Verdict::Allowed; }
-    Verdict operator()(const io::OwnCommand auto&) const { return Verdict::Allowed; }
+    Permission operator()(const stepper::StopMotor&) const { return Permission::Allowed; }
+    Permission operator()(const stepper::SetOutputs&) const { return Permission::Allowed; }
+    Permission operator()(const stepper::SetHoming&) const { return Permission::Allowed; }
+    Permission operator()(const io::OwnCommand auto&) const { return Permission::Allowed; }
 
-    [[nodiscard]] Verdict offThePath() const {
-        return belief.onPath() ? Verdict::InMotion : Verdict::Allowed;
+    [[nodiscard]] Permission offThePath() const {
+        return belief.onPath() ? Permission::InMotion : Permission::Allowed;
     }
-    [[nodiscard]] Verdict mayStart(const stepper::LoadTrajectory& load) const {
+    [[nodiscard]] Permission mayStart(const stepper::LoadTrajectory& load) const {
         if (!belief.fresh())
-            return Verdict::NeedsStatus;
-        return mayFollow(belief.stepperMode(), belief.runsReverse(), load) ? Verdict::Allowed
-                                                                           : Verdict::InMotion;
+            return Permission::NeedsStatus;
+        return mayFollow(belief.stepperMode(), belief.runsReverse(), load) ? Permission::Allowed
+                                                                           : Permission::InMotion;
     }
 };
 
@@ -125,19 +128,19 @@ struct Judge {
 
 }  // namespace
 
-Verdict judge(const Belief& belief, const ModuleCommand& command) {
+Permission judge(const Belief& belief, const ModuleCommand& command) {
     if (belief.restarted() || !belongs(belief.info().identity, command))
-        return Verdict::Never;
+        return Permission::Never;
     return std::visit([&](const auto& chip) { return std::visit(Judge{belief}, chip); }, command);
 }
 
-Verdict mayFollowPath(const Belief& belief, servo::PathRate rate) {
+Permission mayFollowPath(const Belief& belief, servo::PathRate rate) {
     const auto& control = belief.pathControl();
     if (belief.restarted() || !hasPathBuffer(belief.info().identity) || !control ||
         control->stepAndDirection || !servo::toPathWord({0, rate}, control->fastPath))
-        return Verdict::Never;
-    const Verdict still = onlyAtStandstill(belief);
-    return still == Verdict::Allowed && !belief.on() ? Verdict::Never : still;
+        return Permission::Never;
+    const Permission still = onlyAtStandstill(belief);
+    return still == Permission::Allowed && !belief.on() ? Permission::Never : still;
 }
 
 }  // namespace nmc::bus

@@ -8,7 +8,7 @@
 namespace nmc::bus {
 
 /// Whether a command may go out to a module.
-enum class Verdict : std::uint8_t {
+enum class Permission : std::uint8_t {
     Allowed,
     NeedsStatus,  ///< not known: read the full status, then ask again
     InMotion,     ///< not while it moves, as far as the last status tells
@@ -18,10 +18,10 @@ enum class Verdict : std::uint8_t {
 /// The rules of DS-V 4.4 and 5.1, DS-S 5.1, and of link.md: a trapezoidal move is started from standstill
 /// only, and never by the command that loads it, so that a garbled load never moves anything; Start Motion
 /// only after a load that was answered; addresses, rate and reset belong to the engine. Pure.
-[[nodiscard]] Verdict judge(const Belief& belief, const ModuleCommand& command);
+[[nodiscard]] Permission judge(const Belief& belief, const ModuleCommand& command);
 
 /// Whether points may be laid into its path buffer and started: by a path alone, from standstill, with the
 /// servo on. Never where I/O Control is not known, or wants another rate or step and direction.
-[[nodiscard]] Verdict mayFollowPath(const Belief& belief, servo::PathRate rate);
+[[nodiscard]] Permission mayFollowPath(const Belief& belief, servo::PathRate rate);
 
 }  // namespace nmc::bus

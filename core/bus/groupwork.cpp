@@ -69,46 +69,46 @@ bool GroupWork::reachable(ModuleIndex module) const {
 
 /// Whether the command may go to the group, and whom it hangs on if it may not.
 GroupWork::Judged GroupWork::judgeGroup(const GroupCommand& command) const {
-    Judged worst{Verdict::Allowed, {}};
+    Judged worst{Permission::Allowed, {}};
     bool anybody = false;
     for (const Chain::Module& module : m_chain.modules()) {
         const ModuleInfo& info = module.belief.info();
         const bool everybody = BusAddress(command.group) == kEverybody;
         // It may be a member; and one that restarted unseen is in group FF.
         if (!info.group || (everybody && !m_chain.answers(info.index)))
-            return {Verdict::Never, info.index};
+            return {Permission::Never, info.index};
         if (info.group->group != command.group)
             continue;
         anybody = true;
         if (!reachable(info.index))
-            return {Verdict::Never, info.index};
-        Verdict verdict = judge(module.belief, commandFor(command.action, info.identity.type));
+            return {Permission::Never, info.index};
+        Permission verdict = judge(module.belief, commandFor(command.action, info.identity.type));
         // With nothing stored, nobody knows what it would put out.
         if (info.identity.type == ModuleType::Io && command.action == GroupCommand::Action::StartMotion &&
             !module.belief.outputs().stored())
-            verdict = Verdict::Never;
-        if (verdict == Verdict::Never)
+            verdict = Permission::Never;
+        if (verdict == Permission::Never)
             return {verdict, info.index};
-        if (verdict == Verdict::InMotion && module.belief.looksSince(m_commands.stepBegan()) < 2)
-            verdict = Verdict::NeedsStatus;
-        if (verdict == Verdict::Allowed && !module.belief.items())
-            verdict = Verdict::NeedsStatus;
-        if (verdict == Verdict::NeedsStatus || (verdict == Verdict::InMotion && !worst.module))
+        if (verdict == Permission::InMotion && module.belief.looksSince(m_commands.stepBegan()) < 2)
+            verdict = Permission::NeedsStatus;
+        if (verdict == Permission::Allowed && !module.belief.items())
+            verdict = Permission::NeedsStatus;
+        if (verdict == Permission::NeedsStatus || (verdict == Permission::InMotion && !worst.module))
             worst = {verdict, info.index};
     }
-    return anybody ? worst : Judged{Verdict::Never, {}};
+    return anybody ? worst : Judged{Permission::Never, {}};
 }
 
 Next GroupWork::tryCommand(const GroupCommand& command, TimePoint now) {
     m_commands.beginStep(now);
     const Judged judged = judgeGroup(command);
     switch (judged.verdict) {
-        case Verdict::Allowed:
+        case Permission::Allowed:
             return send(command, now);
-        case Verdict::NeedsStatus:
+        case Permission::NeedsStatus:
             return m_chain.look(Purpose::Check, *judged.module);
-        case Verdict::InMotion:
-        case Verdict::Never:
+        case Permission::InMotion:
+        case Permission::Never:
             break;
     }
     std::vector<GroupMember> withheld;

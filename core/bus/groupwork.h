@@ -34,7 +34,7 @@ public:
 
 private:
     struct Judged {
-        Verdict verdict;
+        Permission verdict;
         std::optional<ModuleIndex> module;  ///< that it hangs on
     };
     [[nodiscard]] std::optional<ModuleIndex> planChange(const GroupChange& change);

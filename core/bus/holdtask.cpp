@@ -66,7 +66,7 @@ Next HoldTask::next(TimePoint /*now*/) {
         return m_chain.look(Purpose::Hold, start.module);
     const auto& owed = m_chain.at(start.module).owed;
     // First it has to be told, or for other reasons than the end of a hold to be seen at rest.
-    if (owed && (!ofOperator(owed->cause) || owed->target.stopOwed()))
+    if (owed && (!ofOperator(owed->cause) || owed->target.stopUnacknowledged()))
         return Idle{};
     // Load Trajectory would switch a servo on: that is never the hold's business. And what has been begun
     // with a goal does not go on with another, or without.
@@ -103,7 +103,7 @@ bool HoldTask::leadsTo(std::int32_t goal, const Belief& module) const {
 }
 
 Next HoldTask::tell(const Order& order) {
-    if (judge(m_chain.belief(order.module), order.command) != Verdict::Allowed) {
+    if (judge(m_chain.belief(order.module), order.command) != Permission::Allowed) {
         giveUp();
         return Again{};
     }

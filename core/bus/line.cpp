@@ -270,7 +270,7 @@ void Line::expire(TimePoint now) {
         return endWithoutEcho(pending, now);
     if (bytes.empty()) {
         m_strays.onMissed(now);
-        m_ends.push_back(endOf(pending, ReplyResult::Silent, now));
+        m_ends.push_back(endOf(pending, ReplyResult::Unresponsive, now));
         return;
     }
     if (pending.framing != Framing::Open) {

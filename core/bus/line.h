@@ -23,9 +23,9 @@ inline constexpr Duration kAfterNulls = std::chrono::milliseconds(1);
 
 /// The wire as the host sees it: at most one exchange in flight, or a script of pauses and bytes that nobody
 /// answers. Knows when the last byte will have left, so that every time is reckoned from the wire, not from
-/// the call. Whatever arrives outside an exchange is counted and dropped; right behind a reply it spoils that
-/// reply. An adapter that returns what is sent is recognised, and then nothing is an answer that does not
-/// come behind the exact echo of its command (echo.h).
+/// the call. Whatever arrives outside an exchange is counted and dropped; right behind a reply it invalidates
+/// that reply. An adapter that returns what is sent is recognised, and then nothing is an answer that does
+/// not come behind the exact echo of its command (echo.h).
 class Line {
 public:
     struct Nulls {};

@@ -52,22 +52,23 @@ Next OperationTask::next(TimePoint now) {
     const Order& order = m_commands.order();
     const bool known = m_chain.has(order.module);
     const bool change = m_commands.group() != nullptr;  // judged when it was planned
-    Verdict verdict = !known   ? Verdict::Never
-                      : change ? Verdict::Allowed
-                               : judge(m_chain.belief(order.module), order.command);
+    Permission verdict = !known   ? Permission::Never
+                         : change ? Permission::Allowed
+                                  : judge(m_chain.belief(order.module), order.command);
     // What forbids may be over by now: two more looks before saying no, since one is not enough to permit.
-    if (verdict == Verdict::InMotion && m_chain.belief(order.module).looksSince(m_commands.stepBegan()) < 2)
-        verdict = Verdict::NeedsStatus;
+    if (verdict == Permission::InMotion &&
+        m_chain.belief(order.module).looksSince(m_commands.stepBegan()) < 2)
+        verdict = Permission::NeedsStatus;
     const bool lengthUnknown = known && !m_chain.belief(order.module).items();
-    if (verdict == Verdict::Allowed && lengthUnknown)
-        verdict = Verdict::NeedsStatus;
+    if (verdict == Permission::Allowed && lengthUnknown)
+        verdict = Permission::NeedsStatus;
     switch (verdict) {
-        case Verdict::Allowed:
+        case Permission::Allowed:
             return send();
-        case Verdict::NeedsStatus:
+        case Permission::NeedsStatus:
             return look(order.module);
-        case Verdict::InMotion:
-        case Verdict::Never:
+        case Permission::InMotion:
+        case Permission::Never:
             break;
     }
     m_events.emplace_back(m_commands.failed(Outcome::Forbidden));
@@ -80,7 +81,7 @@ Next OperationTask::send() {
     auto& owed = m_chain.at(order.module).owed;
     if (owed && mayStartMotion(ask.request.payload)) {
         // A motion that strayed has to be seen at rest first.
-        if (!ofOperator(owed->cause) || owed->target.stopOwed()) {
+        if (!ofOperator(owed->cause) || owed->target.stopUnacknowledged()) {
             m_events.emplace_back(m_commands.failed(Outcome::Forbidden));
             return Again{};
         }

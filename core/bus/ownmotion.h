@@ -14,7 +14,7 @@ namespace nmc::bus {
 /// per module. Pure.
 ///
 /// It tells, and stops nothing: whoever moves the motor may be in the midst of something that a stop from
-/// here would spoil, and would go on by his next command. The operator is told at once, and has STOP.
+/// here would ruin, and would go on by his next command. The operator is told at once, and has STOP.
 class OwnMotion {
 public:
     /// A servo that holds gives way to a load by less, as a rule: a turn of a usual motor.

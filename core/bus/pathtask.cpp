@@ -177,10 +177,10 @@ Next PathTask::lookFirst() {
         if (axis.looks < 2)
             return look(axis);
         const Belief& belief = m_chain.belief(axis.module());
-        const Verdict verdict = mayFollowPath(belief, m_plan->rate);
-        if (verdict == Verdict::NeedsStatus)
+        const Permission verdict = mayFollowPath(belief, m_plan->rate);
+        if (verdict == Permission::NeedsStatus)
             return look(axis);
-        if (verdict != Verdict::Allowed || belief.commandPosition() != axis.path->from || axis.left != 0 ||
+        if (verdict != Permission::Allowed || belief.commandPosition() != axis.path->from || axis.left != 0 ||
             m_chain.at(axis.module()).owed) {
             end(PathEnd::NotReady, axis.module());
             return Again{};

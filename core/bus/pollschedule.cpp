@@ -110,7 +110,8 @@ void PollSchedule::lose(ModuleIndex index, TimePoint now) {
 
 void PollSchedule::onTimeout(ModuleIndex index, TimePoint now) {
     Module& module = at(index);
-    module.interval = allSilent() ? kFirstProbe : std::min<Duration>(2 * module.interval, kSlowestProbe);
+    module.interval =
+        allUnresponsive() ? kFirstProbe : std::min<Duration>(2 * module.interval, kSlowestProbe);
     module.due = now + module.interval;
 }
 
@@ -135,7 +136,7 @@ std::size_t PollSchedule::answering() const {
 TimePoint PollSchedule::dueTime(const Module& module) const {
     if (!m_lastProbe)
         return module.due;
-    const Duration spacing = allSilent() ? kFirstProbe : kProbeSpacing;
+    const Duration spacing = allUnresponsive() ? kFirstProbe : kProbeSpacing;
     return std::max(module.due, *m_lastProbe + spacing);
 }
 

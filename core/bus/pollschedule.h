@@ -66,7 +66,7 @@ public:
     [[nodiscard]] bool silent(ModuleIndex module) const { return m_modules[module.value()].silent; }
     [[nodiscard]] bool retired(ModuleIndex module) const { return m_modules[module.value()].retired; }
     [[nodiscard]] std::size_t answering() const;
-    [[nodiscard]] bool allSilent() const { return !m_modules.empty() && answering() == 0; }
+    [[nodiscard]] bool allUnresponsive() const { return !m_modules.empty() && answering() == 0; }
 
 private:
     struct Module {

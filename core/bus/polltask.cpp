@@ -22,17 +22,17 @@ Next PollTask::next(TimePoint now) {
     ask.silentRepeats = 0;  // its turn comes again
     ask.request.framing = Framing::Pipelined;
     // A module that has not been answering has to show first that it is itself.
-    ask.ownTrouble = !m_chain.answers(turn->module);
-    ask.believed = !ask.ownTrouble;
+    ask.handlesFailure = !m_chain.answers(turn->module);
+    ask.believed = !ask.handlesFailure;
     return ask;
 }
 
 Line::Script PollTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {
-    if (!ask.ownTrouble)
+    if (!ask.handlesFailure)
         return {};
     if (end.result == ReplyResult::Accepted) {
         m_recovery.onHeardAgain(*ask.module);
-        m_chain.hurryOwed(*ask.module, now);
+        m_chain.hurryUnacknowledged(*ask.module, now);
         return {};
     }
     m_chain.schedule().onTimeout(*ask.module, now);

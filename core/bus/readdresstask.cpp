@@ -198,7 +198,7 @@ Ask ReaddressTask::question(BusAddress address, const Payload& payload, StatusIt
     Ask ask;
     ask.purpose = Purpose::Connect;
     ask.request = {address, payload, {m_chain.belief(*m_module).info().identity, items}};
-    ask.ownTrouble = true;
+    ask.handlesFailure = true;
     ask.believed = false;
     return ask;
 }
@@ -208,7 +208,7 @@ void ReaddressTask::end(bool done) {
         return fail(ReaddressFailed::Reason::NoAnswer);
     const ModuleIndex module = *std::exchange(m_module, std::nullopt);
     m_events.emplace_back(Readdressed{m_chain.belief(module).info()});
-    m_events.emplace_back(ModuleSilence{module, false});
+    m_events.emplace_back(ModuleUnresponsive{module, false});
 }
 
 }  // namespace nmc::bus

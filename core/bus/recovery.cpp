@@ -96,16 +96,16 @@ void Recovery::dropDoubt(ModuleIndex module) {
 }
 
 void Recovery::lose(ModuleIndex module, TimePoint now) {
-    setSilent(module, now);
-    if (m_chain.schedule().allSilent())
+    setUnresponsive(module, now);
+    if (m_chain.schedule().allUnresponsive())
         loseAll(now);
 }
 
-void Recovery::setSilent(ModuleIndex module, TimePoint now) {
+void Recovery::setUnresponsive(ModuleIndex module, TimePoint now) {
     if (!m_chain.answers(module))
         return;
     m_chain.schedule().lose(module, now);
-    m_events.emplace_back(ModuleSilence{module, true});
+    m_events.emplace_back(ModuleUnresponsive{module, true});
 }
 
 bool Recovery::wants(TimePoint /*now*/) const {
@@ -140,7 +140,7 @@ Ask Recovery::challenge() {
     const bool full = doubt.passed > 0 && isKnown(identity) && !doubt.witness;
     Ask ask = m_chain.status(Purpose::Challenge, asked, full ? fullItems(identity) : kIdentityItems);
     ask.silentRepeats = 0;
-    ask.ownTrouble = true;
+    ask.handlesFailure = true;
     ask.believed = !doubt.witness;
     return ask;
 }
@@ -169,7 +169,7 @@ Line::Script Recovery::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
     }
     m_suspect = true;
     m_chain.at(*ask.module).trust.interrupt();
-    const bool silent = end.result == ReplyResult::Silent;
+    const bool silent = end.result == ReplyResult::Unresponsive;
     if (silent)
         m_silence.onSilence(*ask.module);
     if (m_silence.dead(m_chain.schedule().answering())) {
@@ -184,7 +184,7 @@ Line::Script Recovery::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
     doubt.passed = 0;
     doubt.witnessDue = silent;
     doubt.silences += silent ? 1U : 0U;
-    if (++doubt.failures == kFailures || doubt.silences == kSilentFailures || doubt.wasSilent)
+    if (++doubt.failures == kFailures || doubt.silences == kSilentFailures || doubt.wasUnresponsive)
         failed(doubt.module, now);
     return {};
 }
@@ -203,9 +203,9 @@ void Recovery::passed(ModuleIndex module, TimePoint now) {
     if (m_chain.answers(module))
         return;
     m_chain.schedule().recover(module, now);
-    m_chain.hurryOwed(module, now);
+    m_chain.hurryUnacknowledged(module, now);
     m_lost = false;
-    m_events.emplace_back(ModuleSilence{module, false});
+    m_events.emplace_back(ModuleUnresponsive{module, false});
 }
 
 /// The module does not answer: it is asked rarely from now on, and the others go on.
@@ -223,7 +223,7 @@ void Recovery::loseAll(TimePoint now) {
     m_suspect = false;  // nothing is to be expected, so nothing to be waited for
     for (const Chain::Module& module : m_chain.modules())
         if (!module.belief.restarted())
-            setSilent(module.belief.info().index, now);
+            setUnresponsive(module.belief.info().index, now);
     if (std::exchange(m_lost, true))
         return;
     m_findings.allLost = true;

@@ -86,7 +86,7 @@ private:
     /// A module whose last answer was wrong or missing: two right ones, of different length, end that.
     struct Doubt {
         ModuleIndex module;
-        bool wasSilent = false;
+        bool wasUnresponsive = false;
         unsigned passed = 0;
         unsigned failures = 0;
         unsigned silences = 0;  ///< of them
@@ -100,7 +100,7 @@ private:
     [[nodiscard]] std::optional<ModuleIndex> witness() const;
     void passed(ModuleIndex module, TimePoint now);
     void failed(ModuleIndex module, TimePoint now);
-    void setSilent(ModuleIndex module, TimePoint now);
+    void setUnresponsive(ModuleIndex module, TimePoint now);
     void loseAll(TimePoint now);
 
     Chain& m_chain;

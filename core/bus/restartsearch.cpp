@@ -24,7 +24,7 @@ void RestartSearch::onLost(ModuleIndex module) {
 
 void RestartSearch::onProbeFailed() {
     const bool turn = ++m_probes % kLookEvery == 0;
-    if (turn && m_chain.rate() == kPowerUpBaud && !m_chain.schedule().allSilent())
+    if (turn && m_chain.rate() == kPowerUpBaud && !m_chain.schedule().allUnresponsive())
         m_stage = Stage::Ask;
 }
 
@@ -39,7 +39,7 @@ Next RestartSearch::next(TimePoint /*now*/) {
             bus::Ask ask;
             ask.purpose = Purpose::Challenge;
             ask.request = {BusAddress(0), ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}};
-            ask.ownTrouble = true;
+            ask.handlesFailure = true;
             ask.believed = false;
             return ask;
         }
@@ -57,7 +57,7 @@ Next RestartSearch::next(TimePoint /*now*/) {
         return Again{};
     }
     bus::Ask ask = m_chain.status(Purpose::Challenge, m_others.back(), kIdentityItems);
-    ask.ownTrouble = true;
+    ask.handlesFailure = true;
     ask.believed = false;
     return ask;
 }

@@ -21,7 +21,7 @@ void StopRun::restart(const Chain& chain) {
             m_targets.push_back({StopTarget(belief), !chain.answers(belief.info().index), belief.moving()});
     }
     std::stable_sort(m_targets.begin(), m_targets.end(), [](const Target& a, const Target& b) {
-        return std::tuple(a.wasSilent, !a.moving) < std::tuple(b.wasSilent, !b.moving);
+        return std::tuple(a.wasUnresponsive, !a.moving) < std::tuple(b.wasUnresponsive, !b.moving);
     });
 }
 
@@ -38,7 +38,7 @@ StopTarget* StopRun::next(TimePoint now) {
         return nullptr;
     Target* first = nullptr;
     const auto rank = [](const Target& t) {
-        return std::tuple(t.stop.silences(), !t.stop.unknown(), !t.stop.stopOwed(), t.asks);
+        return std::tuple(t.stop.silences(), !t.stop.unknown(), !t.stop.stopUnacknowledged(), t.asks);
     };
     for (Target& target : m_targets)
         if (target.open() && (first == nullptr || rank(target) < rank(*first)))
@@ -53,7 +53,8 @@ void StopRun::onReply(StopTarget& asked, const ReplyEnd& end, const Belief& beli
     asked.onReply(end, belief, now);
     const auto target =
         std::find_if(m_targets.begin(), m_targets.end(), [&](const Target& t) { return &t.stop == &asked; });
-    target->givenUp = asked.silences() >= kSilences && (target->wasSilent || now - m_began >= kSilentFor);
+    target->givenUp =
+        asked.silences() >= kSilences && (target->wasUnresponsive || now - m_began >= kSilentFor);
 }
 
 StopTarget* StopRun::find(ModuleIndex module) {

@@ -39,7 +39,7 @@ public:
 private:
     struct Target {
         StopTarget stop;
-        bool wasSilent = false;
+        bool wasUnresponsive = false;
         bool moving = false;
         bool givenUp = false;
         unsigned asks = 0;

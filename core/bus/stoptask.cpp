@@ -126,7 +126,7 @@ void StopTask::finish(TimePoint now) {
     m_asked = nullptr;
     for (const ModuleIndex module : event.stopped)
         if (const auto owed = std::exchange(m_chain.at(module).owed, std::nullopt))
-            m_events.emplace_back(OwedStopConfirmed{module, owed->cause});
+            m_events.emplace_back(UnacknowledgedStopConfirmed{module, owed->cause});
     for (const auto* open : {&event.unreached, &event.unconfirmed})
         for (const ModuleIndex module : *open)
             m_chain.owe(module, StopCause::StopAll);

@@ -26,7 +26,7 @@ void StrayFrames::onMissed(TimePoint now) {
 void StrayFrames::hear(ByteSpan bytes, TimePoint now, Duration byteTime) {
     const auto count = static_cast<Duration::rep>(bytes.size());
     if (now - byteTime * count > m_over)
-        endRun();
+        endBurst();
     m_bytes.append(bytes.first(std::min(bytes.size(), m_bytes.capacity() - m_bytes.size())));
     m_last = now;
     m_over = now + byteTime * kSurplusCharacters;
@@ -34,25 +34,25 @@ void StrayFrames::hear(ByteSpan bytes, TimePoint now, Duration byteTime) {
 
 bool StrayFrames::takeForeign(TimePoint now) {
     if (now > m_over)
-        endRun();
-    while (!m_runs.empty() && now - m_runs.front().time > kWithin)
-        m_runs.pop_front();
+        endBurst();
+    while (!m_bursts.empty() && now - m_bursts.front().time > kWithin)
+        m_bursts.pop_front();
     const auto frames = static_cast<std::size_t>(
-        std::count_if(m_runs.begin(), m_runs.end(), [](const Run& run) { return run.frame; }));
+        std::count_if(m_bursts.begin(), m_bursts.end(), [](const Burst& run) { return run.frame; }));
     if (frames == 0)
         m_told = false;
-    if (m_told || frames < kEnough || m_runs.size() > frames * kRunsPerFrame)
+    if (m_told || frames < kEnough || m_bursts.size() > frames * kRunsPerFrame)
         return false;
     m_told = true;
     return true;
 }
 
-void StrayFrames::endRun() {
+void StrayFrames::endBurst() {
     if (m_bytes.empty())
         return;
     const bool frame = isFrame();
     if (!frame || !paidFor())
-        push(m_runs, {m_last, frame});
+        push(m_bursts, {m_last, frame});
     m_bytes.clear();
 }
 

@@ -20,7 +20,7 @@ namespace nmc::bus {
 /// it mostly comes as single bytes, which count against it.
 ///
 /// What it cannot tell: a host that asks a few times a second, while this one polls without a pause. Its
-/// answers fall into exchanges and spoil them; that shows as a doubtful link.
+/// answers fall into exchanges and damage them; that shows as a doubtful link.
 class StrayFrames {
 public:
     /// Shorter ones have a right sum too often: an adapter that returns the end of a command, say.
@@ -41,11 +41,11 @@ public:
     [[nodiscard]] bool takeForeign(TimePoint now);
 
 private:
-    struct Run {
+    struct Burst {
         TimePoint time;
         bool frame;
     };
-    void endRun();
+    void endBurst();
     [[nodiscard]] bool isFrame() const;
     [[nodiscard]] bool paidFor();
 
@@ -54,7 +54,7 @@ private:
     TimePoint m_last;
     TimePoint m_over;  ///< a byte after that begins another run
     std::deque<TimePoint> m_missed;
-    std::deque<Run> m_runs;
+    std::deque<Burst> m_bursts;
     bool m_told = false;  ///< until none was heard for kWithin
 };
 

@@ -33,7 +33,7 @@ struct Ask {
     bool retry = false;                        ///< the same has been asked before in vain
     bool reported = false;                     ///< the model follows it when it is carried out
     bool believed = true;                      ///< what is answered is taken for the state of the module
-    bool ownTrouble =
+    bool handlesFailure =
         false;  ///< the task sees to silence and wrong answers by itself: no repeat, no recovery
 };
 

@@ -103,7 +103,7 @@ struct GroupCommand {
         ClearStickyBits,  ///< PIC-SERVO only
         StopSmoothly,     ///< stops: past all that waits, and never withheld from a member that is known;
         StopAbruptly,     ///< who is off stays off. Done: each member is owed its stop, and
-        MotorOff,         ///< OwedStopConfirmed follows for each
+        MotorOff,         ///< UnacknowledgedStopConfirmed follows for each
     };
     std::uint8_t group = 0xFF;
     Action action = Action::StartMotion;
@@ -219,7 +219,7 @@ struct ChainFound {
     bool attached = false;
     /// With `attached`: a module without an address answers too, so one has restarted or is new.
     bool unaddressed = false;
-    /// Of `modules`: those of the chain known before that do not answer at their address. ModuleSilence
+    /// Of `modules`: those of the chain known before that do not answer at their address. ModuleUnresponsive
     /// follows for each, or ModuleRestarted.
     std::vector<ModuleIndex> absent{};
     /// As EngineConfig::readOnly.
@@ -332,13 +332,13 @@ enum class StopCause : std::uint8_t {
 
 /// A stop that the engine owed to one module is confirmed: the module was seen at rest, twice. Until then it
 /// has been told to stop, and no more than that is known.
-struct OwedStopConfirmed {
+struct UnacknowledgedStopConfirmed {
     ModuleIndex module;
     StopCause cause = StopCause::HoldReleased;
 };
 
 /// A module stopped answering or answers again.
-struct ModuleSilence {
+struct ModuleUnresponsive {
     ModuleIndex module;
     bool silent;
 };
@@ -377,7 +377,7 @@ struct ModuleRestarted {
 };
 
 /// A module that restarted has its address again: it is off, at position 0 and without gains; the others are
-/// as they were. ModuleSilence follows.
+/// as they were. ModuleUnresponsive follows.
 struct Readdressed {
     ModuleInfo module;
 };
@@ -432,10 +432,10 @@ struct HoldExpired {
 
 using Event =
     std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
-                 StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired, HealthChanged,
+                 StopFinished, ModuleUnresponsive, CommandRefused, LinkLost, HoldExpired, HealthChanged,
                  ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
-                 OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion,
-                 AddressChanged, PathProgress>;
+                 UnacknowledgedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic,
+                 ForeignMotion, AddressChanged, PathProgress>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {

@@ -18,7 +18,7 @@ constexpr std::int64_t kTellsApart = 10 * kSame;
     return std::abs(a - b) <= kSame;
 }
 
-struct Look {
+struct Judge {
     const Belief& belief;
     const Verification& verification;
 
@@ -86,7 +86,7 @@ bool canVerify(const ModuleCommand& command) {
 Carried verify(const Order& order, const Belief& belief, const Verification& verification) {
     return std::visit(
         [&](const auto& chip) {
-            return std::visit(Look{belief, verification}, chip);
+            return std::visit(Judge{belief, verification}, chip);
         },
         order.command);
 }

@@ -197,7 +197,7 @@ TEST_F(HomingPage, AStepperFindsItsHomeSwitchToo) {
         {bus::OperationId(1'000'000),
          {{ModuleIndex(0), StepperCommand(parameters)},
           {ModuleIndex(0), StepperCommand(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly})}}});
-    ASSERT_TRUE(panel.waitFor([&] { return !whyNot(Request::Home, panel.module()); }));
+    ASSERT_TRUE(panel.waitFor([&] { return !whyNot(IntentKind::Home, panel.module()); }));
     HomingRecipe recipe = firstRecipe({ModuleType::Stepper, 1});
     recipe.reverse = false;
     panel.ask(intent::Home{recipe});

@@ -199,7 +199,7 @@ TEST_F(RunsKept, TwoPanelsLoseNothingToEachOther) {
 TEST_F(RunsKept, ADiskThatTakesNothingIsSaidOnce) {
     std::atomic<bool> full = true;
     IntentPanel panel({}, {}, folder.path(), [&full](const QString& path, std::string_view content) {
-        return full ? FileWriter::Result(tl::unexpected(FileError{FileTrouble::NoSpace, path}))
+        return full ? FileWriter::Result(tl::unexpected(FileError{FileErrorKind::NoSpace, path}))
                     : writeFile(path, content);
     });
     panel.start();

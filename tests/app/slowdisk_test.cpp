@@ -162,7 +162,7 @@ TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
 TEST(FullDisk, IsToldOnceOfUnsavedWorkAndOfEachSave) {
     QTemporaryDir directory;
     IntentPanel panel({}, {}, {}, [](const QString& path, std::string_view /*content*/) {
-        return FileWriter::Result(tl::unexpected(FileError{FileTrouble::NoSpace, path}));
+        return FileWriter::Result(tl::unexpected(FileError{FileErrorKind::NoSpace, path}));
     });
     panel.start();
     AxisSettings axis;

@@ -81,7 +81,7 @@ TEST_F(EchoingLine, GivesSilenceWhereNobodyAnswers) {
     ask();
     EXPECT_FALSE(hear(kCommand, 2083us)) << "nobody was heard";
     const ReplyEnd silent = end();
-    EXPECT_EQ(silent.result, ReplyResult::Silent);
+    EXPECT_EQ(silent.result, ReplyResult::Unresponsive);
     EXPECT_TRUE(silent.bytes.empty());
 }
 

@@ -51,7 +51,7 @@ TEST(Line, GivesUpAtTheTimeout) {
     line.onDeadline(deadline);
     const auto end = line.takeEnd();
     ASSERT_TRUE(end);
-    EXPECT_EQ(end->result, ReplyResult::Silent);
+    EXPECT_EQ(end->result, ReplyResult::Unresponsive);
     EXPECT_TRUE(line.idle());
 }
 
@@ -89,7 +89,7 @@ TEST(Line, EndsAnExchangeThatIsNotPermittedInSilence) {
     EXPECT_TRUE(line.takeOutput().empty());
     const auto end = endOf(line);
     ASSERT_TRUE(end);
-    EXPECT_EQ(end->result, ReplyResult::Silent);
+    EXPECT_EQ(end->result, ReplyResult::Unresponsive);
 }
 
 TEST(Line, ReckonsFromWhatIsStillLeaving) {
@@ -190,7 +190,7 @@ TEST(Line, TakesNothingForTheReplyThatComesBeforeTheCommandHasLeft) {
     line.onBytes(fromHex(kReply), TimePoint(1s + 2ms));
     const auto end = endOf(line);
     ASSERT_TRUE(end);
-    EXPECT_EQ(end->result, ReplyResult::Silent);
+    EXPECT_EQ(end->result, ReplyResult::Unresponsive);
     EXPECT_EQ(line.statistics().staleBytes, 8U);
 }
 

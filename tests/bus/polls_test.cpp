@@ -85,7 +85,7 @@ TEST(Polls, SurviveALostReply) {
     bus.runFor(1s);
     EXPECT_EQ(bus.engine.statistics().timeouts, 1U);
     EXPECT_EQ(bus.engine.statistics().resyncs, 1U);
-    EXPECT_EQ(bus.count<ModuleSilence>(), 0U);
+    EXPECT_EQ(bus.count<ModuleUnresponsive>(), 0U);
     bus.expectNoViolations();
 }
 
@@ -118,9 +118,9 @@ TEST(Silence, OfOneModuleIsToldAndCostsTheOthersLittle) {
     const std::size_t all = others + bus.samplesOf(1);
     bus.losesReply = losesModule(2);
     bus.runFor(2s);
-    ASSERT_EQ(bus.count<ModuleSilence>(), 1U);
-    EXPECT_EQ(bus.last<ModuleSilence>()->module, ModuleIndex(1));
-    EXPECT_TRUE(bus.last<ModuleSilence>()->silent);
+    ASSERT_EQ(bus.count<ModuleUnresponsive>(), 1U);
+    EXPECT_EQ(bus.last<ModuleUnresponsive>()->module, ModuleIndex(1));
+    EXPECT_TRUE(bus.last<ModuleUnresponsive>()->silent);
     EXPECT_EQ(bus.engine.stopReach(), 2U);
     const std::size_t before = bus.samplesOf(0) + bus.samplesOf(2);
     bus.runFor(5s);
@@ -129,8 +129,8 @@ TEST(Silence, OfOneModuleIsToldAndCostsTheOthersLittle) {
     EXPECT_EQ(bus.count<LinkLost>(), 0U);
 
     bus.losesReply = {};
-    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleSilence>() == 2; }, 5s));
-    EXPECT_FALSE(bus.last<ModuleSilence>()->silent);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleUnresponsive>() == 2; }, 5s));
+    EXPECT_FALSE(bus.last<ModuleUnresponsive>()->silent);
     const std::size_t samples = bus.samplesOf(1);
     bus.runFor(1s);
     EXPECT_GT(bus.samplesOf(1), samples + 30);
@@ -149,12 +149,12 @@ TEST(Silence, OfManyCostsTheOthersLittle) {
         return command.size() > 1 && command[0] == 0xAA && command[1] > 2;
     };
     bus.runFor(30s);
-    ASSERT_EQ(bus.count<ModuleSilence>(), 30U);
+    ASSERT_EQ(bus.count<ModuleUnresponsive>(), 30U);
     const std::size_t before = bus.count<Sample>();
     bus.runFor(5s);
     EXPECT_GT(static_cast<double>(bus.count<Sample>() - before), 0.9 * static_cast<double>(all));
     bus.losesReply = {};
-    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleSilence>() == 60; }, 6s));
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleUnresponsive>() == 60; }, 6s));
 }
 
 TEST(Silence, OfAllIsALostLinkThatComesBackByItself) {
@@ -165,7 +165,7 @@ TEST(Silence, OfAllIsALostLinkThatComesBackByItself) {
     bus.losesReply = [](ByteSpan) { return true; };
     bus.runFor(6s);
     EXPECT_EQ(bus.count<LinkLost>(), 1U);
-    EXPECT_EQ(bus.count<ModuleSilence>(), 3U);
+    EXPECT_EQ(bus.count<ModuleUnresponsive>(), 3U);
     EXPECT_EQ(bus.engine.stopReach(), 0U);
     EXPECT_GE(bus.sends("AA 01 17 05 1D", lost), 10U) << "commands may still arrive";
     EXPECT_EQ(bus.sends("AA 02 17", lost), 0U) << "its servo was off";
@@ -178,9 +178,9 @@ TEST(Silence, OfAllIsALostLinkThatComesBackByItself) {
     bus.losesReply = {};
     const std::size_t then = bus.sent.size();
     bus.runFor(3s);
-    EXPECT_EQ(bus.count<ModuleSilence>(), 6U);
+    EXPECT_EQ(bus.count<ModuleUnresponsive>(), 6U);
     EXPECT_EQ(bus.count<LinkLost>(), 1U);
-    EXPECT_EQ(bus.count<OwedStopConfirmed>(), 1U);
+    EXPECT_EQ(bus.count<UnacknowledgedStopConfirmed>(), 1U);
     // Only that stop and questions: nothing that moves, enables or sets gains.
     for (std::size_t i = then; i < bus.sent.size(); ++i)
         if (bus.sent[i].bytes[0] == 0xAA) {

@@ -144,7 +144,7 @@ TEST(PollSchedule, KnowsWhoIsSilent) {
     silence(schedule, kFirst, TimePoint{});
     EXPECT_TRUE(schedule.silent(kFirst));
     EXPECT_EQ(schedule.answering(), 1U);
-    EXPECT_FALSE(schedule.allSilent());
+    EXPECT_FALSE(schedule.allUnresponsive());
     schedule.recover(kFirst, TimePoint{});
     EXPECT_FALSE(schedule.silent(kFirst));
 }
@@ -186,7 +186,7 @@ TEST(PollSchedule, AsksOnceASecondWhenAllAreSilent) {
     PollSchedule schedule(2);
     silence(schedule, kFirst, TimePoint{});
     silence(schedule, kSecond, TimePoint{});
-    EXPECT_TRUE(schedule.allSilent());
+    EXPECT_TRUE(schedule.allUnresponsive());
     EXPECT_FALSE(schedule.next(TimePoint{}));
     std::vector<int> asked;
     for (TimePoint now{}; now < TimePoint(6500ms);) {
@@ -213,7 +213,7 @@ TEST(PollSchedule, HasNothingToDoWithoutModules) {
     PollSchedule schedule(0);
     EXPECT_FALSE(schedule.next(TimePoint{}));
     EXPECT_FALSE(schedule.nextDue());
-    EXPECT_FALSE(schedule.allSilent());
+    EXPECT_FALSE(schedule.allUnresponsive());
 }
 
 }  // namespace

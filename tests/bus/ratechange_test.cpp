@@ -62,10 +62,10 @@ public:
         for (const std::uint32_t rate : rates())
             EXPECT_EQ(rate, baud);
         const auto before = samplesOf(0);
-        const std::size_t silences = count<ModuleSilence>();
+        const std::size_t silences = count<ModuleUnresponsive>();
         runFor(1s);
         EXPECT_GT(samplesOf(0), before + 3);
-        EXPECT_EQ(count<ModuleSilence>(), silences);
+        EXPECT_EQ(count<ModuleUnresponsive>(), silences);
     }
 
 private:
@@ -305,7 +305,7 @@ TEST(ChainRate, IsTheSameForAllAgainWhenTheWayBackIsNotHeard) {
     EXPECT_TRUE(bus.failure().lost.empty());
     ASSERT_TRUE(bus.runUntil(
         [&] {
-            const auto silence = bus.last<ModuleSilence>();
+            const auto silence = bus.last<ModuleUnresponsive>();
             return !silence || !silence->silent;
         },
         6s))

@@ -170,9 +170,9 @@ TEST_F(Focus, EndsWithTheConnection) {
 
 TEST_F(Focus, EndsWhenTheModuleIsSilent) {
     bus.losesReply = [](ByteSpan command) { return command.size() > 1 && command[1] == 1; };
-    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleSilence>() == 1; }, 2s));
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleUnresponsive>() == 1; }, 2s));
     bus.losesReply = {};
-    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleSilence>() == 2; }, 5s));
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleUnresponsive>() == 2; }, 5s));
     EXPECT_FALSE(focused());
 }
 

@@ -104,8 +104,8 @@ TEST(Records, SayWhyAnAnswerWasNotBelieved) {
                 return withSum(whole);
         }
     };
-    const ExchangeEnd kEnds[] = {ExchangeEnd::Silent,   ExchangeEnd::Partial,  ExchangeEnd::BadChecksum,
-                                 ExchangeEnd::Rejected, ExchangeEnd::Rejected, ExchangeEnd::Refused};
+    const ExchangeEnd kEnds[] = {ExchangeEnd::Unresponsive, ExchangeEnd::Partial,  ExchangeEnd::BadChecksum,
+                                 ExchangeEnd::Rejected,     ExchangeEnd::Rejected, ExchangeEnd::Refused};
     for (int k = 1; k <= 6; ++k) {
         SCOPED_TRACE(k);
         (void)bus.engine.takeRecords();

@@ -24,7 +24,7 @@ struct Doubt {
 };
 
 constexpr std::array kDoubts{
-    Doubt{"Silent", [](Bytes) { return Bytes{}; }},
+    Doubt{"Unresponsive", [](Bytes) { return Bytes{}; }},
     Doubt{"Partial",
           [](Bytes whole) {
               whole.pop_back();
@@ -81,7 +81,7 @@ TEST_P(AfterADoubtfulAnswer, AsksTwoQuestionsOfDifferentLength) {
     EXPECT_EQ(bus.sent[at + 2].hex, "AA 01 13 3F 53") << "sixteen";
     bus.runFor(1s);
     EXPECT_GT(bus.count<Sample>(), samples + 20);
-    EXPECT_EQ(bus.count<ModuleSilence>(), 0U);
+    EXPECT_EQ(bus.count<ModuleUnresponsive>(), 0U);
     EXPECT_EQ(bus.engine.statistics().resyncs, 1U);
 }
 
@@ -103,7 +103,7 @@ TEST(Recovery, BelievesAMoveThatTheChallengeConfirms) {
     };
     moved = true;
     bus.runFor(2s);
-    EXPECT_EQ(bus.count<ModuleSilence>(), 0U);
+    EXPECT_EQ(bus.count<ModuleUnresponsive>(), 0U);
     std::optional<std::int32_t> last;
     for (const Sample& sample : bus.all<Sample>())
         if (sample.module == ModuleIndex(0))
@@ -174,10 +174,10 @@ TEST(Recovery, StopsEverythingAndIsSilentOnceTheLinkIsLost) {
     EXPECT_GE(line.bus.sends("AA 01 17 05 1D", at), 1U) << "abrupt, amplifier kept";
     EXPECT_GE(line.bus.sends("AA 02 17 05 1E", at), 1U);
     // The stops are owed until the motors are seen at rest.
-    EXPECT_EQ(line.bus.count<OwedStopConfirmed>(), 0U);
+    EXPECT_EQ(line.bus.count<UnacknowledgedStopConfirmed>(), 0U);
     line.isBad = false;
     line.bus.status = 0x09;  // move_done
-    ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<OwedStopConfirmed>() == 2; }, 2s));
+    ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<UnacknowledgedStopConfirmed>() == 2; }, 2s));
     line.bus.runFor(100ms);
     const std::size_t after = line.bus.sent.size();
     const std::size_t events = line.bus.events.size();
@@ -199,9 +199,9 @@ TEST(Recovery, StopsEverythingAndIsSilentOnceTheLinkIsLost) {
 TEST(Recovery, GivesUpOneModuleAndGoesOnWithTheOthers) {
     BadLine line;
     line.isBad = true;
-    ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<ModuleSilence>() > 0; }, 120s));
+    ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<ModuleUnresponsive>() > 0; }, 120s));
     EXPECT_EQ(line.healths(true).back(), LinkHealth::Lost);
-    EXPECT_EQ(line.bus.all<ModuleSilence>()[0].module, ModuleIndex(1));
+    EXPECT_EQ(line.bus.all<ModuleUnresponsive>()[0].module, ModuleIndex(1));
     line.bus.runFor(200ms);
     EXPECT_GE(line.bus.sends("AA 02 17 05 1E"), 1U) << "its servo was on, so it is stopped";
     const std::size_t from = line.bus.sent.size();

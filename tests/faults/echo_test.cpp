@@ -106,8 +106,8 @@ TEST_P(F46_EchoingAdapter, StopsAtAnyByte) {
 TEST_P(F46_EchoingAdapter, TellsSilenceFromItsEcho) {
     ASSERT_TRUE(bus.connectAndEnable());
     bus.fault("module 2 silent");
-    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleSilence>() == 1; }, 10s));
-    EXPECT_EQ(bus.last<ModuleSilence>()->module, ModuleIndex(1));
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleUnresponsive>() == 1; }, 10s));
+    EXPECT_EQ(bus.last<ModuleUnresponsive>()->module, ModuleIndex(1));
     EXPECT_EQ(bus.count<LinkLost>(), 0U);
     bus.fault("bus silent");
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<LinkLost>() == 1; }, 10s)) << "the modules are gone";
@@ -209,7 +209,7 @@ TEST_P(F46_EchoThatChanges, IsNeverTakenForAnAnswerAndOutlived) {
         bus.runFor(7s + std::chrono::milliseconds(7 * i));
     }
     EXPECT_EQ(bus.count<EchoNoticed>(), 1U);
-    EXPECT_EQ(bus.count<ModuleSilence>(), 0U);
+    EXPECT_EQ(bus.count<ModuleUnresponsive>(), 0U);
     EXPECT_NE(bus.health(), LinkHealth::Lost);
     truth.expectAllTrue();
     bus.expectOnlyExecutedWhatWasSent();

@@ -46,7 +46,7 @@ TEST(F10_ModuleSilent, CostsTheOthersLessThanATenth) {
     const std::size_t inHealth = bus.samplesOf(0) + bus.samplesOf(2) - before;
     bus.fault("module 2 silent");
     bus.runFor(5s);
-    const auto silences = bus.all<ModuleSilence>();
+    const auto silences = bus.all<ModuleUnresponsive>();
     ASSERT_EQ(silences.size(), 1U);
     EXPECT_EQ(silences[0].module, ModuleIndex(1));
     EXPECT_TRUE(silences[0].silent);

@@ -153,7 +153,7 @@ private:
     void pass(Duration time);
     void checkSent();
     void checkPacket(const std::vector<std::uint8_t>& bytes);
-    void checkCarriedOut();
+    void checkExecuted();
     void checkBounds(Duration time);
     void checkEvents();
     void forget();
@@ -264,7 +264,7 @@ void Session::pass(Duration time) {
     const auto deadline = m_bus.engine.nextDeadline();
     expect(!deadline || *deadline > m_bus.now, "a deadline that has passed already");
     checkSent();
-    checkCarriedOut();
+    checkExecuted();
     checkBounds(time);
     checkEvents();
     forget();
@@ -305,7 +305,7 @@ void Session::checkPacket(const std::vector<std::uint8_t>& bytes) {
 }
 
 /// N6, from what the modules have done: no start twice that was asked for once.
-void Session::checkCarriedOut() {
+void Session::checkExecuted() {
     if (m_commandsHarmed)
         return;
     for (std::uint8_t i = 0; i < m_starts.size(); ++i)

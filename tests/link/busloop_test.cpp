@@ -106,11 +106,11 @@ TEST(BusLoop, TellsOnceThatTheMachineSleptAndStopsTheMotors) {
     rig.loop.ask(runOn(1));
     ASSERT_TRUE(rig.waitFor<bus::OperationFinished>());
     asleep = Duration(2h).count();
-    ASSERT_TRUE(rig.waitFor<MachineSlept>());
-    EXPECT_EQ(rig.last<MachineSlept>()->length, 2h);
+    ASSERT_TRUE(rig.waitFor<ComputerSlept>());
+    EXPECT_EQ(rig.last<ComputerSlept>()->length, 2h);
     ASSERT_TRUE(rig.waitFor<bus::StopFinished>());
     EXPECT_EQ(rig.last<bus::StopFinished>()->stopped.size(), 1U);
-    EXPECT_EQ(rig.count<MachineSlept>(), 1U);
+    EXPECT_EQ(rig.count<ComputerSlept>(), 1U);
 }
 
 /// Somebody presses STOP in the moment in which the last byte of an answer arrives; what is sent then is

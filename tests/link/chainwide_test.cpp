@@ -60,7 +60,8 @@ TEST_F(Chainwide, AGroupStopsAtOnceAndSoDoesTheStore) {
     ASSERT_EQ(carryOut(bus::GroupCommand{0xA0, bus::GroupCommand::Action::StartMotion}), bus::Outcome::Done);
     ASSERT_TRUE(connection.waitUntil([&] { return sim.state(2)[u"position"_s].toInt() > 100; }));
     ASSERT_EQ(carryOut(bus::GroupCommand{0xA0, bus::GroupCommand::Action::StopAbruptly}), bus::Outcome::Done);
-    EXPECT_TRUE(connection.waitUntil([&] { return connection.count<bus::OwedStopConfirmed>() == 2; }));
+    EXPECT_TRUE(
+        connection.waitUntil([&] { return connection.count<bus::UnacknowledgedStopConfirmed>() == 2; }));
     const int place = sim.state(2)[u"position"_s].toInt();
     EXPECT_TRUE(connection.waitUntil([&] { return !connection.module(1).moving(); }));
     EXPECT_NEAR(sim.state(2)[u"position"_s].toInt(), place, 5);
@@ -86,7 +87,7 @@ TEST_F(Chainwide, AnyDivisorGivesItsRateOnTheTerminal) {
     const auto before = connection.worker().statistics().answered;
     EXPECT_TRUE(
         connection.waitUntil([&] { return connection.worker().statistics().answered > before + 50; }));
-    EXPECT_EQ(connection.count<bus::ModuleSilence>(), 0);
+    EXPECT_EQ(connection.count<bus::ModuleUnresponsive>(), 0);
 }
 
 TEST_F(Chainwide, RateChangesWhileTheMotorsHold) {
@@ -102,7 +103,7 @@ TEST_F(Chainwide, RateChangesWhileTheMotorsHold) {
         EXPECT_TRUE(
             connection.waitUntil([&] { return connection.worker().statistics().answered > before + 50; }));
     }
-    EXPECT_EQ(connection.count<bus::ModuleSilence>(), 0);
+    EXPECT_EQ(connection.count<bus::ModuleUnresponsive>(), 0);
 }
 
 }  // namespace

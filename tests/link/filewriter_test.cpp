@@ -58,8 +58,8 @@ TEST_F(FileWriterTest, TellsWhatBecameOfIt) {
     EXPECT_TRUE(told.empty()) << "not before the event loop has its turn";
     ASSERT_TRUE(QTest::qWaitFor([&] { return told.size() == 3; }));
     EXPECT_TRUE(told[path("a")].has_value());
-    EXPECT_EQ(told[path("folder")].error().trouble, FileTrouble::NotAFile);
-    EXPECT_EQ(told[path("none/a")].error().trouble, FileTrouble::NoFolder);
+    EXPECT_EQ(told[path("folder")].error().trouble, FileErrorKind::NotAFile);
+    EXPECT_EQ(told[path("none/a")].error().trouble, FileErrorKind::NoFolder);
     EXPECT_TRUE(QDir(path("folder")).exists()) << "what was there stays";
 }
 

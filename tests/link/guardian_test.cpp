@@ -69,11 +69,11 @@ TEST(H05_Suspend, HasTheMotorsStoppedAndIsToldOnce) {
     connection.worker().setSleepClock([&asleep] { return Duration(asleep.load()); });
     ASSERT_NO_FATAL_FAILURE(startMoving(connection, sim));
     asleep = Duration(2h).count();
-    ASSERT_TRUE(connection.waitFor<MachineSlept>());
-    EXPECT_EQ(connection.news<MachineSlept>()->length, 2h);
+    ASSERT_TRUE(connection.waitFor<ComputerSlept>());
+    EXPECT_EQ(connection.news<ComputerSlept>()->length, 2h);
     ASSERT_TRUE(connection.waitFor<bus::StopFinished>());
     EXPECT_TRUE(connection.waitUntil([&] { return !moves(sim); }));
-    EXPECT_EQ(connection.count<MachineSlept>(), 1);
+    EXPECT_EQ(connection.count<ComputerSlept>(), 1);
 }
 
 }  // namespace

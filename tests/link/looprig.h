@@ -72,7 +72,7 @@ public:
     }
     template <typename Event>
     [[nodiscard]] static const Event* as(const WorkerEvent& event) {
-        if constexpr (AnyOf<Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze, MachineSlept,
+        if constexpr (AnyOf<Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze, ComputerSlept,
                             GuardianStopped, GuardianMissing>) {
             return std::get_if<Event>(&event);
         } else {

@@ -33,35 +33,35 @@ TEST_F(MachineIo, WhatWasWrittenIsReadUpToTheBound) {
     EXPECT_EQ(readFile(path("a.json"), 5), "12345");
     const auto cut = readFile(path("a.json"), 4);
     ASSERT_FALSE(cut.has_value());
-    EXPECT_EQ(cut.error().trouble, FileTrouble::TooLarge);
+    EXPECT_EQ(cut.error().trouble, FileErrorKind::TooLarge);
     ASSERT_TRUE(writeFile(path("a.json"), "").has_value());
     EXPECT_EQ(readFile(path("a.json"), 0), "");
 }
 
 TEST_F(MachineIo, ReadingSaysWhyNot) {
-    EXPECT_EQ(readFile(path("none.json"), 10).error().trouble, FileTrouble::NotThere);
-    EXPECT_EQ(readFile(directory.path(), 10).error().trouble, FileTrouble::NotAFile);
-    EXPECT_EQ(readFile(QStringLiteral("/dev/zero"), 10).error().trouble, FileTrouble::NotAFile);
+    EXPECT_EQ(readFile(path("none.json"), 10).error().trouble, FileErrorKind::NotThere);
+    EXPECT_EQ(readFile(directory.path(), 10).error().trouble, FileErrorKind::NotAFile);
+    EXPECT_EQ(readFile(QStringLiteral("/dev/zero"), 10).error().trouble, FileErrorKind::NotAFile);
     ASSERT_EQ(mkfifo(path("fifo").toLocal8Bit().constData(), 0600), 0);
-    EXPECT_EQ(readFile(path("fifo"), 10).error().trouble, FileTrouble::NotAFile) << "which would block";
+    EXPECT_EQ(readFile(path("fifo"), 10).error().trouble, FileErrorKind::NotAFile) << "which would block";
     ASSERT_TRUE(writeFile(path("secret.json"), "x").has_value());
     QFile::setPermissions(path("secret.json"), {});
     QFile::setPermissions(directory.path(), QFile::Permissions(0x7755));
     const AsNobody nobody;
-    EXPECT_EQ(readFile(path("secret.json"), 10).error().trouble, FileTrouble::NoPermission);
+    EXPECT_EQ(readFile(path("secret.json"), 10).error().trouble, FileErrorKind::NoPermission);
 }
 
 TEST_F(MachineIo, WritingSaysWhyNot) {
-    EXPECT_EQ(writeFile(path("none/a.json"), "x").error().trouble, FileTrouble::NoFolder);
-    EXPECT_EQ(writeFile(directory.path(), "x").error().trouble, FileTrouble::NotAFile);
-    EXPECT_EQ(writeFile(QStringLiteral("/dev/full"), "x").error().trouble, FileTrouble::NotAFile);
+    EXPECT_EQ(writeFile(path("none/a.json"), "x").error().trouble, FileErrorKind::NoFolder);
+    EXPECT_EQ(writeFile(directory.path(), "x").error().trouble, FileErrorKind::NotAFile);
+    EXPECT_EQ(writeFile(QStringLiteral("/dev/full"), "x").error().trouble, FileErrorKind::NotAFile);
     ASSERT_TRUE(writeFile(path("old.json"), "old").has_value());
     QFile::setPermissions(path("old.json"), QFile::ReadOwner | QFile::ReadOther);
     QFile::setPermissions(directory.path(), QFile::Permissions(0x5555));
     {
         const AsNobody nobody;
-        EXPECT_EQ(writeFile(path("new.json"), "x").error().trouble, FileTrouble::NoPermission);
-        EXPECT_EQ(writeFile(path("old.json"), "x").error().trouble, FileTrouble::NoPermission);
+        EXPECT_EQ(writeFile(path("new.json"), "x").error().trouble, FileErrorKind::NoPermission);
+        EXPECT_EQ(writeFile(path("old.json"), "x").error().trouble, FileErrorKind::NoPermission);
     }
     QFile::setPermissions(directory.path(), QFile::Permissions(0x7755));
     EXPECT_EQ(contentOf(path("old.json")), "old");

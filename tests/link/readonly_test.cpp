@@ -92,8 +92,8 @@ TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenTheMachineSlept) {
     connection.worker().setSleepClock([&asleep] { return Duration(asleep.load()); });
     ASSERT_NO_FATAL_FAILURE(look(connection));
     asleep = Duration(2h).count();
-    ASSERT_TRUE(connection.waitFor<MachineSlept>());
-    EXPECT_FALSE(connection.news<MachineSlept>()->stopped);
+    ASSERT_TRUE(connection.waitFor<ComputerSlept>());
+    EXPECT_FALSE(connection.news<ComputerSlept>()->stopped);
     // What was asked for after it is the last word of this connection.
     connection.worker().close();
     ASSERT_TRUE(connection.waitFor<PortClosed>());

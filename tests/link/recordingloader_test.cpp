@@ -84,12 +84,12 @@ TEST_F(RecordingLoaderTest, RefusesWhatIsNoPlainFile) {
         failed.reset();
         open(none);
         ASSERT_TRUE(failed.has_value()) << none.toStdString();
-        EXPECT_EQ(failed->trouble, FileTrouble::NotAFile);
+        EXPECT_EQ(failed->trouble, FileErrorKind::NotAFile);
     }
     failed.reset();
     open(path("none.csv"));
     ASSERT_TRUE(failed.has_value());
-    EXPECT_EQ(failed->trouble, FileTrouble::NotThere);
+    EXPECT_EQ(failed->trouble, FileErrorKind::NotThere);
 }
 
 TEST_F(RecordingLoaderTest, AnotherFileTakesThePlaceOfTheFirst) {

@@ -92,7 +92,7 @@ protected:
         return QTest::qWaitFor([this] { return !m_failures.empty() || !m_finished.empty(); }, kPatienceMs);
     }
     /// What the recording that is going on ends with, without being stopped.
-    std::optional<RecordingTrouble> trouble() {
+    std::optional<RecordingProblemKind> trouble() {
         if (!waitForEnd() || m_failures.size() != 1 || !m_finished.empty())
             return std::nullopt;
         EXPECT_FALSE(m_writer->isBusy());
@@ -163,23 +163,23 @@ TEST_F(RecordingWriterTest, LosesNothingWhenItIsClosedWhileDataWaits) {
 
 TEST_F(RecordingWriterTest, SaysWhyItCannotBegin) {
     m_writer->start(path("none/a.csv"));
-    EXPECT_EQ(trouble(), RecordingTrouble::NoFolder);
+    EXPECT_EQ(trouble(), RecordingProblemKind::NoFolder);
     EXPECT_FALSE(m_failures.front().detail.isEmpty());
     m_failures.clear();
     m_writer->start(m_directory.path());
-    EXPECT_EQ(trouble(), RecordingTrouble::NotAFile);
+    EXPECT_EQ(trouble(), RecordingProblemKind::NotAFile);
     m_failures.clear();
     QFile::setPermissions(m_directory.path(), QFile::Permissions(0x5555));
     const AsNobody nobody;
     m_writer->start(path("new.csv"));
-    EXPECT_EQ(trouble(), RecordingTrouble::NoPermission);
+    EXPECT_EQ(trouble(), RecordingProblemKind::NoPermission);
     EXPECT_EQ(m_failures.front().bytes, 0);
 }
 
 TEST_F(RecordingWriterTest, EndsWhenTheDiskIsFull) {
     m_writer->start(QStringLiteral("/dev/full"));
     m_writer->append("1\n");
-    EXPECT_EQ(trouble(), RecordingTrouble::NoSpace);
+    EXPECT_EQ(trouble(), RecordingProblemKind::NoSpace);
     m_writer->append("2\n");
     m_writer->stop();
     QCoreApplication::processEvents();
@@ -192,7 +192,7 @@ TEST_F(RecordingWriterTest, WhatWasWrittenBeforeAFileIsTooLargeStaysInIt) {
     m_writer->start(path("a.csv"));
     for (int i = 0; i < 3; ++i)
         m_writer->append(piece(i, 400'000));
-    EXPECT_EQ(trouble(), RecordingTrouble::FileTooLarge);
+    EXPECT_EQ(trouble(), RecordingProblemKind::FileTooLarge);
     EXPECT_EQ(m_failures.front().bytes, 800'000);
     EXPECT_TRUE(contentOf(path("a.csv")) == piece(0, 400'000) + piece(1, 400'000))
         << "the third line did not fit, and no part of it is there";
@@ -205,7 +205,7 @@ TEST_F(RecordingWriterTest, TheLastLineOfAPieceThatFitsIsWhole) {
     for (int i = 0; i < 100; ++i)
         rows += piece(i, 30);
     m_writer->append(rows);
-    EXPECT_EQ(trouble(), RecordingTrouble::FileTooLarge);
+    EXPECT_EQ(trouble(), RecordingProblemKind::FileTooLarge);
     EXPECT_EQ(m_failures.front().bytes, 990) << "33 rows of 30 bytes";
     EXPECT_TRUE(contentOf(path("a.csv")) == rows.substr(0, 990));
 }
@@ -216,13 +216,13 @@ TEST_F(RecordingWriterTest, TellsWhenItsFileWasDeleted) {
     ASSERT_TRUE(QTest::qWaitFor([this] { return contentOf(path("a.csv")) == "1\n"; }, kPatienceMs));
     QFile::remove(path("a.csv"));
     m_writer->append("2\n");
-    EXPECT_EQ(trouble(), RecordingTrouble::Removed);
+    EXPECT_EQ(trouble(), RecordingProblemKind::Removed);
 }
 
 TEST_F(RecordingWriterTest, APipeThatNobodyReadsIsRefusedAtOnce) {
     m_writer->start(fifo());
     m_writer->append("1\n");
-    EXPECT_EQ(trouble(), RecordingTrouble::NotAFile);
+    EXPECT_EQ(trouble(), RecordingProblemKind::NotAFile);
 }
 
 TEST_F(RecordingWriterTest, EndsWhenTheDiskDoesNotKeepUp) {
@@ -236,7 +236,7 @@ TEST_F(RecordingWriterTest, EndsWhenTheDiskDoesNotKeepUp) {
     EXPECT_GE(pieces, 30);
     EXPECT_LE(pieces, 38);
     EXPECT_TRUE(m_failures.empty()) << "not from within the call";
-    EXPECT_EQ(trouble(), RecordingTrouble::TooSlow);
+    EXPECT_EQ(trouble(), RecordingProblemKind::TooSlow);
     EXPECT_LE(m_failures.front().bytes, 65'536);
 }
 
@@ -246,7 +246,7 @@ TEST_F(RecordingWriterTest, ADiskThatHangsDoesNotKeepItFinishingForEver) {
     m_writer->start(path("fifo"));
     m_writer->append(piece(0, 100'000));
     m_writer->stop();
-    EXPECT_EQ(trouble(), RecordingTrouble::TooSlow);
+    EXPECT_EQ(trouble(), RecordingProblemKind::TooSlow);
 }
 
 TEST_F(RecordingWriterTest, ADiskThatHangsDoesNotKeepThePanelFromClosing) {
@@ -264,7 +264,7 @@ TEST_F(RecordingWriterTest, AfterADiskThatHungAnotherRecordingWorks) {
     m_writer->start(path("fifo"));
     m_writer->append(piece(0, 100'000));
     m_writer->append(piece(1, 100'000));
-    ASSERT_EQ(trouble(), RecordingTrouble::TooSlow);
+    ASSERT_EQ(trouble(), RecordingProblemKind::TooSlow);
     m_failures.clear();
     m_writer->start(path("b.csv"));
     m_writer->append("1\n");

@@ -90,10 +90,10 @@ TEST(SerialPathTrouble, AModuleThatRestartsGoesSilentWhileTheOthersGoOn) {
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     // The module nearest the host: nothing hangs on its ADDR_OUT.
     EXPECT_FALSE(sim.control(QStringLiteral("power-cycle 2")).contains(QStringLiteral("error")));
-    ASSERT_TRUE(connection.waitFor<bus::ModuleSilence>());
-    EXPECT_EQ(connection.news<bus::ModuleSilence>()->module, ModuleIndex(1));
-    EXPECT_EQ(connection.module(1).activity(), Activity::Silent);
-    EXPECT_NE(connection.module(0).activity(), Activity::Silent);
+    ASSERT_TRUE(connection.waitFor<bus::ModuleUnresponsive>());
+    EXPECT_EQ(connection.news<bus::ModuleUnresponsive>()->module, ModuleIndex(1));
+    EXPECT_EQ(connection.module(1).activity(), Activity::Unresponsive);
+    EXPECT_NE(connection.module(0).activity(), Activity::Unresponsive);
 }
 
 TEST(SerialPathTrouble, NobodyAnsweringIsSaidAndThePortStaysOpenForAnotherTry) {

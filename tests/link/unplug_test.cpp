@@ -36,7 +36,7 @@ void expectGoneOnce(Connection& connection) {
     QCoreApplication::processEvents();
     EXPECT_EQ(connection.count<PortClosed>(), 1);
     EXPECT_EQ(connection.count<bus::LinkLost>(), 0) << "one cause, one message";
-    EXPECT_EQ(connection.count<bus::ModuleSilence>(), 0);
+    EXPECT_EQ(connection.count<bus::ModuleUnresponsive>(), 0);
 }
 
 TEST(F27_Unplug, IsToldOnceAndClosesThePort) {

@@ -7,7 +7,7 @@ namespace nmc {
 namespace {
 
 using Finding = ChainDiagnosis::Finding;
-using Verdict = ChainPlace::Verdict;
+using State = ChainPlace::State;
 
 constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
 constexpr ModuleIdentity kOldServo{ModuleType::Servo, 1};
@@ -37,13 +37,13 @@ TEST(ChainDiagnosis, WhatIsExpectedAndThereIsFine) {
     const auto chain = diagnose(machineOf({kServo, kStep}), linkWith({kServo, kStep}));
     EXPECT_EQ(chain.finding, Finding::Fine);
     EXPECT_EQ(chain.places.size(), 2U);
-    EXPECT_EQ(chain.places[1].verdict, Verdict::Fine);
+    EXPECT_EQ(chain.places[1].state, State::Fine);
 }
 
 TEST(ChainDiagnosis, OfAChainNobodyHasToldOfNothingIsKnown) {
     const auto chain = diagnose({}, linkWith({kServo}));
     EXPECT_EQ(chain.finding, Finding::NothingExpected);
-    EXPECT_EQ(chain.places[0].verdict, Verdict::New);
+    EXPECT_EQ(chain.places[0].state, State::New);
 }
 
 TEST(ChainDiagnosis, FewerThanExpectedBreakBehindTheLastThatAnswers) {
@@ -53,8 +53,8 @@ TEST(ChainDiagnosis, FewerThanExpectedBreakBehindTheLastThatAnswers) {
     EXPECT_EQ(chain.at, ModuleIndex(1));
     EXPECT_EQ(chain.expected, 4U);
     EXPECT_EQ(chain.found, 2U);
-    EXPECT_EQ(chain.places[2].verdict, Verdict::Missing);
-    EXPECT_EQ(chain.places[3].verdict, Verdict::Missing);
+    EXPECT_EQ(chain.places[2].state, State::Missing);
+    EXPECT_EQ(chain.places[3].state, State::Missing);
 }
 
 TEST(ChainDiagnosis, ACutOffFarEndIsToldFromABreak) {
@@ -66,7 +66,7 @@ TEST(ChainDiagnosis, AnotherVersionIsOtherHardware) {
     const auto chain = diagnose(machineOf({kServo, kServo}), linkWith({kServo, kOldServo}));
     EXPECT_EQ(chain.finding, Finding::OtherHardware);
     EXPECT_EQ(chain.at, ModuleIndex(1));
-    EXPECT_EQ(chain.places[1].verdict, Verdict::Different);
+    EXPECT_EQ(chain.places[1].state, State::Different);
 }
 
 TEST(ChainDiagnosis, OneMoreIsSaid) {
@@ -78,7 +78,7 @@ TEST(ChainDiagnosis, OneMoreIsSaid) {
 TEST(ChainDiagnosis, SilenceAndRestartsComeFirst) {
     LinkState link = linkWith({kServo, kServo, kServo});
     link.modules[2].silent = true;
-    EXPECT_EQ(diagnose(machineOf({kServo}), link).finding, Finding::Silent);
+    EXPECT_EQ(diagnose(machineOf({kServo}), link).finding, Finding::Unresponsive);
     link.modules[1].hasRestarted = true;
     const auto chain = diagnose(machineOf({kServo}), link);
     EXPECT_EQ(chain.finding, Finding::Restarted);
@@ -89,9 +89,9 @@ TEST(ChainDiagnosis, ALostChainIsNotFineWhateverItsModulesSaidLast) {
     LinkState link = linkWith({kServo, kStep});
     link.phase = LinkPhase::Lost;
     const auto chain = diagnose(machineOf({kServo, kStep}), link);
-    EXPECT_EQ(chain.finding, Finding::Silent);
+    EXPECT_EQ(chain.finding, Finding::Unresponsive);
     for (const ChainPlace& place : chain.places)
-        EXPECT_EQ(place.verdict, Verdict::Silent);
+        EXPECT_EQ(place.state, State::Unresponsive);
 }
 
 TEST(LinkState, AModuleThatIsNotAskedAnyMoreDoesNotAnswer) {
@@ -99,7 +99,7 @@ TEST(LinkState, AModuleThatIsNotAskedAnyMoreDoesNotAnswer) {
         LinkState link = linkWith({kServo});
         link.phase = phase;
         EXPECT_FALSE(isLive(link, link.modules[0]));
-        EXPECT_EQ(asShown(link).modules[0].activity(), Activity::Silent);
+        EXPECT_EQ(asShown(link).modules[0].activity(), Activity::Unresponsive);
     }
 }
 

@@ -39,7 +39,7 @@ protected:
                 module.apply(*sample);
             else if (const auto* executed = std::get_if<bus::CommandExecuted>(&event))
                 module.apply(*executed);
-            else if (const auto* silence = std::get_if<bus::ModuleSilence>(&event))
+            else if (const auto* silence = std::get_if<bus::ModuleUnresponsive>(&event))
                 module.silent = silence->silent;
         }
     }
@@ -188,7 +188,7 @@ TEST_F(ChangingMotion, GivesUpOnAModuleThatDoesNotAnswer) {
     perform(stepperintent::Move{kForward});
     ChangeMotion change(ModuleIndex(0), kReverse);
     module.silent = true;
-    EXPECT_EQ(run(change).failure, ProcedureFailure::ModuleSilent);
+    EXPECT_EQ(run(change).failure, ProcedureFailure::ModuleUnresponsive);
 }
 
 TEST_F(ChangingMotion, GivesUpOnAMotorThatDoesNotStop) {

@@ -159,7 +159,7 @@ private:
                 take(*sample);
             else if (const auto* finished = std::get_if<bus::OperationFinished>(&event))
                 take(*finished);
-            else if (const auto* silence = std::get_if<bus::ModuleSilence>(&event);
+            else if (const auto* silence = std::get_if<bus::ModuleUnresponsive>(&event);
                      silence && silence->silent)
                 m_feed.doubt();
             else if (std::holds_alternative<bus::ModuleRestarted>(event) ||

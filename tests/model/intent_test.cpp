@@ -137,8 +137,8 @@ TEST(Plan, SendsThirteenGainBytesToEarlierVersions) {
 TEST(Plan, AsksNothingOfASilentModuleButToSwitchOff) {
     ModuleState module = holdingServo();
     module.silent = true;
-    EXPECT_EQ(refusalOf(kGoTo, module), Refusal::Silent);
-    EXPECT_EQ(refusalOf(intent::ClearStickyBits{}, module), Refusal::Silent);
+    EXPECT_EQ(refusalOf(kGoTo, module), Refusal::Unresponsive);
+    EXPECT_EQ(refusalOf(intent::ClearStickyBits{}, module), Refusal::Unresponsive);
     EXPECT_TRUE(plan(intent::MotorOff{}, module).has_value());
 }
 

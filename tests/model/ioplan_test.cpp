@@ -46,7 +46,7 @@ TEST_F(PicIo, OneOutputChangesAndTheOthersStayAsTheyWereTold) {
 TEST_F(PicIo, AsLongAsNothingWasToldTheLevelsThatItReadsAreKept) {
     EXPECT_EQ(planned(iointent::SetOutput{2, true}), Commands{io::SetOutput{0x0805}});
     module.latest.reset();
-    EXPECT_EQ(refused(iointent::SetOutput{2, true}), Refusal::Silent);
+    EXPECT_EQ(refused(iointent::SetOutput{2, true}), Refusal::Unresponsive);
 }
 
 /// Whether the chip keeps what it is told of an input is not said anywhere: an output has its level at once
@@ -87,7 +87,7 @@ TEST_F(PicIo, FoundAsAnotherHostLeftItNothingIsKnownButWhatItReads) {
 TEST_F(PicIo, HasNoMotor) {
     EXPECT_EQ(refused(intent::Enable{}), Refusal::NoMotor);
     EXPECT_EQ(refused(intent::StopAbruptly{}), Refusal::NoMotor);
-    EXPECT_EQ(whyNot(Request::Home, module), Refusal::NoMotor);
+    EXPECT_EQ(whyNot(IntentKind::Home, module), Refusal::NoMotor);
     EXPECT_FALSE(module.moving());
     EXPECT_EQ(module.activity(), Activity::Ready);
 }
@@ -110,11 +110,11 @@ TEST_F(PicIo, OthersTakeNothingOfIt) {
 }
 
 TEST_F(PicIo, ItsGroupStartsOnceItsOutputsAreStored) {
-    EXPECT_EQ(whyNot(Request::StartLoaded, module), Refusal::NothingLoaded);
+    EXPECT_EQ(whyNot(IntentKind::StartLoaded, module), Refusal::NothingLoaded);
     executed(io::SetSynchOutput{0x0003, 0, 0});
-    EXPECT_EQ(whyNot(Request::StartLoaded, module), std::nullopt);
+    EXPECT_EQ(whyNot(IntentKind::StartLoaded, module), std::nullopt);
     module.silent = true;
-    EXPECT_EQ(whyNot(Request::StartLoaded, module), Refusal::Silent);
+    EXPECT_EQ(whyNot(IntentKind::StartLoaded, module), Refusal::Unresponsive);
 }
 
 }  // namespace

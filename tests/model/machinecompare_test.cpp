@@ -221,7 +221,7 @@ TEST(MachineCompare, ASilentModuleIsSentNothingAndSaysWhy) {
     modules[0].silent = true;
     const auto rows = compare(mill(), {}, modules);
     EXPECT_EQ(row(rows, {kFirst, MachinePart::Gains})->applying, Applying::KeepsUnsent);
-    EXPECT_EQ(row(rows, {kFirst, MachinePart::Gains})->refusal, Refusal::Silent);
+    EXPECT_EQ(row(rows, {kFirst, MachinePart::Gains})->refusal, Refusal::Unresponsive);
     EXPECT_FALSE(goesTo(kFirst, sendings(mill(), {}, modules, all(rows))));
 }
 

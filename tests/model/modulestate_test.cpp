@@ -144,7 +144,7 @@ TEST(ModuleState, APwmValueOnAServoThatIsOffIsMotion) {
 TEST(ModuleState, SilenceComesBeforeEverythingElse) {
     ModuleState module = holdingServo();
     module.silent = true;
-    EXPECT_EQ(module.activity(), Activity::Silent);
+    EXPECT_EQ(module.activity(), Activity::Unresponsive);
 }
 
 /// Attached: the velocity item has no fraction, so a slow motion shows in the position only.

@@ -79,7 +79,7 @@ TEST(PacketFilter, SortsExchangesByWhatTheyAreFor) {
 
 TEST(PacketFilter, PassesAModuleAKindOrErrors) {
     const auto poll = pollRecord(1, 0, 1);
-    const auto stop = with(pollRecord(2), Purpose::Stop, ExchangeEnd::Silent);
+    const auto stop = with(pollRecord(2), Purpose::Stop, ExchangeEnd::Unresponsive);
     EXPECT_TRUE(PacketFilter{}.passes(poll));
     PacketFilter module;
     module.module = ModuleIndex(1);
@@ -102,7 +102,7 @@ TEST(PacketFilter, AStopThatOvertookAndAnExpectedSilenceAreNoErrors) {
     auto answered = resetRecord(1);
     answered.reply = {0x00};
     EXPECT_TRUE(wentWrong(answered));
-    for (const ExchangeEnd end : {ExchangeEnd::Refused, ExchangeEnd::Silent, ExchangeEnd::Partial,
+    for (const ExchangeEnd end : {ExchangeEnd::Refused, ExchangeEnd::Unresponsive, ExchangeEnd::Partial,
                                   ExchangeEnd::BadChecksum, ExchangeEnd::Rejected})
         EXPECT_TRUE(wentWrong(with(pollRecord(1), Purpose::Poll, end)));
 }

@@ -64,8 +64,8 @@ TEST(H02_ReadOnly, AServoIsToldNothing) {
 TEST(H02_ReadOnly, EveryControlSaysSo) {
     ModuleState module = servoWithPower();
     module.readOnly = true;
-    for (int request = 0; request <= static_cast<int>(Request::SetOutputs); ++request)
-        EXPECT_EQ(whyNot(static_cast<Request>(request), module), Refusal::ReadOnly) << request;
+    for (int kind = 0; kind <= static_cast<int>(IntentKind::SetOutputs); ++kind)
+        EXPECT_EQ(whyNot(static_cast<IntentKind>(kind), module), Refusal::ReadOnly) << kind;
 }
 
 TEST(H02_ReadOnly, AQuestionIsAllowed) {

@@ -102,7 +102,7 @@ TEST(StepPlan, MovesNothingBeforeTheParametersWereSet) {
     stepper.says(kOn);
     EXPECT_EQ(refusalOf(stepperintent::Move{kTrapezoid}, stepper.module), Refusal::ParametersUnknown);
     EXPECT_EQ(refusalOf(intent::Enable{}, stepper.module), Refusal::ParametersUnknown);
-    EXPECT_EQ(whyNot(Request::Hold, stepper.module), Refusal::ParametersUnknown);
+    EXPECT_EQ(whyNot(IntentKind::Hold, stepper.module), Refusal::ParametersUnknown);
 }
 
 TEST(StepPlan, MovesNothingWithoutPowerOrAmplifier) {
@@ -282,13 +282,13 @@ TEST(StepPlan, KnowsWhatIsNotForIt) {
     ModuleState servo;
     servo.info.identity = {ModuleType::Servo, 4};
     EXPECT_EQ(refusalOf(stepperintent::SetOutputs{1}, servo), Refusal::NotAStepper);
-    EXPECT_EQ(whyNot(Request::SetParameters, servo), Refusal::Silent);
+    EXPECT_EQ(whyNot(IntentKind::SetParameters, servo), Refusal::Unresponsive);
 }
 
 TEST(StepPlan, AsksNothingOfAModuleThatDoesNotAnswerButToSwitchOff) {
     Stepper stepper = Stepper::running();
     stepper.module.silent = true;
-    EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::Silent);
+    EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::Unresponsive);
     EXPECT_EQ(refusalOf(intent::MotorOff{}, stepper.module), std::nullopt);
 }
 
@@ -308,8 +308,8 @@ TEST(H02_ReadOnly, AStepperIsToldNothing) {
         ASSERT_FALSE(planned) << "intent " << intent.index();
         EXPECT_EQ(planned.error(), Refusal::ReadOnly) << "intent " << intent.index();
     }
-    for (int request = 0; request <= static_cast<int>(Request::SetOutputs); ++request)
-        EXPECT_EQ(whyNot(static_cast<Request>(request), module), Refusal::ReadOnly) << request;
+    for (int kind = 0; kind <= static_cast<int>(IntentKind::SetOutputs); ++kind)
+        EXPECT_EQ(whyNot(static_cast<IntentKind>(kind), module), Refusal::ReadOnly) << kind;
     EXPECT_EQ(whyNotFromStandstill(run, module), Refusal::ReadOnly);
     EXPECT_EQ(procedureFor(stepperintent::ChangeMotion{run}, module), nullptr);
 }

@@ -106,12 +106,12 @@ TEST(Travel, GoHomeIsRefusedWhereHomeIsOutside) {
 TEST(Travel, WhatWasLoadedIsJudgedAgainAtItsStart) {
     ModuleState module = limited();
     module.apply(executedAt(1, trapezoid(1'400, 1 << 16, 131)));
-    EXPECT_FALSE(whyNot(Request::StartLoaded, module));
+    EXPECT_FALSE(whyNot(IntentKind::StartLoaded, module));
     module.travel.highest = 300;
-    EXPECT_EQ(whyNot(Request::StartLoaded, module), Refusal::BeyondTravel);
+    EXPECT_EQ(whyNot(IntentKind::StartLoaded, module), Refusal::BeyondTravel);
     module.travel.highest = 500;
     module.travel.fastest = 0.5;
-    EXPECT_EQ(whyNot(Request::StartLoaded, module), Refusal::TooFast);
+    EXPECT_EQ(whyNot(IntentKind::StartLoaded, module), Refusal::TooFast);
 }
 
 TEST(Travel, ARunTowardsALimitIsAMoveThere) {

@@ -89,10 +89,10 @@ TEST(TripWatch, MeasuresFromTheCommandOn) {
     constexpr TimePoint kStart{10s};
     TripWatch watch;
     EXPECT_FALSE(watch.facts({kStart, 0, false, false}, 500)) << "nobody told it anything";
-    watch.apply(TripWatch::Look{kStart, 100, true, false});
+    watch.apply(TripWatch::Reading{kStart, 100, true, false});
     watch.apply(TripWatch::Command{kStart + 5ms, false, true, 1, 1'000.0});
-    watch.apply(TripWatch::Look{kStart + 100ms, 160, true, false});
-    watch.apply(TripWatch::Look{kStart + 200ms, 80, true, false});
+    watch.apply(TripWatch::Reading{kStart + 100ms, 160, true, false});
+    watch.apply(TripWatch::Reading{kStart + 200ms, 80, true, false});
     const auto facts = watch.facts({kStart + 300ms, 90, true, true}, 500);
     ASSERT_TRUE(facts);
     EXPECT_EQ(facts->errorLimit, 500);

@@ -18,7 +18,7 @@ RESYNC = (
     Mutant("no-challenge", "link.md 2.2: after a resync nothing is believed before two right answers", (
         Edit("core/bus/recovery.cpp",
              "    return challenge();",
-             "    if (!m_doubt->wasSilent) {\n"
+             "    if (!m_doubt->wasUnresponsive) {\n"
              "        m_doubt.reset();\n"
              "        return Again{};\n"
              "    }\n"
@@ -103,7 +103,7 @@ COMMANDS = (
     )),
     Mutant("load-and-start-in-one", "link.md 1: a trapezoidal move is never started by the command that loads it", (
         Edit("core/bus/gate.cpp",
-             "        if (trapezoidal(load) && load.startNow)\n            return Verdict::Never;\n",
+             "        if (trapezoidal(load) && load.startNow)\n            return Permission::Never;\n",
              ""),
     )),
     Mutant("blind-retry-of-start", "link.md 2.3: a start that nobody answered is never repeated", (
@@ -123,12 +123,12 @@ COMMANDS = (
     )),
     Mutant("reset-position-in-motion", "faults.md M-19: never sent while the motor moves", (
         Edit("core/bus/gate.cpp",
-             "Verdict operator()(const ResetPosition&) const { return onlyAtStandstill(belief); }",
-             "Verdict operator()(const ResetPosition&) const { return Verdict::Allowed; }"),
+             "Permission operator()(const ResetPosition&) const { return onlyAtStandstill(belief); }",
+             "Permission operator()(const ResetPosition&) const { return Permission::Allowed; }"),
     )),
     Mutant("gate-believes-an-old-status", "link.md 2.4: a status from before the last motion permits nothing", (
         Edit("core/bus/gate.cpp",
-             "    if (!belief.fresh())\n        return Verdict::NeedsStatus;\n    if (belief.mayMove())\n",
+             "    if (!belief.fresh())\n        return Permission::NeedsStatus;\n    if (belief.mayMove())\n",
              "    if (belief.mayMove())\n"),
     )),
     Mutant("hard-reset-to-connect", "faults.md F-23: connecting asks only; a reset needs consent", (

@@ -94,7 +94,7 @@ REPORTING = (
     )),
     Mutant("stop-given-up-after-one-silence", "link.md 2.6: repeated while its module may still answer", (
         Edit("core/bus/stoprun.cpp",
-             "asked.silences() >= kSilences && (target->wasSilent || now - m_began >= kSilentFor);",
+             "asked.silences() >= kSilences && (target->wasUnresponsive || now - m_began >= kSilentFor);",
              "asked.silences() > 0;"),
     )),
     Mutant("stop-over-with-the-first-answer", "link.md 2.6: repeated until confirmed", (
@@ -129,7 +129,7 @@ REPORTING = (
 # A stop of one module, until it is confirmed.
 OWING = (
     Mutant("owed-stop-dropped-after-four-tries", "issue 13, 3: never", (
-        Edit("core/bus/owedstops.cpp",
+        Edit("core/bus/unacknowledgedstops.cpp",
              "    const bool looked = ",
              "    if (owed->target.silences() > kAtOnce) {\n"
              "        owed.reset();\n"
@@ -138,7 +138,7 @@ OWING = (
              "    const bool looked = "),
     )),
     Mutant("owed-stop-dropped-when-its-module-is-silent", "issue 13, 3: sent again, blindly", (
-        Edit("core/bus/owedstops.cpp",
+        Edit("core/bus/unacknowledgedstops.cpp",
              "        module.owed->due = now + kBlindEvery;\n",
              "        if (!m_chain.answers(index)) {\n"
              "            module.owed.reset();\n"
@@ -155,8 +155,8 @@ OWING = (
     )),
     Mutant("owed-stop-dropped-by-a-connect", "issue 13, 3: it goes on while a chain is looked for", (
         Edit("core/bus/engine.cpp",
-             "    m_owed.setBlind(true);\n",
-             "    m_owed.setBlind(true);\n"
+             "    m_unacknowledged.setBlind(true);\n",
+             "    m_unacknowledged.setBlind(true);\n"
              "    for (Chain::Module& module : m_chain.modules())\n"
              "        module.owed.reset();\n"),
     )),
@@ -166,12 +166,12 @@ OWING = (
              "    if (false)\n        for (const Chain::Module& module : before"),
     )),
     Mutant("owed-stop-over-when-answered", "issue 13, 3: ended by a confirmation only", (
-        Edit("core/bus/owedstops.cpp",
+        Edit("core/bus/unacknowledgedstops.cpp",
              "    if (owed->target.stopped()) {", "    if (end.result == ReplyResult::Accepted) {"),
     )),
     Mutant("owed-stop-behind-the-quarantine", "link.md 2.6: it does not wait for late answers", (
         Edit("core/bus/engine.cpp",
-             "    if (m_recovery.resyncing() && m_owed.untold())\n        interrupt(now);\n", ""),
+             "    if (m_recovery.resyncing() && m_unacknowledged.untold())\n        interrupt(now);\n", ""),
     )),
     Mutant("hold-without-an-end", "link.md 2.7: hold to move ends when the evidence stops coming", (
         Edit("core/bus/holdlane.cpp", "m_until = now + m_timeout;", "m_until = now + 1000 * m_timeout;"),

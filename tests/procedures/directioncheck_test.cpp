@@ -250,7 +250,7 @@ TEST(DirectionCheck, AnswersThatAreLostLeaveTheMotorOff) {
 TEST(DirectionCheck, IsForAServoThatIsOffAndStands) {
     CheckBench bench;
     ASSERT_TRUE(bench.ready());
-    const auto why = [&] { return whyNot(Request::CheckDirection, bench.module()); };
+    const auto why = [&] { return whyNot(IntentKind::CheckDirection, bench.module()); };
     EXPECT_EQ(why(), std::nullopt);
     bench.module().readOnly = true;
     EXPECT_EQ(why(), Refusal::ReadOnly);

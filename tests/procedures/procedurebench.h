@@ -172,7 +172,7 @@ private:
     }
     void told(const bus::PathProgress& path) { modules.at(path.module.value()).path = path; }
     void told(const bus::CommandExecuted& executed) { modules.at(executed.module.value()).apply(executed); }
-    void told(const bus::ModuleSilence& silence) {
+    void told(const bus::ModuleUnresponsive& silence) {
         modules.at(silence.module.value()).silent = silence.silent;
         if (procedure)
             procedure->onLinkSuspect();

@@ -185,12 +185,12 @@ INSTANTIATE_TEST_SUITE_P(Stages, StepEndedIn,
 TEST_F(StepperHoming, IsRefusedWithoutParametersOrAmplifier) {
     ASSERT_TRUE(bench.connect());
     bench.settle();
-    EXPECT_EQ(whyNot(Request::Home, bench.module()), Refusal::ParametersUnknown);
+    EXPECT_EQ(whyNot(IntentKind::Home, bench.module()), Refusal::ParametersUnknown);
     ASSERT_EQ(bench.bus.perform({toStep(
                   stepper::SetParameters{stepper::SpeedMode::X1, false, false, false, 4, 200, 50, 0})}),
               bus::Outcome::Done);
     bench.settle();
-    EXPECT_EQ(whyNot(Request::Home, bench.module()), Refusal::AmplifierOff);
+    EXPECT_EQ(whyNot(IntentKind::Home, bench.module()), Refusal::AmplifierOff);
 }
 
 }  // namespace

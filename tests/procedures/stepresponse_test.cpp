@@ -102,7 +102,7 @@ TEST_F(StepResponse, LeavesNoVelocityLoaded) {
     ASSERT_TRUE(hold());
     ASSERT_EQ(bench.run(by(100)).stage, ProcedureStage::Done);
     EXPECT_FALSE(bench.module().loadWaiting);
-    EXPECT_EQ(whyNot(Request::StartLoaded, bench.module()), Refusal::NothingLoaded);
+    EXPECT_EQ(whyNot(IntentKind::StartLoaded, bench.module()), Refusal::NothingLoaded);
     // A move to 0 all the same, of another host, that brings no velocity along: the parameter is 0.
     const std::vector<std::uint8_t> move{0xAA, 0x01, 0x54, 0x91, 0x00, 0x00, 0x00, 0x00, 0xE6};
     bench.bus.chain.hostSends(move, bench.bus.now);
@@ -161,7 +161,7 @@ TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
     bench.module().gains.reset();
     EXPECT_EQ(refusal(by(50)), Refusal::GainsUnknown);
     bench.module().silent = true;
-    EXPECT_EQ(refusal(by(50)), Refusal::Silent);
+    EXPECT_EQ(refusal(by(50)), Refusal::Unresponsive);
 }
 
 /// A load keeps the shaft off its command: from where it hangs, each step would begin lower.

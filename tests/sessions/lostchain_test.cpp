@@ -50,7 +50,7 @@ protected:
         for (const Event& event : rig.bus.events) {
             if (std::holds_alternative<LinkLost>(event))
                 return true;
-            if (const auto* silence = std::get_if<ModuleSilence>(&event)) {
+            if (const auto* silence = std::get_if<ModuleUnresponsive>(&event)) {
                 if (silence->silent)
                     gone.insert(silence->module.value());
                 else

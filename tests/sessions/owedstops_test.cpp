@@ -17,7 +17,7 @@ using namespace bus;
 using namespace std::chrono_literals;
 using testing::IsEmpty;
 
-constexpr Duration kSoon = OwedOath::kSoon;
+constexpr Duration kSoon = UnacknowledgedStopOath::kSoon;
 constexpr std::uint8_t kGroup = 0x81;
 
 enum class Deaf : std::uint8_t { Module, WholeBus };
@@ -59,9 +59,9 @@ struct Case {
 }
 
 /// Connected, servos on; the first module is the one that is to be stopped.
-class OwedStop {
+class UnacknowledgedStop {
 public:
-    OwedStop(std::uint32_t baud, std::size_t modules) : rig(servosAt(baud, modules)) {}
+    UnacknowledgedStop(std::uint32_t baud, std::size_t modules) : rig(servosAt(baud, modules)) {}
 
     /// From its first stop on neither the module nor, where that is wanted, any other hears or is heard; the
     /// stop itself gets lost.
@@ -100,9 +100,9 @@ public:
         }
         return rig.runUntil([&] { return deafSince.has_value(); }, 5s);
     }
-    [[nodiscard]] std::vector<OwedStopConfirmed> confirmed() const {
-        std::vector<OwedStopConfirmed> found;
-        for (const auto& event : rig.bus.all<OwedStopConfirmed>())
+    [[nodiscard]] std::vector<UnacknowledgedStopConfirmed> confirmed() const {
+        std::vector<UnacknowledgedStopConfirmed> found;
+        for (const auto& event : rig.bus.all<UnacknowledgedStopConfirmed>())
             if (event.module == ModuleIndex(0))
                 found.push_back(event);
         return found;
@@ -137,7 +137,7 @@ class OwedStopAfterSilence : public testing::TestWithParam<Case> {};
 
 TEST_P(OwedStopAfterSilence, ReachesTheModuleAsSoonAsItHears) {
     const Case& c = GetParam();
-    OwedStop owed(c.baud, c.modules);
+    UnacknowledgedStop owed(c.baud, c.modules);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(c.deaf, c.silence);
@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(Causes, OwedStopAfterSilence, testing::ValuesIn(cases()
 TEST(OwedStopOnALineThatIsNotHeard, ReachesTheModule) {
     for (const std::uint32_t baud : {19'200U, 115'200U}) {
         SCOPED_TRACE(baud);
-        OwedStop owed(baud, 2);
+        UnacknowledgedStop owed(baud, 2);
         Rig& rig = owed.rig;
         ASSERT_TRUE(setRunning(rig, 0));
         owed.deafFromItsStopOn(Deaf::WholeBus, 7s);
@@ -178,10 +178,10 @@ TEST(OwedStopOnALineThatIsNotHeard, ReachesTheModule) {
 }
 
 /// Today begin() forgets what is owed.
-class OwedStopAcross : public testing::TestWithParam<std::uint32_t> {};
+class UnacknowledgedStopAcross : public testing::TestWithParam<std::uint32_t> {};
 
-TEST_P(OwedStopAcross, ASearchThatFindsTheChain) {
-    OwedStop owed(GetParam(), 2);
+TEST_P(UnacknowledgedStopAcross, ASearchThatFindsTheChain) {
+    UnacknowledgedStop owed(GetParam(), 2);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(Deaf::Module, 400ms);
@@ -196,8 +196,8 @@ TEST_P(OwedStopAcross, ASearchThatFindsTheChain) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-TEST_P(OwedStopAcross, ASearchThatFindsNobody) {
-    OwedStop owed(GetParam(), 2);
+TEST_P(UnacknowledgedStopAcross, ASearchThatFindsNobody) {
+    UnacknowledgedStop owed(GetParam(), 2);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(Deaf::WholeBus, 15s);
@@ -211,8 +211,8 @@ TEST_P(OwedStopAcross, ASearchThatFindsNobody) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-TEST_P(OwedStopAcross, AChangeOfDistrust) {
-    OwedStop owed(GetParam(), 2);
+TEST_P(UnacknowledgedStopAcross, AChangeOfDistrust) {
+    UnacknowledgedStop owed(GetParam(), 2);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(Deaf::Module, 400ms);
@@ -226,11 +226,11 @@ TEST_P(OwedStopAcross, AChangeOfDistrust) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Rates, OwedStopAcross, testing::Values(19'200U, 115'200U));
+INSTANTIATE_TEST_SUITE_P(Rates, UnacknowledgedStopAcross, testing::Values(19'200U, 115'200U));
 
 /// A stop of all is answered for by StopFinished; what was owed before is part of it.
 TEST(OwedStopUnderAStopOfAll, IsNotConfirmedBesideIt) {
-    OwedStop owed(115'200, 2);
+    UnacknowledgedStop owed(115'200, 2);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(Deaf::Module, 300ms);
@@ -246,7 +246,7 @@ TEST(OwedStopUnderAStopOfAll, IsNotConfirmedBesideIt) {
 
 /// "Unless the operator started it again."
 TEST(OwedStopOfAMotorThatIsHeldAgain, IsOwedNoMore) {
-    OwedStop owed(115'200, 2);
+    UnacknowledgedStop owed(115'200, 2);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(Deaf::Module, 300ms);

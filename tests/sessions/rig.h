@@ -148,7 +148,7 @@ private:
     void note(ByteSpan bytes);
 
     StopOath m_oath;
-    OwedOath m_owed;
+    UnacknowledgedStopOath m_unacknowledged;
     LookOath m_look;
     std::optional<Hand> m_hand;
     std::uint32_t m_presses = 0;

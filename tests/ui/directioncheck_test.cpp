@@ -150,7 +150,7 @@ TEST(DirectionTexts, AJamMentionsTheLimitThatIsActiveAndTheStrongestPush) {
 TEST(DirectionTexts, EachEndWithoutAVerdictSaysThatTheMotorIsOff) {
     QSet<QString> bodies;
     constexpr std::array kFailures{ProcedureFailure::TravelLimit, ProcedureFailure::NotStill,
-                                   ProcedureFailure::LinkSuspect, ProcedureFailure::ModuleSilent,
+                                   ProcedureFailure::LinkSuspect, ProcedureFailure::ModuleUnresponsive,
                                    ProcedureFailure::Refused};
     for (const ProcedureFailure failure : kFailures) {
         ProcedureReport report;
@@ -159,7 +159,7 @@ TEST(DirectionTexts, EachEndWithoutAVerdictSaysThatTheMotorIsOff) {
         report.failure = failure;
         const auto message = texts::procedureEnded(report, AxisScale::servo({}, 1));
         ASSERT_TRUE(message);
-        const bool silent = failure == ProcedureFailure::ModuleSilent;
+        const bool silent = failure == ProcedureFailure::ModuleUnresponsive;
         EXPECT_TRUE(message->headline.contains(silent ? u"unknown"_s : u"off"_s))
             << message->headline.toStdString();
         EXPECT_FALSE(message->body.isEmpty());

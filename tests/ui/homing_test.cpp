@@ -317,7 +317,7 @@ TEST(StepperHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
 TEST(ProcedureTexts, EachFailureSaysWhatItMeansForTheMotor) {
     constexpr std::array kFailures{ProcedureFailure::SwitchActive,   ProcedureFailure::NotFound,
                                    ProcedureFailure::TravelLimit,    ProcedureFailure::TimeLimit,
-                                   ProcedureFailure::LinkSuspect,    ProcedureFailure::ModuleSilent,
+                                   ProcedureFailure::LinkSuspect,    ProcedureFailure::ModuleUnresponsive,
                                    ProcedureFailure::WentOff,        ProcedureFailure::Refused,
                                    ProcedureFailure::ReadingsDiffer, ProcedureFailure::NotAtHome};
     QSet<QString> headlines;

@@ -48,7 +48,7 @@ protected:
     /// A connect, two polls, a silent stop: one row of each that the filters tell apart.
     void showFour() {
         window->showPackets({resetRecord(1, 100), pollRecord(2, 2'000'000), pollRecord(3, 2'500'000, 1),
-                             with(pollRecord(4, 3'000'000), Purpose::Stop, ExchangeEnd::Silent)});
+                             with(pollRecord(4, 3'000'000), Purpose::Stop, ExchangeEnd::Unresponsive)});
     }
     void showPolls(int count, std::uint64_t from = 1) {
         std::vector<bus::ExchangeRecord> records;
@@ -294,7 +294,7 @@ TEST(MonitorTexts, EachVerdictSaysWhatBecameOfTheExchange) {
     };
     EXPECT_EQ(verdictOf(ExchangeEnd::Accepted), u"accepted"_s);
     EXPECT_EQ(verdictOf(ExchangeEnd::Refused), u"module refused: checksum"_s);
-    EXPECT_EQ(verdictOf(ExchangeEnd::Silent), u"no answer"_s);
+    EXPECT_EQ(verdictOf(ExchangeEnd::Unresponsive), u"no answer"_s);
     EXPECT_EQ(verdictOf(ExchangeEnd::Partial), u"too few bytes"_s);
     EXPECT_EQ(verdictOf(ExchangeEnd::BadChecksum), u"wrong checksum"_s);
     EXPECT_EQ(verdictOf(ExchangeEnd::Abandoned), u"dropped for a stop"_s);

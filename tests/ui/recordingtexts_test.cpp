@@ -55,19 +55,19 @@ TEST(RecordingTexts, SayWhatIsShownOfAFileThatIsCut) {
 }
 
 TEST(RecordingTexts, SayWhyARecordingEndedAndWhatIsKept) {
-    const auto ended = [](RecordingTrouble trouble, qint64 bytes) {
+    const auto ended = [](RecordingProblemKind trouble, qint64 bytes) {
         return texts::recordingFailed(u"/mnt/mill.csv"_s, {trouble, u"words of the system"_s, bytes}, 12.3);
     };
-    const Message full = ended(RecordingTrouble::NoSpace, 4'096);
+    const Message full = ended(RecordingProblemKind::NoSpace, 4'096);
     EXPECT_EQ(full.headline, u"Recording to \"mill.csv\" stopped: the disk is full."_s);
     EXPECT_EQ(
         full.body,
         u"The part written before (12 s) is kept. Control continues. To continue recording, choose another file."_s);
     EXPECT_EQ(full.details, u"words of the system"_s);
     EXPECT_EQ(full.severity, Severity::Attention);
-    EXPECT_TRUE(ended(RecordingTrouble::NoPermission, 0).body.startsWith(u"Nothing was kept."_s));
-    EXPECT_TRUE(ended(RecordingTrouble::Removed, 4'096).body.startsWith(u"Nothing was kept."_s));
-    EXPECT_EQ(full.key, ended(RecordingTrouble::TooSlow, 1).key) << "repeats are counted";
+    EXPECT_TRUE(ended(RecordingProblemKind::NoPermission, 0).body.startsWith(u"Nothing was kept."_s));
+    EXPECT_TRUE(ended(RecordingProblemKind::Removed, 4'096).body.startsWith(u"Nothing was kept."_s));
+    EXPECT_EQ(full.key, ended(RecordingProblemKind::TooSlow, 1).key) << "repeats are counted";
 }
 
 }  // namespace

@@ -205,7 +205,7 @@ TEST(ResponseWords, NoMoreDigitsThanTheDoubtLeavesAMeaning) {
 TEST(ResponseTextsOf, EveryEndOfAStepHasItsSentences) {
     for (const ProcedureFailure failure :
          {ProcedureFailure::TravelLimit, ProcedureFailure::Unstable, ProcedureFailure::NotStill,
-          ProcedureFailure::WentOff, ProcedureFailure::ModuleSilent, ProcedureFailure::LinkSuspect,
+          ProcedureFailure::WentOff, ProcedureFailure::ModuleUnresponsive, ProcedureFailure::LinkSuspect,
           ProcedureFailure::Refused}) {
         ProcedureReport report;
         report.kind = ProcedureKind::StepResponse;

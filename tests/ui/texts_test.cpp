@@ -206,7 +206,8 @@ TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {
 TEST(Texts, LinkMessagesSayStoppedMovingOrUnknown) {
     for (const Message& m :
          {texts::linkLost(u"/dev/ttyUSB0"_s, {}), texts::linkLost(u"/dev/ttyUSB0"_s, {ModuleIndex(0)}),
-          texts::moduleSilent(ModuleIndex(0), 1.2, true), texts::moduleSilent(ModuleIndex(0), 1.2, false),
+          texts::moduleUnresponsive(ModuleIndex(0), 1.2, true),
+          texts::moduleUnresponsive(ModuleIndex(0), 1.2, false),
           texts::portProblem({PortProblem::Gone, "/dev/ttyUSB0", {}, {}, {}}),
           texts::operationFailed({bus::OperationId(1), bus::Outcome::NoAnswer, ModuleIndex(0), 0})})
         EXPECT_TRUE(m.headline.contains(u"unknown"_s)) << m.headline.toStdString();

@@ -145,7 +145,7 @@ std::vector<ModuleIndex> AxesPage::order() const {
 std::vector<ModuleIndex> AxesPage::possibleToEnable() const {
     std::vector<ModuleIndex> off;
     for (const AxisRow* row : m_axes)
-        if (!row->context().state().driveOn() && !row->context().whyNot(Request::Enable))
+        if (!row->context().state().driveOn() && !row->context().whyNot(IntentKind::Enable))
             off.push_back(row->context().state().info.index);
     return off;
 }
@@ -155,7 +155,7 @@ QString AxesPage::whyNotHomed() const {
     if (homing.empty())
         return tr("Homing is not set up for any axis. Set it up on each Homing page.");
     for (const ModuleIndex module : homing) {
-        const QString reason = m_axes[module.value()]->context().reasonFor(Request::Home);
+        const QString reason = m_axes[module.value()]->context().reasonFor(IntentKind::Home);
         if (!reason.isEmpty())
             return tr("%1: %2").arg(texts::moduleName(module), reason);
     }
@@ -170,7 +170,7 @@ void AxesPage::refresh() {
         for (const AxisRow* row : m_axes)
             if (!row->context().state().driveOn())
                 reason = tr("%1: %2").arg(texts::moduleName(row->context().state().info.index),
-                                          row->context().reasonFor(Request::Enable));
+                                          row->context().reasonFor(IntentKind::Enable));
     }
     m_enableAll->setPossible(reason, tr("Enables every motor at its present position."));
     m_homeAll->setPossible(

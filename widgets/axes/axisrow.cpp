@@ -152,7 +152,7 @@ std::optional<Intent> AxisRow::stepperIntent(bool reverse) const {
 
 QString AxisRow::whyNotHeld(bool reverse) const {
     // Never "busy": a hold that is under way must not be cut off by the answers to its own commands.
-    if (const QString reason = m_context.reasonFor(Request::Hold); !reason.isEmpty())
+    if (const QString reason = m_context.reasonFor(IntentKind::Hold); !reason.isEmpty())
         return reason;
     if (!m_context.state().isStepper())
         return {};
@@ -163,7 +163,7 @@ QString AxisRow::whyNotHeld(bool reverse) const {
 }
 
 QString AxisRow::whyNotStepped(bool reverse) const {
-    if (const QString reason = m_context.reasonNow(Request::Move); !reason.isEmpty())
+    if (const QString reason = m_context.reasonNow(IntentKind::Move); !reason.isEmpty())
         return reason;
     const auto wanted = stepperIntent(reverse);
     if (!wanted)

@@ -117,10 +117,10 @@ void DoctorPage::fill() {
         };
         const std::array<QString, Columns> cells{QString::number(place.module.value() + 1),
                                                  QString::fromStdString(place.name), identity(place.expected),
-                                                 identity(place.found), texts::chainVerdict(place.verdict)};
+                                                 identity(place.found), texts::chainVerdict(place.state)};
         for (int column = 0; column < Columns; ++column) {
             auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
-            if (column == Verdict && texts::severityOf(place.verdict) != Severity::Normal) {
+            if (column == Verdict && texts::severityOf(place.state) != Severity::Normal) {
                 QFont bold = m_table->font();
                 bold.setBold(true);
                 item->setFont(bold);

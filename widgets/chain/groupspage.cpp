@@ -160,7 +160,7 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
     row.leader->setChecked(place && place->leader);
     const bool connected = m_link.phase == LinkPhase::Connected && !module.silent && !module.hasRestarted;
     const auto refusal = whyNotTold(m_link);
-    const QString reason = !connected ? texts::refusal(Refusal::Silent)
+    const QString reason = !connected ? texts::refusal(Refusal::Unresponsive)
                            : refusal  ? texts::refusal(*refusal)
                                       : QString();
     look::setPossible(row.group, reason,
@@ -258,11 +258,11 @@ std::uint8_t GroupsPage::group() const {
     return static_cast<std::uint8_t>(m_group->currentData().toInt());
 }
 
-QString GroupsPage::whyNotAll(Request request) const {
+QString GroupsPage::whyNotAll(IntentKind kind) const {
     for (const ModuleState& module : m_link.modules) {
         if (!module.info.group || module.info.group->group != group())
             continue;
-        if (const auto refusal = whyNot(request, module))
+        if (const auto refusal = whyNot(kind, module))
             return tr("%1: %2").arg(texts::moduleName(module.info.index),
                                     module.isIo() && *refusal == Refusal::NothingLoaded
                                         ? tr("Store its outputs first.")
@@ -277,14 +277,14 @@ void GroupsPage::refreshCommands() {
     const auto refusal = whyNotTold(m_link);
     const QString notTold = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(
-        m_start, any ? whyNotAll(Request::StartLoaded) : none,
+        m_start, any ? whyNotAll(IntentKind::StartLoaded) : none,
         tr("Starts the loaded moves of all members in the same tick. Available once every member has confirmed its load."));
     look::setPossible(
         m_saveHome, any ? notTold : none,
         tr("Saves the present position of each member as home, in the same tick. Nothing moves."));
-    look::setPossible(m_reset, any ? whyNotAll(Request::ResetPosition) : none,
+    look::setPossible(m_reset, any ? whyNotAll(IntentKind::ResetPosition) : none,
                       tr("Makes the present position of each member 0. Asks first."));
-    look::setPossible(m_clear, any ? whyNotAll(Request::ClearStickyBits) : none,
+    look::setPossible(m_clear, any ? whyNotAll(IntentKind::ClearStickyBits) : none,
                       tr("Clears the sticky fault bits of each member. PIC-SERVO only."));
     // Stops are left to whoever stands there.
     const QString notStopped = !any ? none : m_link.readOnly ? texts::refusal(Refusal::ReadOnly) : QString();
@@ -309,7 +309,7 @@ void GroupsPage::refreshCommands() {
 }
 
 QString GroupsPage::questionBeforeReset() const {
-    if (m_group->count() == 0 || !whyNotAll(Request::ResetPosition).isEmpty())
+    if (m_group->count() == 0 || !whyNotAll(IntentKind::ResetPosition).isEmpty())
         return {};
     std::vector<ModuleIndex> members;
     for (const ModuleState& module : m_link.modules)

@@ -60,7 +60,7 @@ private:
     [[nodiscard]] QString titleOf(int group) const;
     void refreshCommands();
     /// Why some member may not be asked for that now, and which.
-    [[nodiscard]] QString whyNotAll(Request request) const;
+    [[nodiscard]] QString whyNotAll(IntentKind kind) const;
     [[nodiscard]] QString questionBeforeReset() const;
     void askBeforeReset();
     [[nodiscard]] std::uint8_t group() const;

@@ -7,7 +7,7 @@ namespace nmc::texts {
 
 using namespace Qt::StringLiterals;
 using Finding = ChainDiagnosis::Finding;
-using Verdict = ChainPlace::Verdict;
+using State = ChainPlace::State;
 
 namespace {
 class Chain {
@@ -43,7 +43,7 @@ QString chainFinding(const ChainDiagnosis& chain) {
             return Chain::tr("More modules than expected: %1 instead of %2.")
                 .arg(chain.found)
                 .arg(chain.expected);
-        case Finding::Silent:
+        case Finding::Unresponsive:
             return Chain::tr("%1 stopped answering. Motor state unknown.").arg(placeOf(chain));
         case Finding::Restarted:
             return Chain::tr("%1 restarted: its position and gains are lost.").arg(placeOf(chain));
@@ -76,7 +76,7 @@ QString chainAdvice(const ChainDiagnosis& chain) {
         case Finding::MoreThanBefore:
             return Chain::tr("Modules from %1 on are new. If they belong there, accept the chain as found.")
                 .arg(placeOf(chain));
-        case Finding::Silent:
+        case Finding::Unresponsive:
             return Chain::tr(
                 "Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.");
         case Finding::Restarted:
@@ -86,34 +86,34 @@ QString chainAdvice(const ChainDiagnosis& chain) {
     return {};
 }
 
-QString chainVerdict(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Fine:
+QString chainVerdict(State state) {
+    switch (state) {
+        case State::Fine:
             return Chain::tr("OK");
-        case Verdict::New:
+        case State::New:
             return Chain::tr("new");
-        case Verdict::Different:
+        case State::Different:
             return Chain::tr("different module");
-        case Verdict::Missing:
+        case State::Missing:
             return Chain::tr("missing");
-        case Verdict::Silent:
+        case State::Unresponsive:
             return Chain::tr("does not answer");
-        case Verdict::Restarted:
+        case State::Restarted:
             return Chain::tr("restarted");
     }
     return {};
 }
 
-Severity severityOf(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Fine:
-        case Verdict::New:
+Severity severityOf(State state) {
+    switch (state) {
+        case State::Fine:
+        case State::New:
             return Severity::Normal;
-        case Verdict::Different:
-        case Verdict::Missing:
+        case State::Different:
+        case State::Missing:
             return Severity::Attention;
-        case Verdict::Silent:
-        case Verdict::Restarted:
+        case State::Unresponsive:
+        case State::Restarted:
             return Severity::Fault;
     }
     return Severity::Normal;
@@ -131,7 +131,7 @@ Severity severityOf(Finding finding) {
         case Finding::OtherHardware:
             return Severity::Attention;
         case Finding::NobodyAnswers:
-        case Finding::Silent:
+        case Finding::Unresponsive:
         case Finding::Restarted:
             return Severity::Fault;
     }

@@ -12,8 +12,8 @@ namespace nmc::texts {
 [[nodiscard]] QString chainFinding(const ChainDiagnosis& chain);
 /// What to look at, and what to do then; empty when all is well.
 [[nodiscard]] QString chainAdvice(const ChainDiagnosis& chain);
-[[nodiscard]] QString chainVerdict(ChainPlace::Verdict verdict);
-[[nodiscard]] Severity severityOf(ChainPlace::Verdict verdict);
+[[nodiscard]] QString chainVerdict(ChainPlace::State verdict);
+[[nodiscard]] Severity severityOf(ChainPlace::State verdict);
 [[nodiscard]] Severity severityOf(ChainDiagnosis::Finding finding);
 /// "Group 81", "no group".
 [[nodiscard]] QString groupName(std::uint8_t group);

@@ -77,7 +77,7 @@ void paintMark(MarkPainter mark, Activity activity) {
         case Activity::Restarted:
             mark.text(u'!');
             break;
-        case Activity::Silent:
+        case Activity::Unresponsive:
             for (double x : {0.15, 0.5, 0.85})
                 mark.disc({x, 0.5}, 0.12);
             break;

@@ -190,7 +190,7 @@ Message badLink(const bus::HealthChanged& health) {
     return m;
 }
 
-Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving) {
+Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool wasMoving) {
     const QString since = readout(std::round(secondsSinceAnswer * 10) / 10, 2);
     return {
         .key = key::silent(module),

@@ -135,28 +135,28 @@ QString machineOrFile(const QString& machine) {
 
 }  // namespace
 
-QString fileTrouble(const FileError& error) {
+QString fileProblem(const FileError& error) {
     const QString folder = QDir::toNativeSeparators(QFileInfo(error.path).absolutePath());
     switch (error.trouble) {
-        case FileTrouble::NotThere:
+        case FileErrorKind::NotThere:
             return Texts::tr(
                 "The file no longer exists. Check whether it was moved, or its disk is disconnected.");
-        case FileTrouble::NoFolder:
+        case FileErrorKind::NoFolder:
             return Texts::tr("The folder %1 does not exist. Choose another one.").arg(folder);
-        case FileTrouble::NotAFile:
+        case FileErrorKind::NotAFile:
             return Texts::tr("This is a folder or a device. Choose a file.");
-        case FileTrouble::NoPermission:
+        case FileErrorKind::NoPermission:
             return Texts::
                 tr("Your user account has no permission for %1. Choose another folder, or change the permissions.")
                     .arg(folder);
-        case FileTrouble::ReadOnly:
+        case FileErrorKind::ReadOnly:
             return Texts::tr("The disk of %1 is read-only. Choose another folder.").arg(folder);
-        case FileTrouble::NoSpace:
+        case FileErrorKind::NoSpace:
             return Texts::tr("The disk of %1 is full. Free some space, or choose another folder.")
                 .arg(folder);
-        case FileTrouble::TooLarge:
+        case FileErrorKind::TooLarge:
             return Texts::tr("It is larger than any machine file. Check that it is the right file.");
-        case FileTrouble::Other:
+        case FileErrorKind::Other:
             return Texts::tr("See Details for the system's message.");
     }
     return {};
@@ -194,13 +194,13 @@ Message machineNotOpened(const QString& file, const FileProblem& problem) {
 
 Message machineNotOpened(const FileError& error) {
     return problemMessage(Texts::tr("Could not open \"%1\".").arg(machineFileName(error.path)),
-                          fileTrouble(error), error.detail);
+                          fileProblem(error), error.detail);
 }
 
 Message machineNotSaved(const FileError& error) {
     return problemMessage(
         Texts::tr("Could not save \"%1\". Its previous content is kept.").arg(machineFileName(error.path)),
-        fileTrouble(error), error.detail);
+        fileProblem(error), error.detail);
 }
 
 Message machineNotSaved(const QString& file, const FileProblem& problem) {

@@ -21,7 +21,7 @@ struct Needs {
     bool ownChain = false;  ///< the chain that it told of
     bool telling = false;   ///< a connection that does not only look
     bool machine = false;   ///< it changes the machine or the chain, which is not left to an operator
-    std::optional<Request> right{};  ///< of an operator, as for the control that does the same
+    std::optional<IntentKind> right{};  ///< of an operator, as for the control that does the same
 };
 
 Needs needsOf(MessageAction action) {
@@ -30,15 +30,15 @@ Needs needsOf(MessageAction action) {
         case MessageAction::RestartNetwork:
             return {.ownChain = true, .telling = true, .machine = true};
         case MessageAction::ClearAndStayOff:
-            return {.ownChain = true, .telling = true, .right = Request::ClearStickyBits};
+            return {.ownChain = true, .telling = true, .right = IntentKind::ClearStickyBits};
         case MessageAction::SwitchOff:
             return {.ownChain = true, .telling = true};
         case MessageAction::GainsBefore:
-            return {.ownChain = true, .telling = true, .right = Request::ApplyGains};
+            return {.ownChain = true, .telling = true, .right = IntentKind::ApplyGains};
         case MessageAction::TakePosition:
-            return {.ownChain = true, .telling = true, .right = Request::SaveAsHome};
+            return {.ownChain = true, .telling = true, .right = IntentKind::SaveAsHome};
         case MessageAction::ForgetPosition:
-            return {.ownChain = true, .right = Request::SaveAsHome};
+            return {.ownChain = true, .right = IntentKind::SaveAsHome};
         case MessageAction::WorkWith:
             return {.ownChain = true, .machine = true};
         case MessageAction::StopAll:

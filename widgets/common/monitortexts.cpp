@@ -56,7 +56,7 @@ QString verdict(const bus::ExchangeRecord& record) {
             return Texts::tr("accepted");
         case bus::ExchangeEnd::Refused:
             return Texts::tr("module refused: checksum");
-        case bus::ExchangeEnd::Silent:
+        case bus::ExchangeEnd::Unresponsive:
             return Texts::tr("no answer");
         case bus::ExchangeEnd::Partial:
             return Texts::tr("too few bytes");

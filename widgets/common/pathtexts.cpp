@@ -164,7 +164,7 @@ QString drawingProblem(const DrawingProblem& problem) {
 }
 
 QString pathNotRead(const FileError& error) {
-    return Texts::tr("Could not open \"%1\". %2").arg(QFileInfo(error.path).fileName(), fileTrouble(error));
+    return Texts::tr("Could not open \"%1\". %2").arg(QFileInfo(error.path).fileName(), fileProblem(error));
 }
 
 QString pathFailure(ProcedureFailure failure) {

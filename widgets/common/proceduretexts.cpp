@@ -22,7 +22,7 @@ struct Words {
 /// The motor is free to turn, or nobody knows what it does.
 bool freeOrUnknown(ProcedureFailure failure) {
     using enum ProcedureFailure;
-    return failure == WentOff || failure == Unstable || failure == ModuleSilent;
+    return failure == WentOff || failure == Unstable || failure == ModuleUnresponsive;
 }
 
 /// `who`: "Module 1".
@@ -57,7 +57,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
             return {
                 Texts::tr("%1 is not homed and was told to stop: the link was unreliable.").arg(who),
                 Texts::tr("The home position found may be wrong. Check the link, then repeat the search.")};
-        case ProcedureFailure::ModuleSilent:
+        case ProcedureFailure::ModuleUnresponsive:
             return {Texts::tr("%1 is not homed and does not answer. Motor state unknown.").arg(who),
                     Texts::tr("It was told to stop. Use the hardware stop if it moves."), Severity::Fault};
         case ProcedureFailure::WentOff:
@@ -118,7 +118,7 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
                 Texts::tr(
                     "The position error was too large, or motor power failed. Check for a jam, raise EL or shorten the step, then enable the motor."),
                 Severity::Fault};
-        case ProcedureFailure::ModuleSilent:
+        case ProcedureFailure::ModuleUnresponsive:
             return {
                 Texts::tr("%1 does not answer, so its step was not recorded. Motor state unknown.").arg(who),
                 Texts::tr("It was told to hold. Use the hardware stop if it moves."), Severity::Fault};
@@ -160,7 +160,7 @@ Words tryFailed(ProcedureFailure failure, const QString& who) {
             return {Texts::tr("%1 switched itself off while gains were tried, and is free to turn.").arg(who),
                     Texts::tr("Its previous gains were sent again. Check for a jam, then enable it."),
                     Severity::Fault};
-        case ProcedureFailure::ModuleSilent:
+        case ProcedureFailure::ModuleUnresponsive:
             return {Texts::tr("%1 does not answer while gains are tried. Motor state unknown.").arg(who),
                     Texts::tr("Its previous gains were sent. Use the hardware stop if it moves."),
                     Severity::Fault};
@@ -207,7 +207,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::LinkSuspect:
             return {told,
                     Texts::tr("The link was unreliable. Check the link, then repeat the direction check.")};
-        case ProcedureFailure::ModuleSilent:
+        case ProcedureFailure::ModuleUnresponsive:
             return {Texts::tr("Direction check of %1 inconclusive: it does not answer. Motor state unknown.")
                         .arg(who),
                     Texts::tr("It was told to switch off. Use the hardware stop if it moves."),
@@ -365,7 +365,7 @@ QString procedureFailure(ProcedureFailure failure) {
             return Texts::tr("The next move would exceed the travel limits. The motor was stopped.");
         case ProcedureFailure::LinkSuspect:
             return Texts::tr("The link was unreliable. The motor was told to stop.");
-        case ProcedureFailure::ModuleSilent:
+        case ProcedureFailure::ModuleUnresponsive:
             return Texts::tr("The module does not answer. Motor state unknown.");
         case ProcedureFailure::WentOff:
             return Texts::tr("The motor switched itself off and is free to turn.");

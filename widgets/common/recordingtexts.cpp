@@ -33,25 +33,25 @@ QString length(double seconds) {
 }
 
 /// Follows "ended: ".
-QString cause(RecordingTrouble trouble) {
+QString cause(RecordingProblemKind trouble) {
     switch (trouble) {
-        case RecordingTrouble::NoFolder:
+        case RecordingProblemKind::NoFolder:
             return Texts::tr("its folder does not exist.");
-        case RecordingTrouble::NotAFile:
+        case RecordingProblemKind::NotAFile:
             return Texts::tr("this is a folder or a device, not a file.");
-        case RecordingTrouble::NoPermission:
+        case RecordingProblemKind::NoPermission:
             return Texts::tr("your user account has no write access.");
-        case RecordingTrouble::ReadOnly:
+        case RecordingProblemKind::ReadOnly:
             return Texts::tr("the disk is read-only.");
-        case RecordingTrouble::NoSpace:
+        case RecordingProblemKind::NoSpace:
             return Texts::tr("the disk is full.");
-        case RecordingTrouble::FileTooLarge:
+        case RecordingProblemKind::FileTooLarge:
             return Texts::tr("the file is too large for the disk.");
-        case RecordingTrouble::Removed:
+        case RecordingProblemKind::Removed:
             return Texts::tr("the file was deleted.");
-        case RecordingTrouble::TooSlow:
+        case RecordingProblemKind::TooSlow:
             return Texts::tr("the disk is too slow.");
-        case RecordingTrouble::Other:
+        case RecordingProblemKind::Other:
             return Texts::tr("the disk reported a write error.");
     }
     return {};
@@ -117,7 +117,7 @@ Message recordingEnded(const QString& path, double seconds) {
 }
 
 Message recordingFailed(const QString& path, const RecordingFailure& failure, double seconds) {
-    const bool kept = failure.bytes > 0 && failure.trouble != RecordingTrouble::Removed;
+    const bool kept = failure.bytes > 0 && failure.trouble != RecordingProblemKind::Removed;
     const QString rest = kept ? Texts::tr("The part written before (%1) is kept.").arg(length(seconds))
                               : Texts::tr("Nothing was kept.");
     return {
@@ -154,7 +154,7 @@ Message recordingWithoutSamples(const QString& path) {
 }
 
 Message recordingNotOpened(const FileError& error) {
-    return notOpened(Texts::tr("Could not open \"%1\".").arg(nameOf(error.path)), fileTrouble(error),
+    return notOpened(Texts::tr("Could not open \"%1\".").arg(nameOf(error.path)), fileProblem(error),
                      error.detail);
 }
 
@@ -168,7 +168,7 @@ Message notExported(const FileError& error) {
     return {.key = key::exported(),
             .severity = Severity::Attention,
             .headline = Texts::tr("Could not save \"%1\".").arg(nameOf(error.path)),
-            .body = fileTrouble(error),
+            .body = fileProblem(error),
             .details = error.detail};
 }
 

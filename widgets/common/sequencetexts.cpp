@@ -97,9 +97,9 @@ QString why(const SequenceReport& report) {
             return Texts::tr("%1 did not find home.").arg(module);
         case SequenceEnd::LinkInDoubt:
             return Texts::tr("The link was unreliable.");
-        case SequenceEnd::Silent:
+        case SequenceEnd::Unresponsive:
             return Texts::tr("%1 does not answer.").arg(module);
-        case SequenceEnd::NotCarriedOut:
+        case SequenceEnd::NotExecuted:
             return Texts::tr("%1 refused or did not answer a command.").arg(module);
     }
     return {};

@@ -113,7 +113,7 @@ std::optional<Message> unheard(const LinkState& link, const ModuleState& module,
         return moduleMissing(index, static_cast<int>(answering));
     // One text for one cause: of a link that is lost, that is told.
     if (module.silent && (link.phase == LinkPhase::Connected || answering > 0))
-        return withRecord(moduleSilent(index, toSeconds(now - module.latestTime), module.moving()));
+        return withRecord(moduleUnresponsive(index, toSeconds(now - module.latestTime), module.moving()));
     return std::nullopt;
 }
 

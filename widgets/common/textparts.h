@@ -21,7 +21,7 @@ class Texts {
 [[nodiscard]] Message::Action connectFully();
 [[nodiscard]] Message::Action lookFirst();
 /// What to do when a file was not read or written.
-[[nodiscard]] QString fileTrouble(const FileError& error);
+[[nodiscard]] QString fileProblem(const FileError& error);
 /// What a numbered sentence about these modules agrees with.
 [[nodiscard]] inline int howMany(const std::vector<ModuleIndex>& modules) {
     return static_cast<int>(modules.size());

@@ -189,7 +189,7 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
             message.body = Texts::tr("Enable it again, then move in the other direction.");
             break;
         case Activity::Unknown:
-        case Activity::Silent:
+        case Activity::Unresponsive:
         case Activity::Restarted:
         case Activity::NoPower:
         case Activity::ServoOff:

@@ -63,7 +63,7 @@ namespace texts {
 [[nodiscard]] Message rateNotChanged(const bus::RateChangeFailed& failed);
 
 // ---- one module ----
-[[nodiscard]] Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
+[[nodiscard]] Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
 [[nodiscard]] Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain);
 [[nodiscard]] Message readdressed(const bus::Readdressed& readdressed);
 [[nodiscard]] Message addressChanged(const bus::AddressChanged& changed);
@@ -147,7 +147,7 @@ namespace texts {
 /// There were modules, and each is known to have stopped.
 [[nodiscard]] bool allStopped(const bus::StopFinished& finished);
 /// Goes behind the headline of the message that told of the stop: "It has stopped."
-[[nodiscard]] QString stopConfirmed(const bus::OwedStopConfirmed& confirmed);
+[[nodiscard]] QString stopConfirmed(const bus::UnacknowledgedStopConfirmed& confirmed);
 /// "reaches 5 of 5"
 [[nodiscard]] QString stopReach(int reachable, int modules);
 [[nodiscard]] QString closing(int movingMotors);

@@ -62,7 +62,7 @@ QString activity(Activity activity) {
     switch (activity) {
         case Activity::Unknown:
             return Texts::tr("Unknown");
-        case Activity::Silent:
+        case Activity::Unresponsive:
             return Texts::tr("No answer");
         case Activity::Restarted:
             return Texts::tr("Restarted");
@@ -110,7 +110,7 @@ QString activityMeaning(Activity activity) {
     switch (activity) {
         case Activity::Unknown:
             return Texts::tr("No status received from this module yet.");
-        case Activity::Silent:
+        case Activity::Unresponsive:
             return Texts::tr("The module does not answer. Motor state unknown.");
         case Activity::Restarted:
             return Texts::tr(
@@ -173,7 +173,7 @@ QString refusal(Refusal refusal) {
             return Texts::tr("This module drives no motor.");
         case Refusal::NotAnIoModule:
             return Texts::tr("This module is not a PIC-I/O.");
-        case Refusal::Silent:
+        case Refusal::Unresponsive:
             return Texts::tr("The module does not answer, so its state is unknown.");
         case Refusal::NoPower:
             return Texts::tr("The module has no motor power.");

@@ -204,7 +204,7 @@ QString AmplifierBox::stateText() const {
 void AmplifierBox::refresh() {
     AskDialog::reviewAll(*this);
     look::setText(m_state, stateText());
-    const QString now = m_context.reasonNow(Request::ControlSc);
+    const QString now = m_context.reasonNow(IntentKind::ControlSc);
     QString reason = now;
     if (reason.isEmpty() && m_steps->isChecked() && wanted().limitStop != LimitStop::None)
         reason =
@@ -214,7 +214,7 @@ void AmplifierBox::refresh() {
         reason = tr("The module has these settings.");
     m_apply->setPossible(reason, tr("Takes AMP_EN low and sends these settings."));
     const auto& gains = m_context.state().gains;
-    QString multiplier = m_context.reasonNow(Request::ApplyGains);
+    QString multiplier = m_context.reasonNow(IntentKind::ApplyGains);
     if (multiplier.isEmpty())
         multiplier = gains ? m_multiplier->problemText() : texts::refusal(Refusal::GainsUnknown);
     m_setMultiplier->setPossible(multiplier,
@@ -228,13 +228,14 @@ void AmplifierBox::refresh() {
 
 void AmplifierBox::question(const QString& name, const QString& title, const QString& text,
                             const QString& verb, const Intent& intent) {
-    AskDialog::ask({.name = name,
-                    .title = title,
-                    .text = [this, text] { return m_context.whyNot(Request::ControlSc) ? QString() : text; },
-                    .stay = tr("Cancel"),
-                    .stayName = name + u"Cancel"_s,
-                    .stayIsDefault = true},
-                   {{verb, name + u"Go"_s, [this, intent] { m_context.ask(intent); }}}, this);
+    AskDialog::ask(
+        {.name = name,
+         .title = title,
+         .text = [this, text] { return m_context.whyNot(IntentKind::ControlSc) ? QString() : text; },
+         .stay = tr("Cancel"),
+         .stayName = name + u"Cancel"_s,
+         .stayIsDefault = true},
+        {{verb, name + u"Go"_s, [this, intent] { m_context.ask(intent); }}}, this);
 }
 
 void AmplifierBox::apply() {

@@ -174,8 +174,8 @@ void CounterBox::refresh() {
                       .arg(levels(*report.latchedPins),
                            texts::grouped(static_cast<qint64>(*report.latchedCounter)));
     look::setText(m_latched, latched);
-    const QString control = m_context.reasonNow(Request::ControlIo);
-    const QString outputs = m_context.reasonNow(Request::SetOutputs);
+    const QString control = m_context.reasonNow(IntentKind::ControlIo);
+    const QString outputs = m_context.reasonNow(IntentKind::SetOutputs);
     m_set->setPossible(control, tr("Sends the settings above. The count restarts at 0."));
     m_synchInput->setPossible(control,
                               tr("Latches all pins and the count at the same moment, and reads them."));

@@ -100,9 +100,9 @@ void DetailsBox::refresh() {
             raw += tr(", auxiliary %1").arg(*report.aux, 2, 16, QChar(u'0'));
     }
     look::setText(m_raw, raw);
-    m_clear->setPossible(m_context.reasonNow(Request::ClearStickyBits),
+    m_clear->setPossible(m_context.reasonNow(IntentKind::ClearStickyBits),
                          tr("Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing."));
-    m_saveHome->setPossible(m_context.reasonNow(Request::SaveAsHome),
+    m_saveHome->setPossible(m_context.reasonNow(IntentKind::SaveAsHome),
                             tr("Saves the present position as home. The motor does not move."));
 }
 

@@ -64,9 +64,9 @@ QString DirectionCheckBox::whyNotNow() const {
         return texts::refusal(Refusal::NotConnected);
     if (running())
         return tr("A direction check is running.");
-    if (m_context.whyNot(Request::CheckDirection) == Refusal::Moving)
+    if (m_context.whyNot(IntentKind::CheckDirection) == Refusal::Moving)
         return tr("Something turns the motor. Wait until it is at rest.");
-    return m_context.reasonNow(Request::CheckDirection);
+    return m_context.reasonNow(IntentKind::CheckDirection);
 }
 
 QString DirectionCheckBox::question() const {

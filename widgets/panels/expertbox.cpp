@@ -377,7 +377,7 @@ ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent)
 void ExpertBox::refresh() {
     AskDialog::reviewAll(*this);
     m_reset->setPossible(
-        m_context.reasonNow(Request::ResetModule),
+        m_context.reasonNow(IntentKind::ResetModule),
         tr("Returns this module to its power-up state and assigns its address again. The other modules are unchanged."));
 }
 
@@ -388,7 +388,7 @@ void ExpertBox::askBeforeReset() {
          .title = tr("Reset module"),
          .text =
              [this, module] {
-                 return m_context.whyNot(Request::ResetModule)
+                 return m_context.whyNot(IntentKind::ResetModule)
                             ? QString()
                             : tr("Reset %1? Its motor switches off, and it loses its position, settings and group. The other modules are unchanged.")
                                   .arg(module);

@@ -346,7 +346,8 @@ void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList
     const auto text = [self = QPointer(this), gains, steps, before = m_sent] {
         const bool stands = self && self->parentWidget()->isVisible() &&
                             before == self->m_context.state().gains && self->entered() == gains &&
-                            self->m_context.state().servoOn() && !self->m_context.whyNot(Request::ApplyGains);
+                            self->m_context.state().servoOn() &&
+                            !self->m_context.whyNot(IntentKind::ApplyGains);
         return stands
                    ? tr("The servo is on, and this is a large change: %1. The motor may jump or oscillate.")
                          .arg(steps.join(u", "_s))
@@ -423,7 +424,7 @@ QString GainsBox::hint() const {
 
 void GainsBox::refreshApply(const QString& problem) {
     const bool live = m_context.state().servoOn();
-    const QString reason = m_context.reasonNow(Request::ApplyGains);
+    const QString reason = m_context.reasonNow(IntentKind::ApplyGains);
     m_apply->setPossible(reason.isEmpty() ? problem : reason,
                          live ? tr("Sends all gains at once. The servo is on: they take effect immediately.")
                               : tr("Sends all gains at once. The motor does not move."));
@@ -445,7 +446,7 @@ void GainsBox::refreshTry(const QString& problem) {
     const std::optional<servo::SetGain> gains = entered();
     const auto refused =
         gains ? whyNot(intent::TryGains{*gains, kTrySeconds}, m_context.state()) : std::nullopt;
-    QString reason = m_context.reasonNow(Request::ApplyGains);
+    QString reason = m_context.reasonNow(IntentKind::ApplyGains);
     if (reason.isEmpty())
         reason = !problem.isEmpty() ? problem
                  : tries()          ? tr("These gains are already being tried.")

@@ -146,7 +146,7 @@ void IoBox::refresh() {
     };
     const std::array<std::optional<bool>, 2> limits{status([](auto s) { return s.limit1(); }),
                                                     status([](auto s) { return s.limit2(); })};
-    const QString io = m_context.reasonNow(Request::ControlIo);
+    const QString io = m_context.reasonNow(IntentKind::ControlIo);
     for (std::size_t i = 0; i < m_pins.size(); ++i) {
         show({m_pins[i].glyph, m_pins[i].value}, limits[i], tr("high"), tr("low"));
         look::setPossible(m_pins[i].use, io,
@@ -166,7 +166,7 @@ void IoBox::refresh() {
     const QSignalBlocker blocker(m_amplifier);
     m_amplifier->setChecked(module.amplifierEnabled);
     look::setPossible(
-        m_amplifier, m_context.reasonNow(Request::SetAmplifier),
+        m_amplifier, m_context.reasonNow(IntentKind::SetAmplifier),
         tr("Switches only the amplifier's enable line; the servo stays as it is. When off, the motor gets no current, whatever the servo does."));
 }
 

@@ -164,7 +164,7 @@ void IoValuesBox::editPwm(std::size_t number, const std::function<void(OutputSet
 
 void IoValuesBox::sendPwm(unsigned output) {
     const auto value = m_pwm.at(output).field->value();
-    if (value && !m_context.whyNot(Request::SetOutputs))
+    if (value && !m_context.whyNot(IntentKind::SetOutputs))
         m_context.ask(iointent::SetPwm{output, static_cast<std::uint8_t>(*value)});
 }
 
@@ -196,7 +196,7 @@ void IoValuesBox::refresh() {
             value ? texts::analogReading(PinSettings::of(settings.analog, i).scale, *value) : u"–"_s);
     }
     const auto pwm = module.pins.pwm();
-    const QString reason = m_context.reasonNow(Request::SetOutputs);
+    const QString reason = m_context.reasonNow(IntentKind::SetOutputs);
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
         look::setText(m_pwm.at(i).state,
                       pwm ? tr("%1 of 255").arg(static_cast<int>(pwm->at(i))) : tr("? unknown"));

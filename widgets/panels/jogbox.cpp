@@ -118,7 +118,7 @@ void JogBox::refresh() {
 }
 
 QString JogBox::reasonFor(bool reverse) const {
-    if (const QString reason = m_context.reasonFor(Request::Hold); !reason.isEmpty())
+    if (const QString reason = m_context.reasonFor(IntentKind::Hold); !reason.isEmpty())
         return reason;
     const auto hold = wanted(reverse);
     if (!hold)

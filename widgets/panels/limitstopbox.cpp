@@ -171,7 +171,7 @@ QString LimitStopBox::whyNotArmed() const {
 
 void LimitStopBox::refresh() {
     const ModuleState& module = m_context.state();
-    const QString never = m_context.reasonFor(Request::ArmLimitStop);
+    const QString never = m_context.reasonFor(IntentKind::ArmLimitStop);
     look::setPossible(m_limit1, never, tr("The motor stops when limit switch 1 changes."));
     look::setPossible(m_limit2, never, tr("The motor stops when limit switch 2 changes."));
     look::setPossible(

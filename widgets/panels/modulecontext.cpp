@@ -83,12 +83,12 @@ std::optional<ProcedureReport> ModuleContext::runningProcedure() const {
     return std::nullopt;
 }
 
-std::optional<Refusal> ModuleContext::whyNot(Request request) const {
-    return m_connected ? nmc::whyNot(request, m_state) : std::optional(Refusal::NotConnected);
+std::optional<Refusal> ModuleContext::whyNot(IntentKind kind) const {
+    return m_connected ? nmc::whyNot(kind, m_state) : std::optional(Refusal::NotConnected);
 }
 
-QString ModuleContext::reasonFor(Request request) const {
-    const std::optional<Refusal> refusal = whyNot(request);
+QString ModuleContext::reasonFor(IntentKind kind) const {
+    const std::optional<Refusal> refusal = whyNot(kind);
     return refusal ? texts::refusal(*refusal) : QString();
 }
 
@@ -99,8 +99,8 @@ QString ModuleContext::reasonFor(const Intent& intent) const {
     return steps ? QString() : texts::refusal(steps.error(), intent, m_state, scale());
 }
 
-QString ModuleContext::reasonNow(Request request) const {
-    const QString reason = reasonFor(request);
+QString ModuleContext::reasonNow(IntentKind kind) const {
+    const QString reason = reasonFor(kind);
     return reason.isEmpty() ? whyBusy() : reason;
 }
 

@@ -31,13 +31,13 @@ public:
     /// Of whatever kind, while it runs.
     [[nodiscard]] std::optional<ProcedureReport> runningProcedure() const;
 
-    [[nodiscard]] std::optional<Refusal> whyNot(Request request) const;
+    [[nodiscard]] std::optional<Refusal> whyNot(IntentKind kind) const;
     /// Why it can't be asked for, in words; empty where it can.
-    [[nodiscard]] QString reasonFor(Request request) const;
+    [[nodiscard]] QString reasonFor(IntentKind kind) const;
     /// Why that very motion can't be asked for, with the limit of travel or of speed in its way.
     [[nodiscard]] QString reasonFor(const Intent& intent) const;
     /// The same of what waits for the module's answer to what was asked before: everything but a stop.
-    [[nodiscard]] QString reasonNow(Request request) const;
+    [[nodiscard]] QString reasonNow(IntentKind kind) const;
     /// A click was passed on, and what it asked for has not ended, or the module has not spoken since: a
     /// double click is one command.
     [[nodiscard]] bool busy() const { return m_askedAt.has_value(); }

@@ -235,8 +235,8 @@ void MotionBox::showModule() {
     refresh();
 }
 
-QString MotionBox::reasonFor(Request request, std::initializer_list<const QuantityField*> fields) const {
-    if (const QString reason = m_context.reasonFor(request); !reason.isEmpty())
+QString MotionBox::reasonFor(IntentKind kind, std::initializer_list<const QuantityField*> fields) const {
+    if (const QString reason = m_context.reasonFor(kind); !reason.isEmpty())
         return reason;
     for (const QuantityField* field : fields) {
         if (field->problem() == NumberField::Problem::None)
@@ -249,8 +249,8 @@ QString MotionBox::reasonFor(Request request, std::initializer_list<const Quanti
     return {};
 }
 
-QString MotionBox::reasonNow(Request request, std::initializer_list<const QuantityField*> fields) const {
-    const QString reason = reasonFor(request, fields);
+QString MotionBox::reasonNow(IntentKind kind, std::initializer_list<const QuantityField*> fields) const {
+    const QString reason = reasonFor(kind, fields);
     return reason.isEmpty() ? m_context.whyBusy() : reason;
 }
 
@@ -305,7 +305,7 @@ void MotionBox::takeNearest() {
 }
 
 void MotionBox::refreshRun(Command& command, bool reverse, const QString& meaning) {
-    QString reason = reasonNow(Request::Run, {m_runVelocity, m_acceleration});
+    QString reason = reasonNow(IntentKind::Run, {m_runVelocity, m_acceleration});
     if (const auto run = enteredRun(reverse); reason.isEmpty() && run)
         reason = m_context.reasonFor(Intent(*run));
     command.setPossible(reason, meaning);
@@ -334,8 +334,8 @@ void MotionBox::refreshForecast() {
 void MotionBox::refresh() {
     refreshForecast();
     const auto goTo = entered();
-    const auto whyNo = [this, &goTo](Request request, bool later) {
-        QString reason = reasonNow(request, {m_goal, m_velocity, m_acceleration});
+    const auto whyNo = [this, &goTo](IntentKind kind, bool later) {
+        QString reason = reasonNow(kind, {m_goal, m_velocity, m_acceleration});
         if (reason.isEmpty() && !goTo)
             reason = tr("The goal is outside the position range.");
         if (reason.isEmpty())
@@ -343,16 +343,16 @@ void MotionBox::refresh() {
         return reason;
     };
     offerNearest();
-    m_go->setPossible(whyNo(Request::Move, false), tr("Moves to the position, then holds."));
+    m_go->setPossible(whyNo(IntentKind::Move, false), tr("Moves to the position, then holds."));
     // By a distance: from where, while it moves?
-    m_load->setPossible(whyNo(relative() ? Request::Move : Request::Load, true),
+    m_load->setPossible(whyNo(relative() ? IntentKind::Move : IntentKind::Load, true),
                         tr("Loads the move without starting it. Choose Start, or start the module's group."));
-    m_start->setPossible(m_context.reasonNow(Request::StartLoaded), tr("Starts the loaded move."));
-    QString home = reasonNow(Request::GoHome, {m_velocity, m_acceleration});
+    m_start->setPossible(m_context.reasonNow(IntentKind::StartLoaded), tr("Starts the loaded move."));
+    QString home = reasonNow(IntentKind::GoHome, {m_velocity, m_acceleration});
     if (home.isEmpty())
         home = m_context.reasonFor(Intent(intent::GoHome{*velocity(), *acceleration()}));
     m_goHome->setPossible(home, tr("Moves to home."));
-    m_zero->setPossible(m_context.reasonNow(Request::ResetPosition),
+    m_zero->setPossible(m_context.reasonNow(IntentKind::ResetPosition),
                         texts::zeroMeaning(m_context.state(), m_goal->scale()));
     const ModuleState& module = m_context.state();
     refreshRun(*m_runForward, false,

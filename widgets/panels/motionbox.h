@@ -55,9 +55,9 @@ private:
     void refresh();
     void refreshForecast();
     [[nodiscard]] bool relative() const;
-    [[nodiscard]] QString reasonFor(Request request,
+    [[nodiscard]] QString reasonFor(IntentKind kind,
                                     std::initializer_list<const QuantityField*> fields) const;
-    [[nodiscard]] QString reasonNow(Request request,
+    [[nodiscard]] QString reasonNow(IntentKind kind,
                                     std::initializer_list<const QuantityField*> fields) const;
 
     ModuleContext& m_context;

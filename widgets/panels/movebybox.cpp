@@ -126,7 +126,7 @@ void MoveByBox::showModule() {
 }
 
 QString MoveByBox::whyNotNow() const {
-    if (const QString reason = m_context.reasonNow(Request::Move); !reason.isEmpty())
+    if (const QString reason = m_context.reasonNow(IntentKind::Move); !reason.isEmpty())
         return reason;
     if (const QString reason = m_motion.whyNoMovesBy(); !reason.isEmpty())
         return reason;

@@ -336,21 +336,21 @@ void PanelHead::refreshCommands() {
     const ModuleState& module = m_context.state();
     const bool on = module.driveOn() && (module.isStepper() || module.amplifierEnabled);
     m_enable->setPossible(
-        !on         ? m_context.reasonNow(Request::Enable)
+        !on         ? m_context.reasonNow(IntentKind::Enable)
         : isServo() ? tr("The servo is already on.")
                     : tr("The amplifier is already on."),
         isServo()
             ? tr("Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.")
             : tr("Switches the amplifier on and holds the motor in place."));
-    const QString stop = m_context.reasonFor(Request::StopMotion);
+    const QString stop = m_context.reasonFor(IntentKind::StopMotion);
     m_stopSmoothly->setPossible(stop, tr("Slows down with the present acceleration, then holds."));
     m_stopAbruptly->setPossible(stop, tr("Stops at once, then holds."));
     if (m_stopHere != nullptr)
         m_stopHere->setPossible(
-            m_context.reasonFor(Request::StopHere),
+            m_context.reasonFor(IntentKind::StopHere),
             tr("Holds the position that the motor has at this moment, without a profile."));
     m_motorOff->setPossible(
-        m_context.reasonFor(Request::MotorOff),
+        m_context.reasonFor(IntentKind::MotorOff),
         isServo()
             ? tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall.")
             : tr("Stops at once and switches the amplifier off: the motor is free to turn, and a load may fall."));

@@ -24,8 +24,8 @@ struct PanelView {
     bool connected = false;
     std::optional<double> age{};  ///< s, of what is older than it should be
 
-    [[nodiscard]] std::optional<Refusal> whyNot(Request request) const {
-        return connected ? nmc::whyNot(request, module) : std::optional(Refusal::NotConnected);
+    [[nodiscard]] std::optional<Refusal> whyNot(IntentKind kind) const {
+        return connected ? nmc::whyNot(kind, module) : std::optional(Refusal::NotConnected);
     }
     [[nodiscard]] AxisScale scale() const { return scaleOf(module, settings); }
 };

@@ -152,7 +152,7 @@ QString PinBox::nameOf(unsigned pin) const {
 
 void PinBox::askBefore(unsigned pin, bool high) {
     const auto text = [self = QPointer(this), pin, high, before = m_context.state().latest->pins] {
-        const bool stands = self && self->isVisible() && !self->m_context.whyNot(Request::SetOutputs) &&
+        const bool stands = self && self->isVisible() && !self->m_context.whyNot(IntentKind::SetOutputs) &&
                             self->m_context.state().latest->pins == before;
         if (!stands)
             return QString();
@@ -195,7 +195,7 @@ void PinBox::refresh() {
         refreshPin(i);
     const bool known = m_context.state().pins.inputs().has_value();
     m_allInputs->setVisible(!known);
-    m_allInputs->setPossible(m_context.reasonNow(Request::ControlIo),
+    m_allInputs->setPossible(m_context.reasonNow(IntentKind::ControlIo),
                              tr("Makes all twelve pins inputs: outputs release what they drive."));
     look::setText(
         m_hint,
@@ -216,7 +216,7 @@ void PinBox::refreshPin(unsigned number) {
 
     const QSignalBlocker direction(pin.direction);
     pin.direction->setCurrentIndex(!inputs ? Unknown : output ? Output : Input);
-    QString reason = m_context.reasonNow(Request::ControlIo);
+    QString reason = m_context.reasonNow(IntentKind::ControlIo);
     if (reason.isEmpty() && !inputs)
         reason = tr("Pin directions unknown. Make all pins inputs first.");
     look::setPossible(pin.direction, reason,
@@ -229,7 +229,7 @@ void PinBox::refreshPin(unsigned number) {
                                        : tr("low"));
     const QSignalBlocker box(pin.high);
     pin.high->setChecked(output && toldHigh);
-    QString why = m_context.reasonNow(Request::SetOutputs);
+    QString why = m_context.reasonNow(IntentKind::SetOutputs);
     if (why.isEmpty() && !output)
         why = inputs ? tr("This pin is an input.") : tr("Pin directions unknown.");
     look::setPossible(pin.high, why, tr("Switches this output at once."));

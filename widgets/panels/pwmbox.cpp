@@ -84,7 +84,7 @@ void PwmBox::drive(bool reverse) {
 void PwmBox::refresh() {
     const auto value = m_value->value();
     look::setText(m_percent, value ? tr("= %1 %").arg(qRound(*value * 100.0 / 255.0)) : u"–"_s);
-    QString reason = m_context.reasonNow(Request::DrivePwm);
+    QString reason = m_context.reasonNow(IntentKind::DrivePwm);
     if (reason.isEmpty())
         reason = m_value->problemText();
     const auto reasonOf = [&](bool reverse) {
@@ -94,7 +94,7 @@ void PwmBox::refresh() {
     m_reverse->setPossible(reasonOf(true), tr("Drives the motor in reverse until you switch it off."));
     m_forward->setPossible(reasonOf(false), tr("Drives the motor forward until you switch it off."));
     m_off->setPossible(
-        m_context.reasonFor(Request::MotorOff),
+        m_context.reasonFor(IntentKind::MotorOff),
         tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));
 }
 

@@ -120,9 +120,9 @@ void StepperDetailsBox::refresh() {
             raw += tr(", inputs %1").arg(*report.aux, 2, 16, QChar(u'0'));
     }
     look::setText(m_raw, raw);
-    m_zero->setPossible(m_context.reasonNow(Request::ResetPosition),
+    m_zero->setPossible(m_context.reasonNow(IntentKind::ResetPosition),
                         texts::zeroMeaning(module, m_context.scale()));
-    m_saveHome->setPossible(m_context.reasonNow(Request::SaveAsHome),
+    m_saveHome->setPossible(m_context.reasonNow(IntentKind::SaveAsHome),
                             tr("Saves the present position as home. The motor does not move."));
 }
 

@@ -137,7 +137,7 @@ std::optional<steppermotion::VelocityProfile> StepperHoldBox::motion(bool revers
 }
 
 QString StepperHoldBox::reasonFor(bool reverse) const {
-    if (const QString reason = m_context.reasonFor(Request::Hold); !reason.isEmpty())
+    if (const QString reason = m_context.reasonFor(IntentKind::Hold); !reason.isEmpty())
         return reason;
     const auto wanted = motion(reverse);
     if (!wanted)
@@ -145,8 +145,9 @@ QString StepperHoldBox::reasonFor(bool reverse) const {
     const ModuleState& module = m_context.state();
     const stepperintent::Move move{*wanted};
     // Towards a limit of travel what moves is stopped first, by the bus.
-    const auto refusal = travelEnd(module, reverse) ? whyNotFromStandstill(move.motion, module, Request::Hold)
-                                                    : whyNot(move.motion, module, Request::Hold);
+    const auto refusal = travelEnd(module, reverse)
+                             ? whyNotFromStandstill(move.motion, module, IntentKind::Hold)
+                             : whyNot(move.motion, module, IntentKind::Hold);
     return refusal ? texts::refusal(*refusal, move, module, m_context.scale()) : QString();
 }
 

@@ -210,7 +210,7 @@ QString StepperIoBox::effectOf(std::size_t input, bool active) const {
 void StepperIoBox::refresh() {
     const ModuleState& module = m_context.state();
     const auto known = module.stepper.outputs();
-    const QString reason = m_context.reasonNow(Request::SetOutputs);
+    const QString reason = m_context.reasonNow(IntentKind::SetOutputs);
     for (std::size_t i = 0; i < kOutputs; ++i) {
         const Output& output = m_outputs[i];
         const auto on = known ? std::optional(bitOf(*known, i)) : m_staged[i];

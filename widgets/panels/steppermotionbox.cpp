@@ -267,7 +267,7 @@ std::optional<Refusal> StepperMotionBox::refusalOf(bool reverse) const {
     const auto wanted = motion(reverse);
     // Before there is a motion: what any motion needs.
     if (!wanted)
-        return m_context.whyNot(Request::Run);
+        return m_context.whyNot(IntentKind::Run);
     if (!m_loadOnly->isChecked())
         return whyNot(*wanted, m_context.state());
     const auto load = plan(stepperintent::LoadMove{*wanted}, m_context.state());
@@ -392,11 +392,11 @@ void StepperMotionBox::refreshCommands() {
                    load ? later : tr("Runs in reverse until stopped."));
     refreshCommand(*m_runForward, false, load ? tr("Load forward") : tr("R&un forward"),
                    load ? later : tr("Runs forward until stopped."));
-    QString reason = m_context.reasonNow(Request::GoHome);
+    QString reason = m_context.reasonNow(IntentKind::GoHome);
     if (reason.isEmpty())
         reason = m_context.reasonFor(Intent(home()));
     m_goHome->setPossible(reason, tr("Moves to home with a ramp, at the travel speed."));
-    m_startLoaded->setPossible(m_context.reasonNow(Request::StartLoaded), tr("Starts the loaded motion."));
+    m_startLoaded->setPossible(m_context.reasonNow(IntentKind::StartLoaded), tr("Starts the loaded motion."));
 }
 
 void StepperMotionBox::refresh() {
@@ -419,7 +419,7 @@ void StepperMotionBox::refresh() {
     if (hint.isEmpty())
         hint = m_speed->problemText();
     if (hint.isEmpty() && m_context.connected())
-        hint = nearest() ? reasonFor(false) : m_context.reasonFor(Request::Run);
+        hint = nearest() ? reasonFor(false) : m_context.reasonFor(IntentKind::Run);
     look::setText(m_hint, hint);
 }
 

@@ -354,7 +354,7 @@ void StepperParametersBox::refresh() {
     else if (problem.isEmpty() && m_ignoreLimits->isChecked())
         hint = tr("If checked, the limit switches do not stop the motor.");
     look::setText(m_hint, hint);
-    QString reason = m_context.reasonFor(Request::SetParameters);
+    QString reason = m_context.reasonFor(IntentKind::SetParameters);
     if (const auto parameters = entered(); parameters && reason.isEmpty())
         if (const auto refusal = whyNotSet(*parameters, m_context.state()))
             reason = texts::refusal(*refusal);

@@ -261,9 +261,9 @@ void TravelBox::refresh() {
         noPlace = texts::refusal(Refusal::PositionUnknown);
     m_here[Lowest]->setPossible(noPlace, tr("Sets the lowest position to the present position."));
     m_here[Highest]->setPossible(noPlace, tr("Sets the highest position to the present position."));
-    m_declare->setPossible(m_context.reasonNow(Request::DeclarePosition),
+    m_declare->setPossible(m_context.reasonNow(IntentKind::DeclarePosition),
                            tr("Confirms that the position is right: home is at position 0. Asks first."));
-    QString certain = m_context.reasonNow(Request::DeclarePosition);
+    QString certain = m_context.reasonNow(IntentKind::DeclarePosition);
     if (certain.isEmpty() && !module.home.place())
         certain = texts::refusal(Refusal::HomeUnknown);
     m_doubt->setPossible(

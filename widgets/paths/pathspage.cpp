@@ -201,7 +201,7 @@ bool PathsPage::running() const {
 void PathsPage::lookForObstacles() {
     Basis basis{m_path, m_link.baud, m_latency};
     for (const ModuleState& module : m_link.modules)
-        basis.axes.push_back({nmc::whyNot(Request::Move, module), module.commandPosition(),
+        basis.axes.push_back({nmc::whyNot(IntentKind::Move, module), module.commandPosition(),
                               module.pathControl, module.gains, travelRange(module), module.travel.fastest,
                               module.info.group});
     if (m_basis && *m_basis == basis)

@@ -26,7 +26,7 @@ void HoldFirstButton::showFor(const std::optional<ModuleState>& module, std::opt
     if (isHidden())
         return;
     m_module = module->info.index;
-    const auto refused = nmc::whyNot(Request::StopHere, *module);
+    const auto refused = nmc::whyNot(IntentKind::StopHere, *module);
     look::setPossible(this, refused ? texts::refusal(*refused) : QString(),
                       tr("Holds the motor at its present position (Stop here)."));
 }

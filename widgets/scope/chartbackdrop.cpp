@@ -43,7 +43,7 @@ ChartBackdrop::ChartBackdrop(QObject* parent)
 }
 
 void ChartBackdrop::invalidate() {
-    m_spoilt = true;
+    m_outdated = true;
     emit changed();
 }
 
@@ -139,7 +139,7 @@ int ChartBackdrop::labelWidth() const {
 
 const QPixmap& ChartBackdrop::picture(double devicePixelRatio) {
     const QSize pixels = (m_scene.sceneRect().size() * devicePixelRatio).toSize();
-    if (!m_spoilt && m_picture.size() == pixels)
+    if (!m_outdated && m_picture.size() == pixels)
         return m_picture;
     m_picture = QPixmap(pixels);
     m_picture.setDevicePixelRatio(devicePixelRatio);
@@ -147,7 +147,7 @@ const QPixmap& ChartBackdrop::picture(double devicePixelRatio) {
     QPainter painter(&m_picture);
     painter.setRenderHint(QPainter::Antialiasing);
     render(painter);
-    m_spoilt = false;
+    m_outdated = false;
     return m_picture;
 }
 

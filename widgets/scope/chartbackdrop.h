@@ -67,7 +67,7 @@ private:
     std::vector<QLineSeries*> m_series;  ///< without data: they are there for the legend
     std::vector<LegendEntry> m_entries;
     QPixmap m_picture;
-    bool m_spoilt = true;
+    bool m_outdated = true;
 };
 
 }  // namespace nmc

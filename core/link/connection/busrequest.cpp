@@ -34,9 +34,9 @@ struct Ends {
     }
     bool operator()(
         const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::ChainFound,
-                    bus::ConnectFailed, bus::StopFinished, bus::ModuleSilence, bus::CommandRefused,
+                    bus::ConnectFailed, bus::StopFinished, bus::ModuleUnresponsive, bus::CommandRefused,
                     bus::LinkLost, bus::HoldExpired, bus::HealthChanged, bus::ModuleRestarted,
-                    bus::MotionSuspect, bus::GroupChanged, bus::OwedStopConfirmed, bus::EchoNoticed,
+                    bus::MotionSuspect, bus::GroupChanged, bus::UnacknowledgedStopConfirmed, bus::EchoNoticed,
                     bus::ForeignTraffic, bus::ForeignMotion, bus::PathProgress> auto&) const {
         return false;
     }

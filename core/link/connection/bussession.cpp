@@ -169,7 +169,7 @@ void BusSession::watchOver(TimePoint now) {
         m_engine.stopUnasked(now);
     if (const auto slept = m_suspendWatch.check(m_asleepSoFar())) {
         m_engine.distrust(now);
-        m_channel.post(MachineSlept{*slept, m_engine.stopUnasked(now)});
+        m_channel.post(ComputerSlept{*slept, m_engine.stopUnasked(now)});
     }
 }
 

@@ -107,7 +107,7 @@ void BusStore::take(const WorkerEvent& event) {
                    [this](const bus::Event& told) { take(told); },
                    [](const PortOpened&) {},  // connecting since begin()
                    [this](const PortClosed& close) { closed(close); },
-                   [this](const AnyOf<SimulatorAnswered, PanelFroze, MachineSlept, GuardianStopped,
+                   [this](const AnyOf<SimulatorAnswered, PanelFroze, ComputerSlept, GuardianStopped,
                                       GuardianMissing> auto& news) { emit happened(news); },
                },
                event);
@@ -133,11 +133,11 @@ void BusStore::take(const bus::Event& event) {
             },
             [this](
                 const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
-                            bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
+                            bus::ModuleUnresponsive, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
                             bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished,
-                            bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
-                            bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion,
-                            bus::AddressChanged> auto& news) {
+                            bus::RateChanged, bus::RateChangeFailed, bus::UnacknowledgedStopConfirmed,
+                            bus::Readdressed, bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic,
+                            bus::ForeignMotion, bus::AddressChanged> auto& news) {
                 note(news);
                 emit happened(news);
             },
@@ -242,7 +242,7 @@ void BusStore::setRights(const std::optional<OperatorRights>& rights) {
     emit linkChanged();
 }
 
-void BusStore::note(const bus::OwedStopConfirmed& confirmed) {
+void BusStore::note(const bus::UnacknowledgedStopConfirmed& confirmed) {
     if (known(confirmed.module))
         m_link.modules[confirmed.module.value()].confirmedAtRest();
 }
@@ -360,7 +360,7 @@ void BusStore::beginHistory(const bus::ChainFound& chain) {
     m_historyOf = std::move(identities);
 }
 
-void BusStore::note(const bus::ModuleSilence& silence) {
+void BusStore::note(const bus::ModuleUnresponsive& silence) {
     if (!known(silence.module))
         return;
     m_link.modules[silence.module.value()].silent = silence.silent;

@@ -17,11 +17,12 @@ namespace nmc {
 /// What the user should hear of, and the state does not tell; samples and progress are state, not news.
 using StoreEvent =
     std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
-                 bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
-                 bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
-                 bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed,
-                 bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion, bus::AddressChanged, PortClosed,
-                 SimulatorAnswered, PanelFroze, MachineSlept, GuardianStopped, GuardianMissing>;
+                 bus::ModuleUnresponsive, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
+                 bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished,
+                 bus::RateChanged, bus::RateChangeFailed, bus::UnacknowledgedStopConfirmed, bus::Readdressed,
+                 bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion,
+                 bus::AddressChanged, PortClosed, SimulatorAnswered, PanelFroze, ComputerSlept,
+                 GuardianStopped, GuardianMissing>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.
@@ -84,7 +85,7 @@ private:
     void executed(const bus::CommandExecuted& command);
     /// What news change here, before they are told.
     void note(const bus::ChainFound& chain);
-    void note(const bus::ModuleSilence& silence);
+    void note(const bus::ModuleUnresponsive& silence);
     void note(const bus::OperationFinished& finished);
     void note(const bus::HealthChanged& changed);
     void note(const bus::ModuleRestarted& restarted);
@@ -96,7 +97,7 @@ private:
     void note(const bus::RateChanged& changed) { m_link.baud = changed.baud; }
     void note(const AnyOf<bus::ConnectFailed, bus::LinkLost> auto&) { m_link.phase = LinkPhase::Lost; }
     void note(const bus::StopFinished& stopped);
-    void note(const bus::OwedStopConfirmed& confirmed);
+    void note(const bus::UnacknowledgedStopConfirmed& confirmed);
     void note(const bus::ForeignMotion& motion);
     void note(const bus::GroupFinished& finished);
     void note(const bus::ForeignTraffic& traffic);

@@ -102,10 +102,10 @@ struct EventLine {
                list(finished.unreached) + ", not confirmed " + list(finished.unconfirmed) + ", " +
                ms(finished.took);
     }
-    std::string operator()(const bus::OwedStopConfirmed& confirmed) const {
+    std::string operator()(const bus::UnacknowledgedStopConfirmed& confirmed) const {
         return name(confirmed.module) + " stands: the stop owed for cause " + number(confirmed.cause);
     }
-    std::string operator()(const bus::ModuleSilence& silence) const {
+    std::string operator()(const bus::ModuleUnresponsive& silence) const {
         return name(silence.module) + (silence.silent ? " is silent" : " answers again");
     }
     std::string operator()(const bus::CommandRefused& refused) const {
@@ -167,7 +167,7 @@ struct EventLine {
     std::string operator()(const PanelFroze& froze) const {
         return "panel froze for " + ms(froze.length) + (froze.stopped ? ", motors were told to stop" : "");
     }
-    std::string operator()(const MachineSlept& slept) const {
+    std::string operator()(const ComputerSlept& slept) const {
         return "machine slept for " + ms(slept.length);
     }
     std::string operator()(const GuardianStopped&) const {

@@ -32,7 +32,7 @@ struct PanelFroze {
 };
 
 /// The computer was suspended and has woken.
-struct MachineSlept {
+struct ComputerSlept {
     Duration length{};
     bool stopped = true;  ///< motors were told to stop; not by a read-only connection
 };
@@ -46,7 +46,7 @@ struct GuardianMissing {
 };
 
 using WorkerEvent = std::variant<bus::Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze,
-                                 MachineSlept, GuardianStopped, GuardianMissing>;
+                                 ComputerSlept, GuardianStopped, GuardianMissing>;
 
 /// It tells how things stand, and the next one tells it better: one that is lost is not missed.
 [[nodiscard]] bool isSample(const WorkerEvent& event);

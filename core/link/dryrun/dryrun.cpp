@@ -331,7 +331,7 @@ private:
         if (m_run && bus::is<StartMotion>(executed.command))
             ++m_result.axes[executed.module.value()].moves;
     }
-    void told(const bus::ModuleSilence& silence) {
+    void told(const bus::ModuleUnresponsive& silence) {
         m_modules.at(silence.module.value()).silent = silence.silent;
     }
     void told(const bus::OperationFinished& finished) {

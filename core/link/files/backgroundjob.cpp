@@ -8,7 +8,7 @@
 
 namespace nmc {
 
-struct BackgroundJob::Run {
+struct BackgroundJob::Shared {
     Work work;
     Cancelled cancelled = false;
     std::mutex mutex;
@@ -17,7 +17,7 @@ struct BackgroundJob::Run {
     BackgroundJob* owner;
     bool over = false;
 
-    Run(Work todo, BackgroundJob& wanted) : work(std::move(todo)), owner(&wanted) {}
+    Shared(Work todo, BackgroundJob& wanted) : work(std::move(todo)), owner(&wanted) {}
 
     void run() {
         work(cancelled);
@@ -46,10 +46,10 @@ struct BackgroundJob::Run {
 BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {}
 
 BackgroundJob::~BackgroundJob() {
-    if (!m_run)
+    if (!m_shared)
         return;
-    m_run->forgetOwner();
-    if (m_run->waitForEnd(kPatience))
+    m_shared->forgetOwner();
+    if (m_shared->waitForEnd(kPatience))
         m_thread.join();
     else
         m_thread.detach();
@@ -57,24 +57,24 @@ BackgroundJob::~BackgroundJob() {
 
 void BackgroundJob::start(Work work) {
     assert(!isBusy());
-    m_run = std::make_shared<Run>(std::move(work), *this);
-    m_thread = std::thread([run = m_run] { run->run(); });
+    m_shared = std::make_shared<Shared>(std::move(work), *this);
+    m_thread = std::thread([run = m_shared] { run->run(); });
 }
 
 void BackgroundJob::cancel() {
-    if (!m_run)
+    if (!m_shared)
         return;
-    m_run->forgetOwner();
-    m_run.reset();
+    m_shared->forgetOwner();
+    m_shared.reset();
     m_thread.detach();
 }
 
 void BackgroundJob::take() {
     // One that was cancelled may have announced its end before.
-    if (!m_run || !m_run->isOver())
+    if (!m_shared || !m_shared->isOver())
         return;
     m_thread.join();
-    m_run.reset();
+    m_shared.reset();
     emit ended();
 }
 

@@ -28,19 +28,19 @@ public:
     void start(Work work);
     /// Nobody wants to know any more. It may go on for as long as it takes to notice.
     void cancel();
-    [[nodiscard]] bool isBusy() const { return m_run != nullptr; }
+    [[nodiscard]] bool isBusy() const { return m_shared != nullptr; }
 
 signals:
     /// Never from within a call.
     void ended();
 
 private:
-    struct Run;
+    struct Shared;
     static constexpr std::chrono::milliseconds kPatience{3'000};
 
     void take();
 
-    std::shared_ptr<Run> m_run;  ///< shared with the thread
+    std::shared_ptr<Shared> m_shared;  ///< shared with the thread
     std::thread m_thread;
 };
 

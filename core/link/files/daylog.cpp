@@ -73,7 +73,7 @@ FileWriter::Result DayLog::appendToFile(const QString& path, std::string_view li
     const auto bytes = static_cast<qint64>(lines.size());
     if (!file.open(QIODevice::WriteOnly | QIODevice::Append) || file.write(lines.data(), bytes) != bytes ||
         !file.flush())
-        return tl::unexpected(FileError{FileTrouble::Other, path, file.errorString()});
+        return tl::unexpected(FileError{FileErrorKind::Other, path, file.errorString()});
     if (begins)
         removeOldest(folder);
     return {};

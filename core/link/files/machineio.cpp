@@ -11,15 +11,15 @@ namespace {
 
 /// From what the system and Qt say of an operation that has just failed.
 FileError errorOf(const QFileDevice& file, const QString& path, int number) {
-    FileError error{FileTrouble::Other, path, file.errorString()};
+    FileError error{FileErrorKind::Other, path, file.errorString()};
     if (number == ENOENT)
-        error.trouble = FileTrouble::NotThere;
+        error.trouble = FileErrorKind::NotThere;
     else if (number == EROFS)
-        error.trouble = FileTrouble::ReadOnly;
+        error.trouble = FileErrorKind::ReadOnly;
     else if (number == ENOSPC || number == EDQUOT || file.error() == QFileDevice::ResourceError)
-        error.trouble = FileTrouble::NoSpace;
+        error.trouble = FileErrorKind::NoSpace;
     else if (number == EACCES || number == EPERM || file.error() == QFileDevice::PermissionsError)
-        error.trouble = FileTrouble::NoPermission;
+        error.trouble = FileErrorKind::NoPermission;
     return error;
 }
 
@@ -28,7 +28,7 @@ FileError errorOf(const QFileDevice& file, const QString& path, int number) {
 tl::expected<std::unique_ptr<QFile>, FileError> openToRead(const QString& path) {
     const QFileInfo info(path);
     if (info.exists() && !info.isFile())
-        return tl::unexpected(FileError{FileTrouble::NotAFile, path});
+        return tl::unexpected(FileError{FileErrorKind::NotAFile, path});
     auto file = std::make_unique<QFile>(path);
     errno = 0;
     if (!file->open(QIODevice::ReadOnly))
@@ -45,18 +45,18 @@ tl::expected<std::string, FileError> readFile(const QString& path, std::size_t l
     if ((*file)->error() != QFileDevice::NoError)
         return tl::unexpected(errorOf(**file, path, errno));
     if (static_cast<std::size_t>(bytes.size()) > limit)
-        return tl::unexpected(FileError{FileTrouble::TooLarge, path});
+        return tl::unexpected(FileError{FileErrorKind::TooLarge, path});
     return bytes.toStdString();
 }
 
 tl::expected<void, FileError> writeFile(const QString& path, std::string_view content) {
     const QFileInfo info(path);
     if (info.exists() && !info.isFile())
-        return tl::unexpected(FileError{FileTrouble::NotAFile, path});
+        return tl::unexpected(FileError{FileErrorKind::NotAFile, path});
     if (!QFileInfo(info.absolutePath()).isDir())
-        return tl::unexpected(FileError{FileTrouble::NoFolder, path});
+        return tl::unexpected(FileError{FileErrorKind::NoFolder, path});
     if (info.exists() && !info.isWritable())
-        return tl::unexpected(FileError{FileTrouble::NoPermission, path});
+        return tl::unexpected(FileError{FileErrorKind::NoPermission, path});
     QSaveFile file(path);
     errno = 0;
     if (!file.open(QIODevice::WriteOnly))

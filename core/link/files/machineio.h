@@ -11,7 +11,7 @@
 namespace nmc {
 
 /// Why a file was not read or written.
-enum class FileTrouble : std::uint8_t {
+enum class FileErrorKind : std::uint8_t {
     NotThere,
     NoFolder,  ///< the folder it should be in is not there
     NotAFile,  ///< a folder, a device
@@ -23,7 +23,7 @@ enum class FileTrouble : std::uint8_t {
 };
 
 struct FileError {
-    FileTrouble trouble = FileTrouble::Other;
+    FileErrorKind trouble = FileErrorKind::Other;
     QString path;
     QString detail{};
 };

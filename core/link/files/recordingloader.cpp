@@ -44,7 +44,7 @@ void RecordingLoader::Reading::read(const BackgroundJob::Cancelled& cancelled) {
     for (qint64 done = 0; !cancelled;) {
         const QByteArray piece = (*file)->read(kPiece);
         if ((*file)->error() != QFileDevice::NoError) {
-            error = FileError{FileTrouble::Other, result.path, (*file)->errorString()};
+            error = FileError{FileErrorKind::Other, result.path, (*file)->errorString()};
             return;
         }
         done += piece.size();

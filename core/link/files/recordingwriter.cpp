@@ -26,31 +26,31 @@ using namespace std::chrono_literals;
 
 constexpr Duration kBetweenFlushes = 1s;
 
-struct Trouble {
-    RecordingTrouble what = RecordingTrouble::Other;
+struct Problem {
+    RecordingProblemKind what = RecordingProblemKind::Other;
     int number = 0;  ///< errno
 };
 
-Trouble troubleOf(int number) {
+Problem problemOf(int number) {
     switch (number) {
         case ENOENT:
         case ENOTDIR:
-            return {RecordingTrouble::NoFolder, number};
+            return {RecordingProblemKind::NoFolder, number};
         case EISDIR:
         case ENXIO:  // a FIFO that nobody reads
-            return {RecordingTrouble::NotAFile, number};
+            return {RecordingProblemKind::NotAFile, number};
         case EACCES:
         case EPERM:
-            return {RecordingTrouble::NoPermission, number};
+            return {RecordingProblemKind::NoPermission, number};
         case EROFS:
-            return {RecordingTrouble::ReadOnly, number};
+            return {RecordingProblemKind::ReadOnly, number};
         case ENOSPC:
         case EDQUOT:
-            return {RecordingTrouble::NoSpace, number};
+            return {RecordingProblemKind::NoSpace, number};
         case EFBIG:
-            return {RecordingTrouble::FileTooLarge, number};
+            return {RecordingProblemKind::FileTooLarge, number};
     }
-    return {RecordingTrouble::Other, number};
+    return {RecordingProblemKind::Other, number};
 }
 
 /// They end the whole program by default; an error code is enough.
@@ -78,13 +78,13 @@ private:
 };
 
 /// Onto the disk.
-std::optional<Trouble> flush(int fd) {
+std::optional<Problem> flush(int fd) {
     // EINVAL: what is not a plain file has nothing to flush.
     if (fdatasync(fd) != 0 && errno != EINVAL)
-        return troubleOf(errno);
+        return problemOf(errno);
     struct stat status {};
     if (fstat(fd, &status) == 0 && status.st_nlink == 0)
-        return Trouble{RecordingTrouble::Removed};
+        return Problem{RecordingProblemKind::Removed};
     return std::nullopt;
 }
 
@@ -130,9 +130,9 @@ public:
         const std::scoped_lock lock(m_mutex);
         return m_ended;
     }
-    [[nodiscard]] std::optional<Trouble> trouble() const {
+    [[nodiscard]] std::optional<Problem> problem() const {
         const std::scoped_lock lock(m_mutex);
-        return m_trouble;
+        return m_problem;
     }
     [[nodiscard]] qint64 written() const {
         const std::scoped_lock lock(m_mutex);
@@ -143,9 +143,9 @@ public:
 
     void run() {
         blockWriteSignals();
-        const auto trouble = record();
+        const auto problem = record();
         const std::scoped_lock lock(m_mutex);
-        m_trouble = trouble;
+        m_problem = problem;
         m_ended = true;
         m_changed.notify_all();
         if (m_owner != nullptr)
@@ -153,8 +153,8 @@ public:
     }
 
 private:
-    std::optional<Trouble> record();
-    std::optional<Trouble> write(int fd, std::string_view text);
+    std::optional<Problem> record();
+    std::optional<Problem> write(int fd, std::string_view text);
     /// Waits for text or the end, until `flushAt` at most; true when nothing will follow.
     bool next(std::vector<std::string>& texts, std::optional<TimePoint> flushAt);
     void noteWritten(std::string_view text) {
@@ -190,29 +190,29 @@ private:
     bool m_stopping = false;
     bool m_abandoned = false;
     bool m_ended = false;
-    std::optional<Trouble> m_trouble;
+    std::optional<Problem> m_problem;
 };
 
-std::optional<Trouble> RecordingWriter::Job::record() {
+std::optional<Problem> RecordingWriter::Job::record() {
     // Without O_NONBLOCK a FIFO that nobody reads would never open.
     const Descriptor file(
         ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666));
     if (file.fd() < 0)
-        return troubleOf(errno);
+        return problemOf(errno);
     std::optional<TimePoint> flushAt;  // nothing: the disk has everything
     for (bool last = false; !last;) {
         std::vector<std::string> texts;
         last = next(texts, flushAt);
         for (const std::string& text : texts)
-            if (const auto trouble = write(file.fd(), text)) {
+            if (const auto problem = write(file.fd(), text)) {
                 dropPartOfLine(file.fd());
-                return trouble;
+                return problem;
             }
         if (!texts.empty() && !flushAt)
             flushAt = monotonicNow() + kBetweenFlushes;
         if (flushAt && (last || monotonicNow() >= *flushAt)) {
-            if (const auto trouble = flush(file.fd()))
-                return trouble;
+            if (const auto problem = flush(file.fd()))
+                return problem;
             flushAt.reset();
         }
     }
@@ -230,10 +230,10 @@ bool RecordingWriter::Job::next(std::vector<std::string>& texts, std::optional<T
     return m_stopping || m_abandoned;
 }
 
-std::optional<Trouble> RecordingWriter::Job::write(int fd, std::string_view text) {
+std::optional<Problem> RecordingWriter::Job::write(int fd, std::string_view text) {
     while (!text.empty()) {
         if (abandoned())
-            return Trouble{RecordingTrouble::TooSlow};
+            return Problem{RecordingProblemKind::TooSlow};
         const ssize_t count = ::write(fd, text.data(), text.size());
         if (count >= 0) {
             noteWritten(text.substr(0, static_cast<std::size_t>(count)));
@@ -243,7 +243,7 @@ std::optional<Trouble> RecordingWriter::Job::write(int fd, std::string_view text
             constexpr int kLookAgainMs = 100;  // whether somebody still waits for it
             ::poll(&room, 1, kLookAgainMs);
         } else if (errno != EINTR) {
-            return troubleOf(errno);
+            return problemOf(errno);
         }
     }
     return std::nullopt;
@@ -299,8 +299,8 @@ void RecordingWriter::threadEnded() {
     m_thread.join();
     m_patience.stop();
     const std::shared_ptr<Job> job = std::exchange(m_job, nullptr);
-    if (const auto trouble = job->trouble())
-        emit failed({trouble->what, trouble->number != 0 ? qt_error_string(trouble->number) : QString(),
+    if (const auto problem = job->problem())
+        emit failed({problem->what, problem->number != 0 ? qt_error_string(problem->number) : QString(),
                      job->written()});
     else
         emit finished(job->written(), toSeconds(m_recorded));
@@ -312,7 +312,7 @@ void RecordingWriter::giveUp() {
     m_job->abandon();
     m_thread.detach();
     m_patience.stop();
-    const RecordingFailure failure{RecordingTrouble::TooSlow, {}, m_job->written()};
+    const RecordingFailure failure{RecordingProblemKind::TooSlow, {}, m_job->written()};
     m_job.reset();
     QMetaObject::invokeMethod(
         this, [this, failure] { emit failed(failure); }, Qt::QueuedConnection);

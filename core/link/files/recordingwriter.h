@@ -14,7 +14,7 @@
 namespace nmc {
 
 /// Why a recording ended before it was told to.
-enum class RecordingTrouble : std::uint8_t {
+enum class RecordingProblemKind : std::uint8_t {
     NoFolder,  ///< the folder it should be in is not there
     NotAFile,  ///< a folder, or a pipe that nobody reads
     NoPermission,
@@ -27,7 +27,7 @@ enum class RecordingTrouble : std::uint8_t {
 };
 
 struct RecordingFailure {
-    RecordingTrouble trouble = RecordingTrouble::Other;
+    RecordingProblemKind trouble = RecordingProblemKind::Other;
     QString detail{};  ///< the system's own words
     qint64 bytes = 0;  ///< written before; they stay in the file
 };

@@ -26,7 +26,7 @@ namespace {
 using Fds = GuardDescriptors;
 
 /// A packet that was cut short is complete by the nulls of the first burst at the latest; whatever of the
-/// second one noise has spoilt is said again.
+/// second one that noise has damaged is repeated.
 constexpr int kTimes = 3;
 /// After a packet, and before the next: a servo tick (DS-V 4.1), and time for an adapter to hand it over.
 constexpr Duration kPause = std::chrono::milliseconds(2);

@@ -17,20 +17,20 @@ struct WhyNot {
 
     std::optional<Refusal> operator()(const servo::LoadTrajectory& load) const {
         if (!load.startNow)
-            return whyNotTold(Request::Load, module);
+            return whyNotTold(IntentKind::Load, module);
         if (!load.servo)
-            return whyNot(Request::DrivePwm, module);
+            return whyNot(IntentKind::DrivePwm, module);
         if (load.profile == servo::ProfileMode::Trapezoidal)
             return Refusal::StartApart;
         const bool ramp = load.acceleration ? load.acceleration->value() != 0 : module.accelerationLoaded;
-        return ramp ? whyNot(Request::Run, module) : std::optional(Refusal::NoAcceleration);
+        return ramp ? whyNot(IntentKind::Run, module) : std::optional(Refusal::NoAcceleration);
     }
     std::optional<Refusal> operator()(const servo::StopMotor& stop) const {
         switch (stop.manner) {
             case servo::StopManner::AmplifierOnly:
-                return whyNot(Request::SetAmplifier, module);
+                return whyNot(IntentKind::SetAmplifier, module);
             case servo::StopManner::MotorOff:
-                return whyNot(Request::MotorOff, module);
+                return whyNot(IntentKind::MotorOff, module);
             case servo::StopManner::Smoothly:
                 if (!module.accelerationLoaded)
                     return Refusal::NoAcceleration;
@@ -38,80 +38,82 @@ struct WhyNot {
             case servo::StopManner::Abruptly:
                 break;
             case servo::StopManner::Here:
-                return whyNot(Request::StopHere, module);
+                return whyNot(IntentKind::StopHere, module);
         }
         // A servo that is off is switched on by it (DS-V 5.2).
-        return whyNot(module.servoOn() ? Request::StopMotion : Request::Enable, module);
+        return whyNot(module.servoOn() ? IntentKind::StopMotion : IntentKind::Enable, module);
     }
     std::optional<Refusal> operator()(const servo::SetHoming& homing) const {
         const bool stops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
         if (stops && module.info.identity.version < servo::kAutoStopVersion)
             return Refusal::VersionLacksIt;
-        return whyNotTold(Request::Home, module);
+        return whyNotTold(IntentKind::Home, module);
     }
     std::optional<Refusal> operator()(const servo::SetGain&) const {
-        return whyNot(Request::ApplyGains, module);
+        return whyNot(IntentKind::ApplyGains, module);
     }
     std::optional<Refusal> operator()(const servo::IoControl&) const {
-        return whyNot(Request::ControlIo, module);
+        return whyNot(IntentKind::ControlIo, module);
     }
     std::optional<Refusal> operator()(
         const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
-        return whyNot(Request::ResetPosition, module);
+        return whyNot(IntentKind::ResetPosition, module);
     }
     std::optional<Refusal> operator()(const servo::ScIoControl&) const {
-        return whyNot(Request::ControlSc, module);
+        return whyNot(IntentKind::ControlSc, module);
     }
     /// Paths and saved configurations are not for a command alone.
     std::optional<Refusal> operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
         return Refusal::VersionLacksIt;
     }
     std::optional<Refusal> operator()(const servo::ClearStickyBits&) const {
-        return whyNot(Request::ClearStickyBits, module);
+        return whyNot(IntentKind::ClearStickyBits, module);
     }
 
     // ---- PIC-STEP ----
 
     std::optional<Refusal> operator()(const stepper::LoadTrajectory& load) const {
-        return load.startNow ? whyNotStarted(load, module) : whyNot(Request::Load, module);
+        return load.startNow ? whyNotStarted(load, module) : whyNot(IntentKind::Load, module);
     }
     std::optional<Refusal> operator()(const stepper::StopMotor& stop) const {
         const bool enables = stop.amplifierEnable && !module.stepper.amplifierOn();
-        return whyNot(enables ? Request::Enable : Request::StopMotion, module);
+        return whyNot(enables ? IntentKind::Enable : IntentKind::StopMotion, module);
     }
     std::optional<Refusal> operator()(const stepper::SetHoming&) const {
-        return whyNotTold(Request::Home, module);
+        return whyNotTold(IntentKind::Home, module);
     }
     std::optional<Refusal> operator()(const stepper::SetParameters& parameters) const {
         return whyNotSet(parameters, module);
     }
     std::optional<Refusal> operator()(const stepper::SetOutputs&) const {
-        return whyNot(Request::SetOutputs, module);
+        return whyNot(IntentKind::SetOutputs, module);
     }
 
     // ---- PIC-I/O ----
 
     std::optional<Refusal> operator()(const AnyOf<io::SetOutput, io::SetPwm, io::SynchOutput> auto&) const {
-        return whyNot(Request::SetOutputs, module);
+        return whyNot(IntentKind::SetOutputs, module);
     }
     std::optional<Refusal> operator()(
         const AnyOf<io::SetDirection, io::SetSynchOutput, io::SetTimerMode, io::SynchInput> auto&) const {
-        return whyNot(Request::ControlIo, module);
+        return whyNot(IntentKind::ControlIo, module);
     }
 
     // ---- all of them ----
 
     std::optional<Refusal> operator()(const StartMotion&) const {
-        return whyNot(Request::StartLoaded, module);
+        return whyNot(IntentKind::StartLoaded, module);
     }
     std::optional<Refusal> operator()(const ResetPosition&) const {
-        return whyNot(Request::ResetPosition, module);
+        return whyNot(IntentKind::ResetPosition, module);
     }
-    std::optional<Refusal> operator()(const SaveAsHome&) const { return whyNot(Request::SaveAsHome, module); }
+    std::optional<Refusal> operator()(const SaveAsHome&) const {
+        return whyNot(IntentKind::SaveAsHome, module);
+    }
     /// Addresses, rate, reset and the items of a status belong to the bus.
     std::optional<Refusal> operator()(
         const AnyOf<SetAddress, DefineStatus, ReadStatus, SetBaud, Nop, HardReset> auto&) const {
-        return whyNotTold(Request::StopMotion, module);
+        return whyNotTold(IntentKind::StopMotion, module);
     }
 };
 

@@ -15,7 +15,7 @@ servo::SetGain gainsFor(const ModuleState& module, servo::SetGain gains) {
 }
 
 std::optional<Refusal> whyNot(const intent::TryGains& /*wanted*/, const ModuleState& module) {
-    if (const auto refusal = whyNot(Request::ApplyGains, module))
+    if (const auto refusal = whyNot(IntentKind::ApplyGains, module))
         return refusal;
     if (!module.gains)
         return Refusal::GainsUnknown;

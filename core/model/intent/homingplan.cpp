@@ -34,10 +34,10 @@ namespace {
 }  // namespace
 
 std::optional<Refusal> whyNotHome(const ModuleState& module) {
-    if (const auto refusal = whyNotTold(Request::Home, module))
+    if (const auto refusal = whyNotTold(IntentKind::Home, module))
         return refusal;
     if (module.hasRestarted)
-        return Refusal::Silent;
+        return Refusal::Unresponsive;
     if (!module.latest->position || !module.latest->aux)
         return Refusal::PositionUnknown;
     switch (module.info.identity.type) {
@@ -72,7 +72,7 @@ std::optional<Refusal> whyNotHome(const HomingRecipe& recipe, const ModuleState&
 }
 
 std::optional<Refusal> whyNotArm(const intent::ArmLimitStop& arm, const ModuleState& module) {
-    if (const auto refusal = whyNot(Request::ArmLimitStop, module))
+    if (const auto refusal = whyNot(IntentKind::ArmLimitStop, module))
         return refusal;
     if (module.io && ((arm.limit1 && !module.io->limit1IsInput) || (arm.limit2 && !module.io->limit2IsInput)))
         return Refusal::LimitIsOutput;

@@ -43,8 +43,8 @@ int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
 
 /// Applies the rule first, so that what a control greys out is never sent from elsewhere either.
 template <typename MakeOrders>
-Plan allowed(Request request, const ModuleState& module, MakeOrders makeOrders) {
-    if (const auto refusal = whyNot(request, module))
+Plan allowed(IntentKind kind, const ModuleState& module, MakeOrders makeOrders) {
+    if (const auto refusal = whyNot(kind, module))
         return tl::unexpected(*refusal);
     return makeOrders();
 }
@@ -67,7 +67,7 @@ struct Planner {
     Plan operator()(const intent::Enable&) const {
         // One Stop Motor sets AMP_EN and lets the servo hold where it is (DS-V 5.2). The position error bit
         // is set as long as a servo is off, and stays: cleared, its next edge is a trip.
-        return allowed(Request::Enable, module, [this] {
+        return allowed(IntentKind::Enable, module, [this] {
             return stepsFor(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}},
                             servo::ClearStickyBits{});
         });
@@ -76,12 +76,12 @@ struct Planner {
     Plan operator()(const intent::GoTo& goTo) const {
         if (const auto refusal = lacking(goTo))
             return tl::unexpected(*refusal);
-        return allowed(Request::Move, module,
+        return allowed(IntentKind::Move, module,
                        [&] { return stepsFor(module, trajectory(goTo), StartMotion{}); });
     }
 
     Plan operator()(const intent::GoHome& goHome) const {
-        if (const auto refusal = whyNot(Request::GoHome, module))
+        if (const auto refusal = whyNot(IntentKind::GoHome, module))
             return tl::unexpected(*refusal);
         return (*this)(
             intent::GoTo{Counts(module.home.place()->counts), goHome.velocity, goHome.acceleration});
@@ -90,11 +90,11 @@ struct Planner {
     Plan operator()(const intent::LoadMove& load) const {
         if (const auto refusal = lacking(load.move))
             return tl::unexpected(*refusal);
-        return allowed(Request::Load, module, [&] { return stepsFor(module, trajectory(load.move)); });
+        return allowed(IntentKind::Load, module, [&] { return stepsFor(module, trajectory(load.move)); });
     }
 
     Plan operator()(const intent::StartLoaded&) const {
-        return allowed(Request::StartLoaded, module, [this] { return stepsFor(module, StartMotion{}); });
+        return allowed(IntentKind::StartLoaded, module, [this] { return stepsFor(module, StartMotion{}); });
     }
 
     Plan operator()(const intent::RunAtVelocity& run) const {
@@ -110,7 +110,7 @@ struct Planner {
         load.acceleration = run.acceleration;
         load.profile = servo::ProfileMode::Velocity;
         load.reverse = run.reverse;
-        return allowed(Request::Run, module, [&] { return stepsFor(module, load, StartMotion{}); });
+        return allowed(IntentKind::Run, module, [&] { return stepsFor(module, load, StartMotion{}); });
     }
 
     Plan operator()(const intent::StopSmoothly&) const {
@@ -122,37 +122,38 @@ struct Planner {
     Plan operator()(const intent::StopAbruptly&) const { return stop(servo::StopManner::Abruptly); }
 
     Plan operator()(const intent::MotorOff&) const {
-        return allowed(Request::MotorOff, module, [this] {
+        return allowed(IntentKind::MotorOff, module, [this] {
             return stepsFor(module, servo::StopMotor{false, servo::StopManner::MotorOff, {}});
         });
     }
 
     Plan operator()(const intent::ApplyGains& apply) const {
-        return allowed(Request::ApplyGains, module,
+        return allowed(IntentKind::ApplyGains, module,
                        [&] { return stepsFor(module, gainsFor(module, apply.gains)); });
     }
 
     Plan operator()(const intent::ClearStickyBits&) const {
-        return allowed(Request::ClearStickyBits, module,
+        return allowed(IntentKind::ClearStickyBits, module,
                        [this] { return stepsFor(module, servo::ClearStickyBits{}); });
     }
 
     Plan operator()(const intent::ResetPosition&) const {
-        return allowed(Request::ResetPosition, module,
+        return allowed(IntentKind::ResetPosition, module,
                        [this] { return stepsFor(module, nmc::ResetPosition{}); });
     }
 
     Plan operator()(const intent::SaveAsHome&) const {
-        return allowed(Request::SaveAsHome, module, [this] { return stepsFor(module, nmc::SaveAsHome{}); });
+        return allowed(IntentKind::SaveAsHome, module,
+                       [this] { return stepsFor(module, nmc::SaveAsHome{}); });
     }
 
     /// It is for whoever keeps the module's state.
     Plan operator()(const intent::DeclarePosition&) const {
-        return allowed(Request::DeclarePosition, module, [] { return Orders{}; });
+        return allowed(IntentKind::DeclarePosition, module, [] { return Orders{}; });
     }
 
     Plan operator()(const intent::StopHere&) const {
-        return allowed(Request::StopHere, module, [this] {
+        return allowed(IntentKind::StopHere, module, [this] {
             return stepsFor(module, servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here,
                                                      Counts(*module.latest->position)});
         });
@@ -163,7 +164,7 @@ struct Planner {
         load.servo = false;
         load.pwm = drive.pwm;
         load.reverse = drive.reverse;
-        return allowed(Request::DrivePwm, module, [&]() -> Orders {
+        return allowed(IntentKind::DrivePwm, module, [&]() -> Orders {
             if (module.amplifierEnabled)
                 return stepsFor(module, load, StartMotion{});
             // Without AMP_EN nothing would turn.
@@ -173,17 +174,17 @@ struct Planner {
     }
 
     Plan operator()(const intent::SetAmplifier& amplifier) const {
-        return allowed(Request::SetAmplifier, module, [&] {
+        return allowed(IntentKind::SetAmplifier, module, [&] {
             return stepsFor(module, servo::StopMotor{amplifier.enable, servo::StopManner::AmplifierOnly, {}});
         });
     }
 
     Plan operator()(const intent::ControlIo& control) const {
-        return allowed(Request::ControlIo, module, [&] { return stepsFor(module, control.io); });
+        return allowed(IntentKind::ControlIo, module, [&] { return stepsFor(module, control.io); });
     }
 
     Plan operator()(const intent::ControlSc& control) const {
-        return allowed(Request::ControlSc, module, [&] {
+        return allowed(IntentKind::ControlSc, module, [&] {
             return stepsFor(module, servo::StopMotor{false, servo::StopManner::MotorOff, {}}, control.io);
         });
     }
@@ -199,7 +200,7 @@ struct Planner {
             return tl::unexpected(*refusal);
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
-        return allowed(Request::Move, module, [] { return Orders{}; });
+        return allowed(IntentKind::Move, module, [] { return Orders{}; });
     }
     Plan operator()(const intent::StepResponse& response) const {
         const auto refusal = whyNot(response, module);
@@ -215,7 +216,7 @@ struct Planner {
     }
     Plan operator()(const intent::KeepGains&) const { return Orders{}; }
     Plan operator()(const intent::CheckDirection&) const {
-        return allowed(Request::CheckDirection, module, [] { return Orders{}; });
+        return allowed(IntentKind::CheckDirection, module, [] { return Orders{}; });
     }
     Plan operator()(const intent::FollowPath& follow) const {
         const auto refusal = whyNot(follow, module);
@@ -256,7 +257,7 @@ private:
         return load;
     }
     [[nodiscard]] Plan stop(servo::StopManner manner) const {
-        return allowed(Request::StopMotion, module, [&] {
+        return allowed(IntentKind::StopMotion, module, [&] {
             return stepsFor(module, servo::StopMotor{module.amplifierEnabled, manner, {}});
         });
     }
@@ -297,9 +298,9 @@ tl::expected<Orders, Refusal> plan(const Intent& intent, const ModuleState& modu
     }
     // The bus does these (bus/readdresstask.h).
     if (std::holds_alternative<intent::ResetModule>(intent))
-        return allowed(Request::ResetModule, module, [] { return Orders{}; });
+        return allowed(IntentKind::ResetModule, module, [] { return Orders{}; });
     if (std::holds_alternative<intent::SaveConfiguration>(intent))
-        return allowed(Request::ControlSc, module, [] { return Orders{}; });
+        return allowed(IntentKind::ControlSc, module, [] { return Orders{}; });
     if (module.isIo())
         return planIo(intent, module);
     Plan orders = module.isStepper() ? planStep(intent, module) : std::visit(Planner{module}, intent);
@@ -311,92 +312,92 @@ tl::expected<Orders, Refusal> plan(const Intent& intent, const ModuleState& modu
     return orders;
 }
 
-std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
+std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
     if (module.isStepper())
-        return whyNotStep(request, module);
+        return whyNotStep(kind, module);
     if (module.isIo())
-        return whyNotIo(request, module);
-    if (request == Request::Home)
+        return whyNotIo(kind, module);
+    if (kind == IntentKind::Home)
         return whyNotHome(module);
     if (!module.isServo())
         return Refusal::NotAServo;
-    if (const auto refusal = whyNotTold(request, module))
+    if (const auto refusal = whyNotTold(kind, module))
         return refusal;
 
-    switch (request) {
-        case Request::Enable:
+    switch (kind) {
+        case IntentKind::Enable:
             if (!module.latest->servoStatus().powerOn())
                 return Refusal::NoPower;
             return gainsAct(module) ? std::nullopt : std::optional(Refusal::GainsUnknown);
-        case Request::Move:
-            if (const auto refusal = whyNot(Request::Run, module))
+        case IntentKind::Move:
+            if (const auto refusal = whyNot(IntentKind::Run, module))
                 return refusal;
             return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
-        case Request::Load:  // changes nothing until it is started (DS-V 5.1, note 1)
+        case IntentKind::Load:  // changes nothing until it is started (DS-V 5.1, note 1)
             return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
-        case Request::GoHome:
+        case IntentKind::GoHome:
             if (!module.home.place())
                 return Refusal::HomeUnknown;
-            return whyNot(Request::Move, module);
-        case Request::Run:
-        case Request::Hold:
+            return whyNot(IntentKind::Move, module);
+        case IntentKind::Run:
+        case IntentKind::Hold:
             if (!module.servoOn())
                 return Refusal::ServoOff;
             return limitStopDue(module) ? std::optional(Refusal::LimitStopDue) : std::nullopt;
-        case Request::StopMotion:  // to a servo that is off a stop would switch it on
+        case IntentKind::StopMotion:  // to a servo that is off a stop would switch it on
             return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
-        case Request::ResetPosition:
-        case Request::ResetModule:
+        case IntentKind::ResetPosition:
+        case IntentKind::ResetModule:
             return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
-        case Request::DeclarePosition:
+        case IntentKind::DeclarePosition:
             return whyNotDeclare(module);
-        case Request::StartLoaded:
+        case IntentKind::StartLoaded:
             if (!module.loadWaiting)
                 return Refusal::NothingLoaded;
             if (const auto problem = loadedProblem(module))
                 return problem->refusal;
-            return whyNot(Request::Move, module);
-        case Request::StopHere:
+            return whyNot(IntentKind::Move, module);
+        case IntentKind::StopHere:
             if (module.info.identity.version < servo::kStopHereVersion)
                 return Refusal::VersionLacksIt;
             if (!module.latest->position)
                 return Refusal::PositionUnknown;
             return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
-        case Request::DrivePwm:
+        case IntentKind::DrivePwm:
             if (!module.latest->servoStatus().powerOn())
                 return Refusal::NoPower;
             return module.servoOn() ? std::optional(Refusal::ServoOn) : std::nullopt;
-        case Request::CheckDirection:
-            if (const auto refusal = whyNot(Request::DrivePwm, module))
+        case IntentKind::CheckDirection:
+            if (const auto refusal = whyNot(IntentKind::DrivePwm, module))
                 return refusal;
             if (!module.latest->position || !module.latest->aux)
                 return Refusal::PositionUnknown;
             return module.moving() || module.activity() == Activity::Turned ? std::optional(Refusal::Moving)
                                                                             : std::nullopt;
-        case Request::ControlIo:
+        case IntentKind::ControlIo:
             return module.info.identity.version < servo::kOtherIoVersion
                        ? std::nullopt
                        : std::optional(Refusal::VersionLacksIt);
-        case Request::ControlSc:
+        case IntentKind::ControlSc:
             if (!isSc(module.info.identity))
                 return Refusal::VersionLacksIt;
             if (module.servoOn())
                 return Refusal::ServoOn;
             return module.moving() || module.activity() == Activity::Turned ? std::optional(Refusal::Moving)
                                                                             : std::nullopt;
-        case Request::ArmLimitStop:
+        case IntentKind::ArmLimitStop:
             return module.info.identity.version < servo::kAutoStopVersion
                        ? std::optional(Refusal::VersionLacksIt)
                        : std::nullopt;
-        case Request::Home:  // above
-        case Request::SaveAsHome:
-        case Request::SetAmplifier:
-        case Request::MotorOff:
-        case Request::ApplyGains:
-        case Request::ClearStickyBits:
+        case IntentKind::Home:  // above
+        case IntentKind::SaveAsHome:
+        case IntentKind::SetAmplifier:
+        case IntentKind::MotorOff:
+        case IntentKind::ApplyGains:
+        case IntentKind::ClearStickyBits:
             return std::nullopt;
-        case Request::SetParameters:
-        case Request::SetOutputs:
+        case IntentKind::SetParameters:
+        case IntentKind::SetOutputs:
             return Refusal::NotAStepper;
     }
     return std::nullopt;
@@ -408,13 +409,13 @@ std::optional<Refusal> whyNotDeclare(const ModuleState& module) {
     return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
 }
 
-std::optional<Refusal> whyNotTold(Request request, const ModuleState& module) {
+std::optional<Refusal> whyNotTold(IntentKind kind, const ModuleState& module) {
     if (module.readOnly)
         return Refusal::ReadOnly;
-    if (module.rights && !allows(*module.rights, request))
+    if (module.rights && !allows(*module.rights, kind))
         return Refusal::OperatorMode;
     const bool heard = !module.silent && module.latest;
-    return heard || request == Request::MotorOff ? std::nullopt : std::optional(Refusal::Silent);
+    return heard || kind == IntentKind::MotorOff ? std::nullopt : std::optional(Refusal::Unresponsive);
 }
 
 std::optional<Refusal> whyNotTold(const LinkState& link) {

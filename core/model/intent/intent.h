@@ -184,7 +184,7 @@ enum class Refusal : std::uint8_t {
     NotAServo,
     NoMotor,  ///< a PIC-I/O
     NotAnIoModule,
-    Silent,
+    Unresponsive,
     NoPower,
     GainsUnknown,    ///< a servo with gains 0 or unknown would not hold
     ServoOff,        ///< enable first
@@ -234,7 +234,7 @@ enum class Refusal : std::uint8_t {
                                                                   const ModuleState& module);
 
 /// The kinds of request a panel shows a control for; values that are still being typed do not matter here.
-enum class Request : std::uint8_t {
+enum class IntentKind : std::uint8_t {
     Enable,
     Move,
     Load,  ///< a move, to be started later
@@ -262,14 +262,14 @@ enum class Request : std::uint8_t {
     SetParameters,
     SetOutputs  ///< of a PIC-I/O, too
 };
-[[nodiscard]] std::optional<Refusal> whyNot(Request request, const ModuleState& module);
+[[nodiscard]] std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module);
 
 /// Why nobody can say now that the counter is right, of either chip.
 [[nodiscard]] std::optional<Refusal> whyNotDeclare(const ModuleState& module);
 
 /// Why nothing at all can be told to this module, whoever asks for what: every rule asks this one first.
 /// MotorOff is worth trying whatever is believed of it.
-[[nodiscard]] std::optional<Refusal> whyNotTold(Request request, const ModuleState& module);
+[[nodiscard]] std::optional<Refusal> whyNotTold(IntentKind kind, const ModuleState& module);
 /// The same of the chain as a whole: its rate, its groups, its restart.
 [[nodiscard]] std::optional<Refusal> whyNotTold(const LinkState& link);
 

@@ -14,7 +14,7 @@ struct Planner {
     const ModuleState& module;
 
     Plan operator()(const iointent::SetDirection& set) const {
-        return allowed(Request::ControlIo, [&] {
+        return allowed(IntentKind::ControlIo, [&] {
             Orders orders = {step(io::SetDirection{set.inputs})};
             // Whether an input keeps what it was told as an output is not said: what becomes an output is
             // told its level on both sides of that.
@@ -28,28 +28,30 @@ struct Planner {
     Plan operator()(const iointent::SetOutput& set) const {
         const auto levels = module.latest ? module.pins.levels(*module.latest) : std::nullopt;
         if (!levels)
-            return tl::unexpected(Refusal::Silent);
+            return tl::unexpected(Refusal::Unresponsive);
         const unsigned bit = 1U << set.pin;
         const unsigned outputs = set.high ? *levels | bit : *levels & ~bit;
-        return allowed(Request::SetOutputs,
+        return allowed(IntentKind::SetOutputs,
                        [&] { return Orders{step(io::SetOutput{static_cast<std::uint16_t>(outputs)})}; });
     }
     Plan operator()(const iointent::SetPwm& set) const {
         auto values = module.pins.pwm().value_or(std::array<std::uint8_t, 2>{});
         values.at(set.output) = set.value;
-        return allowed(Request::SetOutputs, [&] { return Orders{step(io::SetPwm{values[0], values[1]})}; });
+        return allowed(IntentKind::SetOutputs, [&] {
+            return Orders{step(io::SetPwm{values[0], values[1]})};
+        });
     }
     Plan operator()(const iointent::SetTimer& set) const {
-        return allowed(Request::ControlIo, [&] { return Orders{step(set.mode)}; });
+        return allowed(IntentKind::ControlIo, [&] { return Orders{step(set.mode)}; });
     }
     Plan operator()(const iointent::StoreOutputs& store) const {
-        return allowed(Request::SetOutputs, [&] { return Orders{step(store.outputs)}; });
+        return allowed(IntentKind::SetOutputs, [&] { return Orders{step(store.outputs)}; });
     }
     Plan operator()(const iointent::SynchOutput&) const {
-        return allowed(Request::SetOutputs, [&] { return Orders{step(io::SynchOutput{})}; });
+        return allowed(IntentKind::SetOutputs, [&] { return Orders{step(io::SynchOutput{})}; });
     }
     Plan operator()(const iointent::SynchInput&) const {
-        return allowed(Request::ControlIo, [&] {
+        return allowed(IntentKind::ControlIo, [&] {
             return Orders{step(io::SynchInput{}), step(ReadStatus{kLatched})};
         });
     }
@@ -58,8 +60,8 @@ struct Planner {
 private:
     [[nodiscard]] bus::Order step(const IoCommand& command) const { return {module.info.index, command}; }
     template <typename MakeOrders>
-    [[nodiscard]] Plan allowed(Request request, MakeOrders makeOrders) const {
-        if (const auto refusal = whyNotIo(request, module))
+    [[nodiscard]] Plan allowed(IntentKind kind, MakeOrders makeOrders) const {
+        if (const auto refusal = whyNotIo(kind, module))
             return tl::unexpected(*refusal);
         return makeOrders();
     }
@@ -71,37 +73,37 @@ Plan planIo(const Intent& intent, const ModuleState& module) {
     return std::visit(Planner{module}, intent);
 }
 
-std::optional<Refusal> whyNotIo(Request request, const ModuleState& module) {
-    switch (request) {
-        case Request::SetOutputs:
-        case Request::ControlIo:
-        case Request::ResetModule:
-            return whyNotTold(request, module);
-        case Request::StartLoaded:  // of its group: Synch Output
-            if (const auto refusal = whyNotTold(request, module))
+std::optional<Refusal> whyNotIo(IntentKind kind, const ModuleState& module) {
+    switch (kind) {
+        case IntentKind::SetOutputs:
+        case IntentKind::ControlIo:
+        case IntentKind::ResetModule:
+            return whyNotTold(kind, module);
+        case IntentKind::StartLoaded:  // of its group: Synch Output
+            if (const auto refusal = whyNotTold(kind, module))
                 return refusal;
             return module.pins.stored() ? std::nullopt : std::optional(Refusal::NothingLoaded);
-        case Request::Enable:
-        case Request::Move:
-        case Request::Load:
-        case Request::GoHome:
-        case Request::Run:
-        case Request::Hold:
-        case Request::StopMotion:
-        case Request::MotorOff:
-        case Request::ApplyGains:
-        case Request::ClearStickyBits:
-        case Request::ResetPosition:
-        case Request::SaveAsHome:
-        case Request::DeclarePosition:
-        case Request::StopHere:
-        case Request::DrivePwm:
-        case Request::CheckDirection:
-        case Request::SetAmplifier:
-        case Request::ControlSc:
-        case Request::Home:
-        case Request::ArmLimitStop:
-        case Request::SetParameters:
+        case IntentKind::Enable:
+        case IntentKind::Move:
+        case IntentKind::Load:
+        case IntentKind::GoHome:
+        case IntentKind::Run:
+        case IntentKind::Hold:
+        case IntentKind::StopMotion:
+        case IntentKind::MotorOff:
+        case IntentKind::ApplyGains:
+        case IntentKind::ClearStickyBits:
+        case IntentKind::ResetPosition:
+        case IntentKind::SaveAsHome:
+        case IntentKind::DeclarePosition:
+        case IntentKind::StopHere:
+        case IntentKind::DrivePwm:
+        case IntentKind::CheckDirection:
+        case IntentKind::SetAmplifier:
+        case IntentKind::ControlSc:
+        case IntentKind::Home:
+        case IntentKind::ArmLimitStop:
+        case IntentKind::SetParameters:
             break;
     }
     return Refusal::NoMotor;

@@ -15,7 +15,7 @@ namespace {
 [[nodiscard]] std::optional<Refusal> whyNotTest(const ModuleState& module,
                                                 const std::optional<servo::SetGain>& gains,
                                                 std::int64_t error, std::int64_t low, std::int64_t high) {
-    if (const auto refusal = whyNot(Request::Move, module))
+    if (const auto refusal = whyNot(IntentKind::Move, module))
         return refusal;
     if (!gains)
         return Refusal::GainsUnknown;
@@ -50,7 +50,7 @@ std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleSt
     const std::int64_t counts = wanted.counts;
     if (const auto refusal = whyNotTest(module, gains, std::abs(counts), counts, counts))
         return refusal;
-    if (const auto refusal = wanted.gains ? whyNot(Request::ApplyGains, module) : std::nullopt)
+    if (const auto refusal = wanted.gains ? whyNot(IntentKind::ApplyGains, module) : std::nullopt)
         return refusal;
     if (wanted.way == ResponseMethod::StopHere && module.info.identity.version < servo::kStopHereVersion)
         return Refusal::VersionLacksIt;

@@ -5,39 +5,39 @@
 
 namespace nmc {
 
-bool allows(const OperatorRights& rights, Request request) {
-    switch (request) {
-        case Request::StopMotion:
-        case Request::MotorOff:
+bool allows(const OperatorRights& rights, IntentKind kind) {
+    switch (kind) {
+        case IntentKind::StopMotion:
+        case IntentKind::MotorOff:
             return true;
-        case Request::Enable:
-        case Request::ClearStickyBits:
+        case IntentKind::Enable:
+        case IntentKind::ClearStickyBits:
             return rights.enable;
-        case Request::Hold:
+        case IntentKind::Hold:
             return rights.jog;
-        case Request::Move:
-        case Request::Load:
-        case Request::GoHome:
-        case Request::Run:
-        case Request::StartLoaded:
+        case IntentKind::Move:
+        case IntentKind::Load:
+        case IntentKind::GoHome:
+        case IntentKind::Run:
+        case IntentKind::StartLoaded:
             return rights.moves;
-        case Request::Home:
-        case Request::ResetPosition:
-        case Request::SaveAsHome:
+        case IntentKind::Home:
+        case IntentKind::ResetPosition:
+        case IntentKind::SaveAsHome:
             return rights.homing;
-        case Request::SetOutputs:
+        case IntentKind::SetOutputs:
             return rights.outputs;
-        case Request::ApplyGains:
-        case Request::StopHere:  // it lets the motor turn to another place
-        case Request::DrivePwm:
-        case Request::CheckDirection:
-        case Request::SetAmplifier:
-        case Request::ControlIo:
-        case Request::ControlSc:
-        case Request::ArmLimitStop:
-        case Request::SetParameters:
-        case Request::ResetModule:
-        case Request::DeclarePosition:
+        case IntentKind::ApplyGains:
+        case IntentKind::StopHere:  // it lets the motor turn to another place
+        case IntentKind::DrivePwm:
+        case IntentKind::CheckDirection:
+        case IntentKind::SetAmplifier:
+        case IntentKind::ControlIo:
+        case IntentKind::ControlSc:
+        case IntentKind::ArmLimitStop:
+        case IntentKind::SetParameters:
+        case IntentKind::ResetModule:
+        case IntentKind::DeclarePosition:
             return false;
     }
     return false;

@@ -11,7 +11,7 @@ namespace nmc {
 /// What operator mode leaves to an operator, and to what the panel does by itself, is said here and nowhere
 /// else; empty rights are everything. Pure; any thread.
 
-[[nodiscard]] bool allows(const OperatorRights& rights, Request request);
+[[nodiscard]] bool allows(const OperatorRights& rights, IntentKind kind);
 
 /// Why what is kept of the machine cannot be changed: axes, points, sequences, groups, what is expected of
 /// the chain.

@@ -41,7 +41,7 @@ struct GoalOf {
 };
 
 /// What keeps it from moving at all, whatever is asked for.
-[[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module, Request as) {
+[[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module, IntentKind as) {
     const StepperState& stepper = module.stepper;
     if (const auto refusal = whyNotTold(as, module))
         return refusal;
@@ -124,22 +124,22 @@ struct Planner {
 
     Plan operator()(const intent::Enable&) const {
         // Nothing but AMP_EN: it stands, and is held by the holding current (DS-S 5.1, 4.6).
-        return allowed(whyNotStep(Request::Enable, module), [this] {
+        return allowed(whyNotStep(IntentKind::Enable, module), [this] {
             return stepsFor(module, stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
         });
     }
     Plan operator()(const intent::StopSmoothly&) const {
-        return allowed(whyNotStep(Request::StopMotion, module),
+        return allowed(whyNotStep(IntentKind::StopMotion, module),
                        [this] { return Orders{smoothStop(module)}; });
     }
     Plan operator()(const intent::StopAbruptly&) const {
-        return allowed(whyNotStep(Request::StopMotion, module), [this] {
+        return allowed(whyNotStep(IntentKind::StopMotion, module), [this] {
             return stepsFor(module,
                             stepper::StopMotor{module.stepper.amplifierOn(), stepper::StopManner::Abruptly});
         });
     }
     Plan operator()(const intent::MotorOff&) const {
-        return allowed(whyNotStep(Request::MotorOff, module), [this] {
+        return allowed(whyNotStep(IntentKind::MotorOff, module), [this] {
             return stepsFor(module, stepper::StopMotor{false, stepper::StopManner::Abruptly});
         });
     }
@@ -147,25 +147,25 @@ struct Planner {
         return amplifier.enable ? (*this)(intent::Enable{}) : (*this)(intent::MotorOff{});
     }
     Plan operator()(const intent::ResetPosition&) const {
-        return allowed(whyNotStep(Request::ResetPosition, module),
+        return allowed(whyNotStep(IntentKind::ResetPosition, module),
                        [this] { return stepsFor(module, nmc::ResetPosition{}); });
     }
     Plan operator()(const intent::SaveAsHome&) const {
-        return allowed(whyNotStep(Request::SaveAsHome, module),
+        return allowed(whyNotStep(IntentKind::SaveAsHome, module),
                        [this] { return stepsFor(module, nmc::SaveAsHome{}); });
     }
     Plan operator()(const intent::StartLoaded&) const {
-        return allowed(whyNotStep(Request::StartLoaded, module),
+        return allowed(whyNotStep(IntentKind::StartLoaded, module),
                        [this] { return stepsFor(module, StartMotion{}); });
     }
     Plan operator()(const intent::DeclarePosition&) const {
-        return allowed(whyNotStep(Request::DeclarePosition, module), [] { return Orders{}; });
+        return allowed(whyNotStep(IntentKind::DeclarePosition, module), [] { return Orders{}; });
     }
     Plan operator()(const stepperintent::SetParameters& set) const {
         return allowed(whyNotSet(set.parameters, module), [&] { return stepsFor(module, set.parameters); });
     }
     Plan operator()(const stepperintent::SetOutputs& set) const {
-        return allowed(whyNotStep(Request::SetOutputs, module),
+        return allowed(whyNotStep(IntentKind::SetOutputs, module),
                        [&] { return stepsFor(module, stepper::SetOutputs{set.outputs}); });
     }
     Plan operator()(const stepperintent::Move& move) const {
@@ -184,12 +184,12 @@ struct Planner {
     Plan operator()(const stepperintent::MoveBy& moveBy) const {
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
-        if (const auto refusal = whyNotStep(Request::Move, module))
+        if (const auto refusal = whyNotStep(IntentKind::Move, module))
             return tl::unexpected(*refusal);
         return allowed(whyNotFromStandstill(motionOf(moveBy), module), [] { return Orders{}; });
     }
     Plan operator()(const stepperintent::GoHome& home) const {
-        if (const auto refusal = whyNotStep(Request::GoHome, module))
+        if (const auto refusal = whyNotStep(IntentKind::GoHome, module))
             return tl::unexpected(*refusal);
         return (*this)(stepperintent::Move{*motionOf(home, module)});
     }
@@ -287,55 +287,55 @@ Plan planStep(const Intent& intent, const ModuleState& module) {
     return std::visit(Planner{module}, intent);
 }
 
-std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
-    if (const auto refusal = whyNotTold(request, module))
+std::optional<Refusal> whyNotStep(IntentKind kind, const ModuleState& module) {
+    if (const auto refusal = whyNotTold(kind, module))
         return refusal;
-    switch (request) {
-        case Request::Enable:
-        case Request::SetAmplifier:
+    switch (kind) {
+        case IntentKind::Enable:
+        case IntentKind::SetAmplifier:
             return whyNotEnable(module);
-        case Request::Move:
-            if (const auto refusal = whyNoMotion(module, request))
+        case IntentKind::Move:
+            if (const auto refusal = whyNoMotion(module, kind))
                 return refusal;
             return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
-        case Request::Load:
-        case Request::Run:
-        case Request::Hold:
-            return whyNoMotion(module, request);
-        case Request::StartLoaded:
+        case IntentKind::Load:
+        case IntentKind::Run:
+        case IntentKind::Hold:
+            return whyNoMotion(module, kind);
+        case IntentKind::StartLoaded:
             return whyNotStart(module);
-        case Request::ResetPosition:
-        case Request::ResetModule:
+        case IntentKind::ResetPosition:
+        case IntentKind::ResetModule:
             return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
-        case Request::StopMotion:
-        case Request::MotorOff:
-        case Request::SaveAsHome:
-        case Request::SetParameters:
-        case Request::SetOutputs:
+        case IntentKind::StopMotion:
+        case IntentKind::MotorOff:
+        case IntentKind::SaveAsHome:
+        case IntentKind::SetParameters:
+        case IntentKind::SetOutputs:
             return std::nullopt;
-        case Request::DeclarePosition:
+        case IntentKind::DeclarePosition:
             return whyNotDeclare(module);
-        case Request::GoHome:
-            if (const auto refusal = whyNotStep(Request::Move, module))
+        case IntentKind::GoHome:
+            if (const auto refusal = whyNotStep(IntentKind::Move, module))
                 return refusal;
             return module.home.place() ? std::nullopt : std::optional(Refusal::HomeUnknown);
-        case Request::ApplyGains:
-        case Request::ClearStickyBits:
-        case Request::StopHere:
-        case Request::DrivePwm:
-        case Request::CheckDirection:
-        case Request::ControlIo:
-        case Request::ControlSc:
-        case Request::ArmLimitStop:
+        case IntentKind::ApplyGains:
+        case IntentKind::ClearStickyBits:
+        case IntentKind::StopHere:
+        case IntentKind::DrivePwm:
+        case IntentKind::CheckDirection:
+        case IntentKind::ControlIo:
+        case IntentKind::ControlSc:
+        case IntentKind::ArmLimitStop:
             return Refusal::NotAServo;
-        case Request::Home:
+        case IntentKind::Home:
             return whyNotHome(module);
     }
     return std::nullopt;
 }
 
 std::optional<Refusal> whyNotFromStandstill(const StepperMotion& motion, const ModuleState& module,
-                                            Request as) {
+                                            IntentKind as) {
     if (const auto refusal = whyNoMotion(module, as))
         return refusal;
     if (const auto refusal = whyNotThatFar(motion, module))
@@ -348,7 +348,7 @@ std::optional<Refusal> whyNotFromStandstill(const StepperMotion& motion, const M
     return std::nullopt;
 }
 
-std::optional<Refusal> whyNot(const StepperMotion& wanted, const ModuleState& module, Request as) {
+std::optional<Refusal> whyNot(const StepperMotion& wanted, const ModuleState& module, IntentKind as) {
     if (const auto refusal = whyNotFromStandstill(wanted, module, as))
         return refusal;
     const StepperMotion motion = withinTravel(wanted, module);
@@ -369,7 +369,7 @@ std::optional<Refusal> whyNot(const StepperMotion& wanted, const ModuleState& mo
 }
 
 std::optional<Refusal> whyNotSet(const stepper::SetParameters& parameters, const ModuleState& module) {
-    if (const auto refusal = whyNotStep(Request::SetParameters, module))
+    if (const auto refusal = whyNotStep(IntentKind::SetParameters, module))
         return refusal;
     const auto& now = module.stepper.parameters();
     const bool inMotion = now && stepper::sameInMotion(*now, parameters);
@@ -378,7 +378,7 @@ std::optional<Refusal> whyNotSet(const stepper::SetParameters& parameters, const
 
 std::optional<Refusal> whyNotStarted(const stepper::LoadTrajectory& load, const ModuleState& module) {
     const StepperState& stepper = module.stepper;
-    if (const auto refusal = whyNoMotion(module, Request::StartLoaded))
+    if (const auto refusal = whyNoMotion(module, IntentKind::StartLoaded))
         return refusal;
     const bool reverse =
         load.position ? load.position->value() < stepper.position().value_or(0) : load.reverse;

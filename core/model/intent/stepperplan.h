@@ -10,16 +10,16 @@ namespace nmc {
 /// plan() and whyNot() of a PIC-STEP.
 [[nodiscard]] tl::expected<std::vector<bus::Order>, Refusal> planStep(const Intent& intent,
                                                                       const ModuleState& module);
-[[nodiscard]] std::optional<Refusal> whyNotStep(Request request, const ModuleState& module);
+[[nodiscard]] std::optional<Refusal> whyNotStep(IntentKind kind, const ModuleState& module);
 
 /// Why a motion cannot be started now. NeedsStop: stepperintent::ChangeMotion could do it. `as`: what it is
 /// asked for as, Move or Hold.
 [[nodiscard]] std::optional<Refusal> whyNot(const StepperMotion& motion, const ModuleState& module,
-                                            Request as = Request::Move);
+                                            IntentKind as = IntentKind::Move);
 /// As if it stood still already.
 [[nodiscard]] std::optional<Refusal> whyNotFromStandstill(const StepperMotion& motion,
                                                           const ModuleState& module,
-                                                          Request as = Request::Move);
+                                                          IntentKind as = IntentKind::Move);
 
 /// The first of its moves, and the way home; where home is not known, there is none.
 [[nodiscard]] StepperMotion motionOf(const stepperintent::MoveBy& moveBy);

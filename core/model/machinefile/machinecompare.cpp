@@ -262,10 +262,10 @@ std::optional<Intent> intentOf(const AxisSettings& axis, MachinePart part, const
 
 std::optional<Refusal> whyNotSent(MachinePart part, const ModuleState& module) {
     if (part == MachinePart::Parameters)
-        return whyNot(Request::SetParameters, module);
+        return whyNot(IntentKind::SetParameters, module);
     if (part == MachinePart::Io && isSc(module.info.identity))
-        return whyNot(Request::ControlSc, module);
-    return whyNot(part == MachinePart::Io ? Request::ControlIo : Request::ApplyGains, module);
+        return whyNot(IntentKind::ControlSc, module);
+    return whyNot(part == MachinePart::Io ? IntentKind::ControlIo : IntentKind::ApplyGains, module);
 }
 
 /// Compares axis by axis what the file says with what is.

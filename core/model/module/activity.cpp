@@ -7,7 +7,7 @@ Severity severityOf(Activity activity) {
     switch (activity) {
         case Activity::Tripped:
         case Activity::PowerLost:
-        case Activity::Silent:
+        case Activity::Unresponsive:
         case Activity::Restarted:
         case Activity::Overheated:
         case Activity::WentOff:

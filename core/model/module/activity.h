@@ -8,7 +8,7 @@ namespace nmc {
 /// What a module is doing, as an operator would say it. Each has a word and a shape in the window.
 enum class Activity : std::uint8_t {
     Unknown,       ///< no status yet, or a module without a data sheet here
-    Silent,        ///< does not answer: moving or not is unknown
+    Unresponsive,  ///< does not answer: moving or not is unknown
     Restarted,     ///< by itself: it is off, and has lost its address and everything it was told
     NoPower,       ///< motor power is off, so the motor is off
     ServoOff,      ///< no fault: nobody switched it on, or it was switched off

@@ -8,7 +8,7 @@ namespace nmc {
 namespace {
 
 using Finding = ChainDiagnosis::Finding;
-using Verdict = ChainPlace::Verdict;
+using State = ChainPlace::State;
 
 ChainPlace placeOf(std::size_t index, const Machine& machine, const LinkState& link) {
     ChainPlace place;
@@ -18,25 +18,25 @@ ChainPlace placeOf(std::size_t index, const Machine& machine, const LinkState& l
         place.expected = machine.axes[index].expected;
     }
     if (index >= link.modules.size()) {
-        place.verdict = Verdict::Missing;
+        place.state = State::Missing;
         return place;
     }
     const ModuleState& module = link.modules[index];
     place.found = module.info.identity;
     if (module.hasRestarted)
-        place.verdict = Verdict::Restarted;
+        place.state = State::Restarted;
     else if (!isLive(link, module))
-        place.verdict = Verdict::Silent;
+        place.state = State::Unresponsive;
     else if (!place.expected)
-        place.verdict = Verdict::New;
+        place.state = State::New;
     else if (*place.expected != *place.found)
-        place.verdict = Verdict::Different;
+        place.state = State::Different;
     return place;
 }
 
-std::optional<ModuleIndex> firstWith(const std::vector<ChainPlace>& places, Verdict verdict) {
-    const auto place = std::find_if(places.begin(), places.end(),
-                                    [verdict](const ChainPlace& p) { return p.verdict == verdict; });
+std::optional<ModuleIndex> firstWith(const std::vector<ChainPlace>& places, State state) {
+    const auto place =
+        std::find_if(places.begin(), places.end(), [state](const ChainPlace& p) { return p.state == state; });
     return place == places.end() ? std::nullopt : std::optional(place->module);
 }
 
@@ -52,14 +52,14 @@ bool isTail(const ChainDiagnosis& chain) {
 }
 
 void conclude(ChainDiagnosis& chain) {
-    for (const auto& [verdict, finding] :
-         {std::pair{Verdict::Restarted, Finding::Restarted}, std::pair{Verdict::Silent, Finding::Silent}})
-        if (const auto at = firstWith(chain.places, verdict)) {
+    for (const auto& [state, finding] : {std::pair{State::Restarted, Finding::Restarted},
+                                         std::pair{State::Unresponsive, Finding::Unresponsive}})
+        if (const auto at = firstWith(chain.places, state)) {
             chain.finding = finding;
             chain.at = at;
             return;
         }
-    const auto different = firstWith(chain.places, Verdict::Different);
+    const auto different = firstWith(chain.places, State::Different);
     if (different && isTail(chain)) {
         chain.finding = Finding::FarEndMissing;
     } else if (different) {
@@ -74,7 +74,7 @@ void conclude(ChainDiagnosis& chain) {
         chain.finding = Finding::NothingExpected;
     } else if (chain.found > chain.expected) {
         chain.finding = Finding::MoreThanBefore;
-        chain.at = firstWith(chain.places, Verdict::New);
+        chain.at = firstWith(chain.places, State::New);
     } else {
         chain.finding = Finding::Fine;
     }

@@ -13,19 +13,19 @@ namespace nmc {
 
 /// One place of the chain: what the user's machine has there, and what answers.
 struct ChainPlace {
-    enum class Verdict : std::uint8_t {
+    enum class State : std::uint8_t {
         Fine,
-        New,        ///< nothing was expected here
-        Different,  ///< another type or version
-        Missing,    ///< expected, and did not answer when the chain was found
-        Silent,     ///< was found, and does not answer any more
+        New,           ///< nothing was expected here
+        Different,     ///< another type or version
+        Missing,       ///< expected, and did not answer when the chain was found
+        Unresponsive,  ///< was found, and does not answer any more
         Restarted,
     };
     ModuleIndex module;
     std::string name;
     std::optional<ModuleIdentity> expected;
     std::optional<ModuleIdentity> found;
-    Verdict verdict = Verdict::Fine;
+    State state = State::Fine;
 
     bool operator==(const ChainPlace&) const = default;
 };
@@ -43,7 +43,7 @@ struct ChainDiagnosis {
                          ///< module
         OtherHardware,   ///< types or versions are others, from `at` on
         MoreThanBefore,  ///< `at` is the first new one
-        Silent,          ///< `at` and perhaps others stopped answering
+        Unresponsive,    ///< `at` and perhaps others stopped answering
         Restarted,       ///< `at` did, and what lies behind it towards the PC may be deaf
     };
     Finding finding = Finding::NotConnected;

@@ -52,7 +52,7 @@ void HomeFact::apply(const bus::CommandExecuted& executed) {
 }
 
 std::optional<std::int32_t> HomeFact::shift(const bus::ModuleCommand& command) const {
-    if (!m_look)
+    if (!m_latest)
         return std::nullopt;
     if (bus::is<servo::ResetRelativeToHome>(command))
         return m_register ? std::optional(countsBetween(*m_register, 0)) : std::nullopt;
@@ -60,11 +60,11 @@ std::optional<std::int32_t> HomeFact::shift(const bus::ModuleCommand& command) c
     if (const auto* own = std::get_if<ServoCommand>(&command))
         if (const auto* set = std::get_if<servo::SetPosition>(own))
             to = set->position.value();
-    return countsBetween(m_look->position, to);
+    return countsBetween(m_latest->position, to);
 }
 
 void HomeFact::counterMoved(TimePoint time, std::optional<std::int32_t> by) {
-    const bool stood = m_look && m_look->still && m_look->time < time && time - m_look->time < kFresh;
+    const bool stood = m_latest && m_latest->still && m_latest->time < time && time - m_latest->time < kFresh;
     if (!stood || !by)
         forget();
     const auto move = [&](std::int32_t counts) { return countsBetween(countsBetween(*by, 0), counts); };
@@ -73,7 +73,7 @@ void HomeFact::counterMoved(TimePoint time, std::optional<std::int32_t> by) {
     if (m_offered)
         m_offered = move(*m_offered);
     m_saved.reset();
-    m_look.reset();
+    m_latest.reset();
 }
 
 void HomeFact::apply(const bus::Sample& sample) {
@@ -81,7 +81,7 @@ void HomeFact::apply(const bus::Sample& sample) {
         forget();
     if (sample.report.position) {
         const std::int32_t position = *sample.report.position;
-        m_look = Look{sample.time, position, m_look && samePlace(m_look->position, position)};
+        m_latest = Reading{sample.time, position, m_latest && samePlace(m_latest->position, position)};
     }
     if (sample.report.home)
         m_register = sample.report.home;

@@ -55,19 +55,19 @@ private:
     void counterMoved(TimePoint time, std::optional<std::int32_t> by);
     [[nodiscard]] std::optional<std::int32_t> shift(const bus::ModuleCommand& command) const;
 
-    struct Look {
+    struct Reading {
         TimePoint time;
         std::int32_t position = 0;
-        bool still = false;  ///< where it was the look before
+        bool still = false;  ///< where it was at the reading before
     };
 
     std::optional<Place> m_place;
     std::optional<std::int32_t> m_offered;
-    /// Save as home was carried out then; where that was, the register tells, in two looks that agree.
+    /// Save as home was carried out then; where that was, the register tells, in two readings that agree.
     std::optional<TimePoint> m_saved;
     std::optional<std::int32_t> m_reading;
     std::optional<std::int32_t> m_register;  ///< as told last
-    std::optional<Look> m_look;
+    std::optional<Reading> m_latest;
 };
 
 }  // namespace nmc

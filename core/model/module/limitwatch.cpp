@@ -3,13 +3,13 @@
 
 namespace nmc {
 
-void LimitWatch::apply(const Look& look) {
-    for (std::size_t i = 0; i < look.closed.size(); ++i) {
+void LimitWatch::apply(const Reading& reading) {
+    for (std::size_t i = 0; i < reading.closed.size(); ++i) {
         const bool justClosed = m_seen && !m_closed[i];
-        const bool met = (justClosed && look.moves) || look.ended;
-        m_ranInto[i] = look.closed[i] && (m_ranInto[i] || (met && !look.expected[i]));
+        const bool met = (justClosed && reading.moves) || reading.ended;
+        m_ranInto[i] = reading.closed[i] && (m_ranInto[i] || (met && !reading.expected[i]));
     }
-    m_closed = look.closed;
+    m_closed = reading.closed;
     m_seen = true;
 }
 

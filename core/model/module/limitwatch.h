@@ -13,14 +13,14 @@ class LimitWatch {
 public:
     using Limits = std::array<bool, 2>;  ///< limit 1, limit 2
 
-    struct Look {
+    struct Reading {
         Limits closed{};
         bool moves = false;  ///< at this status or at the one before
         bool ended = false;  ///< one of them has just ended a motion
         Limits expected{};   ///< the chip watched for it until now
     };
     /// Of each status.
-    void apply(const Look& look);
+    void apply(const Reading& reading);
 
     /// Limit 1 is 0.
     [[nodiscard]] bool ranInto(std::size_t limit) const { return m_ranInto.at(limit); }

@@ -18,7 +18,7 @@ constexpr Duration kSilence = 1s;
 void MeasuredSpeed::apply(TimePoint time, std::int32_t position) {
     if (m_latest && (time <= m_latest->time || time - m_latest->time > kSilence))
         forget();
-    m_latest = Look{time, position};
+    m_latest = Reading{time, position};
     if (!m_anchor) {
         m_anchor = m_latest;
     } else if (time - m_anchor->time >= kAnchored) {

@@ -22,13 +22,13 @@ public:
     [[nodiscard]] std::optional<double> perSecond() const;
 
 private:
-    struct Look {
+    struct Reading {
         TimePoint time;
         std::int32_t position = 0;
     };
-    std::optional<Look> m_latest;
-    std::optional<Look> m_anchor;  ///< at most 0.1 s before the latest
-    std::optional<Look> m_before;  ///< the anchor before that
+    std::optional<Reading> m_latest;
+    std::optional<Reading> m_anchor;  ///< at most 0.1 s before the latest
+    std::optional<Reading> m_before;  ///< the anchor before that
 };
 
 }  // namespace nmc

@@ -135,7 +135,7 @@ void ModuleState::wentOff() {
     motion = MotionMode::None;
 }
 
-TripWatch::Look ModuleState::tripLook() const {
+TripWatch::Reading ModuleState::tripLook() const {
     const auto [limit1, limit2] = closedLimits();
     return {latestTime, *latest->position, limit1, limit2};
 }
@@ -426,7 +426,7 @@ Activity ModuleState::activity() const {
     if (hasRestarted)
         return Activity::Restarted;
     if (silent)
-        return Activity::Silent;
+        return Activity::Unresponsive;
     if (isStepper() && latest)
         return stepper.activity();
     if (isIo() && latest)

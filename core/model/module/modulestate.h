@@ -150,7 +150,7 @@ private:
     [[nodiscard]] LimitWatch::Limits closedLimits() const;
     void wentOff();
     void noteCommand(TimePoint time, int direction, double velocity);
-    [[nodiscard]] TripWatch::Look tripLook() const;
+    [[nodiscard]] TripWatch::Reading tripLook() const;
     [[nodiscard]] Activity activityWhileOff() const;
     [[nodiscard]] Activity activityWhileOn() const;
 

@@ -15,7 +15,7 @@ constexpr Duration kWindow = std::chrono::milliseconds(1'000);
 constexpr Duration kMinSpan = std::chrono::milliseconds(800);
 constexpr Duration kBetween = std::chrono::milliseconds(200);
 /// Where it is looked at rarely, they go farther back than the window.
-constexpr std::ptrdiff_t kFewestLooks = 12;
+constexpr std::ptrdiff_t kFewestReadings = 12;
 constexpr std::size_t kFewestForRate = 16;
 /// Counts to either side: friction and Ki make a good servo creep by a few.
 constexpr double kMinAmplitude = 8.0;
@@ -25,8 +25,8 @@ constexpr double kStays = 0.7;
 constexpr double kOneRate = 0.5;
 
 /// Half of the way from the lowest to the highest.
-template <typename Looks>
-double reach(const Looks& begin, const Looks& end) {
+template <typename Readings>
+double reach(const Readings& begin, const Readings& end) {
     const auto [low, high] =
         std::minmax_element(begin, end, [](const auto& a, const auto& b) { return a.position < b.position; });
     return (static_cast<double>(high->position) - static_cast<double>(low->position)) / 2.0;
@@ -50,26 +50,26 @@ struct Sine {
 };
 
 /// The best of the sines about the mean whose rates begin at `from` and lie `step` apart (least squares; the
-/// times are uneven). From one rate to the next each look is turned on by a product: sines and cosines anew
-/// would hold the window up.
+/// times are uneven). From one rate to the next each reading is turned on by a product: sines and cosines
+/// anew would hold the window up.
 Sine bestSine(const std::vector<double>& seconds, const std::vector<double>& off, double from, double to,
               double step) {
     struct Turning {
         double c, s, byC, byS;
     };
-    std::vector<Turning> looks;
+    std::vector<Turning> readings;
     double yy = 0;
     for (std::size_t i = 0; i < seconds.size(); ++i) {
         const double first = 2.0 * std::numbers::pi * from * seconds[i];
         const double by = 2.0 * std::numbers::pi * step * seconds[i];
-        looks.push_back({std::cos(first), std::sin(first), std::cos(by), std::sin(by)});
+        readings.push_back({std::cos(first), std::sin(first), std::cos(by), std::sin(by)});
         yy += off[i] * off[i];
     }
     Sine best;
     for (double hertz = from; hertz < to && yy > 0; hertz += step) {
         double cc = 0, cs = 0, ss = 0, cy = 0, sy = 0;
-        for (std::size_t i = 0; i < looks.size(); ++i) {
-            auto& [c, s, byC, byS] = looks[i];
+        for (std::size_t i = 0; i < readings.size(); ++i) {
+            auto& [c, s, byC, byS] = readings[i];
             cc += c * c;
             cs += c * s;
             ss += s * s;
@@ -93,20 +93,20 @@ Sine bestSine(const std::vector<double>& seconds, const std::vector<double>& off
 }  // namespace
 
 void SwingWatch::forget() {
-    m_looks.clear();
+    m_readings.clear();
     m_swing.reset();
     m_lookedInto = {};
 }
 
 void SwingWatch::look(TimePoint time, std::int32_t position) {
-    if (!m_looks.empty() && time <= m_looks.back().time)
+    if (!m_readings.empty() && time <= m_readings.back().time)
         return;
-    m_looks.push_back({time, position});
-    auto kept = m_looks.begin();
-    while (time - kept->time > kWindow && m_looks.end() - kept > kFewestLooks)
+    m_readings.push_back({time, position});
+    auto kept = m_readings.begin();
+    while (time - kept->time > kWindow && m_readings.end() - kept > kFewestReadings)
         ++kept;
-    m_looks.erase(m_looks.begin(), kept);
-    if (time - m_lookedInto < kBetween || time - m_looks.front().time < kMinSpan)
+    m_readings.erase(m_readings.begin(), kept);
+    if (time - m_lookedInto < kBetween || time - m_readings.front().time < kMinSpan)
         return;
     m_lookedInto = time;
     m_swing = lookInto();
@@ -114,32 +114,32 @@ void SwingWatch::look(TimePoint time, std::int32_t position) {
 
 int SwingWatch::turnsAbout(std::int32_t centre, double gate) const {
     std::vector<double> off;
-    for (const Look& one : m_looks)
+    for (const Reading& one : m_readings)
         off.push_back(static_cast<double>(countsBetween(centre, one.position)));
     return turns(off, gate);
 }
 
 std::optional<SwingWatch::Swing> SwingWatch::lookInto() const {
-    if (std::ssize(m_looks) < kFewestLooks)
+    if (std::ssize(m_readings) < kFewestReadings)
         return std::nullopt;
-    const auto middle = m_looks.begin() + static_cast<std::ptrdiff_t>(m_looks.size() / 2);
-    const double now = reach(middle, m_looks.end());
-    const double before = reach(m_looks.begin(), middle);
+    const auto middle = m_readings.begin() + static_cast<std::ptrdiff_t>(m_readings.size() / 2);
+    const double now = reach(middle, m_readings.end());
+    const double before = reach(m_readings.begin(), middle);
     if (now < kMinAmplitude || before < kMinAmplitude || now < kStays * before)
         return std::nullopt;
     double mean = 0;
-    for (const Look& one : m_looks)
+    for (const Reading& one : m_readings)
         mean += one.position;
-    mean /= static_cast<double>(m_looks.size());
+    mean /= static_cast<double>(m_readings.size());
     // A creep to one side is none: it has to come by from both sides, again and again.
     std::vector<double> seconds, off;
-    for (const Look& one : m_looks) {
+    for (const Reading& one : m_readings) {
         off.push_back(one.position - mean);
-        seconds.push_back(toSeconds(one.time - m_looks.front().time));
+        seconds.push_back(toSeconds(one.time - m_readings.front().time));
     }
     if (turns(off, now / 3) < 3)
         return std::nullopt;
-    if (m_looks.size() < kFewestForRate)
+    if (m_readings.size() < kFewestForRate)
         return Swing{now, std::nullopt};
     const double span = seconds.back();
     const double between = span / static_cast<double>(seconds.size() - 1);

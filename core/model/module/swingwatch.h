@@ -34,13 +34,13 @@ public:
     [[nodiscard]] int turnsAbout(std::int32_t centre, double gate) const;
 
 private:
-    struct Look {
+    struct Reading {
         TimePoint time;
         std::int32_t position = 0;
     };
     [[nodiscard]] std::optional<Swing> lookInto() const;
 
-    std::vector<Look> m_looks;  ///< oldest first; a vector, since states are copied, and most hold none
+    std::vector<Reading> m_readings;  ///< oldest first; a vector, since states are copied, and most hold none
     std::optional<Swing> m_swing;
     TimePoint m_lookedInto{};
 };

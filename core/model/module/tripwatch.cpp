@@ -43,16 +43,16 @@ void TripWatch::apply(const Command& command) {
     m_farthest = m_rearmost = 0;
 }
 
-void TripWatch::apply(const Look& look) {
-    m_last = look;
+void TripWatch::apply(const Reading& reading) {
+    m_last = reading;
     if (!m_first)
-        m_first = look;
-    const std::int64_t moved = countsBetween(m_first->position, look.position);
+        m_first = reading;
+    const std::int64_t moved = countsBetween(m_first->position, reading.position);
     m_farthest = std::max(m_farthest, moved);
     m_rearmost = std::min(m_rearmost, moved);
 }
 
-std::optional<TripFacts> TripWatch::facts(const Look& off, std::int32_t errorLimit) const {
+std::optional<TripFacts> TripWatch::facts(const Reading& off, std::int32_t errorLimit) const {
     if (!m_command || !m_first || !m_last)
         return std::nullopt;
     TripFacts f;

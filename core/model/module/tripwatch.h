@@ -34,7 +34,7 @@ struct TripFacts {
     std::int64_t moved = 0;     ///< from the command to the trip
     std::int64_t farthest = 0;  ///< forward of where it was at the command
     std::int64_t rearmost = 0;  ///< in reverse of that, negative
-    double speed = 0.0;         ///< between the last two looks, counts per s; its magnitude
+    double speed = 0.0;         ///< between the last two readings, counts per s; its magnitude
     bool limit1Closed = false;  ///< since the command
     bool limit2Closed = false;
 };
@@ -46,7 +46,7 @@ struct TripFacts {
 /// events. Pure.
 class TripWatch {
 public:
-    struct Look {
+    struct Reading {
         TimePoint time;
         std::int32_t position = 0;
         bool limit1 = false;  ///< active, of an input
@@ -62,16 +62,16 @@ public:
 
     void apply(const Command& command);
     /// Of every status.
-    void apply(const Look& look);
+    void apply(const Reading& reading);
     /// Its position was set: what was seen before does not count.
     void forget() { *this = {}; }
     /// `off`: the status that told of the trip, not applied yet. Nothing before a command of this connection.
-    [[nodiscard]] std::optional<TripFacts> facts(const Look& off, std::int32_t errorLimit) const;
+    [[nodiscard]] std::optional<TripFacts> facts(const Reading& off, std::int32_t errorLimit) const;
 
 private:
     std::optional<Command> m_command;
-    std::optional<Look> m_first;  ///< of the command
-    std::optional<Look> m_last;
+    std::optional<Reading> m_first;  ///< of the command
+    std::optional<Reading> m_last;
     std::int64_t m_farthest = 0;
     std::int64_t m_rearmost = 0;
 };

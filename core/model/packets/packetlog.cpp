@@ -44,7 +44,7 @@ bool wentWrong(const bus::ExchangeRecord& record) {
         case bus::ExchangeEnd::NotAsked:
             return !record.reply.empty();
         case bus::ExchangeEnd::Refused:
-        case bus::ExchangeEnd::Silent:
+        case bus::ExchangeEnd::Unresponsive:
         case bus::ExchangeEnd::Partial:
         case bus::ExchangeEnd::BadChecksum:
         case bus::ExchangeEnd::Rejected:

@@ -14,7 +14,7 @@ using Kind = PathObstacle::Kind;
 
 [[nodiscard]] std::optional<PathObstacle> notReady(servo::PathRate rate, const ModuleState& module) {
     const auto of = [&](Kind kind) { return PathObstacle{.kind = kind, .module = module.info.index}; };
-    if (const auto refusal = whyNot(Request::Move, module))
+    if (const auto refusal = whyNot(IntentKind::Move, module))
         return PathObstacle{.module = module.info.index, .refusal = refusal};
     if (!hasPathBuffer(module.info.identity))
         return of(Kind::NoPathBuffer);

@@ -7,7 +7,7 @@ namespace nmc {
 
 Procedure::Next ChangeMotion::proceed(const ModuleState& module, TimePoint now) {
     if (module.silent)
-        return fail(ProcedureFailure::ModuleSilent);
+        return fail(ProcedureFailure::ModuleUnresponsive);
     switch (m_report.stage) {
         case ProcedureStage::Preparing:
             return stop(module, now);

@@ -38,7 +38,7 @@ DirectionCheck::Next DirectionCheck::proceed(const ModuleState& module, TimePoin
     if (m_concluded)
         return finish();
     if (module.silent)
-        return fail(ProcedureFailure::ModuleSilent);
+        return fail(ProcedureFailure::ModuleUnresponsive);
     if (module.servoOn()) {
         cancel();
         return Wait{};
@@ -50,7 +50,7 @@ DirectionCheck::Next DirectionCheck::proceed(const ModuleState& module, TimePoin
 
 DirectionCheck::Next DirectionCheck::begin(const ModuleState& module) {
     // Something may have changed while it was waited for standstill.
-    if (whyNot(Request::CheckDirection, module))
+    if (whyNot(IntentKind::CheckDirection, module))
         return fail(ProcedureFailure::Refused);
     const servo::StatusByte status = module.latest->servoStatus();
     m_start = m_from = *module.latest->position;

@@ -12,7 +12,7 @@ GoalMoves::GoalMoves(ProcedureKind kind, const ModuleState& module) : Procedure(
 
 GoalMoves::Next GoalMoves::proceed(const ModuleState& module, TimePoint now) {
     if (module.silent)
-        return fail(ProcedureFailure::ModuleSilent);
+        return fail(ProcedureFailure::ModuleUnresponsive);
     if (!module.driveOn())
         return fail(ProcedureFailure::WentOff);
     if (m_moves)

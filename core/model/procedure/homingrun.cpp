@@ -70,7 +70,7 @@ HomingRun::Next HomingRun::proceed(const ModuleState& module, TimePoint now) {
     if (m_sent == Sent::LastWord)
         return finish();
     if (module.silent)
-        return fail(ProcedureFailure::ModuleSilent);
+        return fail(ProcedureFailure::ModuleUnresponsive);
     const auto seen = m_chip.look(module);
     if (!seen)
         return Wait{};

@@ -28,7 +28,7 @@ LoopTest::Next LoopTest::proceed(const ModuleState& module, TimePoint now) {
 
 std::optional<ProcedureFailure> LoopTest::trouble(const ModuleState& module) {
     if (module.silent)
-        return ProcedureFailure::ModuleSilent;
+        return ProcedureFailure::ModuleUnresponsive;
     return module.servoOn() ? std::nullopt : std::optional(ProcedureFailure::WentOff);
 }
 

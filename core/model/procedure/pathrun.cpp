@@ -21,7 +21,7 @@ namespace {
         case bus::PathEnd::Uncertain:
             return ProcedureFailure::LinkSuspect;
         case bus::PathEnd::NoAnswer:
-            return ProcedureFailure::ModuleSilent;
+            return ProcedureFailure::ModuleUnresponsive;
         case bus::PathEnd::Done:
         case bus::PathEnd::Stopped:
         case bus::PathEnd::NotReady:

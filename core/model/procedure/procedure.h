@@ -60,7 +60,7 @@ enum class ProcedureFailure : std::uint8_t {
     TravelLimit,
     TimeLimit,
     LinkSuspect,  ///< an answer was missed or not believed meanwhile, so nothing is certain
-    ModuleSilent,
+    ModuleUnresponsive,
     WentOff,  ///< servo or amplifier went off by itself
     Refused,  ///< a command was refused, forbidden or not answered
     ReadingsDiffer,

@@ -26,7 +26,7 @@ TryGainsRun::TryGainsRun(const intent::TryGains& wanted, const ModuleState& modu
 
 TryGainsRun::Next TryGainsRun::proceed(const ModuleState& module, TimePoint now) {
     if (module.silent)
-        return fail(ProcedureFailure::ModuleSilent);
+        return fail(ProcedureFailure::ModuleUnresponsive);
     if (!module.servoOn())
         return fail(ProcedureFailure::WentOff);
     if (m_report.stage == ProcedureStage::Preparing) {

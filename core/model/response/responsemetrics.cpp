@@ -17,50 +17,50 @@ constexpr std::size_t kFewest = 3;
 constexpr double kHalfCount = 0.5;
 
 /// Where the motor was, in counts along the step: 0 at its goal, negative before it.
-struct Look {
+struct Reading {
     double seconds = 0.0;
     double beyond = 0.0;
     bool gapBefore = false;  ///< samples are missing between the one before and this
 };
 
 /// Several usual intervals from the one before; usual is the median.
-void markGaps(std::vector<Look>& looks) {
+void markGaps(std::vector<Reading>& readings) {
     constexpr double kSeveral = 6;
     std::vector<double> between;
-    for (std::size_t i = 2; i < looks.size(); ++i)  // the first may lie anywhere behind the step
-        between.push_back(looks[i].seconds - looks[i - 1].seconds);
+    for (std::size_t i = 2; i < readings.size(); ++i)  // the first may lie anywhere behind the step
+        between.push_back(readings[i].seconds - readings[i - 1].seconds);
     const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
     std::nth_element(between.begin(), middle, between.end());
-    for (std::size_t i = 1; i < looks.size(); ++i)
-        looks[i].gapBefore = looks[i].seconds - looks[i - 1].seconds > kSeveral * *middle;
+    for (std::size_t i = 1; i < readings.size(); ++i)
+        readings[i].gapBefore = readings[i].seconds - readings[i - 1].seconds > kSeveral * *middle;
 }
 
-/// Where the straight line between two looks is at `level`.
-[[nodiscard]] ResponseMetrics::Result<Measured> crossing(const Look& a, const Look& b, double level) {
+/// Where the straight line between two readings is at `level`.
+[[nodiscard]] ResponseMetrics::Result<Measured> crossing(const Reading& a, const Reading& b, double level) {
     if (b.gapBefore)
         return tl::unexpected(Unmeasured::SamplesMissing);
     const double part = (level - a.beyond) / (b.beyond - a.beyond);
     return Measured{a.seconds + part * (b.seconds - a.seconds), (b.seconds - a.seconds) / 2};
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> firstAt(const std::vector<Look>& looks, double level) {
-    for (std::size_t i = 1; i < looks.size(); ++i)
-        if (looks[i].beyond >= level)
-            return crossing(looks[i - 1], looks[i], level);
+[[nodiscard]] ResponseMetrics::Result<Measured> firstAt(const std::vector<Reading>& readings, double level) {
+    for (std::size_t i = 1; i < readings.size(); ++i)
+        if (readings[i].beyond >= level)
+            return crossing(readings[i - 1], readings[i], level);
     return tl::unexpected(Unmeasured::NeverRose);
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> riseOf(const std::vector<Look>& looks, double step,
+[[nodiscard]] ResponseMetrics::Result<Measured> riseOf(const std::vector<Reading>& readings, double step,
                                                        double timeDoubt) {
-    const auto low = firstAt(looks, -step * 9 / 10);
-    const auto high = firstAt(looks, -step / 10);
+    const auto low = firstAt(readings, -step * 9 / 10);
+    const auto high = firstAt(readings, -step / 10);
     if (!low || !high)
         return tl::unexpected(!high ? high.error() : low.error());
     return Measured{high->value - low->value, low->doubt + high->doubt + timeDoubt};
 }
 
-/// How far the parabola through three looks is above the middle one, which is the highest.
-[[nodiscard]] double aboveMiddle(const Look& a, const Look& b, const Look& c) {
+/// How far the parabola through three readings is above the middle one, which is the highest.
+[[nodiscard]] double aboveMiddle(const Reading& a, const Reading& b, const Reading& c) {
     const double before = (b.beyond - a.beyond) / (b.seconds - a.seconds);
     const double after = (c.beyond - b.beyond) / (c.seconds - b.seconds);
     const double bend = (after - before) / (c.seconds - a.seconds);
@@ -71,32 +71,34 @@ void markGaps(std::vector<Look>& looks) {
     return slope * slope / (-4 * bend);
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> overshootOf(const std::vector<Look>& looks, double step,
+[[nodiscard]] ResponseMetrics::Result<Measured> overshootOf(const std::vector<Reading>& readings, double step,
                                                             double band) {
-    for (std::size_t i = 1; i < looks.size(); ++i) {
-        const bool onTheWay = std::abs(looks[i - 1].beyond) > band || std::abs(looks[i].beyond) > band;
-        if (looks[i].gapBefore && onTheWay)
+    for (std::size_t i = 1; i < readings.size(); ++i) {
+        const bool onTheWay = std::abs(readings[i - 1].beyond) > band || std::abs(readings[i].beyond) > band;
+        if (readings[i].gapBefore && onTheWay)
             return tl::unexpected(Unmeasured::SamplesMissing);
     }
-    const auto highest = std::max_element(looks.begin(), looks.end(),
-                                          [](const Look& a, const Look& b) { return a.beyond < b.beyond; });
+    const auto highest =
+        std::max_element(readings.begin(), readings.end(),
+                         [](const Reading& a, const Reading& b) { return a.beyond < b.beyond; });
     double added = 0.0;
-    if (highest != looks.begin() && highest + 1 != looks.end())
+    if (highest != readings.begin() && highest + 1 != readings.end())
         added = aboveMiddle(*(highest - 1), *highest, *(highest + 1));
     const double over = std::max(0.0, highest->beyond + added);
     return Measured{100 * over / step, 100 * (added + kHalfCount) / step};
 }
 
 /// `middle`: of the band, beyond the goal.
-[[nodiscard]] ResponseMetrics::Result<Measured> settlingOf(const std::vector<Look>& looks, double middle,
-                                                           double band, double lastPart, double timeDoubt) {
-    const auto outside = [=](const Look& look) { return std::abs(look.beyond - middle) > band; };
-    const auto last = std::find_if(looks.rbegin(), looks.rend(), outside);
-    if (last == looks.rend())
+[[nodiscard]] ResponseMetrics::Result<Measured> settlingOf(const std::vector<Reading>& readings,
+                                                           double middle, double band, double lastPart,
+                                                           double timeDoubt) {
+    const auto outside = [=](const Reading& reading) { return std::abs(reading.beyond - middle) > band; };
+    const auto last = std::find_if(readings.rbegin(), readings.rend(), outside);
+    if (last == readings.rend())
         return Measured{0.0, timeDoubt};
     if (last->seconds >= lastPart)
         return tl::unexpected(Unmeasured::NeverSettled);
-    const Look& inside = *(last - 1);  // backwards, so the one after
+    const Reading& inside = *(last - 1);  // backwards, so the one after
     ResponseMetrics::Result<Measured> settled =
         crossing(*last, inside, last->beyond > middle ? middle + band : middle - band);
     if (settled)
@@ -121,19 +123,20 @@ void markGaps(std::vector<Look>& looks) {
     return Measured{goal - sum / static_cast<double>(count), std::max(kHalfCount, (highest - lowest) / 2)};
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> settlingAtRestOf(const std::vector<Look>& looks, double step,
-                                                                 double band, double lastPart,
+[[nodiscard]] ResponseMetrics::Result<Measured> settlingAtRestOf(const std::vector<Reading>& readings,
+                                                                 double step, double band, double lastPart,
                                                                  double timeDoubt) {
     double sum = 0.0;
     std::size_t count = 0;
-    for (auto look = looks.rbegin(); look != looks.rend() && look->seconds >= lastPart; ++look, ++count)
-        sum += look->beyond;
+    for (auto reading = readings.rbegin(); reading != readings.rend() && reading->seconds >= lastPart;
+         ++reading, ++count)
+        sum += reading->beyond;
     if (count < kFewest)
         return tl::unexpected(Unmeasured::TooFewSamples);
     const double rest = sum / static_cast<double>(count);
     if (rest + step <= band)
         return tl::unexpected(Unmeasured::NeverRose);
-    return settlingOf(looks, rest, band, lastPart, timeDoubt);
+    return settlingOf(readings, rest, band, lastPart, timeDoubt);
 }
 
 }  // namespace
@@ -141,24 +144,24 @@ void markGaps(std::vector<Look>& looks) {
 ResponseMetrics measureResponse(std::span<const ResponsePoint> points, double from, double goal, double band,
                                 double timeDoubt) {
     const double step = std::abs(goal - from);
-    std::vector<Look> looks{{0.0, -step}};  // when the command is latched it still stands
+    std::vector<Reading> readings{{0.0, -step}};  // when the command is latched it still stands
     for (const ResponsePoint& point : points)
-        if (point.seconds > looks.back().seconds)
-            looks.push_back({point.seconds, goal < from ? goal - point.position : point.position - goal});
-    if (looks.size() <= kFewest) {
+        if (point.seconds > readings.back().seconds)
+            readings.push_back({point.seconds, goal < from ? goal - point.position : point.position - goal});
+    if (readings.size() <= kFewest) {
         const auto none = tl::unexpected(Unmeasured::TooFewSamples);
         return {none, none, none, none, none, 0.0};
     }
-    markGaps(looks);
-    const double length = looks.back().seconds;
+    markGaps(readings);
+    const double length = readings.back().seconds;
     const double lastPart = length * (1 - kLastPart);
-    ResponseMetrics metrics{riseOf(looks, step, timeDoubt),
-                            overshootOf(looks, step, band),
-                            settlingOf(looks, 0.0, band, lastPart, timeDoubt),
-                            settlingAtRestOf(looks, step, band, lastPart, timeDoubt),
+    ResponseMetrics metrics{riseOf(readings, step, timeDoubt),
+                            overshootOf(readings, step, band),
+                            settlingOf(readings, 0.0, band, lastPart, timeDoubt),
+                            settlingAtRestOf(readings, step, band, lastPart, timeDoubt),
                             steadyErrorOf(points, goal, lastPart),
                             0.0};
-    metrics.interval = (length - looks[1].seconds) / static_cast<double>(looks.size() - 2);
+    metrics.interval = (length - readings[1].seconds) / static_cast<double>(readings.size() - 2);
     return metrics;
 }
 

@@ -25,11 +25,11 @@ public:
     [[nodiscard]] std::optional<Value> take(const ScopeSample& sample);
 
 private:
-    struct Look {
+    struct Reading {
         TimePoint time;
         std::uint32_t count;
     };
-    std::deque<Look> m_looks;  ///< back to kTime before the last, and one beyond
+    std::deque<Reading> m_readings;  ///< back to kTime before the last, and one beyond
     bool m_gap = true;
 };
 

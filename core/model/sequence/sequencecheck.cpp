@@ -216,7 +216,7 @@ private:
         const ModuleState* module = find(m_modules, index);
         if (module == nullptr)
             report(Kind::NoSuchModule, index);
-        else if (const auto refusal = whyNotTold(Request::Move, *module)) {
+        else if (const auto refusal = whyNotTold(IntentKind::Move, *module)) {
             refuse(index, *refusal);
             return nullptr;
         }

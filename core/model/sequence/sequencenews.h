@@ -11,7 +11,7 @@ namespace nmc {
 struct SequenceNews {
     SequenceRun& run;
 
-    void operator()(const bus::ModuleSilence& silence) const {
+    void operator()(const bus::ModuleUnresponsive& silence) const {
         if (silence.silent)
             run.onLinkSuspect();
     }
@@ -33,8 +33,8 @@ struct SequenceNews {
     void operator()(
         const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::OperationFinished,
                     bus::CommandRefused, bus::GroupChanged, bus::RateChanged, bus::RateChangeFailed,
-                    bus::OwedStopConfirmed, bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed,
-                    bus::EchoNoticed, bus::PathProgress> auto&) const {}
+                    bus::UnacknowledgedStopConfirmed, bus::Readdressed, bus::AddressChanged,
+                    bus::ReaddressFailed, bus::EchoNoticed, bus::PathProgress> auto&) const {}
 };
 
 }  // namespace nmc

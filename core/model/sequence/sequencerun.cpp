@@ -66,7 +66,7 @@ void SequenceRun::onFinished(ModuleIndex module, bus::Outcome outcome) {
     if (outcome == bus::Outcome::Cancelled)
         endBy(SequenceEnd::TakenOver, module);  // by a stop of whatever kind
     else
-        endBy(SequenceEnd::NotCarriedOut, module);
+        endBy(SequenceEnd::NotExecuted, module);
 }
 
 void SequenceRun::onProcedure(const ProcedureReport& report) {
@@ -174,7 +174,7 @@ void SequenceRun::watch(const Modules& modules, TimePoint now) {
     for (const ModuleIndex index : m_parts) {
         const ModuleState* module = find(modules, index);
         if (module == nullptr || module->silent || module->hasRestarted)
-            return endBy(SequenceEnd::Silent, index);
+            return endBy(SequenceEnd::Unresponsive, index);
     }
     for (const ModuleIndex index : m_on)
         if (!modules[index.value()].driveOn())
@@ -253,8 +253,8 @@ SequenceRun::Next SequenceRun::send(std::vector<std::vector<bus::Order>> operati
 }
 
 SequenceRun::Next SequenceRun::refused(ModuleIndex module, Refusal refusal) {
-    if (refusal == Refusal::Silent)
-        endBy(SequenceEnd::Silent, module);
+    if (refusal == Refusal::Unresponsive)
+        endBy(SequenceEnd::Unresponsive, module);
     else
         endBy(SequenceEnd::Refused, module, refusal);
     return Wait{};
@@ -273,7 +273,7 @@ SequenceRun::Next SequenceRun::sendMoves(const std::vector<PointAxis>& axes, uns
     for (const PointAxis& axis : axes) {
         const ModuleState* module = find(modules, axis.module);
         if (module == nullptr)
-            return refused(axis.module, Refusal::Silent);
+            return refused(axis.module, Refusal::Unresponsive);
         const auto wanted = moveIntent(axis, percent, *module, m_machine.axis(axis.module));
         if (!wanted)
             return refused(axis.module, wanted.error());

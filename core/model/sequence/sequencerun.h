@@ -42,12 +42,13 @@ enum class SequenceEnd : std::uint8_t {
     NotHomed,  ///< `module` has not found its home
     // Doubts: nothing is known to be wrong with the machine.
     LinkInDoubt,
-    Silent,         ///< `module` does not answer, or has restarted
-    NotCarriedOut,  ///< a command was refused or not answered
+    Unresponsive,  ///< `module` does not answer, or has restarted
+    NotExecuted,   ///< a command was refused or not answered
 };
 /// It may be started again from a row when the doubt is gone.
 [[nodiscard]] constexpr bool isDoubt(SequenceEnd end) {
-    return end == SequenceEnd::LinkInDoubt || end == SequenceEnd::Silent || end == SequenceEnd::NotCarriedOut;
+    return end == SequenceEnd::LinkInDoubt || end == SequenceEnd::Unresponsive ||
+           end == SequenceEnd::NotExecuted;
 }
 
 /// What the window shows of a run.

@@ -46,7 +46,7 @@ struct Bounds {
     double most = 0.0;
 };
 
-struct Look {
+struct Reading {
     double seconds = 0.0;
     double position = 0.0;
     double spread = 0.0;  ///< counts
@@ -56,7 +56,7 @@ struct Look {
 struct Record {
     const ResponseRecord* run = nullptr;
     double stood = 0.0;  ///< counts, before the step
-    std::vector<Look> looks;
+    std::vector<Reading> readings;
 
     [[nodiscard]] double from() const { return run->taken.from; }
     [[nodiscard]] double goal() const { return run->taken.goal; }
@@ -96,13 +96,13 @@ struct Record {
         const double speed = speedAt(run.points, i);
         const double spread = std::sqrt(kWholeCount + speed * speed * kTimeSpread);
         const auto same = static_cast<double>(repeats(run.points, i));
-        record.looks.push_back({point.seconds, point.position, spread,
-                                1 / std::sqrt(spread * spread + kWholeCount * (same - 1))});
+        record.readings.push_back({point.seconds, point.position, spread,
+                                   1 / std::sqrt(spread * spread + kWholeCount * (same - 1))});
     }
     if (before > 0)
         record.stood = sum / before;
-    else if (!record.looks.empty())
-        record.stood = record.looks.front().position;
+    else if (!record.readings.empty())
+        record.stood = record.readings.front().position;
     return record;
 }
 
@@ -121,7 +121,7 @@ public:
             m_bounds.push_back({0.0, 0.6, -1.0, 1.0});
         }
         for (const Record& record : records)
-            m_looks += static_cast<Index>(record.looks.size());
+            m_readings += static_cast<Index>(record.readings.size());
     }
 
     [[nodiscard]] VectorXd likely() const {
@@ -156,13 +156,13 @@ public:
         return x[kOfMotor + kOfRun * static_cast<Index>(run) + which];
     }
 
-    /// Of the looks of one run, then by how far it could not stand before the step: weighted misses.
+    /// Of the readings of one run, then by how far it could not stand before the step: weighted misses.
     void missesOf(const VectorXd& x, std::size_t run, Eigen::Ref<VectorXd> misses) const {
         Loop loop = this->loop(x, run);
         const double begin = of(x, run, kStart) * kTick;
         Index row = 0;
-        for (const Look& look : m_records[run].looks)
-            misses[row++] = (look.position - loop.at(look.seconds - begin).position) * look.weight;
+        for (const Reading& reading : m_records[run].readings)
+            misses[row++] = (reading.position - loop.at(reading.seconds - begin).position) * reading.weight;
         const LoopStart start = this->start(x, run);
         const ControlFilter filter(m_records[run].gains(), Rounding::Mean, start.integral,
                                    start.command - start.position);
@@ -170,10 +170,10 @@ public:
     }
 
     [[nodiscard]] Index rowsOf(std::size_t run) const {
-        return static_cast<Index>(m_records[run].looks.size()) + 1;
+        return static_cast<Index>(m_records[run].readings.size()) + 1;
     }
     [[nodiscard]] Index rows() const {
-        return m_looks + static_cast<Index>(m_records.size()) + static_cast<Index>(m_bounds.size());
+        return m_readings + static_cast<Index>(m_records.size()) + static_cast<Index>(m_bounds.size());
     }
 
     [[nodiscard]] VectorXd misses(const VectorXd& x) const {
@@ -230,7 +230,7 @@ private:
 
     const std::vector<Record>& m_records;
     std::vector<Bounds> m_bounds;
-    Index m_looks = 0;
+    Index m_readings = 0;
 };
 
 struct Solution {
@@ -345,8 +345,8 @@ namespace {
 [[nodiscard]] std::optional<IdentifyFailure> motionProblem(const Record& record) {
     const double direction = record.step() < 0 ? -1.0 : 1.0;
     const double enough = std::max(3.0, std::abs(record.step()) * 0.03);
-    for (const Look& look : record.looks) {
-        const double gone = (look.position - record.stood) * direction;
+    for (const Reading& reading : record.readings) {
+        const double gone = (reading.position - record.stood) * direction;
         if (gone >= enough)
             return std::nullopt;
         if (gone <= -enough)
@@ -364,16 +364,16 @@ namespace {
     double high = record.stood;
     double low = record.stood;
     bool rising = record.step() > 0;
-    for (const Look& look : record.looks) {
-        high = std::max(high, look.position);
-        low = std::min(low, look.position);
-        if (rising && look.position < high - noticed) {
+    for (const Reading& reading : record.readings) {
+        high = std::max(high, reading.position);
+        low = std::min(low, reading.position);
+        if (rising && reading.position < high - noticed) {
             turns.push_back(high);
-            low = look.position;
+            low = reading.position;
             rising = false;
-        } else if (!rising && look.position > low + noticed) {
+        } else if (!rising && reading.position > low + noticed) {
             turns.push_back(low);
-            high = look.position;
+            high = reading.position;
             rising = true;
         }
     }
@@ -398,16 +398,16 @@ namespace {
         fitted.integral = fit.start(x, run).integral;
         for (const ResponsePoint& point : records[run].run->points)
             fitted.points.push_back({point.seconds, loop.at(point.seconds - fitted.start).position});
-        const std::size_t before = fitted.points.size() - records[run].looks.size();
+        const std::size_t before = fitted.points.size() - records[run].readings.size();
         double last = 0.0;
-        for (std::size_t i = 0; i < records[run].looks.size(); ++i) {
-            const Look& look = records[run].looks[i];
-            const double miss = look.position - fitted.points[before + i].position;
+        for (std::size_t i = 0; i < records[run].readings.size(); ++i) {
+            const Reading& reading = records[run].readings[i];
+            const double miss = reading.position - fitted.points[before + i].position;
             missed += miss * miss;
-            expected += look.spread * look.spread;
-            weighted += miss * miss * look.weight * look.weight;
-            next += miss * look.weight * last;
-            last = miss * look.weight;
+            expected += reading.spread * reading.spread;
+            weighted += miss * miss * reading.weight * reading.weight;
+            next += miss * reading.weight * last;
+            last = miss * reading.weight;
             ++count;
         }
         found.runs.push_back(std::move(fitted));
@@ -452,7 +452,7 @@ tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecor
     if (records.empty())
         return tl::unexpected(IdentifyFailure::TooFewSamples);
     for (const Record& record : records)
-        if (record.looks.size() < kFewestSamples)
+        if (record.readings.size() < kFewestSamples)
             return tl::unexpected(IdentifyFailure::TooFewSamples);
     for (const Record& record : records)
         if (const auto problem = motionProblem(record))

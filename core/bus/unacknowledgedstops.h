@@ -14,9 +14,9 @@ namespace nmc::bus {
 /// all, again while the module moves on, blindly and for ever while it does not answer, and at once when it
 /// is heard again. Only a confirmation ends one, or a start that the operator asks for after the end of a
 /// hold.
-class OwedStops : public Task {
+class UnacknowledgedStops : public Task {
 public:
-    OwedStops(Chain& chain, Recovery& recovery, const Line& line, std::vector<Event>& events)
+    UnacknowledgedStops(Chain& chain, Recovery& recovery, const Line& line, std::vector<Event>& events)
         : m_chain(chain), m_recovery(recovery), m_line(line), m_events(events) {}
 
     /// Somebody looks for the chain: questions would be in his way, so stops go out blindly.

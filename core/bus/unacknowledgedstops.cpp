@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bus/owedstops.h"
+#include "bus/unacknowledgedstops.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,13 +22,14 @@ constexpr Duration kBlindEvery = std::chrono::milliseconds(500);
 
 }  // namespace
 
-bool OwedStops::untold() const {
+bool UnacknowledgedStops::untold() const {
     return std::any_of(m_chain.modules().begin(), m_chain.modules().end(), [&](const Chain::Module& module) {
-        return module.owed && module.owed->target.stopOwed() && !blindly(module.belief.info().index);
+        return module.owed && module.owed->target.stopUnacknowledged() &&
+               !blindly(module.belief.info().index);
     });
 }
 
-std::optional<TimePoint> OwedStops::due() const {
+std::optional<TimePoint> UnacknowledgedStops::due() const {
     std::optional<TimePoint> first;
     for (const Chain::Module& module : m_chain.modules())
         if (module.owed && (!first || module.owed->due < *first))
@@ -36,18 +37,18 @@ std::optional<TimePoint> OwedStops::due() const {
     return first;
 }
 
-bool OwedStops::wants(TimePoint now) const {
+bool UnacknowledgedStops::wants(TimePoint now) const {
     const auto first = due();
     return first && *first <= now;
 }
 
-bool OwedStops::blindly(ModuleIndex module) const {
+bool UnacknowledgedStops::blindly(ModuleIndex module) const {
     // One that was given up for its errors is still asked: only that can confirm its stop.
     const bool silent = !m_chain.answers(module) && !m_chain.schedule().retired(module);
     return m_blind || m_line.baud() != m_chain.rate() || silent;
 }
 
-Next OwedStops::next(TimePoint now) {
+Next UnacknowledgedStops::next(TimePoint now) {
     if (Line::Script script = groupScript(now); !script.empty())
         return script;
     Chain::Module* asked = nullptr;
@@ -71,12 +72,12 @@ Next OwedStops::next(TimePoint now) {
     ask.retry = asked->owed->target.silences() > 0;
     ask.silentRepeats = 0;
     ask.refusedAttempts = 1;
-    ask.ownTrouble = !m_chain.answers(module);
+    ask.handlesFailure = !m_chain.answers(module);
     return ask;
 }
 
 /// The leader's answer is dropped: each member answers for itself.
-Line::Script OwedStops::groupScript(TimePoint now) {
+Line::Script UnacknowledgedStops::groupScript(TimePoint now) {
     std::vector<Order> stops;
     for (const ModuleIndex module : std::exchange(m_together, {})) {
         const auto& owed = m_chain.at(module).owed;
@@ -101,7 +102,7 @@ Line::Script OwedStops::groupScript(TimePoint now) {
 }
 
 /// All that are due, in one go, at the rate of the chain; the port then goes back to where it was.
-Next OwedStops::blindScript(TimePoint now) {
+Next UnacknowledgedStops::blindScript(TimePoint now) {
     std::vector<Order> stops;
     for (Chain::Module& module : m_chain.modules()) {
         const ModuleIndex index = module.belief.info().index;
@@ -131,7 +132,7 @@ Next OwedStops::blindScript(TimePoint now) {
 }
 
 /// The first answer after a stop that went to the whole group.
-void OwedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
+void UnacknowledgedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
     auto& owed = m_chain.at(*ask.module).owed;
     if (const auto blind = owed ? owed->target.takeBlind() : std::nullopt)
         m_events.emplace_back(CommandExecuted{*ask.module,
@@ -141,24 +142,24 @@ void OwedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
                                               m_chain.takeUnanswered(*ask.module, blind->latched)});
 }
 
-Line::Script OwedStops::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {
+Line::Script UnacknowledgedStops::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {
     auto& owed = m_chain.at(*ask.module).owed;
     if (!owed)
         return {};  // superseded while its question was on its way
     owed->target.onReply(end, m_chain.belief(*ask.module), now);
     if (owed->target.stopped()) {
-        m_events.emplace_back(OwedStopConfirmed{*ask.module, owed->cause});
+        m_events.emplace_back(UnacknowledgedStopConfirmed{*ask.module, owed->cause});
         owed.reset();
         return {};
     }
     const bool looked = !ask.reported && end.result == ReplyResult::Accepted;
-    const bool moves = looked && !owed->target.stopOwed() && !owed->target.almostStopped();
+    const bool moves = looked && !owed->target.stopUnacknowledged() && !owed->target.almostStopped();
     owed->looks += moves ? 1U : 0U;
-    owed->due = ask.ownTrouble && unanswered(end.result) ? now + kBlindEvery
-                : owed->target.silences() > kAtOnce      ? now + kAfterSilence
+    owed->due = ask.handlesFailure && unanswered(end.result) ? now + kBlindEvery
+                : owed->target.silences() > kAtOnce          ? now + kAfterSilence
                 : moves ? now + (owed->looks < kEarlyLooks ? kBetweenLooks : kBetweenLateLooks)
                         : now;
-    if (ask.ownTrouble && unanswered(end.result))
+    if (ask.handlesFailure && unanswered(end.result))
         return {Line::Lag{}, DiscardInput{}};
     return {};
 }
