@@ -28,7 +28,7 @@ constexpr unsigned kSilences = 2;
 }
 
 /// What a velocity mode load brings about in that time after standstill, counts; as far as it says.
-[[nodiscard]] double wayOf(const servo::LoadTrajectory& load, Duration time) {
+[[nodiscard]] double distanceOf(const servo::LoadTrajectory& load, Duration time) {
     if (!load.servo || load.profile != servo::ProfileMode::Velocity || !load.velocity || !load.acceleration)
         return 0;
     const double ticks = toSeconds(time) / toSeconds(kServoTick);
@@ -220,7 +220,7 @@ std::optional<MemberOutcome> GroupRun::started(const Member& member, const Statu
     if (report.aux && member.before.on() && !servo::AuxByte{*report.aux}.servoOn())
         return MemberOutcome::Unknown;
     const auto& load = member.before.servoLoad();
-    const bool wouldShow = goal || (load && wayOf(*load, latched - m_latched) >= kShows);
+    const bool wouldShow = goal || (load && distanceOf(*load, latched - m_latched) >= kShows);
     return wouldShow ? std::optional(MemberOutcome::NotDone) : std::nullopt;
 }
 

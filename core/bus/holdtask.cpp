@@ -98,8 +98,8 @@ Next HoldTask::nextTowards(std::int32_t goal, const Order& load) {
 bool HoldTask::leadsTo(std::int32_t goal, const Belief& module) const {
     if (!module.position())
         return false;
-    const std::int64_t way = std::int64_t{goal} - *module.position();
-    return m_lane.wanted()->reverse ? way < -kStillCounts : way > kStillCounts;
+    const std::int64_t distance = std::int64_t{goal} - *module.position();
+    return m_lane.wanted()->reverse ? distance < -kStillCounts : distance > kStillCounts;
 }
 
 Next HoldTask::tell(const Order& order) {

@@ -99,11 +99,11 @@ std::optional<MotionSuspect::Reason> MotionWatch::onReport(const StatusReport& r
 
 std::optional<MotionSuspect::Reason> MotionWatch::leaves(std::int64_t position, int velocity) {
     if (m_corridor) {
-        const std::int64_t way = m_corridor->goal - m_corridor->from;
-        const std::int64_t gone = (position - m_corridor->from) * (way < 0 ? -1 : 1);
+        const std::int64_t distance = m_corridor->goal - m_corridor->from;
+        const std::int64_t gone = (position - m_corridor->from) * (distance < 0 ? -1 : 1);
         if (gone < -kWrongWay)
             return MotionSuspect::Reason::WrongWay;
-        if (gone > std::abs(way) + std::abs(way) / 10 + kOvershoot)
+        if (gone > std::abs(distance) + std::abs(distance) / 10 + kOvershoot)
             return MotionSuspect::Reason::Overshot;
     }
     if (m_heading) {

@@ -74,8 +74,8 @@ struct Plausibility::Sent {
     void operator()(const servo::StopMotor& stop) const {
         p.m_mayEnable = latched;
         const bool known = stop.manner == servo::StopManner::Here && p.m_known.position;
-        const double way = known ? std::abs(distance(*p.m_known.position, stop.here.value())) : 0.0;
-        p.jerk(latched, 2 * way + kSwing);
+        const double travelled = known ? std::abs(distance(*p.m_known.position, stop.here.value())) : 0.0;
+        p.jerk(latched, 2 * travelled + kSwing);
     }
     void operator()(const servo::SetGain& gain) const {
         p.m_divisor = gain.sr;
@@ -319,19 +319,19 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     const double around = bend(end.latched, most);
     const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - around;
     const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + around;
-    const double way = distance(*known.position, *end.report.position);
-    return way < lowest || way > highest ? std::optional(Rejection::PositionJump) : std::nullopt;
+    const double travelled = distance(*known.position, *end.report.position);
+    return travelled < lowest || travelled > highest ? std::optional(Rejection::PositionJump) : std::nullopt;
 }
 
 std::optional<Rejection> Plausibility::stepperMotion(const Known& known, const ReplyEnd& end) const {
-    const double way = distance(*known.position, *end.report.position);
+    const double travelled = distance(*known.position, *end.report.position);
     const bool moved = stepper::StatusByte{*known.status}.moving() || end.report.stepperStatus().moving() ||
                        m_position.isOpen();
-    if (!moved && !m_motion.isOpen() && way != 0)
+    if (!moved && !m_motion.isOpen() && travelled != 0)
         return Rejection::MovedWhileStopped;
     const double most = ticks(end.latchedBy - known.from) + 1;
-    return std::abs(way) > kFastestStepper * most + kMargin ? std::optional(Rejection::PositionJump)
-                                                            : std::nullopt;
+    return std::abs(travelled) > kFastestStepper * most + kMargin ? std::optional(Rejection::PositionJump)
+                                                                  : std::nullopt;
 }
 
 /// Speed that the velocities at both ends of a way do not tell of: a motor that swings about as fast as it is

@@ -50,7 +50,7 @@ BELIEVING = (
     )),
     Mutant("no-physics", "link.md 2.4: a position is near the one before", (
         Edit("core/bus/plausibility.cpp",
-             "return way < lowest || way > highest ? std::optional(Rejection::PositionJump) : std::nullopt;",
+             "return travelled < lowest || travelled > highest ? std::optional(Rejection::PositionJump) : std::nullopt;",
              "return std::nullopt;"),
     )),
     Mutant("bytes-after-a-reply-ignored", "link.md 2.2: surplus bytes reject the reply", (

@@ -38,11 +38,11 @@ TEST_F(DryRuns, TakeAsLongAndGoAsFarAsTheRun) {
     // X from 1 000 to 1 100, to 100, and back to 1 100.
     EXPECT_NEAR(foreseen.axes[0].lowest, 100, 10);
     EXPECT_NEAR(foreseen.axes[0].highest, 1'100, 10);
-    EXPECT_NEAR(foreseen.axes[0].way, 100 + 1'000 + 1'000, 50);
+    EXPECT_NEAR(foreseen.axes[0].travelled, 100 + 1'000 + 1'000, 50);
     EXPECT_EQ(foreseen.axes[0].moves, 3U);
     EXPECT_EQ(foreseen.axes[2].lowest, 0);
     EXPECT_EQ(foreseen.axes[2].highest, 200);
-    EXPECT_EQ(foreseen.axes[2].way, 400);
+    EXPECT_EQ(foreseen.axes[2].travelled, 400);
     EXPECT_NE(bench.shafts(), shafts) << "the run itself moved";
 }
 

@@ -71,7 +71,7 @@ TEST_P(WavesOfEachWay, JumpToAndFroAndEndWhereTheyBegan) {
             edges.push_back(*edge);
     };
     intent::SquareWave wave = kWave;
-    wave.way = GetParam();
+    wave.method = GetParam();
     const ProcedureReport report = bench.run(wave);
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_EQ(lowest, from - 50);

@@ -36,8 +36,8 @@ struct Truth {
     [[nodiscard]] bool wentTooFar(const ResponseTaken& taken) const {
         const double step = taken.goal - taken.from;
         return std::any_of(positions.begin(), positions.end(), [&](std::int32_t position) {
-            const double way = (position - taken.from) / step;
-            return way > 2 || way < -0.25;
+            const double method = (position - taken.from) / step;
+            return method > 2 || method < -0.25;
         });
     }
 };
@@ -58,12 +58,12 @@ struct TrueMetrics {
     const auto ticks = std::min(truth.positions.size(), static_cast<std::size_t>(kRecord / kTick));
     const std::size_t tail = ticks * 4 / 5;
     for (std::size_t i = 0; i < ticks; ++i) {
-        const double way = (truth.positions[i] - run.taken.from) / step;
-        if (!low && way >= 0.1)
+        const double method = (truth.positions[i] - run.taken.from) / step;
+        if (!low && method >= 0.1)
             low = i;
-        if (!high && way >= 0.9)
+        if (!high && method >= 0.9)
             high = i;
-        m.overshoot = std::max(m.overshoot, 100 * (way - 1));
+        m.overshoot = std::max(m.overshoot, 100 * (method - 1));
         if (std::abs(truth.positions[i] - run.taken.goal) > run.band())
             lastOutside = i;
         if (i >= tail)
@@ -160,7 +160,7 @@ public:
         trial.gains.sr = uniform(0, 1) < 0.8 ? std::uint8_t{1} : static_cast<std::uint8_t>(uniform(2, 4));
         trial.gains.db = std::uint8_t{0};
         trial.wanted.counts = uniform(0, 1) < 0.5 ? -step : step;
-        trial.wanted.way = uniform(0, 1) < 0.5 ? ResponseMethod::Profile : ResponseMethod::StopHere;
+        trial.wanted.method = uniform(0, 1) < 0.5 ? ResponseMethod::Profile : ResponseMethod::StopHere;
         trial.wanted.record = kRecord;
         trial.inertia = 1.7e-5 * spread(1, 4);
         trial.friction = uniform(0, 0.006);

@@ -14,8 +14,8 @@ using namespace std::chrono_literals;
 class StepResponse : public testing::Test {
 protected:
     [[nodiscard]] static intent::StepResponse by(std::int32_t counts,
-                                                 ResponseMethod way = ResponseMethod::Profile) {
-        return {counts, way, 0.2};
+                                                 ResponseMethod method = ResponseMethod::Profile) {
+        return {counts, method, 0.2};
     }
     [[nodiscard]] Refusal refusal(const intent::StepResponse& wanted) {
         const auto steps = plan(wanted, bench.module());
@@ -78,7 +78,7 @@ TEST_F(StepResponse, StopsHereWithoutAnyProfile) {
 
 /// The record begins when the module has latched the step, to half a tick.
 TEST_F(StepResponse, KnowsWhenItWasTaken) {
-    for (const ResponseMethod way : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
+    for (const ResponseMethod method : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
         ASSERT_TRUE(hold());
         std::optional<TimePoint> jumped;
         const double before = bench.truth().commandPosition;
@@ -86,7 +86,7 @@ TEST_F(StepResponse, KnowsWhenItWasTaken) {
             if (!jumped && bench.truth().commandPosition != before)
                 jumped = bench.bus.now;
         };
-        bench.begin(by(100, way));
+        bench.begin(by(100, method));
         while (bench.procedure->report().stage == ProcedureStage::Preparing)
             bench.turn();
         while (!bench.procedure->report().over())

@@ -67,15 +67,15 @@ TEST_F(LoopTestsInTheWindow, AskForWhatStandsInTheFields) {
     EXPECT_EQ(first.period, 0.6);
     EXPECT_EQ(first.rounds, 20U);
     EXPECT_EQ(first.excursion, 200);
-    EXPECT_EQ(first.way, ResponseMethod::StopHere);
+    EXPECT_EQ(first.method, ResponseMethod::StopHere);
     type(u"squareWaveDistanceField"_s, u"60"_s);
     type(u"squareWavePeriodField"_s, u"1,5"_s);
-    find<QComboBox>(u"squareWaveWayBox"_s)->setCurrentIndex(1);
+    find<QComboBox>(u"squareWaveMethodBox"_s)->setCurrentIndex(1);
     click(u"squareWaveStartButton"_s);
     const auto second = wanted<intent::SquareWave>();
     EXPECT_EQ(second.counts, 60);
     EXPECT_EQ(second.period, 1.5);
-    EXPECT_EQ(second.way, ResponseMethod::Profile);
+    EXPECT_EQ(second.method, ResponseMethod::Profile);
     click(u"frequencyStartButton"_s);
     const auto sines = wanted<intent::FrequencyResponse>();
     EXPECT_EQ(sines.amplitude, 20);

@@ -120,15 +120,15 @@ TEST_F(Responses, TheStepIsWhatStandsInTheFields) {
     click(u"responseButton"_s);
     const auto first = wanted();
     EXPECT_EQ(first.counts, 100);
-    EXPECT_EQ(first.way, ResponseMethod::Profile);
+    EXPECT_EQ(first.method, ResponseMethod::Profile);
     EXPECT_EQ(first.record, 0.5);
     type(u"responseDistanceField"_s, u"-250"_s);
     type(u"responseRecordField"_s, u"1,25"_s);
-    find<QComboBox>(u"responseWayBox"_s)->setCurrentIndex(1);
+    find<QComboBox>(u"responseMethodBox"_s)->setCurrentIndex(1);
     click(u"responseButton"_s);
     const auto second = wanted();
     EXPECT_EQ(second.counts, -250);
-    EXPECT_EQ(second.way, ResponseMethod::StopHere);
+    EXPECT_EQ(second.method, ResponseMethod::StopHere);
     EXPECT_EQ(second.record, 1.25);
 }
 
@@ -208,7 +208,7 @@ TEST_F(Responses, SayWhyNot) {
         type(u"responseDistanceField"_s, u"100"_s);
     }
     EXPECT_TRUE(button(u"responseButton"_s)->isEnabled());
-    find<QComboBox>(u"responseWayBox"_s)->setCurrentIndex(1);
+    find<QComboBox>(u"responseMethodBox"_s)->setCurrentIndex(1);
     showServo({.version = 1});
     EXPECT_EQ(reason(u"responseButton"_s), texts::refusal(Refusal::VersionLacksIt));
     window->showLink({});

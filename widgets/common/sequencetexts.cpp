@@ -133,7 +133,7 @@ bool hasRows(const SequenceReport& report) {
 QString axisLine(const DryRun::Axis& axis, const AxisScale& scale) {
     return Texts::tr("%1: %2 to %3, %4 in all, moves: %5")
         .arg(moduleName(axis.module), position(scale, axis.lowest), position(scale, axis.highest),
-             position(scale, axis.way))
+             position(scale, axis.travelled))
         .arg(axis.moves);
 }
 

@@ -150,11 +150,11 @@ void Gamepad::follow(const Hands& now) {
     const Hands before = std::exchange(m_hands, now);
     if (now.stops && !before.stops)
         emit stopPressed();
-    if (!now.enables || now.way != before.way)
+    if (!now.enables || now.direction != before.direction)
         release();
-    if (now.enables && now.way != Way::None && before.way == Way::None) {
+    if (now.enables && now.direction != Direction::None && before.direction == Direction::None) {
         m_moves = true;
-        emit pressed(now.way == Way::Reverse);
+        emit pressed(now.direction == Direction::Reverse);
     }
 }
 
@@ -170,18 +170,18 @@ Gamepad::Hands Gamepad::read() const {
     const bool stops = down(SDL_CONTROLLER_BUTTON_B);
     const bool shoulder =
         down(SDL_CONTROLLER_BUTTON_LEFTSHOULDER) || down(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER);
-    return {shoulder && !stops, way(), stops};
+    return {shoulder && !stops, direction(), stops};
 }
 
-Gamepad::Way Gamepad::way() const {
+Gamepad::Direction Gamepad::direction() const {
     const int stick = sdl().axis(m_pad.get(), SDL_CONTROLLER_AXIS_LEFTX);
-    const auto to = [this, stick](Way way, SDL_GameControllerButton button, int sign) {
-        return stick * sign > (m_hands.way == way ? kLetGo : kPushed) ||
+    const auto to = [this, stick](Direction direction, SDL_GameControllerButton button, int sign) {
+        return stick * sign > (m_hands.direction == direction ? kLetGo : kPushed) ||
                sdl().button(m_pad.get(), button) != 0;
     };
-    const bool forward = to(Way::Forward, SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 1);
-    const bool reverse = to(Way::Reverse, SDL_CONTROLLER_BUTTON_DPAD_LEFT, -1);
-    return forward == reverse ? Way::None : forward ? Way::Forward : Way::Reverse;
+    const bool forward = to(Direction::Forward, SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 1);
+    const bool reverse = to(Direction::Reverse, SDL_CONTROLLER_BUTTON_DPAD_LEFT, -1);
+    return forward == reverse ? Direction::None : forward ? Direction::Forward : Direction::Reverse;
 }
 
 }  // namespace nmc

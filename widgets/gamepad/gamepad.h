@@ -34,10 +34,10 @@ signals:
     void stopPressed();
 
 private:
-    enum class Way { None, Forward, Reverse };
+    enum class Direction { None, Forward, Reverse };
     struct Hands {
         bool enables = false;
-        Way way = Way::None;
+        Direction direction = Direction::None;
         bool stops = false;
     };
     struct Closer {
@@ -48,7 +48,7 @@ private:
     void follow(const Hands& now);
     void release();
     [[nodiscard]] Hands read() const;
-    [[nodiscard]] Way way() const;
+    [[nodiscard]] Direction direction() const;
 
     std::unique_ptr<_SDL_GameController, Closer> m_pad;
     QTimer m_timer;

@@ -65,18 +65,18 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
     m_excursion->setMeaning(
         tr("How far the motor may move past either side. Beyond that, the test stops and the motor holds."));
     m_excursion->showNative(kFirstExcursion);
-    m_way = new QComboBox(this);
-    look::name(m_way, u"squareWaveWayBox"_s, tr("Way: how the command jumps"));
-    for (const ResponseMethod way : {ResponseMethod::StopHere, ResponseMethod::Profile})
-        m_way->addItem(texts::responseMethod(way), static_cast<int>(way));
-    m_way->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_way->setMinimumContentsLength(12);
-    m_form->addRow(tr("Way"), m_way, nullptr);
+    m_method = new QComboBox(this);
+    look::name(m_method, u"squareWaveMethodBox"_s, tr("Way: how the command jumps"));
+    for (const ResponseMethod method : {ResponseMethod::StopHere, ResponseMethod::Profile})
+        m_method->addItem(texts::responseMethod(method), static_cast<int>(method));
+    m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_method->setMinimumContentsLength(12);
+    m_form->addRow(tr("Way"), m_method, nullptr);
     m_form->setWanted([this]() -> Intent {
         return intent::SquareWave{static_cast<std::int32_t>(*m_counts->native()), *m_period->value(),
                                   static_cast<unsigned>(*m_rounds->value()),
                                   static_cast<std::int32_t>(*m_excursion->native()),
-                                  static_cast<ResponseMethod>(m_way->currentData().toInt())};
+                                  static_cast<ResponseMethod>(m_method->currentData().toInt())};
     });
     m_results = new QLabel(this);
     look::nameText(m_results, u"squareWaveResults"_s, tr("Results of the edges"));

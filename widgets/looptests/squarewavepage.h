@@ -48,7 +48,7 @@ private:
     NumberField* m_period;
     NumberField* m_rounds;
     QuantityField* m_excursion;
-    QComboBox* m_way;
+    QComboBox* m_method;
     SquarePlot* m_plot;
     QLabel* m_results;
     QPushButton* m_keep;

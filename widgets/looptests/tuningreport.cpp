@@ -80,7 +80,7 @@ QString responseSection(const KeptResponse& kept) {
     const ResponseTaken& taken = kept.run.taken;
     return section(
         Report::tr("Step response"), picture(plot, kStepPicture, Report::tr("Step response")),
-        {Report::tr("%1 counts, %2").arg(taken.goal - taken.from).arg(texts::responseMethod(taken.way)),
+        {Report::tr("%1 counts, %2").arg(taken.goal - taken.from).arg(texts::responseMethod(taken.method)),
          texts::gainsInShort(taken.gains), Report::tr("Rise %1").arg(texts::responseTime(metrics.rise)),
          Report::tr("Overshoot %1").arg(texts::responseOvershoot(metrics.overshoot)),
          Report::tr("Settling to ±%1 %: %2")

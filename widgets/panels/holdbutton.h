@@ -17,9 +17,9 @@ public:
     explicit HoldButton(QWidget* parent = nullptr);
 
     /// Which way it moves the motor; PWM is no way.
-    enum class Way { None, Forward, Reverse };
-    void setWay(Way way) { m_way = way; }
-    [[nodiscard]] Way way() const { return m_way; }
+    enum class Direction { None, Forward, Reverse };
+    void setDirection(Direction direction) { m_direction = direction; }
+    [[nodiscard]] Direction direction() const { return m_direction; }
     /// A press from elsewhere: as one of the mouse, where it is enabled and in sight.
     void beginHold();
     /// How often held() comes while it is held; 100 ms.
@@ -47,7 +47,7 @@ private:
 
     QTimer m_timer;
     quint32 m_press = 0;
-    Way m_way = Way::None;
+    Direction m_direction = Direction::None;
 };
 
 }  // namespace nmc

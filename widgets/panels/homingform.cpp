@@ -24,7 +24,7 @@ constexpr std::array kStops{Stop::Abruptly, Stop::Smoothly, Stop::MotorOff};
 constexpr double kFastestServo = 32'767.0;
 constexpr double kFastestStep = 50'000.0;
 constexpr double kSlowestServo = 1.0 / 65'536.0;
-constexpr double kLongestWay = 2'147'483'647.0;
+constexpr double kLongestTravel = 2'147'483'647.0;
 constexpr double kLongestTime = 86'400.0;  // s: a day
 constexpr int kDigits = 8;
 }  // namespace
@@ -218,7 +218,7 @@ void HomingForm::showChip(const AxisScale& scale, int version, double speedUnit)
         double least = m_type == ModuleType::Stepper ? 1.0 : kSlowestServo;
         if (quantity.value == &HomingRecipe::travelLimit) {
             least = 1.0;
-            most = kLongestWay;
+            most = kLongestTravel;
         } else if (m_type == ModuleType::Stepper) {
             // Slower than its slowest speed would be faster than asked.
             const bool velocity = quantity.value == &HomingRecipe::velocity;

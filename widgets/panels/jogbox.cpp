@@ -69,8 +69,8 @@ void JogBox::build() {
             m_typed = velocity;
         refresh();
     });
-    m_forward->setWay(HoldButton::Way::Forward);
-    m_reverse->setWay(HoldButton::Way::Reverse);
+    m_forward->setDirection(HoldButton::Direction::Forward);
+    m_reverse->setDirection(HoldButton::Direction::Reverse);
     connect(m_forward, &HoldButton::held, this, [this] { hold(*m_forward, false); });
     connect(m_reverse, &HoldButton::held, this, [this] { hold(*m_reverse, true); });
     for (HoldButton* button : {m_forward, m_reverse}) {

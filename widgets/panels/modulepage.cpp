@@ -135,9 +135,9 @@ void ModulePage::lockPages() {
 }
 
 HoldButton* ModulePage::holdButton(bool reverse) {
-    const auto way = reverse ? HoldButton::Way::Reverse : HoldButton::Way::Forward;
+    const auto direction = reverse ? HoldButton::Direction::Reverse : HoldButton::Direction::Forward;
     for (HoldButton* button : findChildren<HoldButton*>())
-        if (button->way() == way) {
+        if (button->direction() == direction) {
             reveal(*button);
             m_motions->ensureWidgetVisible(button);
             return button;

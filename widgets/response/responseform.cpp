@@ -58,16 +58,16 @@ void ResponseForm::buildFields(QGridLayout* grid) {
         "How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier."));
     m_distance->setDigits(6);
     m_distance->showNative(kFirstStep);
-    m_way = new QComboBox(this);
-    look::name(m_way, u"responseWayBox"_s, tr("Way: how the command jumps"));
-    for (const ResponseMethod way : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
-        m_way->addItem(texts::responseMethod(way), static_cast<int>(way));
-        m_way->setItemData(m_way->count() - 1, texts::responseMethodMeaning(way), Qt::ToolTipRole);
+    m_method = new QComboBox(this);
+    look::name(m_method, u"responseMethodBox"_s, tr("Way: how the command jumps"));
+    for (const ResponseMethod method : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
+        m_method->addItem(texts::responseMethod(method), static_cast<int>(method));
+        m_method->setItemData(m_method->count() - 1, texts::responseMethodMeaning(method), Qt::ToolTipRole);
     }
-    m_way->setToolTip(texts::responseMethodMeaning(ResponseMethod::Profile) + u"\n"_s +
-                      texts::responseMethodMeaning(ResponseMethod::StopHere));
-    m_way->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_way->setMinimumContentsLength(12);
+    m_method->setToolTip(texts::responseMethodMeaning(ResponseMethod::Profile) + u"\n"_s +
+                         texts::responseMethodMeaning(ResponseMethod::StopHere));
+    m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_method->setMinimumContentsLength(12);
     m_record = newField(2, u"responseRecordField"_s, tr("The record"), tr("s"));
     m_record->setRange(kShortestRecord, kLongestRecord);
     m_record->setMeaning(tr("How long to record after the step. Then the motor is told to hold."));
@@ -90,11 +90,11 @@ void ResponseForm::buildFields(QGridLayout* grid) {
         ++line;
     };
     addRow(tr("Distance"), m_distance, m_distance->unitLabel(), m_distance->otherView());
-    addRow(tr("Way"), m_way, nullptr, nullptr);
+    addRow(tr("Way"), m_method, nullptr, nullptr);
     addRow(tr("Record"), m_record, new QLabel(tr("s"), this), nullptr);
     addRow(tr("Settling band"), m_band, new QLabel(tr("% of the step"), this), nullptr);
     connect(m_distance, &QuantityField::nativeEdited, this, &ResponseForm::refresh);
-    connect(m_way, &QComboBox::currentIndexChanged, this, &ResponseForm::refresh);
+    connect(m_method, &QComboBox::currentIndexChanged, this, &ResponseForm::refresh);
     connect(m_record, &NumberField::edited, this, &ResponseForm::refresh);
     connect(m_band, &NumberField::edited, this, [this] {
         if (const auto band = m_band->value()) {
@@ -142,7 +142,7 @@ std::optional<intent::StepResponse> ResponseForm::entered() const {
     if (!distance || !record)
         return std::nullopt;
     return intent::StepResponse{static_cast<std::int32_t>(*distance),
-                                static_cast<ResponseMethod>(m_way->currentData().toInt()), *record};
+                                static_cast<ResponseMethod>(m_method->currentData().toInt()), *record};
 }
 
 std::optional<Refusal> ResponseForm::refusal() const {

@@ -54,7 +54,7 @@ private:
     [[nodiscard]] QString unsentGains() const;
 
     QuantityField* m_distance = nullptr;
-    QComboBox* m_way = nullptr;
+    QComboBox* m_method = nullptr;
     NumberField* m_record = nullptr;
     NumberField* m_band = nullptr;
     QPushButton* m_step = nullptr;

@@ -45,8 +45,8 @@ QString number(double value, int decimals) {
 
 }  // namespace
 
-QString responseMethod(ResponseMethod way) {
-    switch (way) {
+QString responseMethod(ResponseMethod method) {
+    switch (method) {
         case ResponseMethod::Profile:
             return ResponseTexts::tr("Very fast profile");
         case ResponseMethod::StopHere:
@@ -55,8 +55,8 @@ QString responseMethod(ResponseMethod way) {
     return {};
 }
 
-QString responseMethodMeaning(ResponseMethod way) {
-    switch (way) {
+QString responseMethodMeaning(ResponseMethod method) {
+    switch (method) {
         case ResponseMethod::Profile:
             return ResponseTexts::tr(
                 "A move with so much velocity and acceleration that the profile reaches the goal in one tick.");

@@ -12,9 +12,9 @@
 /// Step responses in words.
 namespace nmc::texts {
 
-[[nodiscard]] QString responseMethod(ResponseMethod way);
+[[nodiscard]] QString responseMethod(ResponseMethod method);
 /// What the motor is told, one sentence.
-[[nodiscard]] QString responseMethodMeaning(ResponseMethod way);
+[[nodiscard]] QString responseMethodMeaning(ResponseMethod method);
 
 /// "12.3 ± 0.4 ms": with as many digits as the doubt leaves a meaning.
 [[nodiscard]] QString plusMinus(const Measured& measured, const QString& unit);

@@ -321,7 +321,7 @@ private:
         if (!m_run || !before || !sample.report.position)
             return;
         DryRun::Axis& axis = m_result.axes[sample.module.value()];
-        axis.way += std::abs(static_cast<double>(countsBetween(*before, *sample.report.position)));
+        axis.travelled += std::abs(static_cast<double>(countsBetween(*before, *sample.report.position)));
         const std::int32_t place = countsBetween(-origin(sample.module), *sample.report.position);
         axis.lowest = std::min(axis.lowest, place);
         axis.highest = std::max(axis.highest, place);

@@ -26,7 +26,7 @@ struct DryRun {
         ModuleIndex module;
         std::int32_t lowest = 0;  ///< where it comes to, counts (steps) as its counter counts now
         std::int32_t highest = 0;
-        double way = 0.0;  ///< all that it moves, there and back, counts
+        double travelled = 0.0;  ///< all that it moves, there and back, counts
         unsigned moves = 0;
         bool operator==(const Axis&) const = default;
     };

@@ -12,12 +12,12 @@ std::optional<std::int64_t> turningPoint(std::int64_t from, std::int64_t goal, c
     if (play <= 0 || goal == from)
         return std::nullopt;
     const int side = module.backlash.fromAbove ? -1 : 1;  // the direction in which it has to arrive
-    const std::int64_t way = (goal - from) * side;
+    const std::int64_t distance = (goal - from) * side;
     // A run that has ended at its limit has come from anywhere.
     const auto rests = module.goal();
     const bool takenUp = rests && module.goalReverse() == module.backlash.fromAbove &&
                          rests != travelEnd(module, false) && rests != travelEnd(module, true);
-    if (way >= play || (way > 0 && takenUp))
+    if (distance >= play || (distance > 0 && takenUp))
         return std::nullopt;
     return goal - play * side;
 }

@@ -36,9 +36,10 @@ int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
         return load.reverse ? -1 : 1;
     if (!load.position || !module.latest || !module.latest->position)
         return 0;
-    const std::int32_t way = load.relative ? load.position->value()
-                                           : countsBetween(*module.latest->position, load.position->value());
-    return way > 0 ? 1 : way < 0 ? -1 : 0;
+    const std::int32_t distance = load.relative
+                                      ? load.position->value()
+                                      : countsBetween(*module.latest->position, load.position->value());
+    return distance > 0 ? 1 : distance < 0 ? -1 : 0;
 }
 
 /// Applies the rule first, so that what a control greys out is never sent from elsewhere either.

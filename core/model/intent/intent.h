@@ -96,7 +96,7 @@ struct MoveBy {
 /// (looptestplan.h). A procedure.
 struct StepResponse {
     std::int32_t counts = 0;  ///< signed
-    ResponseMethod way = ResponseMethod::Profile;
+    ResponseMethod method = ResponseMethod::Profile;
     double record = 0.0;                    ///< s, from the step on
     std::optional<servo::SetGain> gains{};  ///< sent before the step; empty: it has those that are wanted
 };
@@ -107,7 +107,7 @@ struct SquareWave {
     double period = 0.0;      ///< s
     unsigned rounds = 0;
     std::int32_t excursion = 0;  ///< counts beyond either side; farther than that ends it
-    ResponseMethod way = ResponseMethod::StopHere;
+    ResponseMethod method = ResponseMethod::StopHere;
 };
 /// Sines of the command position about the one that is held, one frequency after the other (looptestplan.h).
 /// A procedure.

@@ -52,7 +52,7 @@ std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleSt
         return refusal;
     if (const auto refusal = wanted.gains ? whyNot(IntentKind::ApplyGains, module) : std::nullopt)
         return refusal;
-    if (wanted.way == ResponseMethod::StopHere && module.info.identity.version < servo::kStopHereVersion)
+    if (wanted.method == ResponseMethod::StopHere && module.info.identity.version < servo::kStopHereVersion)
         return Refusal::VersionLacksIt;
     if (!(wanted.record >= kShortestRecord && wanted.record <= kLongestRecord))
         return Refusal::RecordTime;
@@ -64,7 +64,7 @@ std::optional<Refusal> whyNot(const intent::SquareWave& wanted, const ModuleStat
     if (const auto refusal =
             whyNotTest(module, module.gains, std::abs(counts), counts / 2 - counts, counts / 2))
         return refusal;
-    if (wanted.way == ResponseMethod::StopHere && module.info.identity.version < servo::kStopHereVersion)
+    if (wanted.method == ResponseMethod::StopHere && module.info.identity.version < servo::kStopHereVersion)
         return Refusal::VersionLacksIt;
     const bool inRange = wanted.period >= kShortestPeriod && wanted.period <= kLongestPeriod &&
                          wanted.rounds >= 1 && wanted.rounds <= kMaxPeriods && wanted.excursion > 0;

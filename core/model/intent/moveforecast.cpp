@@ -6,13 +6,13 @@
 namespace nmc {
 
 MoveForecast forecast(double distance, double velocity, double acceleration, double perSecond) {
-    const double way = std::abs(distance);
+    const double length = std::abs(distance);
     // Speeding up and slowing down take v^2 / 2a each.
-    const bool triangular = way < velocity * velocity / acceleration;
-    const double peak = triangular ? std::sqrt(way * acceleration) : velocity;
+    const bool triangular = length < velocity * velocity / acceleration;
+    const double peak = triangular ? std::sqrt(length * acceleration) : velocity;
     if (peak == 0.0)
         return {};
-    const double ticks = triangular ? 2.0 * peak / acceleration : way / velocity + velocity / acceleration;
+    const double ticks = triangular ? 2.0 * peak / acceleration : length / velocity + velocity / acceleration;
     return {ticks / perSecond, peak, triangular};
 }
 

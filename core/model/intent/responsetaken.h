@@ -20,7 +20,7 @@ struct ResponseTaken {
     std::int32_t from = 0;  ///< the position that the servo held
     std::int32_t goal = 0;  ///< where the command position jumped to
     double record = 0.0;    ///< s, from `at` on; then the motor was told to hold
-    ResponseMethod way = ResponseMethod::Profile;
+    ResponseMethod method = ResponseMethod::Profile;
     servo::SetGain gains;  ///< in force
 
     bool operator==(const ResponseTaken&) const = default;

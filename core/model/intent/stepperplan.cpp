@@ -63,8 +63,8 @@ struct GoalOf {
     if (!module.stepper.position())
         return Refusal::PositionUnknown;
     constexpr std::int64_t kFarthest = stepper::kPositionRange.max;
-    const std::int64_t way = *goal - *module.stepper.position();
-    const bool far = *goal < -kFarthest || *goal > kFarthest || way < -kFarthest || way > kFarthest;
+    const std::int64_t distance = *goal - *module.stepper.position();
+    const bool far = *goal < -kFarthest || *goal > kFarthest || distance < -kFarthest || distance > kFarthest;
     return far ? std::optional(Refusal::TooFar) : std::nullopt;
 }
 

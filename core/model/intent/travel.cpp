@@ -222,8 +222,8 @@ struct DirectProblem {
     const auto position = positionOf(module);
     if (!position)
         return std::nullopt;
-    for (const std::int64_t way : {std::int64_t{check.reach}, -std::int64_t{check.reach}})
-        if (const auto problem = problemOf(Course{.goal = *position + way}, module))
+    for (const std::int64_t offset : {std::int64_t{check.reach}, -std::int64_t{check.reach}})
+        if (const auto problem = problemOf(Course{.goal = *position + offset}, module))
             return problem;
     return std::nullopt;
 }
@@ -345,8 +345,8 @@ StepperMotion withinTravel(const StepperMotion& motion, const ModuleState& modul
 std::optional<Intent> stopBeforeLimit(const ModuleState& module, Duration latency) {
     const auto position = positionOf(module);
     const double speed = module.speed.perSecond().value_or(0.0);
-    const int way = endless(module, speed);
-    const auto end = way == 0 ? std::nullopt : travelEnd(module, way < 0);
+    const int direction = endless(module, speed);
+    const auto end = direction == 0 ? std::nullopt : travelEnd(module, direction < 0);
     if (!end || !position)
         return std::nullopt;
     const double tick = toSeconds(kServoTick) * (module.gains ? module.gains->sr : 1);
@@ -355,7 +355,7 @@ std::optional<Intent> stopBeforeLimit(const ModuleState& module, Duration latenc
     const bool pwm = module.motion == MotionMode::Pwm;
     const double ramp = pwm ? 0.0 : rampOf(module);
     const double needs = fast * toSeconds(latency) + (ramp > 0.0 ? fast * fast / (2.0 * ramp) : 0.0);
-    if ((static_cast<double>(*end) - *position) * way > needs)
+    if ((static_cast<double>(*end) - *position) * direction > needs)
         return std::nullopt;
     return pwm ? Intent(intent::MotorOff{}) : Intent(intent::StopSmoothly{});
 }

@@ -18,8 +18,8 @@ constexpr int kRunsVersion = 1;
 constexpr std::string_view kRunsFormat = "nmc-panel-step-runs";
 /// Of a run: four times as many samples as the bus gives in the longest record.
 constexpr std::size_t kMostPoints = 20'000;
-constexpr Word<ResponseMethod> kWayWords[] = {{ResponseMethod::Profile, "profile"},
-                                              {ResponseMethod::StopHere, "stop here"}};
+constexpr Word<ResponseMethod> kMethodWords[] = {{ResponseMethod::Profile, "profile"},
+                                                 {ResponseMethod::StopHere, "stop here"}};
 constexpr Bounds kRecord{kShortestRecord, kLongestRecord};
 constexpr Bounds kPwm{0, 1e9};
 
@@ -30,11 +30,11 @@ struct Runs {
 
 template <typename Form, As<ResponseTaken> T>
 void fields(Form& form, T& taken) {
-    auto& [at, from, goal, record, way, gains] = taken;
+    auto& [at, from, goal, record, method, gains] = taken;
     form.whole("from_counts", from, takenByModule(servo::kPositionRange));
     form.whole("goal_counts", goal, takenByModule(servo::kPositionRange));
     form.real("record_s", record, kRecord);
-    form.choice("way", way, kWayWords);
+    form.choice("way", method, kMethodWords);
     form.part("gains", gains);
 }
 

@@ -36,11 +36,11 @@ std::optional<double> MeasuredSpeed::perSecond() const {
     const auto& from = m_before ? m_before : m_anchor;
     if (!from || m_latest->time - from->time < kShortest)
         return std::nullopt;
-    const std::int32_t way = countsBetween(from->position, m_latest->position);
+    const std::int32_t distance = countsBetween(from->position, m_latest->position);
     // A shaft that is held between two counts shows now the one, now the other.
-    if (std::abs(std::int64_t{way}) <= 1)
+    if (std::abs(std::int64_t{distance}) <= 1)
         return 0.0;
-    return way / toSeconds(m_latest->time - from->time);
+    return distance / toSeconds(m_latest->time - from->time);
 }
 
 }  // namespace nmc

@@ -169,10 +169,10 @@ private:
         const auto of = [&](Kind kind, double value, double allowed) {
             add({.kind = kind, .line = m_line, .column = axis.name, .value = value, .allowed = allowed});
         };
-        const auto way = static_cast<double>(std::abs(point - before.value_or(point)));
-        const double velocity = way / servo::ticksPerPoint(m_table.rate);
-        if (const int most = servo::maxPathCounts(m_table.rate); way > most)
-            of(Kind::Jump, way, most);
+        const auto distance = static_cast<double>(std::abs(point - before.value_or(point)));
+        const double velocity = distance / servo::ticksPerPoint(m_table.rate);
+        if (const int most = servo::maxPathCounts(m_table.rate); distance > most)
+            of(Kind::Jump, distance, most);
         else if (axis.fastest > 0.0 && velocity > axis.fastest)
             of(Kind::TooFast, velocity, axis.fastest);
         if (const auto beyond = axis.travel ? beyondTravel(point, *axis.travel) : std::nullopt)

@@ -45,15 +45,15 @@ PathTable pathFromMoves(const PathMoves& moves) {
     }
     const double period = toSeconds(bus::pathPeriod(moves.rate));
     const std::size_t goals = moves.axes.empty() ? 0 : moves.axes.front().goals.size();
-    std::vector<double> ways(place.size());
+    std::vector<double> distances(place.size());
     for (std::size_t goal = 0; goal < goals; ++goal) {
         double velocity = std::numeric_limits<double>::infinity();
         double acceleration = velocity;
         for (std::size_t a = 0; a < place.size(); ++a) {
             const PathMoves::Axis& axis = moves.axes[a];
-            ways[a] = static_cast<double>(std::int64_t{axis.goals[goal]} - place[a]);
-            velocity = std::min(velocity, axis.velocity / std::abs(ways[a]));
-            acceleration = std::min(acceleration, axis.acceleration / std::abs(ways[a]));
+            distances[a] = static_cast<double>(std::int64_t{axis.goals[goal]} - place[a]);
+            velocity = std::min(velocity, axis.velocity / std::abs(distances[a]));
+            acceleration = std::min(acceleration, axis.acceleration / std::abs(distances[a]));
         }
         if (std::isinf(velocity))
             continue;
@@ -61,8 +61,8 @@ PathTable pathFromMoves(const PathMoves& moves) {
         const double points = std::ceil(profile.lasts() / period);
         for (double point = 1.0; point <= points; ++point)
             for (std::size_t a = 0; a < place.size(); ++a) {
-                const long way = std::lround(ways[a] * profile.at(point * period));
-                table.columns[a].points.push_back(static_cast<std::int32_t>(place[a] + way));
+                const long distance = std::lround(distances[a] * profile.at(point * period));
+                table.columns[a].points.push_back(static_cast<std::int32_t>(place[a] + distance));
             }
         for (std::size_t a = 0; a < place.size(); ++a)
             table.columns[a].points.back() = place[a] = moves.axes[a].goals[goal];

@@ -35,10 +35,10 @@ using Kind = PathObstacle::Kind;
 /// Of the segment to a point.
 [[nodiscard]] std::optional<PathObstacle> wrongSegment(std::int64_t before, std::int64_t point,
                                                        servo::PathRate rate, const ModuleState& module) {
-    const auto way = static_cast<double>(std::abs(point - before));
-    if (const int most = servo::maxPathCounts(rate); way > most)
-        return PathObstacle{.kind = Kind::Jump, .value = way, .allowed = static_cast<double>(most)};
-    const double velocity = way / servo::ticksPerPoint(rate);
+    const auto distance = static_cast<double>(std::abs(point - before));
+    if (const int most = servo::maxPathCounts(rate); distance > most)
+        return PathObstacle{.kind = Kind::Jump, .value = distance, .allowed = static_cast<double>(most)};
+    const double velocity = distance / servo::ticksPerPoint(rate);
     if (const double fastest = module.travel.fastest; fastest > 0.0 && velocity > fastest)
         return PathObstacle{.kind = Kind::TooFast, .value = velocity, .allowed = fastest};
     if (const auto range = travelRange(module))

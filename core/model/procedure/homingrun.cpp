@@ -50,7 +50,7 @@ constexpr Duration kLastCount = std::chrono::seconds(5);
 }
 
 /// Positions wrap at 32 bits.
-[[nodiscard]] double way(std::int32_t from, std::int32_t to) {
+[[nodiscard]] double distance(std::int32_t from, std::int32_t to) {
     return std::abs(static_cast<double>(countsBetween(from, to)));
 }
 
@@ -342,7 +342,7 @@ bool HomingRun::anyActive(const HomingLook& seen) const {
 }
 
 bool HomingRun::tooFar(const HomingLook& seen) const {
-    return way(m_from, seen.position) > m_recipe.travelLimit;
+    return distance(m_from, seen.position) > m_recipe.travelLimit;
 }
 
 /// Only of the limit that it goes towards: from beyond the other one it may come back.

@@ -58,8 +58,8 @@ LoopTest::Next LoopTest::prepare(const ModuleState& module, TimePoint now) {
 }
 
 std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t goal,
-                                       ResponseMethod way) const {
-    if (way == ResponseMethod::StopHere)
+                                       ResponseMethod method) const {
+    if (method == ResponseMethod::StopHere)
         return orders({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(goal)}});
     servo::LoadTrajectory load;
     load.position = Counts(goal);

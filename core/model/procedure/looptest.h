@@ -36,7 +36,7 @@ protected:
     [[nodiscard]] std::int32_t stood() const { return m_stood; }
     /// The command position goes there in one tick.
     [[nodiscard]] std::vector<bus::Order> jump(const ModuleState& module, std::int32_t goal,
-                                               ResponseMethod way) const;
+                                               ResponseMethod method) const;
     /// While `taken` is recorded: what comes next until it is over. The motion may be somebody else's by
     /// then, or go too far.
     [[nodiscard]] std::optional<Next> record(const ModuleState& module, TimePoint now,

@@ -53,11 +53,11 @@ SquareWaveRun::Next SquareWaveRun::edge(const ModuleState& module) {
         m_taken.gains = gainsFor(module, *std::exchange(m_next, std::nullopt));
         sent = orders({m_taken.gains});
     }
-    m_taken = {{}, m_taken.goal, goal, m_wanted.period / 2, m_wanted.way, m_taken.gains};
+    m_taken = {{}, m_taken.goal, goal, m_wanted.period / 2, m_wanted.method, m_taken.gains};
     m_told = false;
     ++m_edges;
     m_report.round = (m_edges + 1) / 2;
-    for (bus::Order& step : jump(module, goal, m_wanted.way))
+    for (bus::Order& step : jump(module, goal, m_wanted.method))
         sent.push_back(std::move(step));
     sent.push_back(orders({ReadStatus{kFirstQuestions.at(m_edges / 2 % kFirstQuestions.size())}}).front());
     return send(std::move(sent));

@@ -18,8 +18,8 @@ std::optional<StepResponseRun::Next> StepResponseRun::beforeStandstill(const Mod
 StepResponseRun::Next StepResponseRun::begin(const ModuleState& module) {
     if (whyNot(m_wanted, module))
         return fail(ProcedureFailure::Refused);
-    m_taken = {{}, from(), from() + m_wanted.counts, m_wanted.record, m_wanted.way, *module.gains};
-    return send(jump(module, m_taken.goal, m_wanted.way));
+    m_taken = {{}, from(), from() + m_wanted.counts, m_wanted.record, m_wanted.method, *module.gains};
+    return send(jump(module, m_taken.goal, m_wanted.method));
 }
 
 StepResponseRun::Next StepResponseRun::goOn(const ModuleState& module, TimePoint now) {
@@ -38,8 +38,8 @@ bool StepResponseRun::goneTooFar(const ModuleState& module) const {
         return false;
     const std::int64_t step = std::abs(std::int64_t{m_wanted.counts});
     const std::int64_t gone = countsBetween(stood(), *module.latest->position);
-    const std::int64_t way = m_wanted.counts < 0 ? -gone : gone;
-    return way > 2 * step + kStillCounts || way < -step / 4 - kStillCounts;
+    const std::int64_t distance = m_wanted.counts < 0 ? -gone : gone;
+    return distance > 2 * step + kStillCounts || distance < -step / 4 - kStillCounts;
 }
 
 }  // namespace nmc

@@ -31,8 +31,8 @@ private:
     std::string m_prefix;
 };
 
-std::string_view wayText(ResponseMethod way) {
-    switch (way) {
+std::string_view methodText(ResponseMethod method) {
+    switch (method) {
         case ResponseMethod::Profile:
             return "by a profile of one tick";
         case ResponseMethod::StopHere:
@@ -64,7 +64,7 @@ void appendRun(std::string& out, const KeptResponse& kept) {
     comments.add("module", kept.moduleName);
     comments.add("counts per unit", textOf(kept.scale.counts(1.0)));
     comments.add("step", textOf(taken.from) + " to " + textOf(taken.goal) + " counts " +
-                             std::string(wayText(taken.way)));
+                             std::string(methodText(taken.method)));
     appendGains(out, GainsChange{kept.run.module, taken.at, taken.gains}, taken.at);
     appendMetrics(comments, kept.run);
 }

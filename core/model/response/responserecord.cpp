@@ -14,8 +14,8 @@ constexpr Duration kTimeDoubt = kServoTick;
 
 /// Positions wrap at 32 bits.
 [[nodiscard]] double near(std::int32_t from, std::int32_t position) {
-    const auto way = static_cast<std::uint32_t>(position) - static_cast<std::uint32_t>(from);
-    return static_cast<double>(from) + static_cast<double>(static_cast<std::int32_t>(way));
+    const auto distance = static_cast<std::uint32_t>(position) - static_cast<std::uint32_t>(from);
+    return static_cast<double>(from) + static_cast<double>(static_cast<std::int32_t>(distance));
 }
 
 }  // namespace

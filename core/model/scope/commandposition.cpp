@@ -300,8 +300,8 @@ void CommandPosition::learnHeldPosition(const bus::Sample& sample) {
     const double last = m_lastPosition.value_or(now);
     const double before = atOnce ? now : last;
     // One that moves goes on for a while, and not evenly.
-    const double way = atOnce && m_lastPosition ? std::abs(now - last) : 0.0;
-    const double perTick = way == 0.0 ? 0.0 : way / toSeconds(sample.time - m_lastTime) * tick();
+    const double travelled = atOnce && m_lastPosition ? std::abs(now - last) : 0.0;
+    const double perTick = travelled == 0.0 ? 0.0 : travelled / toSeconds(sample.time - m_lastTime) * tick();
     const double more = std::floor(kRampTicks * perTick);
     rest({(now + before) / 2, std::min(now, before) - more, std::max(now, before) + more});
 }

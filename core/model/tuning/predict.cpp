@@ -17,11 +17,11 @@ using Complex = std::complex<double>;
 /// From PWM to position over one servo tick, which begins with the rest of the delay: `late` comes from the
 /// PWM value of the tick that is a whole delay ago, `early` from the one before that.
 struct TickOfMotor {
-    double keeps = 0.0;                        ///< part of the velocity that is left
-    double coasts = 0.0;                       ///< s; counts by counts/s
-    double lateSpeed = 0.0, earlySpeed = 0.0;  ///< counts/s by PWM count
-    double lateWay = 0.0, earlyWay = 0.0;      ///< counts by PWM count
-    int wholeDelay = 0;                        ///< ticks
+    double keeps = 0.0;                          ///< part of the velocity that is left
+    double coasts = 0.0;                         ///< s; counts by counts/s
+    double lateSpeed = 0.0, earlySpeed = 0.0;    ///< counts/s by PWM count
+    double lateTravel = 0.0, earlyTravel = 0.0;  ///< counts by PWM count
+    int wholeDelay = 0;                          ///< ticks
 };
 
 [[nodiscard]] TickOfMotor tickOf(const MotorConstants& motor, double tick) {
@@ -34,8 +34,8 @@ struct TickOfMotor {
     of.coasts = motor.timeConstant * gone(tick);
     of.lateSpeed = motor.gain * gone(late);
     of.earlySpeed = motor.gain * gone(tick) - of.lateSpeed;
-    of.lateWay = motor.gain * (late - motor.timeConstant * gone(late));
-    of.earlyWay = motor.gain * (tick - motor.timeConstant * gone(tick)) - of.lateWay;
+    of.lateTravel = motor.gain * (late - motor.timeConstant * gone(late));
+    of.earlyTravel = motor.gain * (tick - motor.timeConstant * gone(tick)) - of.lateTravel;
     return of;
 }
 
@@ -45,7 +45,7 @@ struct TickOfMotor {
     if (gains.ki > 0 && gains.il > 0)
         filter += gains.ki / 256.0 / (1.0 - before);
     const Complex speed = (motor.lateSpeed + motor.earlySpeed * before) / (z - motor.keeps);
-    const Complex way = (motor.lateWay + motor.earlyWay * before + motor.coasts * speed) / (z - 1.0);
+    const Complex way = (motor.lateTravel + motor.earlyTravel * before + motor.coasts * speed) / (z - 1.0);
     return filter / 256.0 * way * std::pow(before, motor.wholeDelay);
 }
 
@@ -69,7 +69,7 @@ struct TickOfMotor {
     Eigen::MatrixXd next = Eigen::MatrixXd::Zero(size, size);
     next(kPosition, kPosition) = 1;
     next(kPosition, kVelocity) = motor.coasts;
-    next.row(kPosition) += (motor.lateWay * late + motor.earlyWay * early).transpose();
+    next.row(kPosition) += (motor.lateTravel * late + motor.earlyTravel * early).transpose();
     next(kVelocity, kVelocity) = motor.keeps;
     next.row(kVelocity) += (motor.lateSpeed * late + motor.earlySpeed * early).transpose();
     if (integrates) {
