@@ -655,6 +655,65 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
+    <name>ResponseTexts</name>
+    <message>
+        <source>too few samples</source>
+        <translation>zu wenige Messwerte</translation>
+    </message>
+    <message>
+        <source>did not reach 90 %</source>
+        <translation>90 % nicht erreicht</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht in dieser Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Very fast profile</source>
+        <translation>Sehr schnelles Profil</translation>
+    </message>
+    <message>
+        <source>Stop here, at the goal</source>
+        <translation>Hier stoppen, am Ziel</translation>
+    </message>
+    <message>
+        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
+        <translation>Eine Fahrt mit so viel Geschwindigkeit und Beschleunigung, dass ihr Profil in einem Takt am Ziel ist.</translation>
+    </message>
+    <message>
+        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
+        <translation>Der Regler hält sofort das Ziel, ohne Profil. Nicht mit Version 1.</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>limited to %1</source>
+        <translation>begrenzt auf %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>samples missing, repeat</source>
+        <translation>Messwerte fehlen, wiederholen</translation>
+    </message>
+    <message>
+        <source>%1, off its goal</source>
+        <translation>%1, neben dem Ziel</translation>
+    </message>
+</context>
+<context>
     <name>Scope</name>
     <message>
         <source>NMC Panel %1</source>
@@ -890,65 +949,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>speed %1</source>
         <translation>Geschwindigkeit %1</translation>
-    </message>
-</context>
-<context>
-    <name>ResponseTexts</name>
-    <message>
-        <source>too few samples</source>
-        <translation>zu wenige Messwerte</translation>
-    </message>
-    <message>
-        <source>did not reach 90 %</source>
-        <translation>90 % nicht erreicht</translation>
-    </message>
-    <message>
-        <source>not recorded</source>
-        <translation>nicht in dieser Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Very fast profile</source>
-        <translation>Sehr schnelles Profil</translation>
-    </message>
-    <message>
-        <source>Stop here, at the goal</source>
-        <translation>Hier stoppen, am Ziel</translation>
-    </message>
-    <message>
-        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
-        <translation>Eine Fahrt mit so viel Geschwindigkeit und Beschleunigung, dass ihr Profil in einem Takt am Ziel ist.</translation>
-    </message>
-    <message>
-        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
-        <translation>Der Regler hält sofort das Ziel, ohne Profil. Nicht mit Version 1.</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>limited to %1</source>
-        <translation>begrenzt auf %1</translation>
-    </message>
-    <message>
-        <source>at least %1</source>
-        <translation>mindestens %1</translation>
-    </message>
-    <message>
-        <source>samples missing, repeat</source>
-        <translation>Messwerte fehlen, wiederholen</translation>
-    </message>
-    <message>
-        <source>%1, off its goal</source>
-        <translation>%1, neben dem Ziel</translation>
     </message>
 </context>
 <context>
@@ -5169,10 +5169,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zeigt den ganzen Text und alle anderen Meldungen in der Liste der Meldungen.</translation>
     </message>
     <message>
-        <source>Show the message list</source>
-        <translation>Die Liste der Meldungen zeigen</translation>
-    </message>
-    <message>
         <source>%1 more…</source>
         <translation>%1 weitere…</translation>
     </message>
@@ -9078,6 +9074,117 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::MoveByBox</name>
+    <message>
+        <source>Step by a distance</source>
+        <translation>Um eine Strecke weiterfahren</translation>
+    </message>
+    <message>
+        <source>Step by</source>
+        <translation>Schrittfahrt</translation>
+    </message>
+    <message>
+        <source>Distance of a step</source>
+        <translation>Strecke eines Schritts</translation>
+    </message>
+    <message>
+        <source>The distance of a step</source>
+        <translation>Die Strecke eines Schritts</translation>
+    </message>
+    <message>
+        <source>◂| Step</source>
+        <translation>◂| Schritt</translation>
+    </message>
+    <message>
+        <source>Step in reverse</source>
+        <translation>Schritt: Ein Schritt rückwärts</translation>
+    </message>
+    <message>
+        <source>Step |▸</source>
+        <translation>Schritt |▸</translation>
+    </message>
+    <message>
+        <source>Step forward</source>
+        <translation>Schritt: Ein Schritt vorwärts</translation>
+    </message>
+    <message>
+        <source>The number of steps</source>
+        <translation>Die Zahl der Schritte</translation>
+    </message>
+    <message>
+        <source>Number of steps per click.</source>
+        <translation>Wie viele Schritte ein Klick auslöst.</translation>
+    </message>
+    <message>
+        <source>The pause between steps</source>
+        <translation>Die Pause zwischen den Schritten</translation>
+    </message>
+    <message>
+        <source>Time to wait after each move, in seconds.</source>
+        <translation>Wartezeit nach jeder Fahrt in Sekunden.</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>hin und zurück</translation>
+    </message>
+    <message>
+        <source>There and back with each step</source>
+        <translation>hin und zurück: Jeder Schritt hin und zurück</translation>
+    </message>
+    <message>
+        <source>Each step goes there and back.</source>
+        <translation>Jeder Schritt geht hin und wieder zurück.</translation>
+    </message>
+    <message>
+        <source>End steps</source>
+        <translation>Schritte beenden</translation>
+    </message>
+    <message>
+        <source>End steps and stop</source>
+        <translation>Die Schritte beenden und stoppen</translation>
+    </message>
+    <message>
+        <source>times, pause</source>
+        <translation>mal, Pause</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>A series of steps is already running.</source>
+        <translation>Es werden bereits Schritte gefahren.</translation>
+    </message>
+    <message>
+        <source>Moves forward by this distance, then holds.</source>
+        <translation>Fährt um diese Strecke vorwärts und hält dort.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse by this distance, then holds.</source>
+        <translation>Fährt um diese Strecke rückwärts und hält dort.</translation>
+    </message>
+    <message>
+        <source>No series of steps is running.</source>
+        <translation>Es werden keine Schritte gefahren.</translation>
+    </message>
+    <message>
+        <source>Ends the series of steps and stops the motor smoothly.</source>
+        <translation>Fährt keine weiteren Schritte und stoppt den Motor sanft.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Distance per click, at the velocity of Go to.</source>
+        <translation>Wie weit ein Klick den Motor bewegt, mit der Geschwindigkeit von „Position anfahren“.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::NumberField</name>
     <message>
         <source>%1 must be %2 to %3%4.</source>
@@ -10140,6 +10247,544 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Text (*.txt)</source>
         <translation>Text (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseForm</name>
+    <message>
+        <source>Settings of the next step</source>
+        <translation>Wie der nächste Sprung gemacht wird</translation>
+    </message>
+    <message>
+        <source>Distance of the step response</source>
+        <translation>Strecke der Sprungantwort</translation>
+    </message>
+    <message>
+        <source>The distance of the step</source>
+        <translation>Die Strecke des Sprungs</translation>
+    </message>
+    <message>
+        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
+        <translation>Wie weit die Sollposition springt; unter 0 rückwärts. Kleine Sprünge zeigen, wie der Servo abgestimmt ist, große, was der Verstärker kann.</translation>
+    </message>
+    <message>
+        <source>Way: how the command jumps</source>
+        <translation>Wie die Vorgabe springt</translation>
+    </message>
+    <message>
+        <source>The record</source>
+        <translation>Die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>How long to record after the step. Then the motor is told to hold.</source>
+        <translation>Wie lange der Motor nach dem Sprung beobachtet wird. Dann bekommt er einen Haltebefehl.</translation>
+    </message>
+    <message>
+        <source>The settling band</source>
+        <translation>Das Toleranzband</translation>
+    </message>
+    <message>
+        <source>% of the step</source>
+        <translation>% des Sprungs</translation>
+    </message>
+    <message>
+        <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
+        <translation>Der Motor ist eingeschwungen, wenn er so nahe am Ziel bleibt; strenger als auf ein Inkrement wird nie geprüft. Gilt für alle Läufe.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Settling band</source>
+        <translation>Toleranzband</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>Step and record</source>
+        <translation>Einen Sprung ausführen und aufzeichnen</translation>
+    </message>
+    <message>
+        <source>A step is already running.</source>
+        <translation>Es läuft bereits ein Sprung.</translation>
+    </message>
+    <message>
+        <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
+        <translation>Der Motor springt um diese Strecke und hält dort. Alles, was sich mitdreht, muss frei beweglich sein (Umschalt+F9).</translation>
+    </message>
+    <message>
+        <source>%1 %2 instead of %3</source>
+        <translation>%1 %2 statt %3</translation>
+    </message>
+    <message>
+        <source>Some gains in the fields were not sent: %1. Which gains should the step use?</source>
+        <translation>Einige Reglerwerte in den Feldern wurden nicht gesendet: %1. Mit welchen soll der Sprung gemacht werden?</translation>
+    </message>
+    <message>
+        <source>Gains that were not sent</source>
+        <translation>Nicht gesendete Reglerwerte</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>&amp;Apply and step</source>
+        <translation>&amp;Anwenden und springen</translation>
+    </message>
+    <message>
+        <source>Step with &amp;present gains</source>
+        <translation>&amp;Mit denen des Moduls springen</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponsePage</name>
+    <message>
+        <source>Step response</source>
+        <translation>Sprungantwort</translation>
+    </message>
+    <message>
+        <source>Use these gains</source>
+        <translation>Werte übernehmen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>CSV exportieren…</translation>
+    </message>
+    <message>
+        <source>Select a run in the list first.</source>
+        <translation>Zuerst einen Lauf in der Liste wählen.</translation>
+    </message>
+    <message>
+        <source>This run belongs to %1. Select that module first.</source>
+        <translation>Dieser Lauf ist von %1. Zuerst dieses Modul wählen.</translation>
+    </message>
+    <message>
+        <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
+        <translation>Trägt die Reglerwerte dieses Laufs in die Felder der Seite Reglerwerte ein. Sendet nichts (Strg+Umschalt+U).</translation>
+    </message>
+    <message>
+        <source>Removes this run from the list (Ctrl+Del).</source>
+        <translation>Nimmt diesen Lauf aus der Liste (Strg+Entf).</translation>
+    </message>
+    <message>
+        <source>No run yet. Record a step first.</source>
+        <translation>Noch kein Lauf. Zuerst einen Sprung aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>Saves all runs in the list with their gains and results (Ctrl+Shift+X).</source>
+        <translation>Speichert alle Läufe der Liste mit ihren Reglerwerten und Ergebnissen (Strg+Umschalt+X).</translation>
+    </message>
+    <message>
+        <source>Export step responses</source>
+        <translation>Sprungantworten exportieren</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>Step results</source>
+        <translation>Ergebnisse der Sprünge</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>All runs</source>
+        <translation>Alle Läufe</translation>
+    </message>
+    <message>
+        <source>All runs of this module in the plot</source>
+        <translation>Alle Läufe dieses Moduls in der Kurve</translation>
+    </message>
+    <message>
+        <source>Shows the other runs of this module, older runs paler.</source>
+        <translation>Zeichnet auch die anderen Läufe dieses Moduls, ältere blasser.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>No run was removed.</source>
+        <translation>Es wurde kein Lauf entfernt.</translation>
+    </message>
+    <message>
+        <source>Restores the run removed last (Ctrl+Shift+Del).</source>
+        <translation>Holt den zuletzt entfernten Lauf zurück (Strg+Umschalt+Entf).</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponsePlot</name>
+    <message>
+        <source>Step responses over time</source>
+        <translation>Sprungantworten über der Zeit</translation>
+    </message>
+    <message>
+        <source>run %1, %2</source>
+        <translation>Lauf %1, %2</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A: %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>No run selected. A step response shows how the motor follows a jump of its command.</source>
+        <translation>Kein Lauf gezeigt. Ein Sprung zeigt, wie der Motor folgt, wenn seine Sollposition springt.</translation>
+    </message>
+    <message>
+        <source>motor model</source>
+        <translation>Motormodell</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
+        <translation>Positionen seit dem Sprung, gezählt von dort, wo er begann. Das schattierte Band ist das Einschwingband um das Ziel. Ein Doppelklick zeigt die ganze Aufzeichnung oder nur die Zeit der Bewegung. Das Mausrad zoomt (mit Strg die Positionen), Ziehen verschiebt, Ziehen mit Umschalt wählt eine Zeit.</translation>
+    </message>
+    <message>
+        <source>time since the step (s)</source>
+        <translation>Zeit seit dem Sprung (s)</translation>
+    </message>
+    <message>
+        <source>position from the start</source>
+        <translation>Position vom Start aus</translation>
+    </message>
+    <message>
+        <source>position from the start (%1)</source>
+        <translation>Position vom Start aus (%1)</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseResults</name>
+    <message>
+        <source>Results of the runs shown</source>
+        <translation>Was die gezeigten Läufe ergeben</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Rise, 10 to 90 %</source>
+        <translation>Anstieg, 10 bis 90 %</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>Steady-state error</source>
+        <translation>Bleibende Abweichung</translation>
+    </message>
+    <message>
+        <source>Peak PWM, of 255</source>
+        <translation>PWM-Spitze, von 255</translation>
+    </message>
+    <message>
+        <source>Sample interval</source>
+        <translation>Messabstand</translation>
+    </message>
+    <message>
+        <source>Time from 10 % to 90 % of the step.</source>
+        <translation>Zeit von 10 % bis 90 % des Sprungs.</translation>
+    </message>
+    <message>
+        <source>How far the motor went past its goal, in % of the step.</source>
+        <translation>Wie weit es über das Ziel hinausging, in % des Sprungs.</translation>
+    </message>
+    <message>
+        <source>Goal minus the mean position over the last fifth of the record.</source>
+        <translation>Ziel minus mittlere Position im letzten Fünftel der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound.</source>
+        <translation>Was der Servo vom Verstärker verlangt, wenn die Sollposition springt, aus den Reglerwerten. Ein späterer Takt kann mehr verlangen; unter der Ausgangsgrenze OL ist es daher nur eine untere Schranke.</translation>
+    </message>
+    <message>
+        <source>Mean time between two positions of the record. It sets the accuracy of the results.</source>
+        <translation>Mittlere Zeit zwischen zwei Positionen der Aufzeichnung. Von ihr hängt die Genauigkeit der Ergebnisse ab.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Settling to the goal</source>
+        <translation>Einschwingen aufs Ziel</translation>
+    </message>
+    <message>
+        <source>Settling to rest position</source>
+        <translation>Einschwingen zur Ruhe</translation>
+    </message>
+    <message>
+        <source>Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record.</source>
+        <translation>Zeit, bis er im Einschwingband um das Ziel bleibt. Nichts, wenn das nicht vor dem letzten Fünftel der Aufzeichnung ist.</translation>
+    </message>
+    <message>
+        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
+        <translation>Dasselbe um die mittlere Position des letzten Fünftels der Aufzeichnung. Reibung hält einen Motor neben seinem Ziel, wenn es keinen Integralanteil (Ki, IL) gibt.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseTable</name>
+    <message>
+        <source>Step responses so far</source>
+        <translation>Bisherige Sprungantworten</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Modul</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Einschwingen</translation>
+    </message>
+    <message>
+        <source>Run %1 as A</source>
+        <translation>Lauf %1 als A</translation>
+    </message>
+    <message>
+        <source>Run %1 as B</source>
+        <translation>Lauf %1 als B</translation>
+    </message>
+    <message>
+        <source>Draws this run as A, with a solid line.</source>
+        <translation>Zeichnet diesen Lauf als A, mit durchgezogener Linie.</translation>
+    </message>
+    <message>
+        <source>Draws this run as B, with a dashed line.</source>
+        <translation>Zeichnet diesen Lauf als B, mit gestrichelter Linie.</translation>
+    </message>
+    <message>
+        <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
+        <translation>Die bisherigen Sprungantworten, die neueste zuerst. Haken Sie zwei an, um ihre Kurven zu vergleichen. Die letzten %1 werden bei der Maschine aufbewahrt, am längsten die mit einem Namen oder einer Notiz.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Name of the run. Double-click or press F2 to edit.</source>
+        <translation>Wie der Lauf heißt. Zum Schreiben doppelklicken oder F2 drücken.</translation>
+    </message>
+    <message>
+        <source>Note on the run. Double-click or press F2 to edit.</source>
+        <translation>Was man von dem Lauf wissen sollte. Doppelklicken oder F2 drücken.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseView</name>
+    <message>
+        <source>Cursor readings</source>
+        <translation>Was die Cursor anzeigen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation>Cursor 1</translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation>Cursor 2</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Fits the view to the motion and all positions (A, in the plot).</source>
+        <translation>Solange der Motor sich bewegt, und alle Positionen (A, im Diagramm).</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
+        <translation>Zwei Cursor zum Messen: ziehen Sie sie (C, im Diagramm).</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>&amp;Bild (PNG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as an image.</source>
+        <translation>Das Sichtbare als Bild.</translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation>&amp;Vektorbild (SVG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as lines that stay sharp at any size.</source>
+        <translation>Das Sichtbare in Linien, die in jeder Größe scharf bleiben.</translation>
+    </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>&amp;Seite (PDF)…</translation>
+    </message>
+    <message>
+        <source>The visible plot on a page for printing or a report.</source>
+        <translation>Das Sichtbare auf einer Seite für einen Drucker oder einen Bericht.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the visible plot to the clipboard.</source>
+        <translation>Das Sichtbare in die Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Exports the visible plot, with a description of the runs.</source>
+        <translation>Holt das Sichtbare aus dem Panel heraus, mit den Läufen in Worten.</translation>
+    </message>
+    <message>
+        <source>A: run %1, %2, %3, %4</source>
+        <translation>A: Lauf %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>B: run %1, %2, %3, %4</source>
+        <translation>B: Lauf %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
+        <translation>Kp %1 Kd %2 Ki %3 IL %4; Anstieg %5; Überschwingen %6; Einschwingen %7</translation>
+    </message>
+    <message>
+        <source>Step response, by NMC Panel %1</source>
+        <translation>Sprungantwort, von NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>%1: cursor 1 %2, cursor 2 %3, difference %4</source>
+        <translation>%1: Cursor 1 %2, Cursor 2 %3, Differenz %4</translation>
+    </message>
+    <message>
+        <source>Picture of the step response</source>
+        <translation>Bild der Sprungantwort</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>P&amp;rint</source>
+        <translation>&amp;Drucken</translation>
+    </message>
+    <message>
+        <source>Prints the visible plot on this computer&apos;s default printer.</source>
+        <translation>Was zu sehen ist, auf einer Seite des Standarddruckers dieses Rechners.</translation>
     </message>
 </context>
 <context>
@@ -11276,117 +11921,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::MoveByBox</name>
-    <message>
-        <source>Step by a distance</source>
-        <translation>Um eine Strecke weiterfahren</translation>
-    </message>
-    <message>
-        <source>Step by</source>
-        <translation>Schrittfahrt</translation>
-    </message>
-    <message>
-        <source>Distance of a step</source>
-        <translation>Strecke eines Schritts</translation>
-    </message>
-    <message>
-        <source>The distance of a step</source>
-        <translation>Die Strecke eines Schritts</translation>
-    </message>
-    <message>
-        <source>◂| Step</source>
-        <translation>◂| Schritt</translation>
-    </message>
-    <message>
-        <source>Step in reverse</source>
-        <translation>Schritt: Ein Schritt rückwärts</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>Schritt |▸</translation>
-    </message>
-    <message>
-        <source>Step forward</source>
-        <translation>Schritt: Ein Schritt vorwärts</translation>
-    </message>
-    <message>
-        <source>The number of steps</source>
-        <translation>Die Zahl der Schritte</translation>
-    </message>
-    <message>
-        <source>Number of steps per click.</source>
-        <translation>Wie viele Schritte ein Klick auslöst.</translation>
-    </message>
-    <message>
-        <source>The pause between steps</source>
-        <translation>Die Pause zwischen den Schritten</translation>
-    </message>
-    <message>
-        <source>Time to wait after each move, in seconds.</source>
-        <translation>Wartezeit nach jeder Fahrt in Sekunden.</translation>
-    </message>
-    <message>
-        <source>there and back</source>
-        <translation>hin und zurück</translation>
-    </message>
-    <message>
-        <source>There and back with each step</source>
-        <translation>hin und zurück: Jeder Schritt hin und zurück</translation>
-    </message>
-    <message>
-        <source>Each step goes there and back.</source>
-        <translation>Jeder Schritt geht hin und wieder zurück.</translation>
-    </message>
-    <message>
-        <source>End steps</source>
-        <translation>Schritte beenden</translation>
-    </message>
-    <message>
-        <source>End steps and stop</source>
-        <translation>Die Schritte beenden und stoppen</translation>
-    </message>
-    <message>
-        <source>times, pause</source>
-        <translation>mal, Pause</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>Repeat</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>A series of steps is already running.</source>
-        <translation>Es werden bereits Schritte gefahren.</translation>
-    </message>
-    <message>
-        <source>Moves forward by this distance, then holds.</source>
-        <translation>Fährt um diese Strecke vorwärts und hält dort.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse by this distance, then holds.</source>
-        <translation>Fährt um diese Strecke rückwärts und hält dort.</translation>
-    </message>
-    <message>
-        <source>No series of steps is running.</source>
-        <translation>Es werden keine Schritte gefahren.</translation>
-    </message>
-    <message>
-        <source>Ends the series of steps and stops the motor smoothly.</source>
-        <translation>Fährt keine weiteren Schritte und stoppt den Motor sanft.</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Distance per click, at the velocity of Go to.</source>
-        <translation>Wie weit ein Klick den Motor bewegt, mit der Geschwindigkeit von „Position anfahren“.</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperDetailsBox</name>
     <message>
         <source>Step pulses are coming.</source>
@@ -11527,109 +12061,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Home register</source>
         <translation>Referenzregister</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseForm</name>
-    <message>
-        <source>Settings of the next step</source>
-        <translation>Wie der nächste Sprung gemacht wird</translation>
-    </message>
-    <message>
-        <source>Distance of the step response</source>
-        <translation>Strecke der Sprungantwort</translation>
-    </message>
-    <message>
-        <source>The distance of the step</source>
-        <translation>Die Strecke des Sprungs</translation>
-    </message>
-    <message>
-        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
-        <translation>Wie weit die Sollposition springt; unter 0 rückwärts. Kleine Sprünge zeigen, wie der Servo abgestimmt ist, große, was der Verstärker kann.</translation>
-    </message>
-    <message>
-        <source>Way: how the command jumps</source>
-        <translation>Wie die Vorgabe springt</translation>
-    </message>
-    <message>
-        <source>The record</source>
-        <translation>Die Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>How long to record after the step. Then the motor is told to hold.</source>
-        <translation>Wie lange der Motor nach dem Sprung beobachtet wird. Dann bekommt er einen Haltebefehl.</translation>
-    </message>
-    <message>
-        <source>The settling band</source>
-        <translation>Das Toleranzband</translation>
-    </message>
-    <message>
-        <source>% of the step</source>
-        <translation>% des Sprungs</translation>
-    </message>
-    <message>
-        <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
-        <translation>Der Motor ist eingeschwungen, wenn er so nahe am Ziel bleibt; strenger als auf ein Inkrement wird nie geprüft. Gilt für alle Läufe.</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Strecke</translation>
-    </message>
-    <message>
-        <source>Way</source>
-        <translation>Art</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Settling band</source>
-        <translation>Toleranzband</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Sprung</translation>
-    </message>
-    <message>
-        <source>Step and record</source>
-        <translation>Einen Sprung ausführen und aufzeichnen</translation>
-    </message>
-    <message>
-        <source>A step is already running.</source>
-        <translation>Es läuft bereits ein Sprung.</translation>
-    </message>
-    <message>
-        <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
-        <translation>Der Motor springt um diese Strecke und hält dort. Alles, was sich mitdreht, muss frei beweglich sein (Umschalt+F9).</translation>
-    </message>
-    <message>
-        <source>%1 %2 instead of %3</source>
-        <translation>%1 %2 statt %3</translation>
-    </message>
-    <message>
-        <source>Some gains in the fields were not sent: %1. Which gains should the step use?</source>
-        <translation>Einige Reglerwerte in den Feldern wurden nicht gesendet: %1. Mit welchen soll der Sprung gemacht werden?</translation>
-    </message>
-    <message>
-        <source>Gains that were not sent</source>
-        <translation>Nicht gesendete Reglerwerte</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>Abbre&amp;chen</translation>
-    </message>
-    <message>
-        <source>&amp;Apply and step</source>
-        <translation>&amp;Anwenden und springen</translation>
-    </message>
-    <message>
-        <source>Step with &amp;present gains</source>
-        <translation>&amp;Mit denen des Moduls springen</translation>
     </message>
 </context>
 <context>
@@ -12139,73 +12570,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::ResponsePlot</name>
-    <message>
-        <source>Step responses over time</source>
-        <translation>Sprungantworten über der Zeit</translation>
-    </message>
-    <message>
-        <source>run %1, %2</source>
-        <translation>Lauf %1, %2</translation>
-    </message>
-    <message>
-        <source>A: %1</source>
-        <translation>A: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
-    </message>
-    <message>
-        <source>goal</source>
-        <translation>Ziel</translation>
-    </message>
-    <message>
-        <source>No run selected. A step response shows how the motor follows a jump of its command.</source>
-        <translation>Kein Lauf gezeigt. Ein Sprung zeigt, wie der Motor folgt, wenn seine Sollposition springt.</translation>
-    </message>
-    <message>
-        <source>motor model</source>
-        <translation>Motormodell</translation>
-    </message>
-    <message>
-        <source>predicted</source>
-        <translation>vorhergesagt</translation>
-    </message>
-    <message>
-        <source>Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
-        <translation>Positionen seit dem Sprung, gezählt von dort, wo er begann. Das schattierte Band ist das Einschwingband um das Ziel. Ein Doppelklick zeigt die ganze Aufzeichnung oder nur die Zeit der Bewegung. Das Mausrad zoomt (mit Strg die Positionen), Ziehen verschiebt, Ziehen mit Umschalt wählt eine Zeit.</translation>
-    </message>
-    <message>
-        <source>time since the step (s)</source>
-        <translation>Zeit seit dem Sprung (s)</translation>
-    </message>
-    <message>
-        <source>position from the start</source>
-        <translation>Position vom Start aus</translation>
-    </message>
-    <message>
-        <source>position from the start (%1)</source>
-        <translation>Position vom Start aus (%1)</translation>
-    </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperRampBox</name>
     <message>
         <source>Acceleration time</source>
@@ -12246,374 +12610,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>● not sent</source>
         <translation>● nicht gesendet</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponsePage</name>
-    <message>
-        <source>Step response</source>
-        <translation>Sprungantwort</translation>
-    </message>
-    <message>
-        <source>Use these gains</source>
-        <translation>Werte übernehmen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Export CSV…</source>
-        <translation>CSV exportieren…</translation>
-    </message>
-    <message>
-        <source>Select a run in the list first.</source>
-        <translation>Zuerst einen Lauf in der Liste wählen.</translation>
-    </message>
-    <message>
-        <source>This run belongs to %1. Select that module first.</source>
-        <translation>Dieser Lauf ist von %1. Zuerst dieses Modul wählen.</translation>
-    </message>
-    <message>
-        <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
-        <translation>Trägt die Reglerwerte dieses Laufs in die Felder der Seite Reglerwerte ein. Sendet nichts (Strg+Umschalt+U).</translation>
-    </message>
-    <message>
-        <source>Removes this run from the list (Ctrl+Del).</source>
-        <translation>Nimmt diesen Lauf aus der Liste (Strg+Entf).</translation>
-    </message>
-    <message>
-        <source>No run yet. Record a step first.</source>
-        <translation>Noch kein Lauf. Zuerst einen Sprung aufzeichnen.</translation>
-    </message>
-    <message>
-        <source>Saves all runs in the list with their gains and results (Ctrl+Shift+X).</source>
-        <translation>Speichert alle Läufe der Liste mit ihren Reglerwerten und Ergebnissen (Strg+Umschalt+X).</translation>
-    </message>
-    <message>
-        <source>Export step responses</source>
-        <translation>Sprungantworten exportieren</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Sprung</translation>
-    </message>
-    <message>
-        <source>Step results</source>
-        <translation>Ergebnisse der Sprünge</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>All runs</source>
-        <translation>Alle Läufe</translation>
-    </message>
-    <message>
-        <source>All runs of this module in the plot</source>
-        <translation>Alle Läufe dieses Moduls in der Kurve</translation>
-    </message>
-    <message>
-        <source>Shows the other runs of this module, older runs paler.</source>
-        <translation>Zeichnet auch die anderen Läufe dieses Moduls, ältere blasser.</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>No run was removed.</source>
-        <translation>Es wurde kein Lauf entfernt.</translation>
-    </message>
-    <message>
-        <source>Restores the run removed last (Ctrl+Shift+Del).</source>
-        <translation>Holt den zuletzt entfernten Lauf zurück (Strg+Umschalt+Entf).</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseResults</name>
-    <message>
-        <source>Results of the runs shown</source>
-        <translation>Was die gezeigten Läufe ergeben</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Lauf</translation>
-    </message>
-    <message>
-        <source>Rise, 10 to 90 %</source>
-        <translation>Anstieg, 10 bis 90 %</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Überschwingen</translation>
-    </message>
-    <message>
-        <source>Steady-state error</source>
-        <translation>Bleibende Abweichung</translation>
-    </message>
-    <message>
-        <source>Peak PWM, of 255</source>
-        <translation>PWM-Spitze, von 255</translation>
-    </message>
-    <message>
-        <source>Sample interval</source>
-        <translation>Messabstand</translation>
-    </message>
-    <message>
-        <source>Time from 10 % to 90 % of the step.</source>
-        <translation>Zeit von 10 % bis 90 % des Sprungs.</translation>
-    </message>
-    <message>
-        <source>How far the motor went past its goal, in % of the step.</source>
-        <translation>Wie weit es über das Ziel hinausging, in % des Sprungs.</translation>
-    </message>
-    <message>
-        <source>Goal minus the mean position over the last fifth of the record.</source>
-        <translation>Ziel minus mittlere Position im letzten Fünftel der Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound.</source>
-        <translation>Was der Servo vom Verstärker verlangt, wenn die Sollposition springt, aus den Reglerwerten. Ein späterer Takt kann mehr verlangen; unter der Ausgangsgrenze OL ist es daher nur eine untere Schranke.</translation>
-    </message>
-    <message>
-        <source>Mean time between two positions of the record. It sets the accuracy of the results.</source>
-        <translation>Mittlere Zeit zwischen zwei Positionen der Aufzeichnung. Von ihr hängt die Genauigkeit der Ergebnisse ab.</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Settling to the goal</source>
-        <translation>Einschwingen aufs Ziel</translation>
-    </message>
-    <message>
-        <source>Settling to rest position</source>
-        <translation>Einschwingen zur Ruhe</translation>
-    </message>
-    <message>
-        <source>Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record.</source>
-        <translation>Zeit, bis er im Einschwingband um das Ziel bleibt. Nichts, wenn das nicht vor dem letzten Fünftel der Aufzeichnung ist.</translation>
-    </message>
-    <message>
-        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
-        <translation>Dasselbe um die mittlere Position des letzten Fünftels der Aufzeichnung. Reibung hält einen Motor neben seinem Ziel, wenn es keinen Integralanteil (Ki, IL) gibt.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseTable</name>
-    <message>
-        <source>Step responses so far</source>
-        <translation>Bisherige Sprungantworten</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Lauf</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>Modul</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Überschwingen</translation>
-    </message>
-    <message>
-        <source>Settling</source>
-        <translation>Einschwingen</translation>
-    </message>
-    <message>
-        <source>Run %1 as A</source>
-        <translation>Lauf %1 als A</translation>
-    </message>
-    <message>
-        <source>Run %1 as B</source>
-        <translation>Lauf %1 als B</translation>
-    </message>
-    <message>
-        <source>Draws this run as A, with a solid line.</source>
-        <translation>Zeichnet diesen Lauf als A, mit durchgezogener Linie.</translation>
-    </message>
-    <message>
-        <source>Draws this run as B, with a dashed line.</source>
-        <translation>Zeichnet diesen Lauf als B, mit gestrichelter Linie.</translation>
-    </message>
-    <message>
-        <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
-        <translation>Die bisherigen Sprungantworten, die neueste zuerst. Haken Sie zwei an, um ihre Kurven zu vergleichen. Die letzten %1 werden bei der Maschine aufbewahrt, am längsten die mit einem Namen oder einer Notiz.</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Notiz</translation>
-    </message>
-    <message>
-        <source>Name of the run. Double-click or press F2 to edit.</source>
-        <translation>Wie der Lauf heißt. Zum Schreiben doppelklicken oder F2 drücken.</translation>
-    </message>
-    <message>
-        <source>Note on the run. Double-click or press F2 to edit.</source>
-        <translation>Was man von dem Lauf wissen sollte. Doppelklicken oder F2 drücken.</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseView</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>Was die Cursor anzeigen</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Lauf</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>Cursor 1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>Cursor 2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Differenz</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
-    </message>
-    <message>
-        <source>Fits the view to the motion and all positions (A, in the plot).</source>
-        <translation>Solange der Motor sich bewegt, und alle Positionen (A, im Diagramm).</translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation>Cursor</translation>
-    </message>
-    <message>
-        <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
-        <translation>Zwei Cursor zum Messen: ziehen Sie sie (C, im Diagramm).</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>&amp;Bild (PNG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>Das Sichtbare als Bild.</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>&amp;Vektorbild (SVG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>Das Sichtbare in Linien, die in jeder Größe scharf bleiben.</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>&amp;Seite (PDF)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>Das Sichtbare auf einer Seite für einen Drucker oder einen Bericht.</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>Bild &amp;kopieren</translation>
-    </message>
-    <message>
-        <source>Copies the visible plot to the clipboard.</source>
-        <translation>Das Sichtbare in die Zwischenablage.</translation>
-    </message>
-    <message>
-        <source>Exports the visible plot, with a description of the runs.</source>
-        <translation>Holt das Sichtbare aus dem Panel heraus, mit den Läufen in Worten.</translation>
-    </message>
-    <message>
-        <source>A: run %1, %2, %3, %4</source>
-        <translation>A: Lauf %1, %2, %3, %4</translation>
-    </message>
-    <message>
-        <source>B: run %1, %2, %3, %4</source>
-        <translation>B: Lauf %1, %2, %3, %4</translation>
-    </message>
-    <message>
-        <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
-        <translation>Kp %1 Kd %2 Ki %3 IL %4; Anstieg %5; Überschwingen %6; Einschwingen %7</translation>
-    </message>
-    <message>
-        <source>Step response, by NMC Panel %1</source>
-        <translation>Sprungantwort, von NMC Panel %1</translation>
-    </message>
-    <message>
-        <source>%1: cursor 1 %2, cursor 2 %3, difference %4</source>
-        <translation>%1: Cursor 1 %2, Cursor 2 %3, Differenz %4</translation>
-    </message>
-    <message>
-        <source>Picture of the step response</source>
-        <translation>Bild der Sprungantwort</translation>
-    </message>
-    <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1-Dateien (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>Sprung</translation>
-    </message>
-    <message>
-        <source>P&amp;rint</source>
-        <translation>&amp;Drucken</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Was zu sehen ist, auf einer Seite des Standarddruckers dieses Rechners.</translation>
     </message>
 </context>
 <context>

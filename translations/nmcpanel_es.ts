@@ -655,6 +655,65 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
 </context>
 <context>
+    <name>ResponseTexts</name>
+    <message>
+        <source>too few samples</source>
+        <translation>muy pocas muestras</translation>
+    </message>
+    <message>
+        <source>did not reach 90 %</source>
+        <translation>no alcanzó el 90 %</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>no grabado</translation>
+    </message>
+    <message>
+        <source>Very fast profile</source>
+        <translation>Perfil muy rápido</translation>
+    </message>
+    <message>
+        <source>Stop here, at the goal</source>
+        <translation>Parar aquí, en el destino</translation>
+    </message>
+    <message>
+        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
+        <translation>Un movimiento con tanta velocidad y aceleración que el perfil llega al destino en un solo ciclo.</translation>
+    </message>
+    <message>
+        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
+        <translation>El servo mantiene el destino de inmediato, sin perfil. No disponible en la versión 1.</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>limited to %1</source>
+        <translation>limitado a %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>al menos %1</translation>
+    </message>
+    <message>
+        <source>samples missing, repeat</source>
+        <translation>faltan muestras; repítalo</translation>
+    </message>
+    <message>
+        <source>%1, off its goal</source>
+        <translation>%1, fuera de su destino</translation>
+    </message>
+</context>
+<context>
     <name>Scope</name>
     <message>
         <source>NMC Panel %1</source>
@@ -890,65 +949,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>speed %1</source>
         <translation>velocidad %1</translation>
-    </message>
-</context>
-<context>
-    <name>ResponseTexts</name>
-    <message>
-        <source>too few samples</source>
-        <translation>muy pocas muestras</translation>
-    </message>
-    <message>
-        <source>did not reach 90 %</source>
-        <translation>no alcanzó el 90 %</translation>
-    </message>
-    <message>
-        <source>not recorded</source>
-        <translation>no grabado</translation>
-    </message>
-    <message>
-        <source>Very fast profile</source>
-        <translation>Perfil muy rápido</translation>
-    </message>
-    <message>
-        <source>Stop here, at the goal</source>
-        <translation>Parar aquí, en el destino</translation>
-    </message>
-    <message>
-        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
-        <translation>Un movimiento con tanta velocidad y aceleración que el perfil llega al destino en un solo ciclo.</translation>
-    </message>
-    <message>
-        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
-        <translation>El servo mantiene el destino de inmediato, sin perfil. No disponible en la versión 1.</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>desconocido</translation>
-    </message>
-    <message>
-        <source>limited to %1</source>
-        <translation>limitado a %1</translation>
-    </message>
-    <message>
-        <source>at least %1</source>
-        <translation>al menos %1</translation>
-    </message>
-    <message>
-        <source>samples missing, repeat</source>
-        <translation>faltan muestras; repítalo</translation>
-    </message>
-    <message>
-        <source>%1, off its goal</source>
-        <translation>%1, fuera de su destino</translation>
     </message>
 </context>
 <context>
@@ -5169,10 +5169,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Muestra el texto completo y los demás mensajes en la lista de mensajes.</translation>
     </message>
     <message>
-        <source>Show the message list</source>
-        <translation>Mostrar la lista de mensajes</translation>
-    </message>
-    <message>
         <source>%1 more…</source>
         <translation>%1 más…</translation>
     </message>
@@ -9078,6 +9074,117 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
+    <name>nmc::MoveByBox</name>
+    <message>
+        <source>Step by a distance</source>
+        <translation>Mover por pasos de una distancia</translation>
+    </message>
+    <message>
+        <source>Step by</source>
+        <translation>Por pasos</translation>
+    </message>
+    <message>
+        <source>Distance of a step</source>
+        <translation>Distancia de un paso</translation>
+    </message>
+    <message>
+        <source>The distance of a step</source>
+        <translation>La distancia de un paso</translation>
+    </message>
+    <message>
+        <source>◂| Step</source>
+        <translation>◂| Paso</translation>
+    </message>
+    <message>
+        <source>Step in reverse</source>
+        <translation>Paso hacia atrás</translation>
+    </message>
+    <message>
+        <source>Step |▸</source>
+        <translation>Paso |▸</translation>
+    </message>
+    <message>
+        <source>Step forward</source>
+        <translation>Paso hacia adelante</translation>
+    </message>
+    <message>
+        <source>The number of steps</source>
+        <translation>El número de pasos</translation>
+    </message>
+    <message>
+        <source>Number of steps per click.</source>
+        <translation>Número de pasos por clic.</translation>
+    </message>
+    <message>
+        <source>The pause between steps</source>
+        <translation>La pausa entre pasos</translation>
+    </message>
+    <message>
+        <source>Time to wait after each move, in seconds.</source>
+        <translation>Tiempo de espera tras cada movimiento, en segundos.</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>ida y vuelta</translation>
+    </message>
+    <message>
+        <source>There and back with each step</source>
+        <translation>Ida y vuelta en cada paso</translation>
+    </message>
+    <message>
+        <source>Each step goes there and back.</source>
+        <translation>Cada paso va y vuelve.</translation>
+    </message>
+    <message>
+        <source>End steps</source>
+        <translation>Terminar pasos</translation>
+    </message>
+    <message>
+        <source>End steps and stop</source>
+        <translation>Terminar pasos y parar</translation>
+    </message>
+    <message>
+        <source>times, pause</source>
+        <translation>veces, pausa</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Repetir</translation>
+    </message>
+    <message>
+        <source>A series of steps is already running.</source>
+        <translation>Ya hay una serie de pasos en curso.</translation>
+    </message>
+    <message>
+        <source>Moves forward by this distance, then holds.</source>
+        <translation>Se mueve hacia adelante esta distancia y después mantiene la posición.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse by this distance, then holds.</source>
+        <translation>Se mueve hacia atrás esta distancia y después mantiene la posición.</translation>
+    </message>
+    <message>
+        <source>No series of steps is running.</source>
+        <translation>No hay ninguna serie de pasos en curso.</translation>
+    </message>
+    <message>
+        <source>Ends the series of steps and stops the motor smoothly.</source>
+        <translation>Termina la serie de pasos y detiene el motor suavemente.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Distance per click, at the velocity of Go to.</source>
+        <translation>Distancia por clic, a la velocidad de “Ir a posición”.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::NumberField</name>
     <message>
         <source>%1 must be %2 to %3%4.</source>
@@ -10140,6 +10247,544 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Text (*.txt)</source>
         <translation>Texto (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseForm</name>
+    <message>
+        <source>Settings of the next step</source>
+        <translation>Ajustes del próximo escalón</translation>
+    </message>
+    <message>
+        <source>Distance of the step response</source>
+        <translation>Distancia de la respuesta al escalón</translation>
+    </message>
+    <message>
+        <source>The distance of the step</source>
+        <translation>La distancia del escalón</translation>
+    </message>
+    <message>
+        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
+        <translation>Cuánto salta la consigna; negativo: hacia atrás. Los escalones pequeños muestran el ajuste del servo; los grandes, los límites del amplificador.</translation>
+    </message>
+    <message>
+        <source>Way: how the command jumps</source>
+        <translation>Forma: cómo salta la consigna</translation>
+    </message>
+    <message>
+        <source>The record</source>
+        <translation>La grabación</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>How long to record after the step. Then the motor is told to hold.</source>
+        <translation>Cuánto tiempo se graba tras el escalón. Después se ordena al motor mantener la posición.</translation>
+    </message>
+    <message>
+        <source>The settling band</source>
+        <translation>La banda de establecimiento</translation>
+    </message>
+    <message>
+        <source>% of the step</source>
+        <translation>% del escalón</translation>
+    </message>
+    <message>
+        <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
+        <translation>El motor se ha establecido cuando permanece así de cerca de su destino. Al menos una cuenta. Se aplica a todos los ensayos.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>Settling band</source>
+        <translation>Banda de establecimiento</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Escalón</translation>
+    </message>
+    <message>
+        <source>Step and record</source>
+        <translation>Escalón y grabación</translation>
+    </message>
+    <message>
+        <source>A step is already running.</source>
+        <translation>Ya hay un escalón en curso.</translation>
+    </message>
+    <message>
+        <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
+        <translation>El motor salta esta distancia y después mantiene la posición. Asegúrese de que todo lo que acciona puede moverse libremente (Mayús+F9).</translation>
+    </message>
+    <message>
+        <source>%1 %2 instead of %3</source>
+        <translation>%1 %2 en lugar de %3</translation>
+    </message>
+    <message>
+        <source>Some gains in the fields were not sent: %1. Which gains should the step use?</source>
+        <translation>Algunas ganancias de los campos no se han enviado: %1. ¿Con qué ganancias debe hacerse el escalón?</translation>
+    </message>
+    <message>
+        <source>Gains that were not sent</source>
+        <translation>Ganancias sin enviar</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>&amp;Apply and step</source>
+        <translation>&amp;Aplicar y dar el escalón</translation>
+    </message>
+    <message>
+        <source>Step with &amp;present gains</source>
+        <translation>&amp;Escalón con las actuales</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponsePage</name>
+    <message>
+        <source>Step response</source>
+        <translation>Respuesta al escalón</translation>
+    </message>
+    <message>
+        <source>Use these gains</source>
+        <translation>Usar estas ganancias</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>Exportar CSV…</translation>
+    </message>
+    <message>
+        <source>Select a run in the list first.</source>
+        <translation>Seleccione primero un ensayo de la lista.</translation>
+    </message>
+    <message>
+        <source>This run belongs to %1. Select that module first.</source>
+        <translation>Este ensayo es de %1. Seleccione primero ese módulo.</translation>
+    </message>
+    <message>
+        <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
+        <translation>Copia las ganancias de este ensayo en la página Ganancias. No envía nada (Ctrl+Mayús+U).</translation>
+    </message>
+    <message>
+        <source>Removes this run from the list (Ctrl+Del).</source>
+        <translation>Quita este ensayo de la lista (Ctrl+Supr).</translation>
+    </message>
+    <message>
+        <source>No run yet. Record a step first.</source>
+        <translation>Aún no hay ensayos. Grabe primero un escalón.</translation>
+    </message>
+    <message>
+        <source>Saves all runs in the list with their gains and results (Ctrl+Shift+X).</source>
+        <translation>Guarda todos los ensayos de la lista con sus ganancias y resultados (Ctrl+Mayús+X).</translation>
+    </message>
+    <message>
+        <source>Export step responses</source>
+        <translation>Exportar respuestas al escalón</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Escalón</translation>
+    </message>
+    <message>
+        <source>Step results</source>
+        <translation>Resultados de los escalones</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>All runs</source>
+        <translation>Todos los ensayos</translation>
+    </message>
+    <message>
+        <source>All runs of this module in the plot</source>
+        <translation>Todos los ensayos de este módulo en la gráfica</translation>
+    </message>
+    <message>
+        <source>Shows the other runs of this module, older runs paler.</source>
+        <translation>Muestra los demás ensayos de este módulo, más pálidos cuanto más antiguos.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Restaurar</translation>
+    </message>
+    <message>
+        <source>No run was removed.</source>
+        <translation>No se ha quitado ningún ensayo.</translation>
+    </message>
+    <message>
+        <source>Restores the run removed last (Ctrl+Shift+Del).</source>
+        <translation>Restaura el último ensayo quitado (Ctrl+Mayús+Supr).</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponsePlot</name>
+    <message>
+        <source>Step responses over time</source>
+        <translation>Respuestas al escalón en el tiempo</translation>
+    </message>
+    <message>
+        <source>run %1, %2</source>
+        <translation>ensayo %1, %2</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A: %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>destino</translation>
+    </message>
+    <message>
+        <source>No run selected. A step response shows how the motor follows a jump of its command.</source>
+        <translation>Ningún ensayo seleccionado. Una respuesta al escalón muestra cómo sigue el motor un salto de su consigna.</translation>
+    </message>
+    <message>
+        <source>motor model</source>
+        <translation>modelo del motor</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>previsto</translation>
+    </message>
+    <message>
+        <source>Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
+        <translation>Posiciones desde el escalón, relativas a su inicio. La banda sombreada es la banda de establecimiento alrededor del destino. Doble clic para alternar entre toda la grabación y el movimiento. Rueda para ampliar el tiempo, o las posiciones con Ctrl; arrastre para desplazar; arrastre con Mayús para seleccionar un tiempo.</translation>
+    </message>
+    <message>
+        <source>time since the step (s)</source>
+        <translation>tiempo desde el escalón (s)</translation>
+    </message>
+    <message>
+        <source>position from the start</source>
+        <translation>posición desde el inicio</translation>
+    </message>
+    <message>
+        <source>position from the start (%1)</source>
+        <translation>posición desde el inicio (%1)</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseResults</name>
+    <message>
+        <source>Results of the runs shown</source>
+        <translation>Resultados de los ensayos mostrados</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>Rise, 10 to 90 %</source>
+        <translation>Subida, del 10 al 90 %</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Sobreimpulso</translation>
+    </message>
+    <message>
+        <source>Steady-state error</source>
+        <translation>Error estacionario</translation>
+    </message>
+    <message>
+        <source>Peak PWM, of 255</source>
+        <translation>Pico de PWM, de 255</translation>
+    </message>
+    <message>
+        <source>Sample interval</source>
+        <translation>Intervalo de muestreo</translation>
+    </message>
+    <message>
+        <source>Time from 10 % to 90 % of the step.</source>
+        <translation>Tiempo del 10 % al 90 % del escalón.</translation>
+    </message>
+    <message>
+        <source>How far the motor went past its goal, in % of the step.</source>
+        <translation>Cuánto sobrepasó el motor su destino, en % del escalón.</translation>
+    </message>
+    <message>
+        <source>Goal minus the mean position over the last fifth of the record.</source>
+        <translation>Destino menos la posición media en la última quinta parte de la grabación.</translation>
+    </message>
+    <message>
+        <source>PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound.</source>
+        <translation>Demanda de PWM en el salto, calculada con las ganancias. Los ciclos posteriores pueden necesitar más: por debajo del límite de salida OL es una cota inferior.</translation>
+    </message>
+    <message>
+        <source>Mean time between two positions of the record. It sets the accuracy of the results.</source>
+        <translation>Tiempo medio entre dos posiciones de la grabación. Determina la exactitud de los resultados.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Settling to the goal</source>
+        <translation>Establecimiento en destino</translation>
+    </message>
+    <message>
+        <source>Settling to rest position</source>
+        <translation>Establecimiento en reposo</translation>
+    </message>
+    <message>
+        <source>Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record.</source>
+        <translation>Tiempo hasta que la posición permanece en la banda de establecimiento alrededor del destino. Vacío si eso solo ocurre en la última quinta parte de la grabación.</translation>
+    </message>
+    <message>
+        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
+        <translation>Lo mismo, alrededor de la posición media de la última quinta parte de la grabación. Sin ganancia integral (Ki, IL), el rozamiento retiene un motor fuera de su destino.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseTable</name>
+    <message>
+        <source>Step responses so far</source>
+        <translation>Respuestas al escalón hasta ahora</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Módulo</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Sobreimpulso</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Establecimiento</translation>
+    </message>
+    <message>
+        <source>Run %1 as A</source>
+        <translation>Ensayo %1 como A</translation>
+    </message>
+    <message>
+        <source>Run %1 as B</source>
+        <translation>Ensayo %1 como B</translation>
+    </message>
+    <message>
+        <source>Draws this run as A, with a solid line.</source>
+        <translation>Dibuja este ensayo como A, con línea continua.</translation>
+    </message>
+    <message>
+        <source>Draws this run as B, with a dashed line.</source>
+        <translation>Dibuja este ensayo como B, con línea discontinua.</translation>
+    </message>
+    <message>
+        <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
+        <translation>Respuestas al escalón, primero la más reciente. Marque dos casillas para comparar las curvas. Las últimas %1 se guardan con la máquina; las que tienen nombre o nota se conservan más tiempo.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Name of the run. Double-click or press F2 to edit.</source>
+        <translation>Nombre del ensayo. Haga doble clic o pulse F2 para editarlo.</translation>
+    </message>
+    <message>
+        <source>Note on the run. Double-click or press F2 to edit.</source>
+        <translation>Nota sobre el ensayo. Haga doble clic o pulse F2 para editarla.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseView</name>
+    <message>
+        <source>Cursor readings</source>
+        <translation>Lecturas de los cursores</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation>Cursor 1</translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation>Cursor 2</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferencia</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Encuadrar</translation>
+    </message>
+    <message>
+        <source>Fits the view to the motion and all positions (A, in the plot).</source>
+        <translation>Encuadra en la vista el movimiento y todas las posiciones (A, en la gráfica).</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursores</translation>
+    </message>
+    <message>
+        <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
+        <translation>Muestra dos cursores para medir: arrástrelos (C, en la gráfica).</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>I&amp;magen (PNG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as an image.</source>
+        <translation>La gráfica visible como imagen.</translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation>Imagen &amp;vectorial (SVG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as lines that stay sharp at any size.</source>
+        <translation>La gráfica visible en líneas nítidas a cualquier tamaño.</translation>
+    </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>Págin&amp;a (PDF)…</translation>
+    </message>
+    <message>
+        <source>The visible plot on a page for printing or a report.</source>
+        <translation>La gráfica visible en una página para imprimir o para un informe.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>&amp;Copiar imagen</translation>
+    </message>
+    <message>
+        <source>Copies the visible plot to the clipboard.</source>
+        <translation>Copia la gráfica visible al portapapeles.</translation>
+    </message>
+    <message>
+        <source>Exports the visible plot, with a description of the runs.</source>
+        <translation>Exporta la gráfica visible, con una descripción de los ensayos.</translation>
+    </message>
+    <message>
+        <source>A: run %1, %2, %3, %4</source>
+        <translation>A: ensayo %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>B: run %1, %2, %3, %4</source>
+        <translation>B: ensayo %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
+        <translation>Kp %1 Kd %2 Ki %3 IL %4; subida %5; sobreimpulso %6; establecimiento %7</translation>
+    </message>
+    <message>
+        <source>Step response, by NMC Panel %1</source>
+        <translation>Respuesta al escalón, de NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>%1: cursor 1 %2, cursor 2 %3, difference %4</source>
+        <translation>%1: cursor 1 %2, cursor 2 %3, diferencia %4</translation>
+    </message>
+    <message>
+        <source>Picture of the step response</source>
+        <translation>Imagen de la respuesta al escalón</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Archivos %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>escalón</translation>
+    </message>
+    <message>
+        <source>P&amp;rint</source>
+        <translation>Imp&amp;rimir</translation>
+    </message>
+    <message>
+        <source>Prints the visible plot on this computer&apos;s default printer.</source>
+        <translation>Imprime la gráfica visible en la impresora predeterminada de este equipo.</translation>
     </message>
 </context>
 <context>
@@ -11276,117 +11921,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::MoveByBox</name>
-    <message>
-        <source>Step by a distance</source>
-        <translation>Mover por pasos de una distancia</translation>
-    </message>
-    <message>
-        <source>Step by</source>
-        <translation>Por pasos</translation>
-    </message>
-    <message>
-        <source>Distance of a step</source>
-        <translation>Distancia de un paso</translation>
-    </message>
-    <message>
-        <source>The distance of a step</source>
-        <translation>La distancia de un paso</translation>
-    </message>
-    <message>
-        <source>◂| Step</source>
-        <translation>◂| Paso</translation>
-    </message>
-    <message>
-        <source>Step in reverse</source>
-        <translation>Paso hacia atrás</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>Paso |▸</translation>
-    </message>
-    <message>
-        <source>Step forward</source>
-        <translation>Paso hacia adelante</translation>
-    </message>
-    <message>
-        <source>The number of steps</source>
-        <translation>El número de pasos</translation>
-    </message>
-    <message>
-        <source>Number of steps per click.</source>
-        <translation>Número de pasos por clic.</translation>
-    </message>
-    <message>
-        <source>The pause between steps</source>
-        <translation>La pausa entre pasos</translation>
-    </message>
-    <message>
-        <source>Time to wait after each move, in seconds.</source>
-        <translation>Tiempo de espera tras cada movimiento, en segundos.</translation>
-    </message>
-    <message>
-        <source>there and back</source>
-        <translation>ida y vuelta</translation>
-    </message>
-    <message>
-        <source>There and back with each step</source>
-        <translation>Ida y vuelta en cada paso</translation>
-    </message>
-    <message>
-        <source>Each step goes there and back.</source>
-        <translation>Cada paso va y vuelve.</translation>
-    </message>
-    <message>
-        <source>End steps</source>
-        <translation>Terminar pasos</translation>
-    </message>
-    <message>
-        <source>End steps and stop</source>
-        <translation>Terminar pasos y parar</translation>
-    </message>
-    <message>
-        <source>times, pause</source>
-        <translation>veces, pausa</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>Repeat</source>
-        <translation>Repetir</translation>
-    </message>
-    <message>
-        <source>A series of steps is already running.</source>
-        <translation>Ya hay una serie de pasos en curso.</translation>
-    </message>
-    <message>
-        <source>Moves forward by this distance, then holds.</source>
-        <translation>Se mueve hacia adelante esta distancia y después mantiene la posición.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse by this distance, then holds.</source>
-        <translation>Se mueve hacia atrás esta distancia y después mantiene la posición.</translation>
-    </message>
-    <message>
-        <source>No series of steps is running.</source>
-        <translation>No hay ninguna serie de pasos en curso.</translation>
-    </message>
-    <message>
-        <source>Ends the series of steps and stops the motor smoothly.</source>
-        <translation>Termina la serie de pasos y detiene el motor suavemente.</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>Distance per click, at the velocity of Go to.</source>
-        <translation>Distancia por clic, a la velocidad de “Ir a posición”.</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperDetailsBox</name>
     <message>
         <source>Step pulses are coming.</source>
@@ -11527,109 +12061,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Home register</source>
         <translation>Registro de referencia</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseForm</name>
-    <message>
-        <source>Settings of the next step</source>
-        <translation>Ajustes del próximo escalón</translation>
-    </message>
-    <message>
-        <source>Distance of the step response</source>
-        <translation>Distancia de la respuesta al escalón</translation>
-    </message>
-    <message>
-        <source>The distance of the step</source>
-        <translation>La distancia del escalón</translation>
-    </message>
-    <message>
-        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
-        <translation>Cuánto salta la consigna; negativo: hacia atrás. Los escalones pequeños muestran el ajuste del servo; los grandes, los límites del amplificador.</translation>
-    </message>
-    <message>
-        <source>Way: how the command jumps</source>
-        <translation>Forma: cómo salta la consigna</translation>
-    </message>
-    <message>
-        <source>The record</source>
-        <translation>La grabación</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>How long to record after the step. Then the motor is told to hold.</source>
-        <translation>Cuánto tiempo se graba tras el escalón. Después se ordena al motor mantener la posición.</translation>
-    </message>
-    <message>
-        <source>The settling band</source>
-        <translation>La banda de establecimiento</translation>
-    </message>
-    <message>
-        <source>% of the step</source>
-        <translation>% del escalón</translation>
-    </message>
-    <message>
-        <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
-        <translation>El motor se ha establecido cuando permanece así de cerca de su destino. Al menos una cuenta. Se aplica a todos los ensayos.</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Distancia</translation>
-    </message>
-    <message>
-        <source>Way</source>
-        <translation>Forma</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Grabación</translation>
-    </message>
-    <message>
-        <source>Settling band</source>
-        <translation>Banda de establecimiento</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Escalón</translation>
-    </message>
-    <message>
-        <source>Step and record</source>
-        <translation>Escalón y grabación</translation>
-    </message>
-    <message>
-        <source>A step is already running.</source>
-        <translation>Ya hay un escalón en curso.</translation>
-    </message>
-    <message>
-        <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
-        <translation>El motor salta esta distancia y después mantiene la posición. Asegúrese de que todo lo que acciona puede moverse libremente (Mayús+F9).</translation>
-    </message>
-    <message>
-        <source>%1 %2 instead of %3</source>
-        <translation>%1 %2 en lugar de %3</translation>
-    </message>
-    <message>
-        <source>Some gains in the fields were not sent: %1. Which gains should the step use?</source>
-        <translation>Algunas ganancias de los campos no se han enviado: %1. ¿Con qué ganancias debe hacerse el escalón?</translation>
-    </message>
-    <message>
-        <source>Gains that were not sent</source>
-        <translation>Ganancias sin enviar</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
-    </message>
-    <message>
-        <source>&amp;Apply and step</source>
-        <translation>&amp;Aplicar y dar el escalón</translation>
-    </message>
-    <message>
-        <source>Step with &amp;present gains</source>
-        <translation>&amp;Escalón con las actuales</translation>
     </message>
 </context>
 <context>
@@ -12139,73 +12570,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::ResponsePlot</name>
-    <message>
-        <source>Step responses over time</source>
-        <translation>Respuestas al escalón en el tiempo</translation>
-    </message>
-    <message>
-        <source>run %1, %2</source>
-        <translation>ensayo %1, %2</translation>
-    </message>
-    <message>
-        <source>A: %1</source>
-        <translation>A: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
-    </message>
-    <message>
-        <source>goal</source>
-        <translation>destino</translation>
-    </message>
-    <message>
-        <source>No run selected. A step response shows how the motor follows a jump of its command.</source>
-        <translation>Ningún ensayo seleccionado. Una respuesta al escalón muestra cómo sigue el motor un salto de su consigna.</translation>
-    </message>
-    <message>
-        <source>motor model</source>
-        <translation>modelo del motor</translation>
-    </message>
-    <message>
-        <source>predicted</source>
-        <translation>previsto</translation>
-    </message>
-    <message>
-        <source>Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
-        <translation>Posiciones desde el escalón, relativas a su inicio. La banda sombreada es la banda de establecimiento alrededor del destino. Doble clic para alternar entre toda la grabación y el movimiento. Rueda para ampliar el tiempo, o las posiciones con Ctrl; arrastre para desplazar; arrastre con Mayús para seleccionar un tiempo.</translation>
-    </message>
-    <message>
-        <source>time since the step (s)</source>
-        <translation>tiempo desde el escalón (s)</translation>
-    </message>
-    <message>
-        <source>position from the start</source>
-        <translation>posición desde el inicio</translation>
-    </message>
-    <message>
-        <source>position from the start (%1)</source>
-        <translation>posición desde el inicio (%1)</translation>
-    </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>tiempo</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperRampBox</name>
     <message>
         <source>Acceleration time</source>
@@ -12246,374 +12610,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>● not sent</source>
         <translation>● sin enviar</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponsePage</name>
-    <message>
-        <source>Step response</source>
-        <translation>Respuesta al escalón</translation>
-    </message>
-    <message>
-        <source>Use these gains</source>
-        <translation>Usar estas ganancias</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
-    </message>
-    <message>
-        <source>Export CSV…</source>
-        <translation>Exportar CSV…</translation>
-    </message>
-    <message>
-        <source>Select a run in the list first.</source>
-        <translation>Seleccione primero un ensayo de la lista.</translation>
-    </message>
-    <message>
-        <source>This run belongs to %1. Select that module first.</source>
-        <translation>Este ensayo es de %1. Seleccione primero ese módulo.</translation>
-    </message>
-    <message>
-        <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
-        <translation>Copia las ganancias de este ensayo en la página Ganancias. No envía nada (Ctrl+Mayús+U).</translation>
-    </message>
-    <message>
-        <source>Removes this run from the list (Ctrl+Del).</source>
-        <translation>Quita este ensayo de la lista (Ctrl+Supr).</translation>
-    </message>
-    <message>
-        <source>No run yet. Record a step first.</source>
-        <translation>Aún no hay ensayos. Grabe primero un escalón.</translation>
-    </message>
-    <message>
-        <source>Saves all runs in the list with their gains and results (Ctrl+Shift+X).</source>
-        <translation>Guarda todos los ensayos de la lista con sus ganancias y resultados (Ctrl+Mayús+X).</translation>
-    </message>
-    <message>
-        <source>Export step responses</source>
-        <translation>Exportar respuestas al escalón</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Escalón</translation>
-    </message>
-    <message>
-        <source>Step results</source>
-        <translation>Resultados de los escalones</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Resultados</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modelo</translation>
-    </message>
-    <message>
-        <source>All runs</source>
-        <translation>Todos los ensayos</translation>
-    </message>
-    <message>
-        <source>All runs of this module in the plot</source>
-        <translation>Todos los ensayos de este módulo en la gráfica</translation>
-    </message>
-    <message>
-        <source>Shows the other runs of this module, older runs paler.</source>
-        <translation>Muestra los demás ensayos de este módulo, más pálidos cuanto más antiguos.</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Restaurar</translation>
-    </message>
-    <message>
-        <source>No run was removed.</source>
-        <translation>No se ha quitado ningún ensayo.</translation>
-    </message>
-    <message>
-        <source>Restores the run removed last (Ctrl+Shift+Del).</source>
-        <translation>Restaura el último ensayo quitado (Ctrl+Mayús+Supr).</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseResults</name>
-    <message>
-        <source>Results of the runs shown</source>
-        <translation>Resultados de los ensayos mostrados</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Ensayo</translation>
-    </message>
-    <message>
-        <source>Rise, 10 to 90 %</source>
-        <translation>Subida, del 10 al 90 %</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Sobreimpulso</translation>
-    </message>
-    <message>
-        <source>Steady-state error</source>
-        <translation>Error estacionario</translation>
-    </message>
-    <message>
-        <source>Peak PWM, of 255</source>
-        <translation>Pico de PWM, de 255</translation>
-    </message>
-    <message>
-        <source>Sample interval</source>
-        <translation>Intervalo de muestreo</translation>
-    </message>
-    <message>
-        <source>Time from 10 % to 90 % of the step.</source>
-        <translation>Tiempo del 10 % al 90 % del escalón.</translation>
-    </message>
-    <message>
-        <source>How far the motor went past its goal, in % of the step.</source>
-        <translation>Cuánto sobrepasó el motor su destino, en % del escalón.</translation>
-    </message>
-    <message>
-        <source>Goal minus the mean position over the last fifth of the record.</source>
-        <translation>Destino menos la posición media en la última quinta parte de la grabación.</translation>
-    </message>
-    <message>
-        <source>PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound.</source>
-        <translation>Demanda de PWM en el salto, calculada con las ganancias. Los ciclos posteriores pueden necesitar más: por debajo del límite de salida OL es una cota inferior.</translation>
-    </message>
-    <message>
-        <source>Mean time between two positions of the record. It sets the accuracy of the results.</source>
-        <translation>Tiempo medio entre dos posiciones de la grabación. Determina la exactitud de los resultados.</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Settling to the goal</source>
-        <translation>Establecimiento en destino</translation>
-    </message>
-    <message>
-        <source>Settling to rest position</source>
-        <translation>Establecimiento en reposo</translation>
-    </message>
-    <message>
-        <source>Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record.</source>
-        <translation>Tiempo hasta que la posición permanece en la banda de establecimiento alrededor del destino. Vacío si eso solo ocurre en la última quinta parte de la grabación.</translation>
-    </message>
-    <message>
-        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
-        <translation>Lo mismo, alrededor de la posición media de la última quinta parte de la grabación. Sin ganancia integral (Ki, IL), el rozamiento retiene un motor fuera de su destino.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseTable</name>
-    <message>
-        <source>Step responses so far</source>
-        <translation>Respuestas al escalón hasta ahora</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Ensayo</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>Módulo</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Hora</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Sobreimpulso</translation>
-    </message>
-    <message>
-        <source>Settling</source>
-        <translation>Establecimiento</translation>
-    </message>
-    <message>
-        <source>Run %1 as A</source>
-        <translation>Ensayo %1 como A</translation>
-    </message>
-    <message>
-        <source>Run %1 as B</source>
-        <translation>Ensayo %1 como B</translation>
-    </message>
-    <message>
-        <source>Draws this run as A, with a solid line.</source>
-        <translation>Dibuja este ensayo como A, con línea continua.</translation>
-    </message>
-    <message>
-        <source>Draws this run as B, with a dashed line.</source>
-        <translation>Dibuja este ensayo como B, con línea discontinua.</translation>
-    </message>
-    <message>
-        <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
-        <translation>Respuestas al escalón, primero la más reciente. Marque dos casillas para comparar las curvas. Las últimas %1 se guardan con la máquina; las que tienen nombre o nota se conservan más tiempo.</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Nota</translation>
-    </message>
-    <message>
-        <source>Name of the run. Double-click or press F2 to edit.</source>
-        <translation>Nombre del ensayo. Haga doble clic o pulse F2 para editarlo.</translation>
-    </message>
-    <message>
-        <source>Note on the run. Double-click or press F2 to edit.</source>
-        <translation>Nota sobre el ensayo. Haga doble clic o pulse F2 para editarla.</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseView</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>Lecturas de los cursores</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Ensayo</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>Cursor 1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>Cursor 2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Diferencia</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Encuadrar</translation>
-    </message>
-    <message>
-        <source>Fits the view to the motion and all positions (A, in the plot).</source>
-        <translation>Encuadra en la vista el movimiento y todas las posiciones (A, en la gráfica).</translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation>Cursores</translation>
-    </message>
-    <message>
-        <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
-        <translation>Muestra dos cursores para medir: arrástrelos (C, en la gráfica).</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Imagen</translation>
-    </message>
-    <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>I&amp;magen (PNG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>La gráfica visible como imagen.</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>Imagen &amp;vectorial (SVG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>La gráfica visible en líneas nítidas a cualquier tamaño.</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>Págin&amp;a (PDF)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>La gráfica visible en una página para imprimir o para un informe.</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>&amp;Copiar imagen</translation>
-    </message>
-    <message>
-        <source>Copies the visible plot to the clipboard.</source>
-        <translation>Copia la gráfica visible al portapapeles.</translation>
-    </message>
-    <message>
-        <source>Exports the visible plot, with a description of the runs.</source>
-        <translation>Exporta la gráfica visible, con una descripción de los ensayos.</translation>
-    </message>
-    <message>
-        <source>A: run %1, %2, %3, %4</source>
-        <translation>A: ensayo %1, %2, %3, %4</translation>
-    </message>
-    <message>
-        <source>B: run %1, %2, %3, %4</source>
-        <translation>B: ensayo %1, %2, %3, %4</translation>
-    </message>
-    <message>
-        <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
-        <translation>Kp %1 Kd %2 Ki %3 IL %4; subida %5; sobreimpulso %6; establecimiento %7</translation>
-    </message>
-    <message>
-        <source>Step response, by NMC Panel %1</source>
-        <translation>Respuesta al escalón, de NMC Panel %1</translation>
-    </message>
-    <message>
-        <source>%1: cursor 1 %2, cursor 2 %3, difference %4</source>
-        <translation>%1: cursor 1 %2, cursor 2 %3, diferencia %4</translation>
-    </message>
-    <message>
-        <source>Picture of the step response</source>
-        <translation>Imagen de la respuesta al escalón</translation>
-    </message>
-    <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Archivos %1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>escalón</translation>
-    </message>
-    <message>
-        <source>P&amp;rint</source>
-        <translation>Imp&amp;rimir</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Imprime la gráfica visible en la impresora predeterminada de este equipo.</translation>
     </message>
 </context>
 <context>

@@ -655,6 +655,65 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
 </context>
 <context>
+    <name>ResponseTexts</name>
+    <message>
+        <source>too few samples</source>
+        <translation>trop peu d’échantillons</translation>
+    </message>
+    <message>
+        <source>did not reach 90 %</source>
+        <translation>n’a pas atteint 90&#x202f;%</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>non enregistré</translation>
+    </message>
+    <message>
+        <source>Very fast profile</source>
+        <translation>Profil très rapide</translation>
+    </message>
+    <message>
+        <source>Stop here, at the goal</source>
+        <translation>Arrêt ici, à la cible</translation>
+    </message>
+    <message>
+        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
+        <translation>Déplacement à vitesse et accélération telles que le profil atteint la cible en un cycle.</translation>
+    </message>
+    <message>
+        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
+        <translation>Le servo maintient aussitôt la cible, sans profil. Pas avec la version 1.</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>limited to %1</source>
+        <translation>limité à %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>samples missing, repeat</source>
+        <translation>échantillons manquants, à refaire</translation>
+    </message>
+    <message>
+        <source>%1, off its goal</source>
+        <translation>%1, hors de la cible</translation>
+    </message>
+</context>
+<context>
     <name>Scope</name>
     <message>
         <source>NMC Panel %1</source>
@@ -890,65 +949,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>speed %1</source>
         <translation>vitesse %1</translation>
-    </message>
-</context>
-<context>
-    <name>ResponseTexts</name>
-    <message>
-        <source>too few samples</source>
-        <translation>trop peu d’échantillons</translation>
-    </message>
-    <message>
-        <source>did not reach 90 %</source>
-        <translation>n’a pas atteint 90&#x202f;%</translation>
-    </message>
-    <message>
-        <source>not recorded</source>
-        <translation>non enregistré</translation>
-    </message>
-    <message>
-        <source>Very fast profile</source>
-        <translation>Profil très rapide</translation>
-    </message>
-    <message>
-        <source>Stop here, at the goal</source>
-        <translation>Arrêt ici, à la cible</translation>
-    </message>
-    <message>
-        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
-        <translation>Déplacement à vitesse et accélération telles que le profil atteint la cible en un cycle.</translation>
-    </message>
-    <message>
-        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
-        <translation>Le servo maintient aussitôt la cible, sans profil. Pas avec la version 1.</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>inconnu</translation>
-    </message>
-    <message>
-        <source>limited to %1</source>
-        <translation>limité à %1</translation>
-    </message>
-    <message>
-        <source>at least %1</source>
-        <translation>au moins %1</translation>
-    </message>
-    <message>
-        <source>samples missing, repeat</source>
-        <translation>échantillons manquants, à refaire</translation>
-    </message>
-    <message>
-        <source>%1, off its goal</source>
-        <translation>%1, hors de la cible</translation>
     </message>
 </context>
 <context>
@@ -5169,10 +5169,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Affiche le texte complet et tous les autres messages dans la liste des messages.</translation>
     </message>
     <message>
-        <source>Show the message list</source>
-        <translation>Afficher la liste des messages</translation>
-    </message>
-    <message>
         <source>%1 more…</source>
         <translation>%1 de plus…</translation>
     </message>
@@ -8902,7 +8898,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Go to the position</source>
-        <translation>Y aller : à la position</translation>
+        <translation>Y aller&#xa0;: à la position</translation>
     </message>
     <message>
         <source>Ve&amp;locity</source>
@@ -9075,6 +9071,117 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Runs in reverse until stopped, or to its lowest position.</source>
         <translation>Tourne en arrière jusqu’à l’ordre d’arrêt, ou jusqu’à sa position minimale.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::MoveByBox</name>
+    <message>
+        <source>Step by a distance</source>
+        <translation>Déplacement par pas d’une distance donnée</translation>
+    </message>
+    <message>
+        <source>Step by</source>
+        <translation>Déplacement par pas</translation>
+    </message>
+    <message>
+        <source>Distance of a step</source>
+        <translation>Distance d’un pas</translation>
+    </message>
+    <message>
+        <source>The distance of a step</source>
+        <translation>La distance d’un pas</translation>
+    </message>
+    <message>
+        <source>◂| Step</source>
+        <translation>◂| Pas</translation>
+    </message>
+    <message>
+        <source>Step in reverse</source>
+        <translation>Pas en arrière</translation>
+    </message>
+    <message>
+        <source>Step |▸</source>
+        <translation>Pas |▸</translation>
+    </message>
+    <message>
+        <source>Step forward</source>
+        <translation>Pas en avant</translation>
+    </message>
+    <message>
+        <source>The number of steps</source>
+        <translation>Le nombre de pas</translation>
+    </message>
+    <message>
+        <source>Number of steps per click.</source>
+        <translation>Nombre de pas par clic.</translation>
+    </message>
+    <message>
+        <source>The pause between steps</source>
+        <translation>La pause entre les pas</translation>
+    </message>
+    <message>
+        <source>Time to wait after each move, in seconds.</source>
+        <translation>Temps d’attente après chaque déplacement, en secondes.</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>aller-retour</translation>
+    </message>
+    <message>
+        <source>There and back with each step</source>
+        <translation>Aller-retour à chaque pas</translation>
+    </message>
+    <message>
+        <source>Each step goes there and back.</source>
+        <translation>Chaque pas fait un aller et retour.</translation>
+    </message>
+    <message>
+        <source>End steps</source>
+        <translation>Terminer les pas</translation>
+    </message>
+    <message>
+        <source>End steps and stop</source>
+        <translation>Terminer les pas et arrêter</translation>
+    </message>
+    <message>
+        <source>times, pause</source>
+        <translation>fois, pause</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Répéter</translation>
+    </message>
+    <message>
+        <source>A series of steps is already running.</source>
+        <translation>Une série de pas est déjà en cours.</translation>
+    </message>
+    <message>
+        <source>Moves forward by this distance, then holds.</source>
+        <translation>Se déplace en avant de cette distance, puis maintient la position.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse by this distance, then holds.</source>
+        <translation>Se déplace en arrière de cette distance, puis maintient la position.</translation>
+    </message>
+    <message>
+        <source>No series of steps is running.</source>
+        <translation>Aucune série de pas n’est en cours.</translation>
+    </message>
+    <message>
+        <source>Ends the series of steps and stops the motor smoothly.</source>
+        <translation>Met fin à la série de pas et arrête progressivement le moteur.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Distance per click, at the velocity of Go to.</source>
+        <translation>Distance par clic, à la vitesse de «&#xa0;Aller à la position&#xa0;».</translation>
     </message>
 </context>
 <context>
@@ -10140,6 +10247,544 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Text (*.txt)</source>
         <translation>Texte (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseForm</name>
+    <message>
+        <source>Settings of the next step</source>
+        <translation>Réglages du prochain échelon</translation>
+    </message>
+    <message>
+        <source>Distance of the step response</source>
+        <translation>Distance de la réponse indicielle</translation>
+    </message>
+    <message>
+        <source>The distance of the step</source>
+        <translation>La distance de l’échelon</translation>
+    </message>
+    <message>
+        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
+        <translation>De combien saute la consigne&#x202f;; négatif&#xa0;: en arrière. Les petits échelons montrent le réglage du servo, les grands les limites de l’amplificateur.</translation>
+    </message>
+    <message>
+        <source>Way: how the command jumps</source>
+        <translation>Mode de saut de la consigne</translation>
+    </message>
+    <message>
+        <source>The record</source>
+        <translation>L’enregistrement</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>How long to record after the step. Then the motor is told to hold.</source>
+        <translation>Durée d’enregistrement après l’échelon. Le moteur reçoit ensuite l’ordre de maintien.</translation>
+    </message>
+    <message>
+        <source>The settling band</source>
+        <translation>La bande de tolérance</translation>
+    </message>
+    <message>
+        <source>% of the step</source>
+        <translation>% de l’échelon</translation>
+    </message>
+    <message>
+        <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
+        <translation>La réponse est établie quand le moteur reste aussi proche de sa cible. Au moins un incrément. S’applique à tous les relevés.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Settling band</source>
+        <translation>Bande de tolérance</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Échelon</translation>
+    </message>
+    <message>
+        <source>Step and record</source>
+        <translation>Échelon et enregistrement</translation>
+    </message>
+    <message>
+        <source>A step is already running.</source>
+        <translation>Un échelon est déjà en cours.</translation>
+    </message>
+    <message>
+        <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
+        <translation>Le moteur saute de cette distance, puis maintient sa position. Assurez-vous que tout ce qu’il entraîne peut bouger librement (Maj+F9).</translation>
+    </message>
+    <message>
+        <source>%1 %2 instead of %3</source>
+        <translation>%1 %2 au lieu de %3</translation>
+    </message>
+    <message>
+        <source>Some gains in the fields were not sent: %1. Which gains should the step use?</source>
+        <translation>Certains gains des champs n’ont pas été envoyés&#xa0;: %1. Avec quels gains faire l’échelon&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Gains that were not sent</source>
+        <translation>Gains non envoyés</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>&amp;Apply and step</source>
+        <translation>&amp;Appliquer et faire l’échelon</translation>
+    </message>
+    <message>
+        <source>Step with &amp;present gains</source>
+        <translation>Échelon avec les gains actue&amp;ls</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponsePage</name>
+    <message>
+        <source>Step response</source>
+        <translation>Réponse indicielle</translation>
+    </message>
+    <message>
+        <source>Use these gains</source>
+        <translation>Utiliser ces gains</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>Exporter en CSV…</translation>
+    </message>
+    <message>
+        <source>Select a run in the list first.</source>
+        <translation>Sélectionnez d’abord un relevé dans la liste.</translation>
+    </message>
+    <message>
+        <source>This run belongs to %1. Select that module first.</source>
+        <translation>Ce relevé appartient à %1. Sélectionnez d’abord ce module.</translation>
+    </message>
+    <message>
+        <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
+        <translation>Copie les gains de ce relevé dans la page Gains. N’envoie rien (Ctrl+Maj+U).</translation>
+    </message>
+    <message>
+        <source>Removes this run from the list (Ctrl+Del).</source>
+        <translation>Supprime ce relevé de la liste (Ctrl+Suppr).</translation>
+    </message>
+    <message>
+        <source>No run yet. Record a step first.</source>
+        <translation>Pas encore de relevé. Enregistrez d’abord un échelon.</translation>
+    </message>
+    <message>
+        <source>Saves all runs in the list with their gains and results (Ctrl+Shift+X).</source>
+        <translation>Enregistre tous les relevés de la liste avec leurs gains et résultats (Ctrl+Maj+X).</translation>
+    </message>
+    <message>
+        <source>Export step responses</source>
+        <translation>Exporter les réponses indicielles</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Échelon</translation>
+    </message>
+    <message>
+        <source>Step results</source>
+        <translation>Résultats des échelons</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>All runs</source>
+        <translation>Tous les relevés</translation>
+    </message>
+    <message>
+        <source>All runs of this module in the plot</source>
+        <translation>Tous les relevés de ce module dans le graphique</translation>
+    </message>
+    <message>
+        <source>Shows the other runs of this module, older runs paler.</source>
+        <translation>Affiche les autres relevés de ce module, les plus anciens en plus pâle.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>No run was removed.</source>
+        <translation>Aucun relevé n’a été supprimé.</translation>
+    </message>
+    <message>
+        <source>Restores the run removed last (Ctrl+Shift+Del).</source>
+        <translation>Rétablit le dernier relevé supprimé (Ctrl+Maj+Suppr).</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponsePlot</name>
+    <message>
+        <source>Step responses over time</source>
+        <translation>Réponses indicielles dans le temps</translation>
+    </message>
+    <message>
+        <source>run %1, %2</source>
+        <translation>relevé %1, %2</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>cible</translation>
+    </message>
+    <message>
+        <source>No run selected. A step response shows how the motor follows a jump of its command.</source>
+        <translation>Aucun relevé sélectionné. Une réponse indicielle montre comment le moteur suit un saut de sa consigne.</translation>
+    </message>
+    <message>
+        <source>motor model</source>
+        <translation>modèle du moteur</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>prédit</translation>
+    </message>
+    <message>
+        <source>Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
+        <translation>Positions depuis l’échelon, par rapport à son départ. La zone grisée est la bande de tolérance autour de la cible. Double-cliquez pour basculer entre l’enregistrement entier et le mouvement. La molette zoome le temps, ou les positions avec Ctrl&#x202f;; faites glisser pour déplacer la vue&#x202f;; faites glisser avec Maj pour sélectionner une durée.</translation>
+    </message>
+    <message>
+        <source>time since the step (s)</source>
+        <translation>temps depuis l’échelon (s)</translation>
+    </message>
+    <message>
+        <source>position from the start</source>
+        <translation>position depuis le départ</translation>
+    </message>
+    <message>
+        <source>position from the start (%1)</source>
+        <translation>position depuis le départ (%1)</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1&#xa0;Hz)</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseResults</name>
+    <message>
+        <source>Results of the runs shown</source>
+        <translation>Résultats des relevés affichés</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Relevé</translation>
+    </message>
+    <message>
+        <source>Rise, 10 to 90 %</source>
+        <translation>Montée, 10 à 90&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Dépassement</translation>
+    </message>
+    <message>
+        <source>Steady-state error</source>
+        <translation>Erreur statique</translation>
+    </message>
+    <message>
+        <source>Peak PWM, of 255</source>
+        <translation>PWM max., sur 255</translation>
+    </message>
+    <message>
+        <source>Sample interval</source>
+        <translation>Échantillonnage</translation>
+    </message>
+    <message>
+        <source>Time from 10 % to 90 % of the step.</source>
+        <translation>Temps de 10&#x202f;% à 90&#x202f;% de l’échelon.</translation>
+    </message>
+    <message>
+        <source>How far the motor went past its goal, in % of the step.</source>
+        <translation>De combien le moteur a dépassé sa cible, en&#x202f;% de l’échelon.</translation>
+    </message>
+    <message>
+        <source>Goal minus the mean position over the last fifth of the record.</source>
+        <translation>Cible moins position moyenne sur le dernier cinquième de l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound.</source>
+        <translation>PWM demandée lors du saut, calculée d’après les gains. Les cycles suivants peuvent en demander plus&#xa0;: en dessous de la limite de sortie OL, c’est une borne inférieure.</translation>
+    </message>
+    <message>
+        <source>Mean time between two positions of the record. It sets the accuracy of the results.</source>
+        <translation>Temps moyen entre deux positions de l’enregistrement. Il détermine la précision des résultats.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Settling to the goal</source>
+        <translation>Établissement à la cible</translation>
+    </message>
+    <message>
+        <source>Settling to rest position</source>
+        <translation>Établissement au repos</translation>
+    </message>
+    <message>
+        <source>Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record.</source>
+        <translation>Temps jusqu’à ce que la position reste dans la bande de tolérance autour de la cible. Vide si cela n’arrive que dans le dernier cinquième de l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
+        <translation>De même, autour de la position moyenne du dernier cinquième de l’enregistrement. Sans gain intégral (Ki, IL), le frottement retient le moteur à l’écart de sa cible.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseTable</name>
+    <message>
+        <source>Step responses so far</source>
+        <translation>Réponses indicielles jusqu’ici</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Relevé</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Module</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Dépassement</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Établissement</translation>
+    </message>
+    <message>
+        <source>Run %1 as A</source>
+        <translation>Relevé %1 comme A</translation>
+    </message>
+    <message>
+        <source>Run %1 as B</source>
+        <translation>Relevé %1 comme B</translation>
+    </message>
+    <message>
+        <source>Draws this run as A, with a solid line.</source>
+        <translation>Trace ce relevé comme A, en trait plein.</translation>
+    </message>
+    <message>
+        <source>Draws this run as B, with a dashed line.</source>
+        <translation>Trace ce relevé comme B, en trait interrompu.</translation>
+    </message>
+    <message>
+        <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
+        <translation>Réponses indicielles, les plus récentes d’abord. Cochez deux cases pour comparer les courbes. Les %1 dernières sont enregistrées avec la machine&#x202f;; celles qui ont un nom ou une note sont gardées le plus longtemps.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Name of the run. Double-click or press F2 to edit.</source>
+        <translation>Nom du relevé. Double-cliquez ou appuyez sur F2 pour le modifier.</translation>
+    </message>
+    <message>
+        <source>Note on the run. Double-click or press F2 to edit.</source>
+        <translation>Note sur le relevé. Double-cliquez ou appuyez sur F2 pour la modifier.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseView</name>
+    <message>
+        <source>Cursor readings</source>
+        <translation>Mesures des curseurs</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Relevé</translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation>Curseur 1</translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation>Curseur 2</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Fits the view to the motion and all positions (A, in the plot).</source>
+        <translation>Ajuste la vue au mouvement et à toutes les positions (A, dans le graphique).</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Curseurs</translation>
+    </message>
+    <message>
+        <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
+        <translation>Affiche deux curseurs de mesure&#xa0;: faites-les glisser (C, dans le graphique).</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>&amp;Image (PNG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as an image.</source>
+        <translation>Le graphique visible sous forme d’image.</translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation>Image &amp;vectorielle (SVG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as lines that stay sharp at any size.</source>
+        <translation>Le graphique visible en traits qui restent nets à toute taille.</translation>
+    </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>P&amp;age (PDF)…</translation>
+    </message>
+    <message>
+        <source>The visible plot on a page for printing or a report.</source>
+        <translation>Le graphique visible sur une page à imprimer ou pour un rapport.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>&amp;Copier l’image</translation>
+    </message>
+    <message>
+        <source>Copies the visible plot to the clipboard.</source>
+        <translation>Copie le graphique visible dans le presse-papiers.</translation>
+    </message>
+    <message>
+        <source>Exports the visible plot, with a description of the runs.</source>
+        <translation>Exporte le graphique visible, avec une description des relevés.</translation>
+    </message>
+    <message>
+        <source>A: run %1, %2, %3, %4</source>
+        <translation>A&#xa0;: relevé %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>B: run %1, %2, %3, %4</source>
+        <translation>B&#xa0;: relevé %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
+        <translation>Kp %1 Kd %2 Ki %3 IL %4&#x202f;; montée %5&#x202f;; dépassement %6&#x202f;; établissement %7</translation>
+    </message>
+    <message>
+        <source>Step response, by NMC Panel %1</source>
+        <translation>Réponse indicielle, par NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>%1: cursor 1 %2, cursor 2 %3, difference %4</source>
+        <translation>%1&#xa0;: curseur 1 %2, curseur 2 %3, écart %4</translation>
+    </message>
+    <message>
+        <source>Picture of the step response</source>
+        <translation>Image de la réponse indicielle</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Fichiers %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>échelon</translation>
+    </message>
+    <message>
+        <source>P&amp;rint</source>
+        <translation>Imp&amp;rimer</translation>
+    </message>
+    <message>
+        <source>Prints the visible plot on this computer&apos;s default printer.</source>
+        <translation>Imprime le graphique visible sur l’imprimante par défaut de cet ordinateur.</translation>
     </message>
 </context>
 <context>
@@ -11276,117 +11921,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::MoveByBox</name>
-    <message>
-        <source>Step by a distance</source>
-        <translation>Déplacement par pas d’une distance donnée</translation>
-    </message>
-    <message>
-        <source>Step by</source>
-        <translation>Déplacement par pas</translation>
-    </message>
-    <message>
-        <source>Distance of a step</source>
-        <translation>Distance d’un pas</translation>
-    </message>
-    <message>
-        <source>The distance of a step</source>
-        <translation>La distance d’un pas</translation>
-    </message>
-    <message>
-        <source>◂| Step</source>
-        <translation>◂| Pas</translation>
-    </message>
-    <message>
-        <source>Step in reverse</source>
-        <translation>Pas en arrière</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>Pas |▸</translation>
-    </message>
-    <message>
-        <source>Step forward</source>
-        <translation>Pas en avant</translation>
-    </message>
-    <message>
-        <source>The number of steps</source>
-        <translation>Le nombre de pas</translation>
-    </message>
-    <message>
-        <source>Number of steps per click.</source>
-        <translation>Nombre de pas par clic.</translation>
-    </message>
-    <message>
-        <source>The pause between steps</source>
-        <translation>La pause entre les pas</translation>
-    </message>
-    <message>
-        <source>Time to wait after each move, in seconds.</source>
-        <translation>Temps d’attente après chaque déplacement, en secondes.</translation>
-    </message>
-    <message>
-        <source>there and back</source>
-        <translation>aller-retour</translation>
-    </message>
-    <message>
-        <source>There and back with each step</source>
-        <translation>Aller-retour à chaque pas</translation>
-    </message>
-    <message>
-        <source>Each step goes there and back.</source>
-        <translation>Chaque pas fait un aller et retour.</translation>
-    </message>
-    <message>
-        <source>End steps</source>
-        <translation>Terminer les pas</translation>
-    </message>
-    <message>
-        <source>End steps and stop</source>
-        <translation>Terminer les pas et arrêter</translation>
-    </message>
-    <message>
-        <source>times, pause</source>
-        <translation>fois, pause</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>Repeat</source>
-        <translation>Répéter</translation>
-    </message>
-    <message>
-        <source>A series of steps is already running.</source>
-        <translation>Une série de pas est déjà en cours.</translation>
-    </message>
-    <message>
-        <source>Moves forward by this distance, then holds.</source>
-        <translation>Se déplace en avant de cette distance, puis maintient la position.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse by this distance, then holds.</source>
-        <translation>Se déplace en arrière de cette distance, puis maintient la position.</translation>
-    </message>
-    <message>
-        <source>No series of steps is running.</source>
-        <translation>Aucune série de pas n’est en cours.</translation>
-    </message>
-    <message>
-        <source>Ends the series of steps and stops the motor smoothly.</source>
-        <translation>Met fin à la série de pas et arrête progressivement le moteur.</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
-    </message>
-    <message>
-        <source>Distance per click, at the velocity of Go to.</source>
-        <translation>Distance par clic, à la vitesse de «&#xa0;Aller à la position&#xa0;».</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperDetailsBox</name>
     <message>
         <source>Step pulses are coming.</source>
@@ -11527,109 +12061,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Home register</source>
         <translation>Registre d’origine</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseForm</name>
-    <message>
-        <source>Settings of the next step</source>
-        <translation>Réglages du prochain échelon</translation>
-    </message>
-    <message>
-        <source>Distance of the step response</source>
-        <translation>Distance de la réponse indicielle</translation>
-    </message>
-    <message>
-        <source>The distance of the step</source>
-        <translation>La distance de l’échelon</translation>
-    </message>
-    <message>
-        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
-        <translation>De combien saute la consigne&#x202f;; négatif&#xa0;: en arrière. Les petits échelons montrent le réglage du servo, les grands les limites de l’amplificateur.</translation>
-    </message>
-    <message>
-        <source>Way: how the command jumps</source>
-        <translation>Mode de saut de la consigne</translation>
-    </message>
-    <message>
-        <source>The record</source>
-        <translation>L’enregistrement</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>How long to record after the step. Then the motor is told to hold.</source>
-        <translation>Durée d’enregistrement après l’échelon. Le moteur reçoit ensuite l’ordre de maintien.</translation>
-    </message>
-    <message>
-        <source>The settling band</source>
-        <translation>La bande de tolérance</translation>
-    </message>
-    <message>
-        <source>% of the step</source>
-        <translation>% de l’échelon</translation>
-    </message>
-    <message>
-        <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
-        <translation>La réponse est établie quand le moteur reste aussi proche de sa cible. Au moins un incrément. S’applique à tous les relevés.</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Distance</translation>
-    </message>
-    <message>
-        <source>Way</source>
-        <translation>Mode</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Enregistrement</translation>
-    </message>
-    <message>
-        <source>Settling band</source>
-        <translation>Bande de tolérance</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Échelon</translation>
-    </message>
-    <message>
-        <source>Step and record</source>
-        <translation>Échelon et enregistrement</translation>
-    </message>
-    <message>
-        <source>A step is already running.</source>
-        <translation>Un échelon est déjà en cours.</translation>
-    </message>
-    <message>
-        <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
-        <translation>Le moteur saute de cette distance, puis maintient sa position. Assurez-vous que tout ce qu’il entraîne peut bouger librement (Maj+F9).</translation>
-    </message>
-    <message>
-        <source>%1 %2 instead of %3</source>
-        <translation>%1 %2 au lieu de %3</translation>
-    </message>
-    <message>
-        <source>Some gains in the fields were not sent: %1. Which gains should the step use?</source>
-        <translation>Certains gains des champs n’ont pas été envoyés&#xa0;: %1. Avec quels gains faire l’échelon&#x202f;?</translation>
-    </message>
-    <message>
-        <source>Gains that were not sent</source>
-        <translation>Gains non envoyés</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
-    </message>
-    <message>
-        <source>&amp;Apply and step</source>
-        <translation>&amp;Appliquer et faire l’échelon</translation>
-    </message>
-    <message>
-        <source>Step with &amp;present gains</source>
-        <translation>Échelon avec les gains actue&amp;ls</translation>
     </message>
 </context>
 <context>
@@ -11873,7 +12304,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Go to the position</source>
-        <translation>Y aller : à la position</translation>
+        <translation>Y aller&#xa0;: à la position</translation>
     </message>
     <message>
         <source>Run &amp;reverse</source>
@@ -12139,73 +12570,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::ResponsePlot</name>
-    <message>
-        <source>Step responses over time</source>
-        <translation>Réponses indicielles dans le temps</translation>
-    </message>
-    <message>
-        <source>run %1, %2</source>
-        <translation>relevé %1, %2</translation>
-    </message>
-    <message>
-        <source>A: %1</source>
-        <translation>A&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>goal</source>
-        <translation>cible</translation>
-    </message>
-    <message>
-        <source>No run selected. A step response shows how the motor follows a jump of its command.</source>
-        <translation>Aucun relevé sélectionné. Une réponse indicielle montre comment le moteur suit un saut de sa consigne.</translation>
-    </message>
-    <message>
-        <source>motor model</source>
-        <translation>modèle du moteur</translation>
-    </message>
-    <message>
-        <source>predicted</source>
-        <translation>prédit</translation>
-    </message>
-    <message>
-        <source>Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
-        <translation>Positions depuis l’échelon, par rapport à son départ. La zone grisée est la bande de tolérance autour de la cible. Double-cliquez pour basculer entre l’enregistrement entier et le mouvement. La molette zoome le temps, ou les positions avec Ctrl&#x202f;; faites glisser pour déplacer la vue&#x202f;; faites glisser avec Maj pour sélectionner une durée.</translation>
-    </message>
-    <message>
-        <source>time since the step (s)</source>
-        <translation>temps depuis l’échelon (s)</translation>
-    </message>
-    <message>
-        <source>position from the start</source>
-        <translation>position depuis le départ</translation>
-    </message>
-    <message>
-        <source>position from the start (%1)</source>
-        <translation>position depuis le départ (%1)</translation>
-    </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1&#xa0;Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>temps</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperRampBox</name>
     <message>
         <source>Acceleration time</source>
@@ -12246,374 +12610,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>● not sent</source>
         <translation>● non envoyé</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponsePage</name>
-    <message>
-        <source>Step response</source>
-        <translation>Réponse indicielle</translation>
-    </message>
-    <message>
-        <source>Use these gains</source>
-        <translation>Utiliser ces gains</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Export CSV…</source>
-        <translation>Exporter en CSV…</translation>
-    </message>
-    <message>
-        <source>Select a run in the list first.</source>
-        <translation>Sélectionnez d’abord un relevé dans la liste.</translation>
-    </message>
-    <message>
-        <source>This run belongs to %1. Select that module first.</source>
-        <translation>Ce relevé appartient à %1. Sélectionnez d’abord ce module.</translation>
-    </message>
-    <message>
-        <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
-        <translation>Copie les gains de ce relevé dans la page Gains. N’envoie rien (Ctrl+Maj+U).</translation>
-    </message>
-    <message>
-        <source>Removes this run from the list (Ctrl+Del).</source>
-        <translation>Supprime ce relevé de la liste (Ctrl+Suppr).</translation>
-    </message>
-    <message>
-        <source>No run yet. Record a step first.</source>
-        <translation>Pas encore de relevé. Enregistrez d’abord un échelon.</translation>
-    </message>
-    <message>
-        <source>Saves all runs in the list with their gains and results (Ctrl+Shift+X).</source>
-        <translation>Enregistre tous les relevés de la liste avec leurs gains et résultats (Ctrl+Maj+X).</translation>
-    </message>
-    <message>
-        <source>Export step responses</source>
-        <translation>Exporter les réponses indicielles</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Échelon</translation>
-    </message>
-    <message>
-        <source>Step results</source>
-        <translation>Résultats des échelons</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Résultats</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modèle</translation>
-    </message>
-    <message>
-        <source>All runs</source>
-        <translation>Tous les relevés</translation>
-    </message>
-    <message>
-        <source>All runs of this module in the plot</source>
-        <translation>Tous les relevés de ce module dans le graphique</translation>
-    </message>
-    <message>
-        <source>Shows the other runs of this module, older runs paler.</source>
-        <translation>Affiche les autres relevés de ce module, les plus anciens en plus pâle.</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
-        <source>No run was removed.</source>
-        <translation>Aucun relevé n’a été supprimé.</translation>
-    </message>
-    <message>
-        <source>Restores the run removed last (Ctrl+Shift+Del).</source>
-        <translation>Rétablit le dernier relevé supprimé (Ctrl+Maj+Suppr).</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseResults</name>
-    <message>
-        <source>Results of the runs shown</source>
-        <translation>Résultats des relevés affichés</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Relevé</translation>
-    </message>
-    <message>
-        <source>Rise, 10 to 90 %</source>
-        <translation>Montée, 10 à 90&#x202f;%</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Dépassement</translation>
-    </message>
-    <message>
-        <source>Steady-state error</source>
-        <translation>Erreur statique</translation>
-    </message>
-    <message>
-        <source>Peak PWM, of 255</source>
-        <translation>PWM max., sur 255</translation>
-    </message>
-    <message>
-        <source>Sample interval</source>
-        <translation>Échantillonnage</translation>
-    </message>
-    <message>
-        <source>Time from 10 % to 90 % of the step.</source>
-        <translation>Temps de 10&#x202f;% à 90&#x202f;% de l’échelon.</translation>
-    </message>
-    <message>
-        <source>How far the motor went past its goal, in % of the step.</source>
-        <translation>De combien le moteur a dépassé sa cible, en&#x202f;% de l’échelon.</translation>
-    </message>
-    <message>
-        <source>Goal minus the mean position over the last fifth of the record.</source>
-        <translation>Cible moins position moyenne sur le dernier cinquième de l’enregistrement.</translation>
-    </message>
-    <message>
-        <source>PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound.</source>
-        <translation>PWM demandée lors du saut, calculée d’après les gains. Les cycles suivants peuvent en demander plus&#xa0;: en dessous de la limite de sortie OL, c’est une borne inférieure.</translation>
-    </message>
-    <message>
-        <source>Mean time between two positions of the record. It sets the accuracy of the results.</source>
-        <translation>Temps moyen entre deux positions de l’enregistrement. Il détermine la précision des résultats.</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Settling to the goal</source>
-        <translation>Établissement à la cible</translation>
-    </message>
-    <message>
-        <source>Settling to rest position</source>
-        <translation>Établissement au repos</translation>
-    </message>
-    <message>
-        <source>Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record.</source>
-        <translation>Temps jusqu’à ce que la position reste dans la bande de tolérance autour de la cible. Vide si cela n’arrive que dans le dernier cinquième de l’enregistrement.</translation>
-    </message>
-    <message>
-        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
-        <translation>De même, autour de la position moyenne du dernier cinquième de l’enregistrement. Sans gain intégral (Ki, IL), le frottement retient le moteur à l’écart de sa cible.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseTable</name>
-    <message>
-        <source>Step responses so far</source>
-        <translation>Réponses indicielles jusqu’ici</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Relevé</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>Module</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Heure</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Dépassement</translation>
-    </message>
-    <message>
-        <source>Settling</source>
-        <translation>Établissement</translation>
-    </message>
-    <message>
-        <source>Run %1 as A</source>
-        <translation>Relevé %1 comme A</translation>
-    </message>
-    <message>
-        <source>Run %1 as B</source>
-        <translation>Relevé %1 comme B</translation>
-    </message>
-    <message>
-        <source>Draws this run as A, with a solid line.</source>
-        <translation>Trace ce relevé comme A, en trait plein.</translation>
-    </message>
-    <message>
-        <source>Draws this run as B, with a dashed line.</source>
-        <translation>Trace ce relevé comme B, en trait interrompu.</translation>
-    </message>
-    <message>
-        <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
-        <translation>Réponses indicielles, les plus récentes d’abord. Cochez deux cases pour comparer les courbes. Les %1 dernières sont enregistrées avec la machine&#x202f;; celles qui ont un nom ou une note sont gardées le plus longtemps.</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Note</translation>
-    </message>
-    <message>
-        <source>Name of the run. Double-click or press F2 to edit.</source>
-        <translation>Nom du relevé. Double-cliquez ou appuyez sur F2 pour le modifier.</translation>
-    </message>
-    <message>
-        <source>Note on the run. Double-click or press F2 to edit.</source>
-        <translation>Note sur le relevé. Double-cliquez ou appuyez sur F2 pour la modifier.</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseView</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>Mesures des curseurs</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Relevé</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>Curseur 1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>Curseur 2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Écart</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Ajuster</translation>
-    </message>
-    <message>
-        <source>Fits the view to the motion and all positions (A, in the plot).</source>
-        <translation>Ajuste la vue au mouvement et à toutes les positions (A, dans le graphique).</translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation>Curseurs</translation>
-    </message>
-    <message>
-        <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
-        <translation>Affiche deux curseurs de mesure&#xa0;: faites-les glisser (C, dans le graphique).</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Image</translation>
-    </message>
-    <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>&amp;Image (PNG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>Le graphique visible sous forme d’image.</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>Image &amp;vectorielle (SVG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>Le graphique visible en traits qui restent nets à toute taille.</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>P&amp;age (PDF)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>Le graphique visible sur une page à imprimer ou pour un rapport.</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>&amp;Copier l’image</translation>
-    </message>
-    <message>
-        <source>Copies the visible plot to the clipboard.</source>
-        <translation>Copie le graphique visible dans le presse-papiers.</translation>
-    </message>
-    <message>
-        <source>Exports the visible plot, with a description of the runs.</source>
-        <translation>Exporte le graphique visible, avec une description des relevés.</translation>
-    </message>
-    <message>
-        <source>A: run %1, %2, %3, %4</source>
-        <translation>A&#xa0;: relevé %1, %2, %3, %4</translation>
-    </message>
-    <message>
-        <source>B: run %1, %2, %3, %4</source>
-        <translation>B&#xa0;: relevé %1, %2, %3, %4</translation>
-    </message>
-    <message>
-        <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
-        <translation>Kp %1 Kd %2 Ki %3 IL %4&#x202f;; montée %5&#x202f;; dépassement %6&#x202f;; établissement %7</translation>
-    </message>
-    <message>
-        <source>Step response, by NMC Panel %1</source>
-        <translation>Réponse indicielle, par NMC Panel %1</translation>
-    </message>
-    <message>
-        <source>%1: cursor 1 %2, cursor 2 %3, difference %4</source>
-        <translation>%1&#xa0;: curseur 1 %2, curseur 2 %3, écart %4</translation>
-    </message>
-    <message>
-        <source>Picture of the step response</source>
-        <translation>Image de la réponse indicielle</translation>
-    </message>
-    <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Fichiers %1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>échelon</translation>
-    </message>
-    <message>
-        <source>P&amp;rint</source>
-        <translation>Imp&amp;rimer</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Imprime le graphique visible sur l’imprimante par défaut de cet ordinateur.</translation>
     </message>
 </context>
 <context>

@@ -654,6 +654,65 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
 </context>
 <context>
+    <name>ResponseTexts</name>
+    <message>
+        <source>too few samples</source>
+        <translation>サンプル不足</translation>
+    </message>
+    <message>
+        <source>did not reach 90 %</source>
+        <translation>90%に未到達</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>記録なし</translation>
+    </message>
+    <message>
+        <source>Very fast profile</source>
+        <translation>超高速プロファイル</translation>
+    </message>
+    <message>
+        <source>Stop here, at the goal</source>
+        <translation>目標位置で「ここで停止」</translation>
+    </message>
+    <message>
+        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
+        <translation>速度と加速度が非常に大きく、プロファイルが1周期で目標位置に達する移動です。</translation>
+    </message>
+    <message>
+        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
+        <translation>サーボがプロファイルなしで直ちに目標位置を保持します。バージョン1では使用できません。</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>limited to %1</source>
+        <translation>%1に制限</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>%1以上</translation>
+    </message>
+    <message>
+        <source>samples missing, repeat</source>
+        <translation>サンプル欠落、再実行</translation>
+    </message>
+    <message>
+        <source>%1, off its goal</source>
+        <translation>%1、目標位置からずれ</translation>
+    </message>
+</context>
+<context>
     <name>Scope</name>
     <message>
         <source>NMC Panel %1</source>
@@ -889,65 +948,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>speed %1</source>
         <translation>速度%1</translation>
-    </message>
-</context>
-<context>
-    <name>ResponseTexts</name>
-    <message>
-        <source>too few samples</source>
-        <translation>サンプル不足</translation>
-    </message>
-    <message>
-        <source>did not reach 90 %</source>
-        <translation>90%に未到達</translation>
-    </message>
-    <message>
-        <source>not recorded</source>
-        <translation>記録なし</translation>
-    </message>
-    <message>
-        <source>Very fast profile</source>
-        <translation>超高速プロファイル</translation>
-    </message>
-    <message>
-        <source>Stop here, at the goal</source>
-        <translation>目標位置で「ここで停止」</translation>
-    </message>
-    <message>
-        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
-        <translation>速度と加速度が非常に大きく、プロファイルが1周期で目標位置に達する移動です。</translation>
-    </message>
-    <message>
-        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
-        <translation>サーボがプロファイルなしで直ちに目標位置を保持します。バージョン1では使用できません。</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>不明</translation>
-    </message>
-    <message>
-        <source>limited to %1</source>
-        <translation>%1に制限</translation>
-    </message>
-    <message>
-        <source>at least %1</source>
-        <translation>%1以上</translation>
-    </message>
-    <message>
-        <source>samples missing, repeat</source>
-        <translation>サンプル欠落、再実行</translation>
-    </message>
-    <message>
-        <source>%1, off its goal</source>
-        <translation>%1、目標位置からずれ</translation>
     </message>
 </context>
 <context>
@@ -5158,10 +5158,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>メッセージ一覧に全文とほかのすべてのメッセージを表示します。</translation>
     </message>
     <message>
-        <source>Show the message list</source>
-        <translation>メッセージ一覧を表示</translation>
-    </message>
-    <message>
         <source>%1 more…</source>
         <translation>ほか%1件…</translation>
     </message>
@@ -9065,6 +9061,117 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
+    <name>nmc::MoveByBox</name>
+    <message>
+        <source>Step by a distance</source>
+        <translation>ステップ送り：指定距離</translation>
+    </message>
+    <message>
+        <source>Step by</source>
+        <translation>ステップ送り</translation>
+    </message>
+    <message>
+        <source>Distance of a step</source>
+        <translation>ステップの距離</translation>
+    </message>
+    <message>
+        <source>The distance of a step</source>
+        <translation>ステップの距離の値</translation>
+    </message>
+    <message>
+        <source>◂| Step</source>
+        <translation>◂| ステップ</translation>
+    </message>
+    <message>
+        <source>Step in reverse</source>
+        <translation>◂| ステップ：逆方向に移動</translation>
+    </message>
+    <message>
+        <source>Step |▸</source>
+        <translation>ステップ |▸</translation>
+    </message>
+    <message>
+        <source>Step forward</source>
+        <translation>ステップ |▸：正方向に移動</translation>
+    </message>
+    <message>
+        <source>The number of steps</source>
+        <translation>ステップの回数</translation>
+    </message>
+    <message>
+        <source>Number of steps per click.</source>
+        <translation>1クリックあたりのステップの回数です。</translation>
+    </message>
+    <message>
+        <source>The pause between steps</source>
+        <translation>ステップ間の休止</translation>
+    </message>
+    <message>
+        <source>Time to wait after each move, in seconds.</source>
+        <translation>各移動の後に待つ時間（秒）です。</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>往復</translation>
+    </message>
+    <message>
+        <source>There and back with each step</source>
+        <translation>往復：各ステップ</translation>
+    </message>
+    <message>
+        <source>Each step goes there and back.</source>
+        <translation>各ステップで往復します。</translation>
+    </message>
+    <message>
+        <source>End steps</source>
+        <translation>ステップを終了</translation>
+    </message>
+    <message>
+        <source>End steps and stop</source>
+        <translation>ステップを終了：停止</translation>
+    </message>
+    <message>
+        <source>times, pause</source>
+        <translation>回、休止</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>繰り返し</translation>
+    </message>
+    <message>
+        <source>A series of steps is already running.</source>
+        <translation>連続ステップはすでに実行中です。</translation>
+    </message>
+    <message>
+        <source>Moves forward by this distance, then holds.</source>
+        <translation>この距離だけ正方向に移動し、保持します。</translation>
+    </message>
+    <message>
+        <source>Moves in reverse by this distance, then holds.</source>
+        <translation>この距離だけ逆方向に移動し、保持します。</translation>
+    </message>
+    <message>
+        <source>No series of steps is running.</source>
+        <translation>連続ステップは実行していません。</translation>
+    </message>
+    <message>
+        <source>Ends the series of steps and stops the motor smoothly.</source>
+        <translation>連続ステップを終了し、モーターを減速停止します。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Distance per click, at the velocity of Go to.</source>
+        <translation>1クリックあたりの距離です。速度は「位置へ移動」と同じです。</translation>
+    </message>
+</context>
+<context>
     <name>nmc::NumberField</name>
     <message>
         <source>%1 must be %2 to %3%4.</source>
@@ -10127,6 +10234,544 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Text (*.txt)</source>
         <translation>テキスト (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseForm</name>
+    <message>
+        <source>Settings of the next step</source>
+        <translation>次のステップの設定</translation>
+    </message>
+    <message>
+        <source>Distance of the step response</source>
+        <translation>ステップ応答の距離</translation>
+    </message>
+    <message>
+        <source>The distance of the step</source>
+        <translation>ステップ応答の距離の値</translation>
+    </message>
+    <message>
+        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
+        <translation>指令を急変させる距離です。負の値は逆方向です。小さなステップではサーボの調整具合が、大きなステップではアンプの限界が分かります。</translation>
+    </message>
+    <message>
+        <source>Way: how the command jumps</source>
+        <translation>方式：指令の変化のしかた</translation>
+    </message>
+    <message>
+        <source>The record</source>
+        <translation>記録時間の値</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>How long to record after the step. Then the motor is told to hold.</source>
+        <translation>ステップの後に記録する時間です。その後、モーターに保持を指令します。</translation>
+    </message>
+    <message>
+        <source>The settling band</source>
+        <translation>整定幅の値</translation>
+    </message>
+    <message>
+        <source>% of the step</source>
+        <translation>ステップの%</translation>
+    </message>
+    <message>
+        <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
+        <translation>モーターが目標位置からこの範囲内に留まると、整定したとみなします。最小1カウント。すべての運転に適用されます。</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>方式</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Settling band</source>
+        <translation>整定幅</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>ステップ</translation>
+    </message>
+    <message>
+        <source>Step and record</source>
+        <translation>ステップ：実行して記録</translation>
+    </message>
+    <message>
+        <source>A step is already running.</source>
+        <translation>ステップはすでに実行中です。</translation>
+    </message>
+    <message>
+        <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
+        <translation>モーターがこの距離だけ急に動き、保持します。駆動されるものがすべて自由に動けることを確認してください（Shift+F9）。</translation>
+    </message>
+    <message>
+        <source>%1 %2 instead of %3</source>
+        <translation>%1 %2（現在は%3）</translation>
+    </message>
+    <message>
+        <source>Some gains in the fields were not sent: %1. Which gains should the step use?</source>
+        <translation>欄に未送信のゲインがあります：%1。どちらのゲインでステップを実行しますか？</translation>
+    </message>
+    <message>
+        <source>Gains that were not sent</source>
+        <translation>未送信のゲイン</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Apply and step</source>
+        <translation>適用してステップ(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Step with &amp;present gains</source>
+        <translation>現在のゲインでステップ(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponsePage</name>
+    <message>
+        <source>Step response</source>
+        <translation>ステップ応答</translation>
+    </message>
+    <message>
+        <source>Use these gains</source>
+        <translation>このゲインを使用</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>CSVエクスポート…</translation>
+    </message>
+    <message>
+        <source>Select a run in the list first.</source>
+        <translation>先に一覧で運転を選択してください。</translation>
+    </message>
+    <message>
+        <source>This run belongs to %1. Select that module first.</source>
+        <translation>この運転は%1のものです。先にそのモジュールを選択してください。</translation>
+    </message>
+    <message>
+        <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
+        <translation>この運転のゲインを「ゲイン」ページにコピーします。何も送信しません（Ctrl+Shift+U）。</translation>
+    </message>
+    <message>
+        <source>Removes this run from the list (Ctrl+Del).</source>
+        <translation>この運転を一覧から削除します（Ctrl+Del）。</translation>
+    </message>
+    <message>
+        <source>No run yet. Record a step first.</source>
+        <translation>運転がありません。先にステップを記録してください。</translation>
+    </message>
+    <message>
+        <source>Saves all runs in the list with their gains and results (Ctrl+Shift+X).</source>
+        <translation>一覧のすべての運転を、ゲインと結果とともに保存します（Ctrl+Shift+X）。</translation>
+    </message>
+    <message>
+        <source>Export step responses</source>
+        <translation>ステップ応答のエクスポート</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>ステップ</translation>
+    </message>
+    <message>
+        <source>Step results</source>
+        <translation>ステップの結果</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>モデル</translation>
+    </message>
+    <message>
+        <source>All runs</source>
+        <translation>すべての運転</translation>
+    </message>
+    <message>
+        <source>All runs of this module in the plot</source>
+        <translation>すべての運転：このモジュールの運転をグラフに表示</translation>
+    </message>
+    <message>
+        <source>Shows the other runs of this module, older runs paler.</source>
+        <translation>このモジュールのほかの運転を、古いものほど淡く表示します。</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>復元</translation>
+    </message>
+    <message>
+        <source>No run was removed.</source>
+        <translation>削除した運転はありません。</translation>
+    </message>
+    <message>
+        <source>Restores the run removed last (Ctrl+Shift+Del).</source>
+        <translation>最後に削除した運転を復元します（Ctrl+Shift+Del）。</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponsePlot</name>
+    <message>
+        <source>Step responses over time</source>
+        <translation>ステップ応答の推移</translation>
+    </message>
+    <message>
+        <source>run %1, %2</source>
+        <translation>運転%1、%2</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A：%1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B：%1</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>目標位置</translation>
+    </message>
+    <message>
+        <source>No run selected. A step response shows how the motor follows a jump of its command.</source>
+        <translation>運転が選択されていません。ステップ応答は、指令の急変にモーターがどう追従するかを示します。</translation>
+    </message>
+    <message>
+        <source>motor model</source>
+        <translation>モーターモデル</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>予測</translation>
+    </message>
+    <message>
+        <source>Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
+        <translation>ステップ開始時を基準にした、ステップ後の位置です。網掛けの帯は、目標位置を中心とした整定幅です。ダブルクリックで、記録全体と動作部分の表示を切り替えます。スクロールで時間を、Ctrlを押しながらで位置を拡大縮小し、ドラッグで表示を移動し、Shiftを押しながらドラッグして時間を選択します。</translation>
+    </message>
+    <message>
+        <source>time since the step (s)</source>
+        <translation>ステップからの時間 (s)</translation>
+    </message>
+    <message>
+        <source>position from the start</source>
+        <translation>開始点からの位置</translation>
+    </message>
+    <message>
+        <source>position from the start (%1)</source>
+        <translation>開始点からの位置 (%1)</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseResults</name>
+    <message>
+        <source>Results of the runs shown</source>
+        <translation>表示中の運転の結果</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>測定</translation>
+    </message>
+    <message>
+        <source>Rise, 10 to 90 %</source>
+        <translation>立ち上がり（10～90%）</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>オーバーシュート</translation>
+    </message>
+    <message>
+        <source>Steady-state error</source>
+        <translation>定常偏差</translation>
+    </message>
+    <message>
+        <source>Peak PWM, of 255</source>
+        <translation>最大PWM（/ 255）</translation>
+    </message>
+    <message>
+        <source>Sample interval</source>
+        <translation>サンプル間隔</translation>
+    </message>
+    <message>
+        <source>Time from 10 % to 90 % of the step.</source>
+        <translation>ステップの10%から90%までの時間です。</translation>
+    </message>
+    <message>
+        <source>How far the motor went past its goal, in % of the step.</source>
+        <translation>モーターが目標位置を行き過ぎた量です（ステップに対する%）。</translation>
+    </message>
+    <message>
+        <source>Goal minus the mean position over the last fifth of the record.</source>
+        <translation>目標位置から、記録の最後の5分の1の平均位置を引いた値です。</translation>
+    </message>
+    <message>
+        <source>PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound.</source>
+        <translation>指令の急変時に必要なPWMを、ゲインから計算した値です。以降の周期でさらに必要になることがあります。出力制限OL未満の場合、この値は下限です。</translation>
+    </message>
+    <message>
+        <source>Mean time between two positions of the record. It sets the accuracy of the results.</source>
+        <translation>記録の2つの位置の間の平均時間です。結果の精度を左右します。</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Settling to the goal</source>
+        <translation>目標位置への整定</translation>
+    </message>
+    <message>
+        <source>Settling to rest position</source>
+        <translation>静止位置への整定</translation>
+    </message>
+    <message>
+        <source>Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record.</source>
+        <translation>位置が目標位置の整定幅内に留まるまでの時間です。記録の最後の5分の1で初めてそうなった場合は空欄です。</translation>
+    </message>
+    <message>
+        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
+        <translation>同じく、記録の最後の5分の1の平均位置を中心とした値です。積分ゲイン（Ki、IL）がないと、摩擦によりモーターが目標位置からずれて止まります。</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseTable</name>
+    <message>
+        <source>Step responses so far</source>
+        <translation>これまでのステップ応答</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>測定</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>オーバーシュート</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>整定</translation>
+    </message>
+    <message>
+        <source>Run %1 as A</source>
+        <translation>運転%1をAに</translation>
+    </message>
+    <message>
+        <source>Run %1 as B</source>
+        <translation>運転%1をBに</translation>
+    </message>
+    <message>
+        <source>Draws this run as A, with a solid line.</source>
+        <translation>この運転をAとして実線で描きます。</translation>
+    </message>
+    <message>
+        <source>Draws this run as B, with a dashed line.</source>
+        <translation>この運転をBとして破線で描きます。</translation>
+    </message>
+    <message>
+        <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
+        <translation>ステップ応答（新しいものが先頭）です。チェックボックスを2つ選択すると、曲線を比較できます。最後の%1件はマシンとともに保存され、名前または注記のあるものは最も長く残ります。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>注記</translation>
+    </message>
+    <message>
+        <source>Name of the run. Double-click or press F2 to edit.</source>
+        <translation>運転の名前です。ダブルクリックまたはF2で編集します。</translation>
+    </message>
+    <message>
+        <source>Note on the run. Double-click or press F2 to edit.</source>
+        <translation>運転の注記です。ダブルクリックまたはF2で編集します。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ResponseView</name>
+    <message>
+        <source>Cursor readings</source>
+        <translation>カーソル値</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>測定</translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation>カーソル1</translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation>カーソル2</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>全体表示</translation>
+    </message>
+    <message>
+        <source>Fits the view to the motion and all positions (A, in the plot).</source>
+        <translation>動作の時間とすべての位置が収まるように表示します（グラフでA）。</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>カーソル</translation>
+    </message>
+    <message>
+        <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
+        <translation>測定用の2本のカーソルを表示します：ドラッグして動かします（グラフでC）。</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>画像 (PNG)(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as an image.</source>
+        <translation>表示中のグラフの画像です。</translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation>ベクター画像 (SVG)(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as lines that stay sharp at any size.</source>
+        <translation>表示中のグラフを、どの大きさでも鮮明な線で保存します。</translation>
+    </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>ページ (PDF)(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The visible plot on a page for printing or a report.</source>
+        <translation>表示中のグラフを、印刷やレポート用の1ページにします。</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>画像をコピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copies the visible plot to the clipboard.</source>
+        <translation>表示中のグラフをクリップボードにコピーします。</translation>
+    </message>
+    <message>
+        <source>Exports the visible plot, with a description of the runs.</source>
+        <translation>表示中のグラフを、運転の説明とともにエクスポートします。</translation>
+    </message>
+    <message>
+        <source>A: run %1, %2, %3, %4</source>
+        <translation>A：運転%1、%2、%3、%4</translation>
+    </message>
+    <message>
+        <source>B: run %1, %2, %3, %4</source>
+        <translation>B：運転%1、%2、%3、%4</translation>
+    </message>
+    <message>
+        <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
+        <translation>Kp %1 Kd %2 Ki %3 IL %4、立ち上がり %5、オーバーシュート %6、整定 %7</translation>
+    </message>
+    <message>
+        <source>Step response, by NMC Panel %1</source>
+        <translation>ステップ応答、NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>%1: cursor 1 %2, cursor 2 %3, difference %4</source>
+        <translation>%1：カーソル1 %2、カーソル2 %3、差 %4</translation>
+    </message>
+    <message>
+        <source>Picture of the step response</source>
+        <translation>ステップ応答の画像</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1ファイル (*.%2)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>ステップ応答</translation>
+    </message>
+    <message>
+        <source>P&amp;rint</source>
+        <translation>印刷(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Prints the visible plot on this computer&apos;s default printer.</source>
+        <translation>表示中のグラフを、このコンピューターの既定のプリンターで印刷します。</translation>
     </message>
 </context>
 <context>
@@ -11262,117 +11907,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::MoveByBox</name>
-    <message>
-        <source>Step by a distance</source>
-        <translation>ステップ送り：指定距離</translation>
-    </message>
-    <message>
-        <source>Step by</source>
-        <translation>ステップ送り</translation>
-    </message>
-    <message>
-        <source>Distance of a step</source>
-        <translation>ステップの距離</translation>
-    </message>
-    <message>
-        <source>The distance of a step</source>
-        <translation>ステップの距離の値</translation>
-    </message>
-    <message>
-        <source>◂| Step</source>
-        <translation>◂| ステップ</translation>
-    </message>
-    <message>
-        <source>Step in reverse</source>
-        <translation>◂| ステップ：逆方向に移動</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>ステップ |▸</translation>
-    </message>
-    <message>
-        <source>Step forward</source>
-        <translation>ステップ |▸：正方向に移動</translation>
-    </message>
-    <message>
-        <source>The number of steps</source>
-        <translation>ステップの回数</translation>
-    </message>
-    <message>
-        <source>Number of steps per click.</source>
-        <translation>1クリックあたりのステップの回数です。</translation>
-    </message>
-    <message>
-        <source>The pause between steps</source>
-        <translation>ステップ間の休止</translation>
-    </message>
-    <message>
-        <source>Time to wait after each move, in seconds.</source>
-        <translation>各移動の後に待つ時間（秒）です。</translation>
-    </message>
-    <message>
-        <source>there and back</source>
-        <translation>往復</translation>
-    </message>
-    <message>
-        <source>There and back with each step</source>
-        <translation>往復：各ステップ</translation>
-    </message>
-    <message>
-        <source>Each step goes there and back.</source>
-        <translation>各ステップで往復します。</translation>
-    </message>
-    <message>
-        <source>End steps</source>
-        <translation>ステップを終了</translation>
-    </message>
-    <message>
-        <source>End steps and stop</source>
-        <translation>ステップを終了：停止</translation>
-    </message>
-    <message>
-        <source>times, pause</source>
-        <translation>回、休止</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>Repeat</source>
-        <translation>繰り返し</translation>
-    </message>
-    <message>
-        <source>A series of steps is already running.</source>
-        <translation>連続ステップはすでに実行中です。</translation>
-    </message>
-    <message>
-        <source>Moves forward by this distance, then holds.</source>
-        <translation>この距離だけ正方向に移動し、保持します。</translation>
-    </message>
-    <message>
-        <source>Moves in reverse by this distance, then holds.</source>
-        <translation>この距離だけ逆方向に移動し、保持します。</translation>
-    </message>
-    <message>
-        <source>No series of steps is running.</source>
-        <translation>連続ステップは実行していません。</translation>
-    </message>
-    <message>
-        <source>Ends the series of steps and stops the motor smoothly.</source>
-        <translation>連続ステップを終了し、モーターを減速停止します。</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>Distance per click, at the velocity of Go to.</source>
-        <translation>1クリックあたりの距離です。速度は「位置へ移動」と同じです。</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperDetailsBox</name>
     <message>
         <source>Step pulses are coming.</source>
@@ -11513,109 +12047,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Home register</source>
         <translation>原点レジスター</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseForm</name>
-    <message>
-        <source>Settings of the next step</source>
-        <translation>次のステップの設定</translation>
-    </message>
-    <message>
-        <source>Distance of the step response</source>
-        <translation>ステップ応答の距離</translation>
-    </message>
-    <message>
-        <source>The distance of the step</source>
-        <translation>ステップ応答の距離の値</translation>
-    </message>
-    <message>
-        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
-        <translation>指令を急変させる距離です。負の値は逆方向です。小さなステップではサーボの調整具合が、大きなステップではアンプの限界が分かります。</translation>
-    </message>
-    <message>
-        <source>Way: how the command jumps</source>
-        <translation>方式：指令の変化のしかた</translation>
-    </message>
-    <message>
-        <source>The record</source>
-        <translation>記録時間の値</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>How long to record after the step. Then the motor is told to hold.</source>
-        <translation>ステップの後に記録する時間です。その後、モーターに保持を指令します。</translation>
-    </message>
-    <message>
-        <source>The settling band</source>
-        <translation>整定幅の値</translation>
-    </message>
-    <message>
-        <source>% of the step</source>
-        <translation>ステップの%</translation>
-    </message>
-    <message>
-        <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
-        <translation>モーターが目標位置からこの範囲内に留まると、整定したとみなします。最小1カウント。すべての運転に適用されます。</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>距離</translation>
-    </message>
-    <message>
-        <source>Way</source>
-        <translation>方式</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>記録</translation>
-    </message>
-    <message>
-        <source>Settling band</source>
-        <translation>整定幅</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>ステップ</translation>
-    </message>
-    <message>
-        <source>Step and record</source>
-        <translation>ステップ：実行して記録</translation>
-    </message>
-    <message>
-        <source>A step is already running.</source>
-        <translation>ステップはすでに実行中です。</translation>
-    </message>
-    <message>
-        <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
-        <translation>モーターがこの距離だけ急に動き、保持します。駆動されるものがすべて自由に動けることを確認してください（Shift+F9）。</translation>
-    </message>
-    <message>
-        <source>%1 %2 instead of %3</source>
-        <translation>%1 %2（現在は%3）</translation>
-    </message>
-    <message>
-        <source>Some gains in the fields were not sent: %1. Which gains should the step use?</source>
-        <translation>欄に未送信のゲインがあります：%1。どちらのゲインでステップを実行しますか？</translation>
-    </message>
-    <message>
-        <source>Gains that were not sent</source>
-        <translation>未送信のゲイン</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>キャンセル(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Apply and step</source>
-        <translation>適用してステップ(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Step with &amp;present gains</source>
-        <translation>現在のゲインでステップ(&amp;P)</translation>
     </message>
 </context>
 <context>
@@ -12125,73 +12556,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::ResponsePlot</name>
-    <message>
-        <source>Step responses over time</source>
-        <translation>ステップ応答の推移</translation>
-    </message>
-    <message>
-        <source>run %1, %2</source>
-        <translation>運転%1、%2</translation>
-    </message>
-    <message>
-        <source>A: %1</source>
-        <translation>A：%1</translation>
-    </message>
-    <message>
-        <source>B: %1</source>
-        <translation>B：%1</translation>
-    </message>
-    <message>
-        <source>goal</source>
-        <translation>目標位置</translation>
-    </message>
-    <message>
-        <source>No run selected. A step response shows how the motor follows a jump of its command.</source>
-        <translation>運転が選択されていません。ステップ応答は、指令の急変にモーターがどう追従するかを示します。</translation>
-    </message>
-    <message>
-        <source>motor model</source>
-        <translation>モーターモデル</translation>
-    </message>
-    <message>
-        <source>predicted</source>
-        <translation>予測</translation>
-    </message>
-    <message>
-        <source>Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
-        <translation>ステップ開始時を基準にした、ステップ後の位置です。網掛けの帯は、目標位置を中心とした整定幅です。ダブルクリックで、記録全体と動作部分の表示を切り替えます。スクロールで時間を、Ctrlを押しながらで位置を拡大縮小し、ドラッグで表示を移動し、Shiftを押しながらドラッグして時間を選択します。</translation>
-    </message>
-    <message>
-        <source>time since the step (s)</source>
-        <translation>ステップからの時間 (s)</translation>
-    </message>
-    <message>
-        <source>position from the start</source>
-        <translation>開始点からの位置</translation>
-    </message>
-    <message>
-        <source>position from the start (%1)</source>
-        <translation>開始点からの位置 (%1)</translation>
-    </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>時間</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperRampBox</name>
     <message>
         <source>Acceleration time</source>
@@ -12232,374 +12596,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>● not sent</source>
         <translation>● 未送信</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponsePage</name>
-    <message>
-        <source>Step response</source>
-        <translation>ステップ応答</translation>
-    </message>
-    <message>
-        <source>Use these gains</source>
-        <translation>このゲインを使用</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>削除</translation>
-    </message>
-    <message>
-        <source>Export CSV…</source>
-        <translation>CSVエクスポート…</translation>
-    </message>
-    <message>
-        <source>Select a run in the list first.</source>
-        <translation>先に一覧で運転を選択してください。</translation>
-    </message>
-    <message>
-        <source>This run belongs to %1. Select that module first.</source>
-        <translation>この運転は%1のものです。先にそのモジュールを選択してください。</translation>
-    </message>
-    <message>
-        <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
-        <translation>この運転のゲインを「ゲイン」ページにコピーします。何も送信しません（Ctrl+Shift+U）。</translation>
-    </message>
-    <message>
-        <source>Removes this run from the list (Ctrl+Del).</source>
-        <translation>この運転を一覧から削除します（Ctrl+Del）。</translation>
-    </message>
-    <message>
-        <source>No run yet. Record a step first.</source>
-        <translation>運転がありません。先にステップを記録してください。</translation>
-    </message>
-    <message>
-        <source>Saves all runs in the list with their gains and results (Ctrl+Shift+X).</source>
-        <translation>一覧のすべての運転を、ゲインと結果とともに保存します（Ctrl+Shift+X）。</translation>
-    </message>
-    <message>
-        <source>Export step responses</source>
-        <translation>ステップ応答のエクスポート</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>ステップ</translation>
-    </message>
-    <message>
-        <source>Step results</source>
-        <translation>ステップの結果</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>結果</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>モデル</translation>
-    </message>
-    <message>
-        <source>All runs</source>
-        <translation>すべての運転</translation>
-    </message>
-    <message>
-        <source>All runs of this module in the plot</source>
-        <translation>すべての運転：このモジュールの運転をグラフに表示</translation>
-    </message>
-    <message>
-        <source>Shows the other runs of this module, older runs paler.</source>
-        <translation>このモジュールのほかの運転を、古いものほど淡く表示します。</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>復元</translation>
-    </message>
-    <message>
-        <source>No run was removed.</source>
-        <translation>削除した運転はありません。</translation>
-    </message>
-    <message>
-        <source>Restores the run removed last (Ctrl+Shift+Del).</source>
-        <translation>最後に削除した運転を復元します（Ctrl+Shift+Del）。</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseResults</name>
-    <message>
-        <source>Results of the runs shown</source>
-        <translation>表示中の運転の結果</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>測定</translation>
-    </message>
-    <message>
-        <source>Rise, 10 to 90 %</source>
-        <translation>立ち上がり（10～90%）</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>オーバーシュート</translation>
-    </message>
-    <message>
-        <source>Steady-state error</source>
-        <translation>定常偏差</translation>
-    </message>
-    <message>
-        <source>Peak PWM, of 255</source>
-        <translation>最大PWM（/ 255）</translation>
-    </message>
-    <message>
-        <source>Sample interval</source>
-        <translation>サンプル間隔</translation>
-    </message>
-    <message>
-        <source>Time from 10 % to 90 % of the step.</source>
-        <translation>ステップの10%から90%までの時間です。</translation>
-    </message>
-    <message>
-        <source>How far the motor went past its goal, in % of the step.</source>
-        <translation>モーターが目標位置を行き過ぎた量です（ステップに対する%）。</translation>
-    </message>
-    <message>
-        <source>Goal minus the mean position over the last fifth of the record.</source>
-        <translation>目標位置から、記録の最後の5分の1の平均位置を引いた値です。</translation>
-    </message>
-    <message>
-        <source>PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound.</source>
-        <translation>指令の急変時に必要なPWMを、ゲインから計算した値です。以降の周期でさらに必要になることがあります。出力制限OL未満の場合、この値は下限です。</translation>
-    </message>
-    <message>
-        <source>Mean time between two positions of the record. It sets the accuracy of the results.</source>
-        <translation>記録の2つの位置の間の平均時間です。結果の精度を左右します。</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Settling to the goal</source>
-        <translation>目標位置への整定</translation>
-    </message>
-    <message>
-        <source>Settling to rest position</source>
-        <translation>静止位置への整定</translation>
-    </message>
-    <message>
-        <source>Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record.</source>
-        <translation>位置が目標位置の整定幅内に留まるまでの時間です。記録の最後の5分の1で初めてそうなった場合は空欄です。</translation>
-    </message>
-    <message>
-        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
-        <translation>同じく、記録の最後の5分の1の平均位置を中心とした値です。積分ゲイン（Ki、IL）がないと、摩擦によりモーターが目標位置からずれて止まります。</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseTable</name>
-    <message>
-        <source>Step responses so far</source>
-        <translation>これまでのステップ応答</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>測定</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>モジュール</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>時刻</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>オーバーシュート</translation>
-    </message>
-    <message>
-        <source>Settling</source>
-        <translation>整定</translation>
-    </message>
-    <message>
-        <source>Run %1 as A</source>
-        <translation>運転%1をAに</translation>
-    </message>
-    <message>
-        <source>Run %1 as B</source>
-        <translation>運転%1をBに</translation>
-    </message>
-    <message>
-        <source>Draws this run as A, with a solid line.</source>
-        <translation>この運転をAとして実線で描きます。</translation>
-    </message>
-    <message>
-        <source>Draws this run as B, with a dashed line.</source>
-        <translation>この運転をBとして破線で描きます。</translation>
-    </message>
-    <message>
-        <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
-        <translation>ステップ応答（新しいものが先頭）です。チェックボックスを2つ選択すると、曲線を比較できます。最後の%1件はマシンとともに保存され、名前または注記のあるものは最も長く残ります。</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>注記</translation>
-    </message>
-    <message>
-        <source>Name of the run. Double-click or press F2 to edit.</source>
-        <translation>運転の名前です。ダブルクリックまたはF2で編集します。</translation>
-    </message>
-    <message>
-        <source>Note on the run. Double-click or press F2 to edit.</source>
-        <translation>運転の注記です。ダブルクリックまたはF2で編集します。</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1、%2</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ResponseView</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>カーソル値</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>測定</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>カーソル1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>カーソル2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>差</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>全体表示</translation>
-    </message>
-    <message>
-        <source>Fits the view to the motion and all positions (A, in the plot).</source>
-        <translation>動作の時間とすべての位置が収まるように表示します（グラフでA）。</translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation>カーソル</translation>
-    </message>
-    <message>
-        <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
-        <translation>測定用の2本のカーソルを表示します：ドラッグして動かします（グラフでC）。</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>画像</translation>
-    </message>
-    <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>画像 (PNG)(&amp;P)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>表示中のグラフの画像です。</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>ベクター画像 (SVG)(&amp;V)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>表示中のグラフを、どの大きさでも鮮明な線で保存します。</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>ページ (PDF)(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>表示中のグラフを、印刷やレポート用の1ページにします。</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>画像をコピー(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Copies the visible plot to the clipboard.</source>
-        <translation>表示中のグラフをクリップボードにコピーします。</translation>
-    </message>
-    <message>
-        <source>Exports the visible plot, with a description of the runs.</source>
-        <translation>表示中のグラフを、運転の説明とともにエクスポートします。</translation>
-    </message>
-    <message>
-        <source>A: run %1, %2, %3, %4</source>
-        <translation>A：運転%1、%2、%3、%4</translation>
-    </message>
-    <message>
-        <source>B: run %1, %2, %3, %4</source>
-        <translation>B：運転%1、%2、%3、%4</translation>
-    </message>
-    <message>
-        <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
-        <translation>Kp %1 Kd %2 Ki %3 IL %4、立ち上がり %5、オーバーシュート %6、整定 %7</translation>
-    </message>
-    <message>
-        <source>Step response, by NMC Panel %1</source>
-        <translation>ステップ応答、NMC Panel %1</translation>
-    </message>
-    <message>
-        <source>%1: cursor 1 %2, cursor 2 %3, difference %4</source>
-        <translation>%1：カーソル1 %2、カーソル2 %3、差 %4</translation>
-    </message>
-    <message>
-        <source>Picture of the step response</source>
-        <translation>ステップ応答の画像</translation>
-    </message>
-    <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1ファイル (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>ステップ応答</translation>
-    </message>
-    <message>
-        <source>P&amp;rint</source>
-        <translation>印刷(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>表示中のグラフを、このコンピューターの既定のプリンターで印刷します。</translation>
     </message>
 </context>
 <context>
