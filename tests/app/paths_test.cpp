@@ -24,7 +24,8 @@ using testing_support::NmcsimProcess;
 
 class Paths : public testing::Test {
 protected:
-    explicit Paths(const QString& chain = u"servo@10"_s) : sim(chain) {}
+    explicit Paths(const QString& chain = u"servo@10"_s, const QStringList& options = {})
+        : sim(chain, options) {}
     void begin(std::uint8_t axes = 1) {
         panel.window().resize(1'500, 1'100);
         panel.composition().show({sim.terminal(), 115'200, false});
@@ -212,6 +213,72 @@ TEST_F(Paths, OneIsDrawnFromTheMovesOfASequence) {
     EXPECT_EQ(commanded(1), taught);
     EXPECT_EQ(sim.violations(), "");
 }
+
+/// What else happens in the window, or on the line, while a path runs.
+struct Phase {
+    const char* name;
+    void (*enter)(IntentPanel& panel, NmcsimProcess& sim);
+    friend void PrintTo(const Phase& phase, std::ostream* out) { *out << phase.name; }
+};
+
+void choose(IntentPanel& panel, const char* action) {
+    panel.window().findChild<QAction*>(QLatin1String(action))->trigger();
+}
+
+constexpr Phase kPhases[] = {
+    {"AnotherModuleIsSelected",
+     [](IntentPanel& panel, NmcsimProcess&) {
+         auto* list = panel.window().findChild<QAbstractItemView*>(u"chainList"_s);
+         const QModelIndex other = list->model()->index(1, 0);
+         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(other).center());
+     }},
+    {"DisconnectingIsAskedAbout",
+     [](IntentPanel& panel, NmcsimProcess&) { panel.click("disconnectButton"); }},
+    {"TheManualIsOpen", [](IntentPanel& panel, NmcsimProcess&) { choose(panel, "manualAction"); }},
+    {"ScanningAgain", [](IntentPanel& panel, NmcsimProcess&) { choose(panel, "scanAction"); }},
+    {"ItsModuleFallsSilent",
+     [](IntentPanel& panel, NmcsimProcess& sim) {
+         (void)sim.control(u"fault module 1 silent"_s);
+         EXPECT_TRUE(panel.waitFor([&] { return panel.module().silent; }));
+     }},
+    {"TheLineIsLost",
+     [](IntentPanel& panel, NmcsimProcess& sim) {
+         (void)sim.control(u"fault bus mute tx"_s);
+         EXPECT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
+     }},
+    {"TheLineComesBack",
+     [](IntentPanel& panel, NmcsimProcess& sim) {
+         (void)sim.control(u"fault bus mute tx"_s);
+         EXPECT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
+         (void)sim.control(u"fault clear"_s);
+     }},
+};
+
+class PathWhile : public Paths, public testing::WithParamInterface<Phase> {
+protected:
+    PathWhile() : Paths(u"servo@10,servo@10"_s, {u"--enable-faults"_s}) {}
+};
+
+TEST_P(PathWhile, EscEndsItForGood) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 1"_s}, 500, 60)));
+    ASSERT_NO_FATAL_FAILURE(run());
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_NO_FATAL_FAILURE(GetParam().enter(panel, sim));
+    QWindow* focused = QGuiApplication::focusWindow();  // none of the main window's, offscreen
+    QTest::keyClick(focused != nullptr ? focused : panel.window().windowHandle(), Qt::Key_Escape);
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    (void)sim.control(u"fault clear"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && !panel.module().silent; }));
+    const double stood = commanded(1);
+    ASSERT_TRUE(panel.answersFor(1.0));
+    EXPECT_EQ(commanded(1), stood) << "no point comes after a stop";
+    EXPECT_FALSE(moves(sim));
+    EXPECT_FALSE(state().startsWith(u"Point "_s)) << state().toStdString();
+}
+
+INSTANTIATE_TEST_SUITE_P(U10, PathWhile, testing::ValuesIn(kPhases),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace nmc
