@@ -10268,7 +10268,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wie weit die Sollposition springt; unter 0 rückwärts. Kleine Sprünge zeigen, wie der Servo abgestimmt ist, große, was der Verstärker kann.</translation>
     </message>
     <message>
-        <source>Way: how the command jumps</source>
+        <source>Method: how the command jumps</source>
         <translation>Wie die Vorgabe springt</translation>
     </message>
     <message>
@@ -10300,7 +10300,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Strecke</translation>
     </message>
     <message>
-        <source>Way</source>
+        <source>Method</source>
         <translation>Art</translation>
     </message>
     <message>
@@ -11803,11 +11803,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wie weit der Motor über jede Seite hinaus gehen darf. Darüber hinaus wird er gehalten.</translation>
     </message>
     <message>
-        <source>Way: how the command jumps</source>
+        <source>Method: how the command jumps</source>
         <translation>Wie die Vorgabe springt</translation>
     </message>
     <message>
-        <source>Way</source>
+        <source>Method</source>
         <translation>Art</translation>
     </message>
     <message>

@@ -10268,7 +10268,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Cuánto salta la consigna; negativo: hacia atrás. Los escalones pequeños muestran el ajuste del servo; los grandes, los límites del amplificador.</translation>
     </message>
     <message>
-        <source>Way: how the command jumps</source>
+        <source>Method: how the command jumps</source>
         <translation>Forma: cómo salta la consigna</translation>
     </message>
     <message>
@@ -10300,7 +10300,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Distancia</translation>
     </message>
     <message>
-        <source>Way</source>
+        <source>Method</source>
         <translation>Forma</translation>
     </message>
     <message>
@@ -11803,11 +11803,11 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Cuánto puede sobrepasar el motor cada lado. Más allá, la prueba se detiene y el motor mantiene la posición.</translation>
     </message>
     <message>
-        <source>Way: how the command jumps</source>
+        <source>Method: how the command jumps</source>
         <translation>Forma: cómo salta la consigna</translation>
     </message>
     <message>
-        <source>Way</source>
+        <source>Method</source>
         <translation>Forma</translation>
     </message>
     <message>

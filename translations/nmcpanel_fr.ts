@@ -10268,7 +10268,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>De combien saute la consigne&#x202f;; négatif&#xa0;: en arrière. Les petits échelons montrent le réglage du servo, les grands les limites de l’amplificateur.</translation>
     </message>
     <message>
-        <source>Way: how the command jumps</source>
+        <source>Method: how the command jumps</source>
         <translation>Mode de saut de la consigne</translation>
     </message>
     <message>
@@ -10300,7 +10300,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Distance</translation>
     </message>
     <message>
-        <source>Way</source>
+        <source>Method</source>
         <translation>Mode</translation>
     </message>
     <message>
@@ -11803,11 +11803,11 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Distance dont le moteur peut dépasser chaque côté. Au-delà, l’essai s’arrête et le moteur maintient sa position.</translation>
     </message>
     <message>
-        <source>Way: how the command jumps</source>
+        <source>Method: how the command jumps</source>
         <translation>Mode de saut de la consigne</translation>
     </message>
     <message>
-        <source>Way</source>
+        <source>Method</source>
         <translation>Mode</translation>
     </message>
     <message>

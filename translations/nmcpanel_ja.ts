@@ -10255,7 +10255,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>指令を急変させる距離です。負の値は逆方向です。小さなステップではサーボの調整具合が、大きなステップではアンプの限界が分かります。</translation>
     </message>
     <message>
-        <source>Way: how the command jumps</source>
+        <source>Method: how the command jumps</source>
         <translation>方式：指令の変化のしかた</translation>
     </message>
     <message>
@@ -10287,7 +10287,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>距離</translation>
     </message>
     <message>
-        <source>Way</source>
+        <source>Method</source>
         <translation>方式</translation>
     </message>
     <message>
@@ -11789,11 +11789,11 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>両端からさらに動いてよい距離です。これを超えるとテストを停止し、モーターを保持します。</translation>
     </message>
     <message>
-        <source>Way: how the command jumps</source>
+        <source>Method: how the command jumps</source>
         <translation>方式：指令の変化のしかた</translation>
     </message>
     <message>
-        <source>Way</source>
+        <source>Method</source>
         <translation>方式</translation>
     </message>
     <message>

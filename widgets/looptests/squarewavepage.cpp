@@ -66,12 +66,12 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
         tr("How far the motor may move past either side. Beyond that, the test stops and the motor holds."));
     m_excursion->showNative(kFirstExcursion);
     m_method = new QComboBox(this);
-    look::name(m_method, u"squareWaveMethodBox"_s, tr("Way: how the command jumps"));
+    look::name(m_method, u"squareWaveMethodBox"_s, tr("Method: how the command jumps"));
     for (const ResponseMethod method : {ResponseMethod::StopHere, ResponseMethod::Profile})
         m_method->addItem(texts::responseMethod(method), static_cast<int>(method));
     m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_method->setMinimumContentsLength(12);
-    m_form->addRow(tr("Way"), m_method, nullptr);
+    m_form->addRow(tr("Method"), m_method, nullptr);
     m_form->setWanted([this]() -> Intent {
         return intent::SquareWave{static_cast<std::int32_t>(*m_counts->native()), *m_period->value(),
                                   static_cast<unsigned>(*m_rounds->value()),

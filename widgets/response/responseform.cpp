@@ -59,7 +59,7 @@ void ResponseForm::buildFields(QGridLayout* grid) {
     m_distance->setDigits(6);
     m_distance->showNative(kFirstStep);
     m_method = new QComboBox(this);
-    look::name(m_method, u"responseMethodBox"_s, tr("Way: how the command jumps"));
+    look::name(m_method, u"responseMethodBox"_s, tr("Method: how the command jumps"));
     for (const ResponseMethod method : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
         m_method->addItem(texts::responseMethod(method), static_cast<int>(method));
         m_method->setItemData(m_method->count() - 1, texts::responseMethodMeaning(method), Qt::ToolTipRole);
@@ -90,7 +90,7 @@ void ResponseForm::buildFields(QGridLayout* grid) {
         ++line;
     };
     addRow(tr("Distance"), m_distance, m_distance->unitLabel(), m_distance->otherView());
-    addRow(tr("Way"), m_method, nullptr, nullptr);
+    addRow(tr("Method"), m_method, nullptr, nullptr);
     addRow(tr("Record"), m_record, new QLabel(tr("s"), this), nullptr);
     addRow(tr("Settling band"), m_band, new QLabel(tr("% of the step"), this), nullptr);
     connect(m_distance, &QuantityField::nativeEdited, this, &ResponseForm::refresh);
