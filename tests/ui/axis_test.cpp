@@ -7,6 +7,7 @@
 
 #include "tests/model/stepperfixture.h"
 #include "widgets/chain/chainmodel.h"
+#include "widgets/common/look.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -124,9 +125,7 @@ protected:
             module = testing_support::Stepper::holding().module;
         window->showLink(connectedTo({module}));
     }
-    static QString named(const QString& name) {
-        return GetParam() == ModuleType::Stepper ? u"stepper"_s + name.at(0).toUpper() + name.mid(1) : name;
-    }
+    static QString named(const QString& name) { return look::nameFor(GetParam(), name); }
     QLineEdit* edit(const QString& name) { return find<QLineEdit>(named(name)); }
 };
 

@@ -6,6 +6,7 @@
 
 #include "model/intent/homingplan.h"
 #include "model/module/modulescale.h"
+#include "widgets/common/look.h"
 #include "widgets/panels/gainsmeaning.h"
 
 namespace nmc {
@@ -35,9 +36,7 @@ protected:
             axis().homing = firstRecipe(module().info.identity);
         return *axis().homing;
     }
-    QString named(const QString& name) {
-        return servo() ? name : u"stepper"_s + name.at(0).toUpper() + name.mid(1);
-    }
+    QString named(const QString& name) { return look::nameFor(module().info.identity.type, name); }
 
     enum class Amount { Plain, Position, Velocity, Acceleration };
     double native(Amount amount, double typed) {

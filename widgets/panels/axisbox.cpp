@@ -54,7 +54,7 @@ AxisBox::AxisBox(ModuleContext& context, QWidget* parent)
 }
 
 QString AxisBox::named(const QString& name) const {
-    return m_type == ModuleType::Stepper ? u"stepper"_s + name.at(0).toUpper() + name.mid(1) : name;
+    return look::nameFor(m_type, name);
 }
 
 void AxisBox::addBelow(QWidget* box) {

@@ -216,7 +216,7 @@ void PanelHead::arrangeNarrow(QGridLayout& grid, QHBoxLayout* what) {
 }
 
 QString PanelHead::named(const QString& name) const {
-    return isServo() ? name : u"stepper"_s + name[0].toUpper() + name.mid(1);
+    return look::nameFor(m_context.state().info.identity.type, name);
 }
 
 Command* PanelHead::addCommand(const QString& icon, const QString& text, const QString& objectName,
