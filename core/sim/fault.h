@@ -22,11 +22,11 @@ enum class FaultKind : std::uint8_t {
     Garbage,   ///< every byte is a random one
     Overrun,   ///< a module loses one byte of a packet and knows it
     // What becomes of a whole command or reply.
-    Delay,         ///< the reply comes later: held up on the line (bus), or begun later (module)
-    Unresponsive,  ///< the command is carried out and not answered
-    Cksum,         ///< a good packet is refused as damaged
-    Ignore,        ///< the command is not heard
-    Stuck,         ///< a reply that has the length of an earlier one is that earlier one
+    Delay,   ///< the reply comes later: held up on the line (bus), or begun later (module)
+    Silent,  ///< the command is carried out and not answered
+    Cksum,   ///< a good packet is refused as damaged
+    Ignore,  ///< the command is not heard
+    Stuck,   ///< a reply that has the length of an earlier one is that earlier one
     // The line.
     Noise,    ///< random bytes
     Break,    ///< held low: 00 instead of every byte

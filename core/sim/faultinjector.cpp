@@ -135,7 +135,7 @@ FaultInjector::ReplyFate FaultInjector::strikeReply(std::uint8_t module, Command
             else
                 bytes = *same;
             ++fault.struck;
-        } else if (kind == FaultKind::Unresponsive && fault.strikes(now)) {
+        } else if (kind == FaultKind::Silent && fault.strikes(now)) {
             ++fault.struck;
             fate.sent = false;
         } else if (kind == FaultKind::Delay && fault.strikes(now)) {
@@ -250,7 +250,7 @@ void FaultInjector::act(Fault& fault, std::vector<Act>& acts) {
         case FaultKind::Garbage:
         case FaultKind::Overrun:
         case FaultKind::Delay:
-        case FaultKind::Unresponsive:
+        case FaultKind::Silent:
         case FaultKind::Cksum:
         case FaultKind::Ignore:
         case FaultKind::Stuck:

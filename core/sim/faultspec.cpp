@@ -40,7 +40,7 @@ constexpr std::array kRows{
     Row{"garbage", FaultKind::Garbage, Bus | Module, Either, Either, kFrames},
     Row{"overrun", FaultKind::Overrun, Bus | Module, Command, Command, kFrames},
     Row{"delay", FaultKind::Delay, Bus | Module, Status, Status, kFrames | T | NeedsT},
-    Row{"silent", FaultKind::Unresponsive, Bus | Module, Status, Status, kFrames},
+    Row{"silent", FaultKind::Silent, Bus | Module, Status, Status, kFrames},
     Row{"cksum", FaultKind::Cksum, Bus | Module, Command, Command, kFrames},
     Row{"ignore", FaultKind::Ignore, Bus | Module, Command, Command, P | N | For},
     Row{"stuck", FaultKind::Stuck, Module, Status, Status, For},

@@ -53,7 +53,7 @@ const std::array kFaults{
     Fault{"TruncateCommand", "bus truncate cmd p=.01"},
     Fault{"TruncateStatus", "bus truncate status p=.01"},
     Fault{"Delay", "bus delay p=.01 t=17ms..81ms"},
-    Fault{"Unresponsive", "bus silent p=.01"},
+    Fault{"Silent", "bus silent p=.01"},
     Fault{"Cksum", "bus cksum p=.01"},
     Fault{"Overrun", "bus overrun p=.01"},
     Fault{"Noise", "bus noise status t=100ms..200ms", false, kFalseEnd},
