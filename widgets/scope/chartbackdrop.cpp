@@ -6,36 +6,23 @@
 #include <QtCharts/QChart>
 #include <QtCharts/QLegend>
 #include <QtCharts/QLineSeries>
-#include <QtCharts/QValueAxis>
-#include <cmath>
 
 #include "widgets/common/look.h"
-#include "widgets/scope/axislabels.h"
+#include "widgets/scope/axisgrid.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
 ChartBackdrop::ChartBackdrop(QObject* parent)
-    : QObject(parent),
-      m_chart(new QChart),
-      m_timeAxis(new QValueAxis(this)),
-      m_valueAxis(new QValueAxis(this)),
-      m_labels(new AxisLabels(m_chart)) {
+    : QObject(parent), m_chart(new QChart), m_grid(new AxisGrid(m_chart)) {
     m_scene.addItem(m_chart);
-    m_chart->addAxis(m_timeAxis, Qt::AlignBottom);
-    m_chart->addAxis(m_valueAxis, Qt::AlignLeft);
-    for (QValueAxis* axis : {m_timeAxis, m_valueAxis}) {
-        axis->setTickType(QValueAxis::TicksDynamic);
-        axis->setLabelsVisible(false);
-        axis->setLabelFormat(u" "_s);  // labels that are not seen are laid out all the same
-    }
     m_chart->layout()->setContentsMargins(0, 0, 0, 0);
     m_chart->setBackgroundRoundness(0);
     m_chart->legend()->setAlignment(Qt::AlignTop);
     m_chart->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     connect(m_chart, &QChart::plotAreaChanged, this, [this](const QRectF& area) {
-        m_labels->setArea(area);
+        m_grid->setArea(area);
         invalidate();
     });
     // What changes in the scene later, when the event loop lays it out.
@@ -79,11 +66,7 @@ void ChartBackdrop::setLook(const QPalette& palette, const QFont& font) {
     const QColor base = palette.color(QPalette::Active, QPalette::Base);
     m_chart->setBackgroundBrush(base);
     m_chart->setBackgroundPen(Qt::NoPen);
-    for (QValueAxis* axis : {m_timeAxis, m_valueAxis}) {
-        axis->setGridLinePen(QPen(look::faintLine(palette), 1));
-        axis->setLinePen(QPen(look::mutedText(palette), 1));
-    }
-    m_labels->setLook(font, text);
+    m_grid->setLook({font, text, look::mutedText(palette), look::faintLine(palette)});
     m_chart->legend()->setLabelColor(text);
     m_chart->legend()->setFont(font);
     invalidate();
@@ -105,28 +88,13 @@ void ChartBackdrop::setMargins(int left, int right, int bottom) {
 }
 
 void ChartBackdrop::setTimeAxis(double left, double right, double division, double labelInterval) {
-    if (move(*m_timeAxis, left, right, division))
+    if (m_grid->setTimes(left, right, division, labelInterval))
         invalidate();
-    m_labels->setTimes(left, right, labelInterval);
 }
 
 void ChartBackdrop::setValueAxis(double bottom, double top, double interval) {
-    if (move(*m_valueAxis, bottom, top, interval))
+    if (m_grid->setValues(bottom, top, interval))
         invalidate();
-    m_labels->setValues(bottom, top, interval);
-}
-
-bool ChartBackdrop::move(QValueAxis& axis, double from, double to, double interval) {
-    if (from == axis.min() && to == axis.max() && interval == axis.tickInterval())
-        return false;
-    // An interval that is small beside the range hangs Qt Charts, so whichever keeps them apart goes first;
-    // and the anchor stays near, for the sake of its arithmetic.
-    if (to - from > axis.max() - axis.min())
-        axis.setTickInterval(interval);
-    axis.setRange(from, to);
-    axis.setTickInterval(interval);
-    axis.setTickAnchor(std::floor(from / interval) * interval);
-    return true;
 }
 
 QRectF ChartBackdrop::plotArea() const {
@@ -134,7 +102,7 @@ QRectF ChartBackdrop::plotArea() const {
 }
 
 int ChartBackdrop::labelWidth() const {
-    return m_labels->widthNeeded();
+    return m_grid->widthNeeded();
 }
 
 const QPixmap& ChartBackdrop::picture(double devicePixelRatio) {

@@ -12,14 +12,14 @@
 class QChart;
 class QLineSeries;
 class QPainter;
-class QValueAxis;
 
 namespace nmc {
 
-class AxisLabels;
+class AxisGrid;
 
-/// Axes, grid and legend of a strip, drawn by Qt Charts into a picture that is made anew only when one of
-/// them changes; the traces are painted over it. The one place that knows Qt Charts, which is deprecated.
+/// Axes, grid and legend of a strip, a chart of Qt Charts drawn into a picture that is made anew only when
+/// one of them changes; the traces are painted over it. The one place that knows Qt Charts, which is
+/// deprecated.
 class ChartBackdrop : public QObject {
     Q_OBJECT
 
@@ -57,13 +57,10 @@ signals:
 
 private:
     void invalidate();
-    [[nodiscard]] static bool move(QValueAxis& axis, double from, double to, double interval);
 
     QGraphicsScene m_scene;
     QChart* m_chart;
-    QValueAxis* m_timeAxis;
-    QValueAxis* m_valueAxis;
-    AxisLabels* m_labels;
+    AxisGrid* m_grid;
     std::vector<QLineSeries*> m_series;  ///< without data: they are there for the legend
     std::vector<LegendEntry> m_entries;
     QPixmap m_picture;
