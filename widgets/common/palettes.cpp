@@ -2,10 +2,13 @@
 #include "widgets/common/palettes.h"
 
 #include <QApplication>
+#include <QHash>
+#include <QIcon>
 #include <QProxyStyle>
 #include <QStyleOption>
 #include <QWidget>
 
+#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 
 namespace nmc::look {
@@ -69,6 +72,17 @@ public:
         const Frames frames(control == CC_ComboBox || control == CC_SpinBox, *this, option);
         QProxyStyle::drawComplexControl(control, option, painter, widget);
     }
+    /// Kept, since Fusion decodes its images each time, and each dock asks for two of them again and again.
+    QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
+                       const QWidget* widget) const override {
+        QIcon& icon = m_icons[which];
+        if (icon.isNull())
+            // Qt's own of the menu bar takes longer to find than the menu bar to build.
+            icon = which == SP_ToolBarHorizontalExtensionButton
+                       ? icons::tinted(u"arrow-bar-to-right"_s)
+                       : QProxyStyle::standardIcon(which, option, widget);
+        return icon;
+    }
 
 private:
     /// While it lives, the option's window is light where `framed` and its frame could not be seen.
@@ -103,6 +117,7 @@ private:
         return m_framed;
     }
 
+    mutable QHash<int, QIcon> m_icons;
     mutable qint64 m_framedFor = 0;
     mutable QPalette m_framed;
 };

@@ -43,7 +43,6 @@ ModulePanel::ModulePanel(QWidget* parent)
     m_empty->setObjectName(u"emptyPanel"_s);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
-    m_empty->setFont(look::scaled(font(), 1.2));
     m_generic->hide();
     connect(m_generic, &GenericPanel::intentRequested, this, &ModulePanel::intentRequested);
 }
