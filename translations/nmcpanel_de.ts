@@ -25,7 +25,7 @@
     </message>
     <message>
         <source>%1 is not the expected module.</source>
-        <translation>%1 ist ein anderes als erwartet.</translation>
+        <translation>%1 ist nicht das erwartete Modul.</translation>
     </message>
     <message>
         <source>More modules than expected: %1 instead of %2.</source>
@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.</source>
-        <translation>Versorgung und Kabel prüfen; bewegt sich der Motor, den Hardware-Stopp benutzen. Das Programm fragt von Zeit zu Zeit wieder.</translation>
+        <translation>Versorgung und Kabel prüfen; bewegt sich der Motor, den Hardware-Stopp benutzen. Das Programm fragt von Zeit zu Zeit erneut an.</translation>
     </message>
     <message>
         <source>Modules between it and the PC may not answer until it has its address again. Restart the network once all motors can stop and lose their positions.</source>
@@ -120,7 +120,7 @@
     </message>
     <message>
         <source>Connect to a serial port on start.</source>
-        <translation>Sofort mit einer seriellen Schnittstelle verbinden.</translation>
+        <translation>Beim Start mit einer seriellen Schnittstelle verbinden.</translation>
     </message>
     <message>
         <source>NAME</source>
@@ -128,7 +128,7 @@
     </message>
     <message>
         <source>Baud rate of the chain: 9600, 19200 (default), 57600 or 115200.</source>
-        <translation>Rate, mit der die Kette arbeitet: 9600, 19200 (Vorgabe), 57600 oder 115200.</translation>
+        <translation>Baudrate der Kette: 9600, 19200 (Vorgabe), 57600 oder 115200.</translation>
     </message>
     <message>
         <source>N</source>
@@ -136,7 +136,7 @@
     </message>
     <message>
         <source>Connect to the built-in simulator on start. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
-        <translation>Sofort mit dem eingebauten Simulator verbinden. KETTE zählt seine Module auf, das vom Rechner am weitesten entfernte zuerst; Vorgabe ist %1.</translation>
+        <translation>Beim Start mit dem eingebauten Simulator verbinden. KETTE zählt seine Module auf, das vom Rechner am weitesten entfernte zuerst; Vorgabe ist %1.</translation>
     </message>
     <message>
         <source>CHAIN</source>
@@ -156,11 +156,11 @@
     </message>
     <message>
         <source>Allow control lines to inject faults into the built-in simulator.</source>
-        <translation>Steuerzeilen dürfen Fehler in den eingebauten Simulator einstreuen.</translation>
+        <translation>Steuerzeilen dürfen Fehler in den eingebauten Simulator einspeisen.</translation>
     </message>
     <message>
         <source>With --port or --simulator: connect read-only. Only status requests are sent, and closing does not stop motors. STOP ALL still works.</source>
-        <translation>Mit --port oder --simulator: nur ansehen. Außer Fragen wird nichts gesendet, und Schließen lässt Motoren, wie sie sind; ALLES STOPP wirkt.</translation>
+        <translation>Mit --port oder --simulator: nur lesend verbinden. Es werden nur Statusabfragen gesendet, und Schließen stoppt keine Motoren. ALLES STOPP wirkt weiterhin.</translation>
     </message>
     <message>
         <source>Machine file to open on start.</source>
@@ -194,7 +194,7 @@
         <translation>Sendet die Reglerwerte an das Modul. Der Motor bewegt sich nicht.</translation>
     </message>
     <message>
-        <source>New wiring? Run the direction check on page Axis first.</source>
+        <source>New wiring? Run the direction check on the Axis page first.</source>
         <translation>Neu verdrahtet? Zuerst die Richtungsprüfung auf der Seite Achse ausführen.</translation>
     </message>
     <message>
@@ -230,7 +230,7 @@
     </message>
     <message>
         <source>Position error limit</source>
-        <translation>Grenze der Regelabweichung</translation>
+        <translation>Positionsfehlergrenze</translation>
     </message>
     <message>
         <source>Servo rate divisor</source>
@@ -242,7 +242,7 @@
     </message>
     <message>
         <source>Kp, position gain: output per count of position error. Set Kd first; then raise Kp with small, fast test moves until the motor starts to overshoot, and back off a little.</source>
-        <translation>Kp, Lageverstärkung: Ausgangswert je Inkrement Regelabweichung. Nach Kd in kleinen, schnellen Testfahrten erhöhen, bis der Motor überzuschwingen beginnt, dann etwas zurücknehmen.</translation>
+        <translation>Kp, Lageverstärkung: Ausgangswert je Inkrement Positionsfehler. Zuerst Kd einstellen; dann Kp mit kleinen, schnellen Testfahrten erhöhen, bis der Motor überzuschwingen beginnt, und etwas zurücknehmen.</translation>
     </message>
     <message>
         <source>Kd, derivative gain: damping. Start here, with Kp and Ki at 0: raise Kd until the motor starts to hum, then back off a little.</source>
@@ -250,15 +250,15 @@
     </message>
     <message>
         <source>Ki, integral gain: removes the steady-state error that Kp and Kd leave. Set IL to 16000 first, then raise Ki until the error settles fast enough. Adds some overshoot.</source>
-        <translation>Ki, Integralverstärkung: beseitigt die bleibende Regelabweichung, die Kp und Kd übrig lassen. Zuerst IL auf 16000 setzen, dann Ki erhöhen, bis die Abweichung schnell genug klein genug wird. Das Überschwingen nimmt etwas zu.</translation>
+        <translation>Ki, Integralverstärkung: beseitigt die bleibende Regelabweichung, die Kp und Kd übrig lassen. Zuerst IL auf 16000 setzen, dann Ki erhöhen, bis die Abweichung schnell genug ausgeregelt ist. Das Überschwingen nimmt etwas zu.</translation>
     </message>
     <message>
         <source>IL, integration limit: limits the integral of the error. Last, lower it to the smallest value that still removes the steady-state error. 0 clears the integral.</source>
-        <translation>IL, Integralgrenze: begrenzt die laufende Summe der Abweichung. Am Ende auf den kleinsten Wert senken, der die bleibende Abweichung noch ausgleicht. 0 löscht die Summe.</translation>
+        <translation>IL, Integralgrenze: begrenzt das Integral der Abweichung. Zuletzt auf den kleinsten Wert senken, der die bleibende Abweichung noch ausregelt. 0 löscht das Integral.</translation>
     </message>
     <message>
         <source>OL, output limit: the largest PWM value; 255 is 100 %. Use 127 for a 12 V motor on a 24 V supply.</source>
-        <translation>OL, Ausgangsgrenze: größter PWM-Wert, 255 entspricht 100 %. Ein 12-V-Motor an 24 V verträgt 127.</translation>
+        <translation>OL, Ausgangsgrenze: größter PWM-Wert, 255 entspricht 100 %. Für einen 12-V-Motor an 24 V auf 127 setzen.</translation>
     </message>
     <message>
         <source>CL, current limit, compared with the A/D value. 0: off. Odd: limits while the A/D value is above CL. Even: limits while it is below CL.</source>
@@ -266,15 +266,15 @@
     </message>
     <message>
         <source>EL, position error limit in counts: the servo switches off when the error exceeds it, for example after a collision or a stall.</source>
-        <translation>EL, Grenze der Regelabweichung in Inkrementen: darüber schaltet sich der Servo selbst ab, zum Beispiel nach einer Kollision oder Blockade.</translation>
+        <translation>EL, Positionsfehlergrenze in Inkrementen: Wird sie überschritten, schaltet sich der Servo ab, zum Beispiel nach einer Kollision oder Blockade.</translation>
     </message>
     <message>
         <source>SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
-        <translation>SR, Servotakt-Teiler: ein Servotakt dauert SR x 0,512 ms. Ein langsamerer Takt dämpft schwere Lasten mit weniger Kd. Mit SR ändert sich die Bedeutung jeder Geschwindigkeit und Beschleunigung.</translation>
+        <translation>SR, Servotakt-Teiler: Ein Servotakt dauert SR x 0,512 ms. Ein langsamerer Takt dämpft schwere Lasten mit weniger Kd. Mit SR ändert sich die Bedeutung jeder Geschwindigkeit und Beschleunigung.</translation>
     </message>
     <message>
         <source>DB, deadband compensation: added to every PWM value except 0, for amplifiers with a deadband near zero. Version 4 and later.</source>
-        <translation>DB, Totzonenkompensation: wird zu jedem PWM-Wert außer 0 addiert, für Verstärker, die nahe null nichts tun. Ab Version 4.</translation>
+        <translation>DB, Totzonenkompensation: wird zu jedem PWM-Wert außer 0 addiert, für Verstärker mit einer Totzone nahe null. Ab Version 4.</translation>
     </message>
     <message>
         <source>Range: %1 to %2.</source>
@@ -333,7 +333,7 @@
     </message>
     <message>
         <source>Home is at %1. A search found it %2 min ago.</source>
-        <translation>Die Referenz liegt bei %1. Eine Suche hat sie vor %2 min gefunden.</translation>
+        <translation>Die Referenz liegt bei %1. Sie wurde vor %2 min durch eine Suche gefunden.</translation>
     </message>
     <message>
         <source>Home is at %1. It was saved %2 min ago.</source>
@@ -341,7 +341,7 @@
     </message>
     <message>
         <source>Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.</source>
-        <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht. Wo 0 bisher war, geht verloren: Alle Positionen zählen dann von hier.</translation>
+        <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht. Der bisherige Nullpunkt geht verloren: Ab dann zählen alle Positionen von hier.</translation>
     </message>
     <message>
         <source>This moves home from %1 to %2.</source>
@@ -349,7 +349,7 @@
     </message>
     <message>
         <source>The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.</source>
-        <translation>Was der Chip zuletzt erfasst oder gespeichert hat, so wie er damals zählte: Auch ein Endschalter-Stopp schreibt es, und Hier nullen lässt es, wie es ist. Zur Referenz richtet sich nicht danach.</translation>
+        <translation>Die Position, die der Chip zuletzt erfasst oder gespeichert hat. Auch ein Endschalter-Stopp ändert sie, „Hier nullen“ nicht. „Zur Referenz“ benutzt sie nicht.</translation>
     </message>
     <message>
         <source>Home: %1, not verified</source>
@@ -357,7 +357,7 @@
     </message>
     <message>
         <source>Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.</source>
-        <translation>Die Referenz ist bei %1, nicht bestätigt: Sie wurde vor %2 min daraus übernommen, wo die Achse zuletzt gesehen wurde. Eine Suche bestätigt sie.</translation>
+        <translation>Die Referenz liegt bei %1, nicht bestätigt: Sie wurde vor %2 min aus der letzten bekannten Position wiederhergestellt. Eine Referenzfahrt bestätigt sie.</translation>
     </message>
     <message>
         <source>Home is at %1. You confirmed the position %2 min ago.</source>
@@ -521,11 +521,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>ended at %1</source>
-        <translation>vorbei um %1</translation>
+        <translation>endete um %1</translation>
     </message>
     <message>
         <source>Ended: %1</source>
-        <translation>Vorbei: %1</translation>
+        <translation>Endete: %1</translation>
     </message>
 </context>
 <context>
@@ -560,15 +560,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Model error %1 counts RMS; encoder and timing account for %2.</source>
-        <translation>Abweichung %1 Ink. (RMS); Geber und Zeiten erklären %2.</translation>
+        <translation>Modellabweichung %1 Ink. (RMS); davon gehen %2 auf Encoder und Zeitmessung zurück.</translation>
     </message>
     <message>
         <source>Too few samples. Record for longer, or raise the baud rate.</source>
         <translation>Es gibt zu wenige Messwerte. Länger aufzeichnen oder die Baudrate erhöhen.</translation>
     </message>
     <message>
-        <source>The shaft did not move. Check motor power and brake, or use a longer step.</source>
-        <translation>Die Welle hat sich nicht bewegt. Motorspannung und Bremse prüfen oder einen größeren Sprung machen.</translation>
+        <source>The shaft did not move. Check motor power and brake, or use a larger step.</source>
+        <translation>Die Welle hat sich nicht bewegt. Motorversorgung und Bremse prüfen oder einen größeren Sprung machen.</translation>
     </message>
     <message>
         <source>The shaft moved away from its goal. Check the direction on the Axis page.</source>
@@ -576,19 +576,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The motor keeps oscillating. Lower Kp or raise Kd, then step again.</source>
-        <translation>Der Motor schwingt und beruhigt sich nicht. Kp verringern oder Kd erhöhen, dann noch einmal springen.</translation>
+        <translation>Der Motor schwingt weiter. Kp verringern oder Kd erhöhen, dann den Sprung wiederholen.</translation>
     </message>
     <message>
         <source>The model does not fit the step. Check for backlash, an elastic belt, a hard stop or a current limit.</source>
-        <translation>Dieses Modell erklärt den Sprung nicht. Auf Spiel, einen Riemen, einen Anschlag oder eine Stromgrenze prüfen.</translation>
+        <translation>Das Modell passt nicht zum Sprung. Auf Spiel, einen elastischen Riemen, einen Anschlag oder eine Stromgrenze prüfen.</translation>
     </message>
     <message>
-        <source>These steps do not determine the motor gain. Add a longer step, so that the motor gets close to a steady speed.</source>
-        <translation>Diese Sprünge lassen die Verstärkung des Motors offen. Einen größeren hinzufügen, damit er einer festen Geschwindigkeit nahe kommt.</translation>
+        <source>These steps do not determine the motor gain. Add a larger step, so that the motor gets close to a steady speed.</source>
+        <translation>Aus diesen Sprüngen lässt sich die Verstärkung des Motors nicht bestimmen. Einen größeren Sprung hinzufügen, damit der Motor nahezu konstante Geschwindigkeit erreicht.</translation>
     </message>
     <message>
         <source>These steps do not determine the time constant. Repeat the step, or raise the baud rate.</source>
-        <translation>Diese Sprünge lassen die Zeitkonstante offen. Den Sprung wiederholen oder die Baudrate erhöhen.</translation>
+        <translation>Aus diesen Sprüngen lässt sich die Zeitkonstante nicht bestimmen. Den Sprung wiederholen oder die Baudrate erhöhen.</translation>
     </message>
     <message>
         <source>Overshoot %1, settling %2</source>
@@ -643,7 +643,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>simulated; no real motor moved</source>
-        <translation>simuliert: kein wirklicher Motor bewegt</translation>
+        <translation>simuliert: kein echter Motor bewegt</translation>
     </message>
     <message>
         <source>Motor</source>
@@ -666,7 +666,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>not recorded</source>
-        <translation>nicht in dieser Aufzeichnung</translation>
+        <translation>nicht aufgezeichnet</translation>
     </message>
     <message>
         <source>Very fast profile</source>
@@ -682,7 +682,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
-        <translation>Der Regler hält sofort das Ziel, ohne Profil. Nicht mit Version 1.</translation>
+        <translation>Der Servo hält sofort das Ziel, ohne Profil. Nicht mit Version 1.</translation>
     </message>
     <message>
         <source>ms</source>
@@ -694,7 +694,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>unknown</source>
-        <translation>nicht bekannt</translation>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>limited to %1</source>
@@ -749,7 +749,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Go to live</source>
-        <translation>Zur Gegenwart</translation>
+        <translation>Zu live</translation>
     </message>
     <message>
         <source>Values up</source>
@@ -841,7 +841,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>count</source>
-        <translation>Zählung</translation>
+        <translation>Zähler</translation>
     </message>
     <message>
         <source>count rate</source>
@@ -868,7 +868,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Minimum profile speed</source>
-        <translation>Kleinste Profilgeschwindigkeit</translation>
+        <translation>Min. Profilgeschwindigkeit</translation>
     </message>
     <message>
         <source>Run current</source>
@@ -896,35 +896,35 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.</source>
-        <translation>Der Takt des Schritt-Timers. Ein schnellerer erreicht höhere Geschwindigkeiten in gröberen Stufen: den langsamsten nehmen, der schnell genug ist. Dieselben Geschwindigkeiten und Rampen bedeuten in einem anderen Modus etwas anderes.</translation>
+        <translation>Der Takt des Schritt-Timers. Ein schnellerer Takt erreicht höhere Geschwindigkeiten in gröberen Stufen: den langsamsten nehmen, der schnell genug ist. Ein Wechsel ändert die Bedeutung jeder Geschwindigkeit und Rampe.</translation>
     </message>
     <message>
         <source>The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.</source>
-        <translation>Wo Rampen beginnen und enden. Der Motor muss mit dieser Geschwindigkeit ohne Schrittverlust sofort anfahren und anhalten können; Dauerlauf und Fahrten mit Rampe werden nicht langsamer.</translation>
+        <translation>Die Geschwindigkeit, bei der Rampen beginnen und enden. Der Motor muss mit ihr ohne Schrittverlust anfahren und anhalten können. Dauerlauf und Fahrten mit Rampe sind nie langsamer.</translation>
     </message>
     <message>
         <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
-        <translation>Die Stromgrenze, während der Motor sich bewegt, als Teil von 255 dessen, was der Treiber liefern kann. 0 ist kein Strom: der Motor folgt nicht. Nicht mehr, als Motor und Treiber vertragen.</translation>
+        <translation>Motorstrom während der Bewegung; 255 ist der volle Strom des Treibers. 0: kein Strom, und der Motor folgt nicht. Die Nennwerte von Motor und Treiber nicht überschreiten.</translation>
     </message>
     <message>
-        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and the motor holds nothing.</source>
-        <translation>Die Stromgrenze im Stillstand, ab etwa 0,25 s nach einer Bewegung. Meist kleiner als der Fahrstrom, damit der Motor kühl bleibt. 0 ist kein Strom: nichts wird gehalten.</translation>
+        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
+        <translation>Motorstrom im Stillstand, ab etwa 0,25 s nach einer Bewegung. Meist kleiner als der Fahrstrom, damit der Motor kühl bleibt. 0: kein Strom und kein Haltemoment.</translation>
     </message>
     <message>
         <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
-        <translation>Das Modul schaltet den Motor ab, wenn der A/D-Wert darunter fällt: die Spannung einer Thermistorbrücke sinkt, wenn der Motor wärmer wird. 0 schaltet das aus. Den A/D-Wert eines warmen Motors beobachten, um die richtige Grenze zu finden.</translation>
+        <translation>Das Modul schaltet den Motor ab, wenn der A/D-Wert unter diese Grenze fällt: Die Spannung einer Thermistorbrücke sinkt, wenn der Motor wärmer wird. 0: aus. Um die richtige Grenze zu finden, den A/D-Wert eines warmen Motors beobachten.</translation>
     </message>
     <message>
-        <source>Normally the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches stop nothing, and the motor can run into the end of its travel.</source>
-        <translation>In der Regel stoppt der Chip vorwärts am Endschalter 1 und rückwärts am Endschalter 2. Ist dies ein, stoppen die Schalter nichts, und der Motor kann in sein Ende fahren.</translation>
+        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
+        <translation>Normalerweise stoppt der Chip den Motor vorwärts am Endschalter 1 und rückwärts am Endschalter 2. Werden die Schalter ignoriert, stoppen sie den Motor nicht, und er kann in das Ende seines Fahrwegs laufen.</translation>
     </message>
     <message>
-        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input stops nothing.</source>
-        <translation>In der Regel stoppt der Chip den Motor, wenn sein E-Stop-Eingang auf High geht. Ist dies ein, stoppt der Eingang nichts.</translation>
+        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
+        <translation>Normalerweise stoppt der Chip den Motor, wenn sein E-Stop-Eingang auf High geht. Wird der Eingang ignoriert, stoppt er den Motor nicht.</translation>
     </message>
     <message>
         <source>A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.</source>
-        <translation>Ein Endschalter oder der E-Stop-Eingang stoppt den Motor nicht nur, sondern schaltet ihn auch ab: er ist dann frei drehbar, eine Last kann absinken.</translation>
+        <translation>Ein Endschalter oder der E-Stop-Eingang schaltet den Motor zusätzlich ab: Er ist dann frei drehbar, und eine Last kann absinken.</translation>
     </message>
     <message>
         <source>A/D now %1</source>
@@ -944,7 +944,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 % of full</source>
-        <translation>%1 % des vollen Werts</translation>
+        <translation>%1 % des Maximums</translation>
     </message>
     <message>
         <source>speed %1</source>
@@ -983,11 +983,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Takes %1 s. Too short for that speed: peaks at %2.</source>
-        <translation>Dauert %1 s. Zu kurz für diese Geschwindigkeit: erreicht %2.</translation>
+        <translation>Dauert %1 s. Zu kurz für diese Geschwindigkeit: Spitze %2.</translation>
     </message>
     <message>
         <source>Takes %1 s, peak speed %2.</source>
-        <translation>Dauert %1 s, höchstens %2 schnell.</translation>
+        <translation>Dauert %1 s, Spitze %2.</translation>
     </message>
     <message>
         <source>Ramp of %1.</source>
@@ -1014,11 +1014,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Unknown option &quot;%1&quot;. Use --help for a list.</source>
-        <translation>Es gibt keine Option „%1“. --help listet alle auf.</translation>
+        <translation>Unbekannte Option „%1“. --help zeigt eine Liste.</translation>
     </message>
     <message>
         <source>No display found: neither DISPLAY nor WAYLAND_DISPLAY is set.</source>
-        <translation>Es gibt keine Anzeige für ein Fenster: weder DISPLAY noch WAYLAND_DISPLAY ist gesetzt.</translation>
+        <translation>Keine Anzeige gefunden: weder DISPLAY noch WAYLAND_DISPLAY ist gesetzt.</translation>
     </message>
     <message>
         <source>Retry</source>
@@ -1046,7 +1046,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Ask your system administrator for access.</source>
-        <translation>Bitten Sie die Person, die diesen Rechner betreut, um Zugriff.</translation>
+        <translation>Bitten Sie Ihre Systemverwaltung um Zugriff.</translation>
     </message>
     <message>
         <source>It belongs to the group %1. Run %2, then log out and in again.</source>
@@ -1066,7 +1066,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 not found.</source>
-        <translation>%1 ist nicht vorhanden.</translation>
+        <translation>%1 nicht gefunden.</translation>
     </message>
     <message>
         <source>Check that the adapter is plugged in. Its name may have changed.</source>
@@ -1106,7 +1106,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Not every module answered at %1 Bd, so the modules cannot be used yet.</source>
-        <translation>Bei %1 Bd hat nicht jedes Modul geantwortet; die Module sind daher noch nicht verwendbar.</translation>
+        <translation>Bei %1 Bd haben nicht alle Module geantwortet; die Module sind daher noch nicht verwendbar.</translation>
     </message>
     <message>
         <source>Module %1 did not answer at %2 Bd, so the modules cannot be used yet.</source>
@@ -1186,7 +1186,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Module %1 has not answered for %2 s. Motor state unknown: it was moving.</source>
-        <translation>Modul %1 antwortet seit %2 s nicht. Motorzustand unbekannt: der Motor war in Bewegung.</translation>
+        <translation>Modul %1 antwortet seit %2 s nicht. Motorzustand unbekannt: Der Motor war in Bewegung.</translation>
     </message>
     <message>
         <source>Module %1 has not answered for %2 s. Motor state unknown; it was stopped when last seen.</source>
@@ -1194,7 +1194,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Use the hardware stop if needed. Check its power and the plug next to it; the panel keeps trying.</source>
-        <translation>Bei Bedarf den Hardware-Stopp benutzen. Versorgung und Stecker daneben prüfen; das Programm versucht es weiter.</translation>
+        <translation>Bei Bedarf den Hardware-Stopp benutzen. Versorgung des Moduls und den Stecker neben ihm prüfen; das Programm versucht es weiter.</translation>
     </message>
     <message>
         <source>Module %1 may not answer until module %2 has its address again.</source>
@@ -1218,11 +1218,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The answer from module %1 was garbled.</source>
-        <translation>Die Antwort von Modul %1 war verstümmelt.</translation>
+        <translation>Die Antwort von Modul %1 war gestört.</translation>
     </message>
     <message>
         <source>The command may or may not have been carried out; the panel is reading the position again.</source>
-        <translation>Ob der Befehl ausgeführt wurde, ist offen; die Position wird neu gelesen.</translation>
+        <translation>Ob der Befehl ausgeführt wurde, ist ungewiss; das Programm liest die Position neu.</translation>
     </message>
     <message>
         <source>Command byte %1</source>
@@ -1238,7 +1238,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Sent 3 times; later commands were not sent. Usually noise on the cable.</source>
-        <translation>Er wurde 3-mal gesendet. Meist Störungen auf dem Kabel. Danach wurde nichts mehr gesendet.</translation>
+        <translation>3-mal gesendet; spätere Befehle wurden nicht gesendet. Meist Störungen auf dem Kabel.</translation>
     </message>
     <message>
         <source>Module %1 did not answer the command. Motor state unknown.</source>
@@ -1246,19 +1246,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The command may or may not have been carried out; later commands were not sent. Look at the motor; stop all if in doubt.</source>
-        <translation>Ob der Befehl ausgeführt wurde, ist offen. Den Motor ansehen; im Zweifel alles stoppen. Danach wurde nichts mehr gesendet.</translation>
+        <translation>Ob der Befehl ausgeführt wurde, ist ungewiss; spätere Befehle wurden nicht gesendet. Den Motor ansehen; im Zweifel alles stoppen.</translation>
     </message>
     <message>
         <source>Module %1 cannot do this in its present state. Nothing was sent.</source>
-        <translation>Modul %1 lässt das in seinem jetzigen Zustand nicht zu. Es wurde nichts gesendet.</translation>
+        <translation>Modul %1 kann das in seinem jetzigen Zustand nicht. Es wurde nichts gesendet.</translation>
     </message>
     <message>
         <source>Stop the motor, then try again.</source>
-        <translation>Den Motor anhalten, dann erneut versuchen.</translation>
+        <translation>Den Motor stoppen, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>A stop replaced the command for module %1.</source>
-        <translation>Der Befehl für Modul %1 wurde verworfen, weil ein Stopp dazwischenkam.</translation>
+        <translation>Ein Stopp hat den Befehl für Modul %1 ersetzt.</translation>
     </message>
     <message>
         <source>Module %1 switched its servo off because the motor was more than %2 counts from where it should be.</source>
@@ -1282,7 +1282,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The computer was busy for more than 250 ms. Press and hold again.</source>
-        <translation>Der Rechner war länger als 250 ms beschäftigt. Erneut drücken und halten.</translation>
+        <translation>Der Rechner war länger als 250 ms ausgelastet. Erneut drücken und halten.</translation>
     </message>
     <message>
         <source>Module %1 cannot do this now; nothing was sent.</source>
@@ -1290,11 +1290,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 of %2 stopped, %3 ms. Still holding.</source>
-        <translation>%1 von %2 angehalten, %3 ms. Position wird gehalten.</translation>
+        <translation>%1 von %2 gestoppt, %3 ms. Position wird gehalten.</translation>
     </message>
     <message>
         <source>%1 of %2 stopped, %3 ms. Every motor is off.</source>
-        <translation>%1 von %2 angehalten, %3 ms. Alle Motoren sind aus.</translation>
+        <translation>%1 von %2 gestoppt, %3 ms. Alle Motoren sind aus.</translation>
     </message>
     <message>
         <source>reaches %1 of %2</source>
@@ -1303,13 +1303,13 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message numerus="yes">
         <source>%n motors are moving. They will be stopped before the port closes.</source>
         <translation>
-            <numerusform>%n Motor ist in Bewegung. Er wird angehalten, bevor der Port geschlossen wird.</numerusform>
-            <numerusform>%n Motoren sind in Bewegung. Sie werden angehalten, bevor der Port geschlossen wird.</numerusform>
+            <numerusform>%n Motor ist in Bewegung. Er wird gestoppt, bevor der Port geschlossen wird.</numerusform>
+            <numerusform>%n Motoren sind in Bewegung. Sie werden gestoppt, bevor der Port geschlossen wird.</numerusform>
         </translation>
     </message>
     <message>
         <source>Stopping the motors, then closing.</source>
-        <translation>Die Motoren werden angehalten, dann wird geschlossen.</translation>
+        <translation>Die Motoren werden gestoppt, dann wird der Port geschlossen.</translation>
     </message>
     <message>
         <source>Fit a hardware emergency stop that removes motor power.</source>
@@ -1353,7 +1353,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Power was lost</source>
-        <translation>Versorgung war weg</translation>
+        <translation>Versorgung fehlte</translation>
     </message>
     <message>
         <source>PWM mode</source>
@@ -1385,7 +1385,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The motor is free to turn. This is normal: the servo is switched off.</source>
-        <translation>Der Motor ist frei drehbar. Das ist normal: Die Regelung ist ausgeschaltet.</translation>
+        <translation>Der Motor ist frei drehbar. Das ist normal: Der Servo ist ausgeschaltet.</translation>
     </message>
     <message>
         <source>The servo switched itself off because the motor was too far from where it should be.</source>
@@ -1393,7 +1393,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>A fixed PWM value drives the motor; the servo does not control it.</source>
-        <translation>Ein fester PWM-Wert treibt den Motor; der Servo regelt ihn nicht.</translation>
+        <translation>Ein fester PWM-Wert treibt den Motor an; der Servo regelt ihn nicht.</translation>
     </message>
     <message>
         <source>The motor is changing its speed.</source>
@@ -1560,7 +1560,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>No motor was moved. Usually two ADDR_IN inputs are grounded; ground only that of the module farthest from the PC.</source>
-        <translation>Es wurde nichts bewegt. Meist liegen zwei ADDR_IN-Eingänge auf Masse: Nur der des vom PC am weitesten entfernten Moduls darf es.</translation>
+        <translation>Es wurde kein Motor bewegt. Meist liegen zwei ADDR_IN-Eingänge auf Masse: Nur der des vom PC am weitesten entfernten Moduls darf auf Masse liegen.</translation>
     </message>
     <message>
         <source>The line at %1 is held low: only zero bytes arrive.</source>
@@ -1568,27 +1568,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Motor state unknown; commands may not get through. Usually a short circuit, swapped wires of a pair, or a module without power.</source>
-        <translation>Meist ein Kurzschluss, vertauschte Adern eines Paars oder ein Modul ohne Spannung. Zustand der Motoren unbekannt; auch Befehle kommen vielleicht nicht an.</translation>
+        <translation>Motorzustand unbekannt; Befehle kommen vielleicht nicht an. Meist ein Kurzschluss, vertauschte Adern eines Paars oder ein Modul ohne Versorgung.</translation>
     </message>
     <message>
         <source>The modules on %1 have no addresses yet.</source>
-        <translation>Noch kein Modul an %1 hat eine Adresse.</translation>
+        <translation>Die Module an %1 haben noch keine Adressen.</translation>
     </message>
     <message>
         <source>A read-only connection cannot assign addresses. Connect without read-only.</source>
-        <translation>Eine Verbindung nur zum Lesen ändert nichts und vergibt daher keine Adressen. Ohne „nur lesen“ verbinden.</translation>
+        <translation>Eine nur lesende Verbindung kann keine Adressen vergeben. Ohne „nur lesen“ verbinden.</translation>
     </message>
     <message>
         <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
-        <translation>Die Verbindung ist zweifelhaft: %1 der letzten %2 Austausche gingen schief.</translation>
+        <translation>Die Verbindung ist zweifelhaft: %1 der letzten %2 Übertragungen sind misslungen.</translation>
     </message>
     <message>
-        <source>The command was damaged on its way, or the gains cause a large overshoot. Check the position before the next move.</source>
-        <translation>Entweder wurde der Befehl unterwegs beschädigt, oder die Reglerwerte lassen es weit überschwingen. Vor der nächsten Fahrt die Position ablesen.</translation>
+        <source>The command was corrupted in transit, or the gains cause a large overshoot. Check the position before the next move.</source>
+        <translation>Der Befehl wurde unterwegs verfälscht, oder die Reglerwerte verursachen starkes Überschwingen. Vor der nächsten Fahrt die Position prüfen.</translation>
     </message>
     <message>
         <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
-        <translation>Zustand des Motors unbekannt. Sehen Sie nach dem Motor; im Zweifel alles stoppen.</translation>
+        <translation>Motorzustand unbekannt. Den Motor ansehen; im Zweifel alles stoppen.</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -1604,23 +1604,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The panel froze for %1 while a motor was moving. The motor was not stopped.</source>
-        <translation>Das Programm reagierte %1 lang nicht, während sich ein Motor bewegte. Er wurde nicht gestoppt.</translation>
+        <translation>Das Programm reagierte %1 lang nicht, während sich ein Motor bewegte. Der Motor wurde nicht gestoppt.</translation>
     </message>
     <message>
         <source>STOP ALL did not work during that time. The computer was busy, or the program hung.</source>
-        <translation>ALLES STOPP war in dieser Zeit ohne Wirkung. Der Rechner war beschäftigt, oder das Programm hing.</translation>
+        <translation>ALLES STOPP wirkte in dieser Zeit nicht. Der Rechner war ausgelastet, oder das Programm hing.</translation>
     </message>
     <message>
         <source>Resumed after %1: reading all values again.</source>
-        <translation>Aufgewacht nach %1: alle Werte werden neu gelesen.</translation>
+        <translation>Aufgewacht nach %1: Alle Werte werden neu gelesen.</translation>
     </message>
     <message>
         <source>Resumed after %1: motors were told to stop; reading all values again.</source>
-        <translation>Aufgewacht nach %1: die Motoren haben den Stoppbefehl bekommen, und alle Werte werden neu gelesen.</translation>
+        <translation>Aufgewacht nach %1: An die Motoren ging ein Stoppbefehl; alle Werte werden neu gelesen.</translation>
     </message>
     <message>
-        <source>The computer was suspended. Motors that were moving kept moving. Look at them before the next move.</source>
-        <translation>Der Rechner war im Ruhezustand. Motoren, die sich bewegten, liefen währenddessen weiter; sehen Sie vor der nächsten Bewegung nach ihnen.</translation>
+        <source>While the computer was suspended, the panel could not stop a motor. Look at the motors before the next move.</source>
+        <translation>Während der Rechner im Ruhezustand war, konnte das Programm keinen Motor stoppen. Sehen Sie vor der nächsten Bewegung nach den Motoren.</translation>
     </message>
     <message numerus="yes">
         <source>The last session ended while motors %1 were moving.</source>
@@ -1635,7 +1635,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 is not writable. Everything else works; only the window layout and the last port are not remembered.</source>
-        <translation>%1 lässt sich nicht schreiben. Alles andere funktioniert; nur die Anordnung des Fensters und der letzte Anschluss bleiben nicht erhalten.</translation>
+        <translation>%1 ist nicht beschreibbar. Alles andere funktioniert; nur die Fensteranordnung und der letzte Port bleiben nicht erhalten.</translation>
     </message>
     <message>
         <source>%1 is used by another program (pid %2).</source>
@@ -1646,56 +1646,56 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 wird von %2 benutzt (PID %3).</translation>
     </message>
     <message>
-        <source>It probes a newly connected adapter for a modem for some seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.</source>
-        <translation>Es sucht einige Sekunden lang nach einem Modem, wenn ein Adapter eingesteckt wurde; warten Sie und versuchen Sie es noch einmal. Um es von USB-Adaptern fernzuhalten: %1, dann den Adapter neu einstecken.</translation>
+        <source>It probes a newly connected adapter for a modem for a few seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.</source>
+        <translation>Es prüft einen neu angeschlossenen Adapter einige Sekunden lang auf ein Modem; warten, dann erneut versuchen. Um es von USB-Adaptern fernzuhalten, %1 ausführen, dann den Adapter neu einstecken.</translation>
     </message>
     <message>
         <source>It mistakes many serial adapters for a Braille display. If you have none, run %1, then plug the adapter in again.</source>
-        <translation>Es hält viele serielle Adapter für eine Braillezeile. Wenn Sie keine benutzen: %1, dann den Adapter neu einstecken.</translation>
+        <translation>Es hält viele serielle Adapter für eine Braillezeile. Wird keine benutzt, %1 ausführen, dann den Adapter neu einstecken.</translation>
     </message>
     <message>
         <source>%1 is free, but a stale lock file marks it as in use.</source>
-        <translation>%1 ist frei, aber eine Sperrdatei sagt, dass es benutzt wird.</translation>
+        <translation>%1 ist frei, aber eine veraltete Sperrdatei weist den Port als belegt aus.</translation>
     </message>
     <message>
         <source>%2 left the lock file %1 behind. Remove it with %3, then try again.</source>
-        <translation>Die Sperrdatei %1 wurde von %2 hinterlassen; das Programm endete, ohne sie zu entfernen. Entfernen Sie sie mit: %3, und versuchen Sie es dann noch einmal.</translation>
+        <translation>%2 hat die Sperrdatei %1 zurückgelassen. Mit %3 entfernen, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>Could not open %1: no lock file can be created for it.</source>
-        <translation>%1 lässt sich nicht öffnen, weil dafür keine Sperrdatei angelegt werden kann.</translation>
+        <translation>%1 konnte nicht geöffnet werden: Es lässt sich keine Sperrdatei dafür anlegen.</translation>
     </message>
     <message>
         <source>Your user account has no write access to %1 or any other folder for lock files. Ask your system administrator for access.</source>
-        <translation>Ihr Benutzerkonto darf weder in %1 schreiben noch in einen anderen Ordner für solche Dateien. Bitten Sie die Person, die diesen Rechner betreut, um Zugriff.</translation>
+        <translation>Ihr Benutzerkonto darf weder in %1 noch in einem anderen Ordner für Sperrdateien schreiben. Bitten Sie Ihre Systemverwaltung um Zugriff.</translation>
     </message>
     <message>
         <source>Could not open %1: this program has too many open files.</source>
-        <translation>%1 ließ sich nicht öffnen: dieses Programm hat zu viele Dateien offen.</translation>
+        <translation>%1 konnte nicht geöffnet werden: Dieses Programm hat zu viele Dateien offen.</translation>
     </message>
     <message>
         <source>Close files that you do not need, or restart the program.</source>
-        <translation>Schließen Sie, was nicht gebraucht wird, oder starten Sie es neu.</translation>
+        <translation>Nicht benötigte Dateien schließen oder das Programm neu starten.</translation>
     </message>
     <message>
         <source>Set the latency timer of the USB adapter to 1 ms, then connect again.</source>
-        <translation>Setzen Sie den Latenz-Timer des USB-Adapters auf 1 ms, dann verbinden Sie neu.</translation>
+        <translation>Den Latenz-Timer des USB-Adapters auf 1 ms stellen, dann neu verbinden.</translation>
     </message>
     <message>
         <source>Run %1. This lasts until the adapter is unplugged. To make it permanent, also run %2.</source>
-        <translation>Führen Sie %1 aus. Das hält, bis er abgezogen wird; für immer zusätzlich %2.</translation>
+        <translation>%1 ausführen. Das gilt, bis der Adapter abgezogen wird. Damit es dauerhaft gilt, zusätzlich %2 ausführen.</translation>
     </message>
     <message>
         <source>The adapter is back as %1 (same serial number). Reconnect?</source>
-        <translation>Der Adapter ist wieder da, als %1 (gleiche Seriennummer). Neu verbinden?</translation>
+        <translation>Der Adapter ist als %1 wieder da (gleiche Seriennummer). Neu verbinden?</translation>
     </message>
     <message>
         <source>A similar adapter was found as %1. Reconnect?</source>
-        <translation>Ein Adapter der gleichen Art ist da, als %1. Neu verbinden?</translation>
+        <translation>Ein ähnlicher Adapter wurde als %1 gefunden. Neu verbinden?</translation>
     </message>
     <message>
         <source>Motors may still be moving. Reconnecting moves nothing and repeats no earlier command.</source>
-        <translation>Motoren können noch in Bewegung sein. Das Verbinden bewegt nichts, und nichts, was vorher verlangt wurde, wird noch einmal gesendet.</translation>
+        <translation>Motoren können noch in Bewegung sein. Das Verbinden bewegt nichts und wiederholt keinen früheren Befehl.</translation>
     </message>
     <message>
         <source>The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).</source>
@@ -1703,27 +1703,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
-        <translation>Prüfen Sie der Reihe nach: Spannung der Module; jedes Kabel der Kette, ein loses verbirgt alle Module; die ADDR_IN-Brücke des vom PC am weitesten entfernten Moduls; TX und RX nicht vertauscht; ein Vollduplex-Adapter (4 Drähte). Eine Kette, die ein anderes Programm bei einer eigenen Rate zurückließ, lässt sich neu starten.</translation>
+        <translation>Der Reihe nach prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses Kabel verbirgt alle Module; den ADDR_IN-Jumper des vom PC am weitesten entfernten Moduls; TX und RX nicht vertauscht; ein Vollduplex-Adapter (4 Drähte). Hat ein anderes Programm die Kette bei einer ungewöhnlichen Baudrate zurückgelassen, das Netzwerk neu starten.</translation>
     </message>
     <message>
         <source>Connected to %1: %2 at %3 Bd, left running.</source>
-        <translation>Verbunden mit %1: %2 bei %3 Bd, unverändert gelassen.</translation>
+        <translation>Verbunden mit %1: %2 bei %3 Bd, laufen weiter.</translation>
     </message>
     <message>
         <source>The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
-        <translation>Was sie gerade taten, läuft weiter. Die Reglerwerte sind unbekannt, bis Sie sie senden. Stoppen Sie einen Motor, bevor Sie ihn bewegen: Was ihm zuletzt gesagt wurde, lässt sich nicht abfragen.</translation>
+        <translation>Die Module machen weiter, was sie gerade taten. Die Reglerwerte sind unbekannt, bis sie angewendet werden. Einen Motor stoppen, bevor er bewegt wird: Sein letzter Befehl ist unbekannt.</translation>
     </message>
     <message>
         <source>A module without an address also answered; it cannot be used yet.</source>
-        <translation>Auch ein Modul ohne Adresse antwortet; es ist noch nicht benutzbar.</translation>
+        <translation>Auch ein Modul ohne Adresse hat geantwortet; es ist noch nicht verwendbar.</translation>
     </message>
     <message>
         <source>Its motor is off. Either a module has restarted, or a new one was added. Restart the network to give it an address.</source>
-        <translation>Entweder ist eines der Kette neu gestartet, oder ein neues kam hinzu. Sein Motor ist aus. Ein Neustart des Netzwerks gibt ihm eine Adresse.</translation>
+        <translation>Sein Motor ist aus. Entweder ist ein Modul neu gestartet, oder ein neues kam hinzu. Ein Neustart des Netzwerks gibt ihm eine Adresse.</translation>
     </message>
     <message>
         <source>The link to module %1 is unreliable: %2 of its last %3 exchanges went wrong.</source>
-        <translation>Die Verbindung zu Modul %1 ist unzuverlässig: %2 der letzten %3 Austausche gingen schief.</translation>
+        <translation>Die Verbindung zu Modul %1 ist unzuverlässig: %2 der letzten %3 Übertragungen sind misslungen.</translation>
     </message>
     <message>
         <source>Reconnect</source>
@@ -1735,7 +1735,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The panel was connected to another adapter before. Nothing was sent.</source>
-        <translation>Es ist nicht der, mit dem dieses Programm vorher verbunden war. Es wurde nichts gesendet.</translation>
+        <translation>Das Programm war vorher mit einem anderen Adapter verbunden. Es wurde nichts gesendet.</translation>
     </message>
     <message>
         <source>Connect to it</source>
@@ -1743,7 +1743,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The link to module %1 is doubtful: %2 of its last %3 exchanges went wrong.</source>
-        <translation>Die Verbindung zu Modul %1 ist zweifelhaft: %2 der letzten %3 Austausche gingen schief.</translation>
+        <translation>Die Verbindung zu Modul %1 ist zweifelhaft: %2 der letzten %3 Übertragungen sind misslungen.</translation>
     </message>
     <message>
         <source>Its motor is off.</source>
@@ -1751,7 +1751,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Every module loses its position, gains and address, and switches its motor off.</source>
-        <translation>Jedes Modul vergisst seine Position, seine Reglerwerte und seine Adresse und lässt seinen Motor los.</translation>
+        <translation>Jedes Modul verliert Position, Reglerwerte und Adresse und schaltet seinen Motor ab.</translation>
     </message>
     <message numerus="yes">
         <source>%n motors are moving. They will be stopped first.</source>
@@ -1765,8 +1765,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Neu gestartet</translation>
     </message>
     <message>
-        <source>The module restarted: its motor is off, and its position, gains and address are lost. Restart the network.</source>
-        <translation>Das Modul ist neu gestartet: Sein Motor ist aus, Position, Reglerwerte und Adresse sind verloren. Das Netz neu starten.</translation>
+        <source>The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.</source>
+        <translation>Das Modul ist neu gestartet: Sein Motor ist aus, Position, Reglerwerte und Adresse sind verloren. Die Adresse neu vergeben, wenn es angeboten wird, oder das Netzwerk neu starten.</translation>
     </message>
     <message>
         <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
@@ -1778,23 +1778,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>type or version does not match this module</source>
-        <translation>Typ oder Version sind nicht die dieses Moduls</translation>
+        <translation>Typ oder Version passt nicht zu diesem Modul</translation>
     </message>
     <message>
         <source>an undefined status bit changed</source>
-        <translation>ein Bit, das das Datenblatt offen lässt, hat sich geändert</translation>
+        <translation>ein undefiniertes Statusbit hat sich geändert</translation>
     </message>
     <message>
         <source>homing started without a command</source>
-        <translation>Referenzsuche begann ohne Befehl</translation>
+        <translation>Referenzfahrt begann ohne Befehl</translation>
     </message>
     <message>
         <source>home register changed without a command</source>
-        <translation>Home-Register änderte sich ohne Befehl</translation>
+        <translation>Referenzregister änderte sich ohne Befehl</translation>
     </message>
     <message>
         <source>position jumped farther than the velocities allow</source>
-        <translation>Position ist weiter von der vorigen entfernt, als die Geschwindigkeiten erlauben</translation>
+        <translation>Position sprang weiter, als die Geschwindigkeiten erlauben</translation>
     </message>
     <message>
         <source>velocity changed faster than any motor can</source>
@@ -1862,7 +1862,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>dropped for a stop</source>
-        <translation>für einen Stopp abgebrochen</translation>
+        <translation>wegen eines Stopps verworfen</translation>
     </message>
     <message>
         <source>no answer expected</source>
@@ -1922,7 +1922,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Older exchanges left out of this file: %1.</source>
-        <translation>Ältere Telegramme, die in dieser Datei fehlen: %1.</translation>
+        <translation>Ältere Übertragungen, die in dieser Datei fehlen: %1.</translation>
     </message>
     <message>
         <source>Exchanges before this one were not recorded.</source>
@@ -1930,7 +1930,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>looking for modules</source>
-        <translation>suche Module</translation>
+        <translation>Module werden gesucht</translation>
     </message>
     <message>
         <source>Usually encoder or motor wires are swapped, or the gains make it oscillate. Check both before the next move.</source>
@@ -1958,7 +1958,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>No module of group %1 started. Nothing was moved.</source>
-        <translation>Kein Modul der Gruppe %1 ist gestartet. Dadurch bewegt sich nichts.</translation>
+        <translation>Kein Modul der Gruppe %1 ist gestartet. Es wurde nichts bewegt.</translation>
     </message>
     <message>
         <source>Not all modules of group %1 confirmed their start.</source>
@@ -1966,7 +1966,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Look at the motors. The start is never repeated: load again, then start again. Usually noise on the cable.</source>
-        <translation>Meist Störungen auf dem Kabel. Der Start wurde einmal gesendet und wird nicht wiederholt; die Motoren ansehen, erneut laden, dann erneut starten.</translation>
+        <translation>Die Motoren ansehen. Der Start wird nie wiederholt: erneut laden, dann erneut starten. Meist Störungen auf dem Kabel.</translation>
     </message>
     <message>
         <source>Group %1 is empty. Nothing was sent.</source>
@@ -1978,27 +1978,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Module %2 blocks the command to group %1. Nothing was sent.</source>
-        <translation>Der Befehl an Gruppe %1 wurde wegen Modul %2 zurückgehalten. Es wurde nichts gesendet.</translation>
+        <translation>Modul %2 blockiert den Befehl an Gruppe %1. Es wurde nichts gesendet.</translation>
     </message>
     <message>
         <source>A group starts only when every member answers, has confirmed its load and can start, and the group of every module is known. Load this module again, or set its group again.</source>
-        <translation>Eine Gruppe startet nur, wenn jedes Mitglied das Laden bestätigt hat, antwortet und starten darf; und nur, wenn die Gruppe jedes Moduls bekannt ist. Dieses Modul erneut laden oder ihm seine Gruppe neu zuweisen.</translation>
+        <translation>Eine Gruppe startet nur, wenn jedes Mitglied antwortet, das Laden bestätigt hat und starten kann und wenn die Gruppe jedes Moduls bekannt ist. Dieses Modul erneut laden oder seine Gruppe neu zuweisen.</translation>
     </message>
     <message>
         <source>Module %1 did not confirm its new group, so its group is unknown.</source>
-        <translation>Modul %1 hat auf den Wechsel seiner Gruppe nicht geantwortet, seine Gruppe ist daher unbekannt.</translation>
+        <translation>Modul %1 hat seine neue Gruppe nicht bestätigt, seine Gruppe ist daher unbekannt.</translation>
     </message>
     <message>
         <source>Could not change the group of module %1.</source>
-        <translation>Die Gruppe von Modul %1 wurde nicht geändert.</translation>
+        <translation>Die Gruppe von Modul %1 konnte nicht geändert werden.</translation>
     </message>
     <message>
         <source>Nothing was moved. A group has at most one leader, group FF has none, and the groups of all modules must be known. Check this, then try again.</source>
-        <translation>Dadurch bewegt sich kein Motor. Gruppe FF kann keinen Leiter haben und jede andere Gruppe nur einen; dafür müssen die Gruppen aller Module bekannt sein. Erneut versuchen.</translation>
+        <translation>Es wurde kein Motor bewegt. Eine Gruppe hat höchstens ein Leitmodul, Gruppe FF hat keines, und die Gruppen aller Module müssen bekannt sein. Das prüfen, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>A stop replaced the command to group %1.</source>
-        <translation>Dem Befehl an Gruppe %1 kam ein Stopp zuvor.</translation>
+        <translation>Ein Stopp hat den Befehl an Gruppe %1 ersetzt.</translation>
     </message>
     <message>
         <source>All motors were told to stop.</source>
@@ -2010,7 +2010,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>No motor was moved.</source>
-        <translation>Dadurch hat sich kein Motor bewegt.</translation>
+        <translation>Es wurde kein Motor bewegt.</translation>
     </message>
     <message>
         <source>All modules now run at %1 Bd. Positions and gains are unchanged.</source>
@@ -2018,7 +2018,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Could not change the baud rate: the chain stays at %1 Bd. No motor was moved.</source>
-        <translation>Die Rate wurde nicht geändert: die Kette bleibt bei %1 Bd. Dadurch hat sich kein Motor bewegt.</translation>
+        <translation>Die Baudrate konnte nicht geändert werden: Die Kette bleibt bei %1 Bd. Es wurde kein Motor bewegt.</translation>
     </message>
     <message>
         <source>The modules do not support %1 Bd. Choose another baud rate.</source>
@@ -2026,23 +2026,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>A motor is moving, or about to move. Stop all motors, then try again.</source>
-        <translation>Etwas bewegt sich oder ist im Begriff dazu. Alle Motoren stoppen, dann erneut versuchen.</translation>
+        <translation>Ein Motor bewegt sich oder ist im Begriff dazu. Alle Motoren stoppen, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>Module %1 does not answer and would be left behind. Connect again first.</source>
-        <translation>Von Modul %1 kommt keine Antwort; es würde zurückgelassen. Zuerst neu verbinden.</translation>
+        <translation>Modul %1 antwortet nicht und würde zurückbleiben. Zuerst neu verbinden.</translation>
     </message>
     <message>
         <source>Another program may have changed the group of module %1, which would then miss the new baud rate. Set its group again, or restart the network.</source>
-        <translation>Ein anderes Programm hat möglicherweise die Gruppe von Modul %1 geändert; es würde die neue Rate nicht mitbekommen. Seine Gruppe neu zuweisen oder das Netzwerk neu starten.</translation>
+        <translation>Ein anderes Programm hat möglicherweise die Gruppe von Modul %1 geändert; dann bekäme es die neue Baudrate nicht mit. Seine Gruppe neu zuweisen oder das Netzwerk neu starten.</translation>
     </message>
     <message>
         <source>Module %1 is a group leader and would answer at the new baud rate. Make it an ordinary member first.</source>
-        <translation>Es gibt einen Gruppenleiter, Modul %1, dessen Antwort mit der neuen Rate käme. Zuerst ein gewöhnliches Mitglied daraus machen.</translation>
+        <translation>Modul %1 ist Leitmodul einer Gruppe und würde mit der neuen Baudrate antworten. Zuerst ein gewöhnliches Mitglied daraus machen.</translation>
     </message>
     <message>
         <source>Module %2 did not answer at %1 Bd, so all modules went back. Try another baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>Bei %1 Bd kam von Modul %2 keine Antwort, daher sind alle zurückgekehrt. Eine andere Rate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
+        <translation>Bei %1 Bd hat Modul %2 nicht geantwortet, daher sind alle Module zurückgekehrt. Eine andere Baudrate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
     </message>
     <message>
         <source>A stop came first.</source>
@@ -2050,7 +2050,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Module %1 has not answered since the baud rate changed. No motor was moving.</source>
-        <translation>Keine Antwort von Modul %1 seit dem Wechsel der Rate. Es war nichts in Bewegung.</translation>
+        <translation>Modul %1 hat seit dem Wechsel der Baudrate nicht geantwortet. Es war kein Motor in Bewegung.</translation>
     </message>
     <message>
         <source>It may still be at %1 Bd; the others are at %2 Bd. Scan again. If the module is not found, restart the network: positions and gains are lost.</source>
@@ -2082,7 +2082,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>the file is incomplete.</source>
-        <translation>die Datei endet hier, mittendrin.</translation>
+        <translation>die Datei ist unvollständig.</translation>
     </message>
     <message>
         <source>this text is not UTF-8.</source>
@@ -2122,11 +2122,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 is %2; it must be %3 to %4.</source>
-        <translation>%1 ist %2; beim Modul möglich ist %3 bis %4.</translation>
+        <translation>%1 ist %2; möglich ist %3 bis %4.</translation>
     </message>
     <message>
         <source>%1 has the unknown value &quot;%2&quot;.</source>
-        <translation>%1 ist „%2“, ein unbekanntes Wort.</translation>
+        <translation>%1 hat den unbekannten Wert „%2“.</translation>
     </message>
     <message>
         <source>%1 has an unprintable character.</source>
@@ -2138,7 +2138,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 has a unit that does not fit the module of this axis.</source>
-        <translation>%1 hat eine Einheit, in der das Modul dieser Achse nicht zählt.</translation>
+        <translation>%1 hat eine Einheit, die nicht zum Modul dieser Achse passt.</translation>
     </message>
     <message>
         <source>module %1 is already in a group.</source>
@@ -2146,15 +2146,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>another group also has address %1.</source>
-        <translation>auch eine andere Gruppe hat die Adresse %1.</translation>
+        <translation>eine andere Gruppe hat ebenfalls die Adresse %1.</translation>
     </message>
     <message>
         <source>the leader is not one of the group&apos;s modules.</source>
-        <translation>der Leiter ist keines der Module der Gruppe.</translation>
+        <translation>das Leitmodul gehört nicht zur Gruppe.</translation>
     </message>
     <message>
         <source>The file no longer exists. Check whether it was moved, or its disk is disconnected.</source>
-        <translation>Die Datei ist nicht mehr da. Prüfen, ob sie verschoben wurde oder ihr Datenträger fehlt.</translation>
+        <translation>Die Datei gibt es nicht mehr. Prüfen, ob sie verschoben wurde oder ihr Datenträger fehlt.</translation>
     </message>
     <message>
         <source>The folder %1 does not exist. Choose another one.</source>
@@ -2166,19 +2166,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Your user account has no permission for %1. Choose another folder, or change the permissions.</source>
-        <translation>Ihr Benutzerkonto darf das in %1 nicht. Einen anderen Ordner wählen oder die Zugriffsrechte ändern.</translation>
+        <translation>Ihr Benutzerkonto hat keine Berechtigung für %1. Einen anderen Ordner wählen oder die Zugriffsrechte ändern.</translation>
     </message>
     <message>
         <source>The disk of %1 is read-only. Choose another folder.</source>
-        <translation>Der Datenträger von %1 ist nur lesbar. Einen anderen Ordner wählen.</translation>
+        <translation>Der Datenträger von %1 ist schreibgeschützt. Einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>The disk of %1 is full. Free some space, or choose another folder.</source>
-        <translation>Auf dem Datenträger von %1 ist kein Platz mehr. Platz schaffen oder einen anderen Ordner wählen.</translation>
+        <translation>Der Datenträger von %1 ist voll. Platz schaffen oder einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>It is larger than any machine file. Check that it is the right file.</source>
-        <translation>Sie ist größer als jede Maschinendatei. Ist es die richtige Datei?</translation>
+        <translation>Sie ist größer als jede Maschinendatei. Prüfen, ob es die richtige Datei ist.</translation>
     </message>
     <message>
         <source>See Details for the system&apos;s message.</source>
@@ -2234,7 +2234,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>&quot;%1&quot; was written by a newer NMC Panel: its format is %2; this version reads formats up to %3.</source>
-        <translation>„%1“ wurde von einem neueren NMC Panel geschrieben: das Format ist %2, dieses Programm kennt Formate bis %3.</translation>
+        <translation>„%1“ wurde von einem neueren NMC Panel geschrieben: Das Format ist %2, dieses Programm kennt Formate bis %3.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; line %2: %3</source>
@@ -2246,15 +2246,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Could not open &quot;%1&quot;.</source>
-        <translation>„%1“ wurde nicht geöffnet.</translation>
+        <translation>„%1“ konnte nicht geöffnet werden.</translation>
     </message>
     <message>
         <source>Could not save &quot;%1&quot;. Its previous content is kept.</source>
-        <translation>„%1“ wurde nicht gespeichert. Der bisherige Inhalt ist noch vorhanden.</translation>
+        <translation>„%1“ konnte nicht gespeichert werden. Der bisherige Inhalt bleibt erhalten.</translation>
     </message>
     <message>
         <source>Could not save &quot;%1&quot;: it could not be opened again afterwards.</source>
-        <translation>„%1“ wurde nicht gespeichert: diese Maschine ließe sich nicht wieder öffnen.</translation>
+        <translation>„%1“ konnte nicht gespeichert werden: Die Datei ließe sich danach nicht wieder öffnen.</translation>
     </message>
     <message>
         <source>Nothing was sent.</source>
@@ -2266,7 +2266,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Unsaved changes to %1 were recovered.</source>
-        <translation>Ungespeicherte Änderungen an %1 wurden gerettet.</translation>
+        <translation>Nicht gespeicherte Änderungen an %1 wurden wiederhergestellt.</translation>
     </message>
     <message>
         <source>An earlier session ended before they were saved. Restoring them sends nothing.</source>
@@ -2278,23 +2278,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Discard: the changes are lost</source>
-        <translation>Verwerfen: die Arbeit geht verloren</translation>
+        <translation>Verwerfen: die Änderungen gehen verloren</translation>
     </message>
     <message>
         <source>Could not recover unsaved changes of an earlier session.</source>
-        <translation>Ungespeicherte Änderungen einer früheren Sitzung konnten nicht gerettet werden.</translation>
+        <translation>Nicht gespeicherte Änderungen einer früheren Sitzung konnten nicht wiederhergestellt werden.</translation>
     </message>
     <message>
         <source>unsaved changes</source>
-        <translation>ungespeicherte Arbeit</translation>
+        <translation>nicht gespeicherte Änderungen</translation>
     </message>
     <message>
         <source>Changes to the machine are not backed up until you save them.</source>
-        <translation>Änderungen an der Maschine bleiben erst erhalten, wenn Sie sie selbst speichern.</translation>
+        <translation>Änderungen an der Maschine sind erst gesichert, wenn sie gespeichert werden.</translation>
     </message>
     <message>
         <source>%1 is not writable.</source>
-        <translation>%1 lässt sich nicht schreiben.</translation>
+        <translation>%1 ist nicht beschreibbar.</translation>
     </message>
     <message>
         <source>Save the changes to %1?</source>
@@ -2326,11 +2326,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Homing</source>
-        <translation>Referenzsuche</translation>
+        <translation>Referenzfahrt</translation>
     </message>
     <message>
         <source>A/D scale</source>
-        <translation>A/D-Skalierung</translation>
+        <translation>A/D-Skala</translation>
     </message>
     <message>
         <source>Names of inputs and outputs</source>
@@ -2378,7 +2378,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Run velocity</source>
-        <translation>Geschwindigkeit des Dauerlaufs</translation>
+        <translation>Dauerlaufgeschwindigkeit</translation>
     </message>
     <message>
         <source>Jog speed</source>
@@ -2386,7 +2386,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Max jog speed</source>
-        <translation>Größte Tippgeschwindigkeit</translation>
+        <translation>Max. Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>Step</source>
@@ -2418,7 +2418,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Then on index</source>
-        <translation>Danach der Index</translation>
+        <translation>Danach am Index</translation>
     </message>
     <message>
         <source>Reverse</source>
@@ -2442,7 +2442,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Go to home</source>
-        <translation>Referenzposition anfahren</translation>
+        <translation>Referenz anfahren</translation>
     </message>
     <message>
         <source>Set position to 0</source>
@@ -2486,7 +2486,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Minimum profile speed</source>
-        <translation>Kleinste Profilgeschwindigkeit</translation>
+        <translation>Min. Profilgeschwindigkeit</translation>
     </message>
     <message>
         <source>Run current</source>
@@ -2538,11 +2538,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Filled in, not sent: %1</source>
-        <translation>Wartet in den Feldern, nicht gesendet: %1</translation>
+        <translation>Eingetragen, nicht gesendet: %1</translation>
     </message>
     <message>
         <source>Filled in, not sent.</source>
-        <translation>Wartet in den Feldern, nicht gesendet.</translation>
+        <translation>Eingetragen, nicht gesendet.</translation>
     </message>
     <message>
         <source>Not in the file: stays as it is.</source>
@@ -2551,21 +2551,21 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message numerus="yes">
         <source>%n motors are moving: stop them before anything is sent.</source>
         <translation>
-            <numerusform>%n Motor ist in Bewegung: anhalten, bevor etwas gesendet wird.</numerusform>
-            <numerusform>%n Motoren sind in Bewegung: anhalten, bevor etwas gesendet wird.</numerusform>
+            <numerusform>%n Motor ist in Bewegung: stoppen, bevor etwas gesendet wird.</numerusform>
+            <numerusform>%n Motoren sind in Bewegung: stoppen, bevor etwas gesendet wird.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 was stopped: its switch stayed active while backing off.</source>
-        <translation>%1 wurde gestoppt: der Schalter blieb beim Freifahren aktiv.</translation>
+        <translation>%1 wurde gestoppt: Der Schalter blieb beim Freifahren aktiv.</translation>
     </message>
     <message>
         <source>The switch may be stuck, or the search direction is wrong. Move the motor off the switch, or change the direction, then try again.</source>
-        <translation>Vielleicht klemmt der Schalter, oder die Suche läuft in die falsche Richtung. Den Motor vom Schalter wegbewegen oder die Richtung ändern, dann erneut versuchen.</translation>
+        <translation>Vielleicht klemmt der Schalter, oder die Suchrichtung ist falsch. Den Motor vom Schalter wegfahren oder die Richtung ändern, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>%1 stopped before it found home.</source>
-        <translation>%1 blieb stehen, bevor die Referenzposition gefunden war.</translation>
+        <translation>%1 blieb stehen, bevor die Referenz gefunden war.</translation>
     </message>
     <message>
         <source>A limit switch or the E-stop input ended the motion. Check the search direction and the switches, then try again.</source>
@@ -2573,7 +2573,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 was stopped: home not found within the search distance.</source>
-        <translation>%1 wurde gestoppt: keine Referenz innerhalb des Suchwegs.</translation>
+        <translation>%1 wurde gestoppt: Referenz innerhalb des Suchwegs nicht gefunden.</translation>
     </message>
     <message>
         <source>Check the switch and its cable, the search direction and the search distance.</source>
@@ -2581,19 +2581,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 was stopped: home not found within the time limit.</source>
-        <translation>%1 wurde gestoppt: keine Referenzposition innerhalb der Zeitgrenze.</translation>
+        <translation>%1 wurde gestoppt: Referenz innerhalb der Zeitgrenze nicht gefunden.</translation>
     </message>
     <message>
         <source>Check the switch and its cable, the search direction and velocity, and the time limit.</source>
-        <translation>Den Schalter und sein Kabel, die Richtung und die Geschwindigkeit der Suche und die Grenze prüfen.</translation>
+        <translation>Schalter und Kabel, Suchrichtung und Suchgeschwindigkeit und die Zeitgrenze prüfen.</translation>
     </message>
     <message>
         <source>%1 is not homed and was told to stop: the link was unreliable.</source>
-        <translation>%1 ist nicht referenziert, ein Stoppbefehl wurde gesendet: die Verbindung war währenddessen zweifelhaft.</translation>
+        <translation>%1 ist nicht referenziert, ein Stoppbefehl wurde gesendet: Die Verbindung war unzuverlässig.</translation>
     </message>
     <message>
         <source>The home position found may be wrong. Check the link, then repeat the search.</source>
-        <translation>Was dabei über die Referenzposition gemeldet wurde, ist vielleicht falsch. Die Verbindung prüfen, dann die Suche wiederholen.</translation>
+        <translation>Die gefundene Referenz ist vielleicht falsch. Die Verbindung prüfen, dann die Suche wiederholen.</translation>
     </message>
     <message>
         <source>%1 is not homed and does not answer. Motor state unknown.</source>
@@ -2605,15 +2605,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 is not homed: its motor switched itself off and is free to turn.</source>
-        <translation>%1 ist nicht referenziert: der Motor hat sich von selbst abgeschaltet und ist frei drehbar.</translation>
+        <translation>%1 ist nicht referenziert: Der Motor hat sich selbst abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
         <source>The position error was too large, or motor power failed. Check for a jam, enable the motor, then repeat the search.</source>
-        <translation>Der Motor war zu weit von der Sollposition entfernt oder verlor seine Versorgung. Prüfen, ob etwas klemmt, den Motor einschalten, dann die Suche wiederholen.</translation>
+        <translation>Der Positionsfehler war zu groß, oder die Motorversorgung fiel aus. Auf eine Blockade prüfen, den Motor einschalten, dann die Suche wiederholen.</translation>
     </message>
     <message>
         <source>%1 is not homed and was told to stop: a command failed, or its answer was lost.</source>
-        <translation>%1 ist nicht referenziert, ein Stoppbefehl wurde gesendet: ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren.</translation>
+        <translation>%1 ist nicht referenziert, ein Stoppbefehl wurde gesendet: Ein Befehl ist fehlgeschlagen, oder seine Antwort ging verloren.</translation>
     </message>
     <message>
         <source>Usually noise on the cable. Repeat the search.</source>
@@ -2621,11 +2621,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 is at rest but not homed: two readings of home differ.</source>
-        <translation>%1 steht still und ist nicht referenziert: zwei Lesungen der Referenzposition weichen voneinander ab.</translation>
+        <translation>%1 steht still, ist aber nicht referenziert: Zwei Messungen der Referenz weichen voneinander ab.</translation>
     </message>
     <message>
         <source>%1 found home and holds close to it, but the position was not set to 0.</source>
-        <translation>%1 hat die Referenzposition gefunden und hält nahe dabei, aber nichts wurde auf null gesetzt.</translation>
+        <translation>%1 hat die Referenz gefunden und hält nahe bei ihr, aber die Position wurde nicht auf 0 gesetzt.</translation>
     </message>
     <message>
         <source>Preparing</source>
@@ -2645,19 +2645,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Stopping</source>
-        <translation>Hält an</translation>
+        <translation>Stoppt</translation>
     </message>
     <message>
         <source>Verifying home</source>
-        <translation>Referenz wird geprüft</translation>
+        <translation>Prüft die Referenz</translation>
     </message>
     <message>
         <source>Going to home</source>
-        <translation>Fährt die Referenzposition an</translation>
+        <translation>Fährt zur Referenz</translation>
     </message>
     <message>
         <source>Setting position to 0</source>
-        <translation>Position wird auf 0 gesetzt</translation>
+        <translation>Setzt Position auf 0</translation>
     </message>
     <message>
         <source>Moving</source>
@@ -2685,7 +2685,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 found home at %2.</source>
-        <translation>%1 hat die Referenzposition gefunden: sie lag bei %2.</translation>
+        <translation>%1 hat die Referenz bei %2 gefunden.</translation>
     </message>
     <message>
         <source>%1, %2 of %3</source>
@@ -2693,7 +2693,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The switch stayed active while the motor backed off. It was stopped.</source>
-        <translation>Der Schalter blieb aktiv, während der Motor freifuhr. Er wurde gestoppt.</translation>
+        <translation>Der Schalter blieb beim Freifahren aktiv. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
         <source>The motion ended before home was found. Check the search direction and the switches.</source>
@@ -2701,15 +2701,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>No home within the search distance. The motor was stopped.</source>
-        <translation>Keine Referenz innerhalb des Suchwegs. Der Motor wurde gestoppt.</translation>
+        <translation>Referenz innerhalb des Suchwegs nicht gefunden. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
         <source>No home within the time limit. The motor was stopped.</source>
-        <translation>Die Zeitgrenze wurde erreicht. Der Motor wurde gestoppt.</translation>
+        <translation>Referenz innerhalb der Zeitgrenze nicht gefunden. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
         <source>The link was unreliable. The motor was told to stop.</source>
-        <translation>Die Verbindung war währenddessen zweifelhaft. An den Motor ging ein Stoppbefehl.</translation>
+        <translation>Die Verbindung war unzuverlässig. An den Motor ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>The motor switched itself off and is free to turn.</source>
@@ -2717,11 +2717,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>A command failed or was not answered. The motor was told to stop.</source>
-        <translation>Ein Befehl wurde nicht ausgeführt oder nicht beantwortet. An den Motor ging ein Stoppbefehl.</translation>
+        <translation>Ein Befehl ist fehlgeschlagen oder wurde nicht beantwortet. An den Motor ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>Two readings of home differ. The motor is at rest.</source>
-        <translation>Zwei Lesungen der Referenzposition weichen voneinander ab. Der Motor steht still.</translation>
+        <translation>Zwei Messungen der Referenz weichen voneinander ab. Der Motor steht still.</translation>
     </message>
     <message>
         <source>Module %1 has no motor power, so its motor is off.</source>
@@ -2729,7 +2729,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Module %1 is too hot and switched its motor off.</source>
-        <translation>Modul %1 hat seinen Motor abgeschaltet, weil er zu heiß ist.</translation>
+        <translation>Modul %1 ist zu heiß und hat seinen Motor abgeschaltet.</translation>
     </message>
     <message>
         <source>The A/D value fell below the thermal limit. Let the motor cool down; then check the currents and the limit on the Parameters page.</source>
@@ -2757,7 +2757,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The cause is unknown. Check its power and inputs, then enable it again.</source>
-        <translation>Den Grund meldet es nicht. Versorgung und Eingänge prüfen, dann wieder einschalten.</translation>
+        <translation>Die Ursache ist unbekannt. Versorgung und Eingänge prüfen, dann wieder einschalten.</translation>
     </message>
     <message>
         <source>Amplifier off</source>
@@ -2765,7 +2765,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Stopped by a limit</source>
-        <translation>Von Endschalter gestoppt</translation>
+        <translation>Am Endschalter gestoppt</translation>
     </message>
     <message>
         <source>E-stop input</source>
@@ -2789,11 +2789,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The motor holds its position.</source>
-        <translation>Der Motor wird an seiner Position gehalten.</translation>
+        <translation>Der Motor hält seine Position.</translation>
     </message>
     <message>
         <source>The motor is free to turn. This is normal: the amplifier is switched off.</source>
-        <translation>Der Motor ist frei drehbar. Das ist normal: Die Endstufe ist ausgeschaltet.</translation>
+        <translation>Der Motor ist frei drehbar. Das ist normal: Der Verstärker ist ausgeschaltet.</translation>
     </message>
     <message>
         <source>A limit switch stopped the motor. It can move in the other direction.</source>
@@ -2809,11 +2809,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The module switched its motor off; the cause is unknown.</source>
-        <translation>Das Modul hat seinen Motor von selbst abgeschaltet und meldet den Grund nicht.</translation>
+        <translation>Das Modul hat seinen Motor abgeschaltet; die Ursache ist unbekannt.</translation>
     </message>
     <message>
         <source>Load a move first.</source>
-        <translation>Zuerst eine Bewegung laden.</translation>
+        <translation>Zuerst eine Fahrt laden.</translation>
     </message>
     <message>
         <source>The position is unknown.</source>
@@ -2861,7 +2861,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Stop the motor first: the chip cannot change this in motion.</source>
-        <translation>Der Motor ist in Bewegung, und der Chip lässt diese Änderung während der Fahrt nicht zu: zuerst stoppen.</translation>
+        <translation>Zuerst den Motor stoppen: Der Chip kann das während der Bewegung nicht ändern.</translation>
     </message>
     <message>
         <source>The module&apos;s E-stop input is active. Release it first.</source>
@@ -2869,11 +2869,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Limit switch 1 is active: the motor can move in reverse only.</source>
-        <translation>Endschalter 1 ist aktiv: der Motor kann nur rückwärts fahren.</translation>
+        <translation>Endschalter 1 ist aktiv: Der Motor kann nur rückwärts fahren.</translation>
     </message>
     <message>
         <source>Limit switch 2 is active: the motor can move forward only.</source>
-        <translation>Endschalter 2 ist aktiv: der Motor kann nur vorwärts fahren.</translation>
+        <translation>Endschalter 2 ist aktiv: Der Motor kann nur vorwärts fahren.</translation>
     </message>
     <message>
         <source>The A/D value is below the thermal limit: let the motor cool down, or lower the limit.</source>
@@ -2885,11 +2885,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>&quot;%1&quot; is open. Settings applied: %2.</source>
-        <translation>„%1“ ist offen; daraus übernommene Einstellungen: %2.</translation>
+        <translation>„%1“ ist geöffnet. Angewendete Einstellungen: %2.</translation>
     </message>
     <message>
         <source>Commands sent: %1. No motor was moved.</source>
-        <translation>Gesendete Befehle, wie gewählt: %1. Kein Motor wurde bewegt.</translation>
+        <translation>Gesendete Befehle: %1. Es wurde kein Motor bewegt.</translation>
     </message>
     <message>
         <source>Leader of group %1</source>
@@ -2897,15 +2897,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Cannot be applied: the file is for another module.</source>
-        <translation>Kann nicht angewendet werden: die Datei ist für ein anderes Modul.</translation>
+        <translation>Kann nicht angewendet werden: Die Datei ist für ein anderes Modul.</translation>
     </message>
     <message>
         <source>Not in the chain; its settings are kept.</source>
-        <translation>Jetzt nicht da; seine Einstellungen werden behalten.</translation>
+        <translation>Nicht in der Kette; seine Einstellungen bleiben erhalten.</translation>
     </message>
     <message>
         <source>%1 holds again: it moved the wrong way, or more than twice the step.</source>
-        <translation>%1 hält wieder: der Motor lief in die falsche Richtung oder weiter als die doppelte Sprungstrecke.</translation>
+        <translation>%1 hält wieder: Der Motor lief in die falsche Richtung oder weiter als der doppelte Sprung.</translation>
     </message>
     <message>
         <source>The servo oscillates, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.</source>
@@ -2913,7 +2913,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 was switched off and is free to turn: it kept oscillating after its step.</source>
-        <translation>%1 wurde abgeschaltet und ist frei drehbar: der Motor kam nach dem Sprung nicht zur Ruhe.</translation>
+        <translation>%1 wurde abgeschaltet und ist frei drehbar: Der Motor schwang nach dem Sprung weiter.</translation>
     </message>
     <message>
         <source>The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply them, then enable it.</source>
@@ -2921,23 +2921,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 does not come to rest; its servo stays on.</source>
-        <translation>%1 steht nicht still; der Servo bleibt ein.</translation>
+        <translation>%1 kommt nicht zur Ruhe; der Servo bleibt ein.</translation>
     </message>
     <message>
         <source>It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd; Motor off ends it at once.</source>
-        <translation>Der Motor schwingt oder wird von außen gedreht. Kp und Ki senken oder Kd erhöhen; „Motor aus“ beendet es sofort.</translation>
+        <translation>Der Motor schwingt, oder eine äußere Kraft dreht ihn. Kp und Ki senken oder Kd erhöhen; „Motor aus“ beendet es sofort.</translation>
     </message>
     <message>
         <source>%1 did not complete its step: its motor switched itself off and is free to turn.</source>
-        <translation>%1 hat keinen ganzen Sprung gemacht: der Motor ging von selbst aus und ist frei drehbar.</translation>
+        <translation>%1 hat den Sprung nicht beendet: Der Motor hat sich selbst abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
         <source>The position error was too large, or motor power failed. Check for a jam, raise EL or shorten the step, then enable the motor.</source>
-        <translation>Der Motor war zu weit von der Sollposition entfernt oder verlor seine Versorgung. Prüfen, ob etwas klemmt, EL erhöhen oder den Sprung verkleinern, dann einschalten.</translation>
+        <translation>Der Positionsfehler war zu groß, oder die Motorversorgung fiel aus. Auf eine Blockade prüfen, EL erhöhen oder den Sprung verkleinern, dann den Motor einschalten.</translation>
     </message>
     <message>
         <source>%1 does not answer, so its step was not recorded. Motor state unknown.</source>
-        <translation>%1 antwortet nicht, der Sprung ist daher nicht aufgezeichnet. Motorzustand unbekannt.</translation>
+        <translation>%1 antwortet nicht, der Sprung wurde daher nicht aufgezeichnet. Motorzustand unbekannt.</translation>
     </message>
     <message>
         <source>It was told to hold. Use the hardware stop if it moves.</source>
@@ -2945,7 +2945,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 was told to hold, and its step was not recorded: the link was unreliable.</source>
-        <translation>%1 bekam einen Haltebefehl, und der Sprung ist nicht aufgezeichnet: die Verbindung war währenddessen zweifelhaft.</translation>
+        <translation>%1 bekam einen Haltebefehl, und der Sprung wurde nicht aufgezeichnet: Die Verbindung war unzuverlässig.</translation>
     </message>
     <message>
         <source>Check the link, then step again.</source>
@@ -2953,7 +2953,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 was told to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
-        <translation>%1 hat keinen Sprung aufgezeichnet und bekam einen Haltebefehl: ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren.</translation>
+        <translation>%1 bekam einen Haltebefehl, und der Sprung wurde nicht aufgezeichnet: Ein Befehl ist fehlgeschlagen, oder seine Antwort ging verloren.</translation>
     </message>
     <message>
         <source>Usually noise on the cable. Step again.</source>
@@ -2961,7 +2961,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The motor does not come to rest; its servo stays on. Lower the gains, or switch the motor off.</source>
-        <translation>Der Motor steht nicht still; sein Servo bleibt ein. Die Reglerwerte senken oder den Motor abschalten.</translation>
+        <translation>Der Motor kommt nicht zur Ruhe; sein Servo bleibt ein. Die Reglerwerte senken oder den Motor abschalten.</translation>
     </message>
     <message>
         <source>The motor kept oscillating by more than the whole step. It was switched off and is free to turn. Lower Kp and Ki, or raise Kd.</source>
@@ -2981,7 +2981,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>the disk is read-only.</source>
-        <translation>der Datenträger ist nur lesbar.</translation>
+        <translation>der Datenträger ist schreibgeschützt.</translation>
     </message>
     <message>
         <source>the disk is full.</source>
@@ -2989,7 +2989,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>the file is too large for the disk.</source>
-        <translation>der Datenträger nimmt keine größere Datei auf.</translation>
+        <translation>die Datei ist zu groß für den Datenträger.</translation>
     </message>
     <message>
         <source>the file was deleted.</source>
@@ -3005,7 +3005,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>the file ends before its column names.</source>
-        <translation>die Datei endet vor den Namen ihrer Spalten.</translation>
+        <translation>die Datei endet vor den Spaltennamen.</translation>
     </message>
     <message>
         <source>column %1 is missing.</source>
@@ -3013,7 +3013,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>the line is longer than %1 bytes, too long for a recording.</source>
-        <translation>die Zeile ist länger als %1 Byte, wie keine Zeile einer Aufzeichnung.</translation>
+        <translation>die Zeile ist länger als %1 Byte, zu lang für eine Aufzeichnung.</translation>
     </message>
     <message>
         <source>the file ends in the middle of this line.</source>
@@ -3041,7 +3041,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Saved in %1.</source>
-        <translation>Die Datei ist in %1.</translation>
+        <translation>Gespeichert in %1.</translation>
     </message>
     <message>
         <source>The part written before (%1) is kept.</source>
@@ -3049,7 +3049,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Nothing was kept.</source>
-        <translation>Nichts bleibt erhalten.</translation>
+        <translation>Es wurde nichts aufbewahrt.</translation>
     </message>
     <message>
         <source>Recording to &quot;%1&quot; stopped: %2</source>
@@ -3065,7 +3065,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>It has nothing to show. Choose another file.</source>
-        <translation>Davon lässt sich nichts zeigen.</translation>
+        <translation>Sie enthält nichts Darstellbares. Eine andere Datei wählen.</translation>
     </message>
     <message>
         <source>The scope shows the samples above that line: %1.</source>
@@ -3081,7 +3081,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Could not save &quot;%1&quot;.</source>
-        <translation>„%1“ wurde nicht gespeichert.</translation>
+        <translation>„%1“ konnte nicht gespeichert werden.</translation>
     </message>
     <message>
         <source>Show the last 2 s</source>
@@ -3097,43 +3097,43 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Too far for a step response: at most 2000 counts.</source>
-        <translation>Eine Sprungantwort ist für eine kleine Bewegung: höchstens 2000 Inkremente.</translation>
+        <translation>Zu weit für eine Sprungantwort: höchstens 2000 Inkremente.</translation>
     </message>
     <message>
         <source>The step is too close to the position error limit and would switch the servo off. Shorten the step or raise EL.</source>
-        <translation>Der Sprung würde den Servo abschalten: gleich danach ist der Positionsfehler der ganze Sprung, und der liegt über der Grenze der Regelabweichung oder zu nahe an ihr. Den Sprung verkleinern oder EL erhöhen.</translation>
+        <translation>Der Sprung liegt zu nahe an der Positionsfehlergrenze und würde den Servo abschalten. Den Sprung verkleinern oder EL erhöhen.</translation>
     </message>
     <message>
         <source>The goal is outside the chip&apos;s position range.</source>
-        <translation>Das Ziel liegt außerhalb der Positionen, die der Chip zählen kann.</translation>
+        <translation>Das Ziel liegt außerhalb des Positionsbereichs des Chips.</translation>
     </message>
     <message>
         <source>A record must be 0.02 s to 3 s long.</source>
-        <translation>Eine Aufzeichnung dauert 0,02 s bis 3 s.</translation>
+        <translation>Eine Aufzeichnung muss 0,02 s bis 3 s dauern.</translation>
     </message>
     <message>
         <source>No motor is moving. All are told to stop before the port closes.</source>
-        <translation>Kein Motor bewegt sich mehr. Alle erhalten den Stoppbefehl, bevor der Anschluss geschlossen wird.</translation>
+        <translation>Kein Motor bewegt sich. An alle geht ein Stoppbefehl, bevor der Port geschlossen wird.</translation>
     </message>
     <message>
         <source>Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>Die Motoren erhielten den Stoppbefehl. Eine niedrigere Rate, ein kürzeres Kabel oder Abschlusswiderstände an beiden Enden versuchen.</translation>
+        <translation>An die Motoren ging ein Stoppbefehl. Eine niedrigere Baudrate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
     </message>
     <message>
         <source>Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.</source>
-        <translation>Nichts ging verloren: Falsche Antworten werden erkannt und noch einmal erfragt. Die Motoren erhalten den Stoppbefehl, wenn es schlimmer wird. Meist Störungen auf dem Kabel.</translation>
+        <translation>Nichts ging verloren: Das Programm erkennt falsche Antworten und fragt erneut. Wird es schlimmer, geht an die Motoren ein Stoppbefehl. Meist Störungen auf dem Kabel.</translation>
     </message>
     <message>
         <source>It listens at 19 200 Bd and may misread the other modules&apos; traffic: all motors were told to stop, and sending has stopped.</source>
-        <translation>Es hört mit 19 200 Bd zu und kann den Verkehr der anderen Module falsch lesen: Alle Motoren sollten anhalten, und es wird nichts mehr gesendet.</translation>
+        <translation>Es hört mit 19 200 Bd zu und kann den Verkehr der anderen Module falsch lesen: An alle Motoren ging ein Stoppbefehl, und es wird nichts mehr gesendet.</translation>
     </message>
     <message>
         <source>The panel froze for %1; motors were told to stop after 2 s.</source>
-        <translation>Das Programm reagierte %1 lang nicht; die Motoren erhielten nach 2 s den Stoppbefehl.</translation>
+        <translation>Das Programm reagierte %1 lang nicht; an die Motoren ging nach 2 s ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>It was connected to %1 and was killed, or the computer failed. Motor state unknown: look at the motor before you connect; use the hardware stop if it moves. This message stays until the motor is seen at rest.</source>
-        <translation>Sie war mit %1 verbunden und wurde abgebrochen, oder der Rechner fiel aus. Zustand des Motors unbekannt: vor dem Verbinden nachsehen; den Hardware-Stopp benutzen, wenn er sich bewegt. Das steht hier, bis der Motor stillstehend gesehen wurde.</translation>
+        <translation>Sie war mit %1 verbunden und wurde abgebrochen, oder der Rechner fiel aus. Motorzustand unbekannt: den Motor ansehen, bevor Sie verbinden; den Hardware-Stopp benutzen, wenn er sich bewegt. Diese Meldung bleibt, bis der Motor im Stillstand gesehen wurde.</translation>
     </message>
     <message>
         <source>I have checked: it is at rest</source>
@@ -3149,13 +3149,13 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message numerus="yes">
         <source>Modules %1 were told to stop but were not seen at rest</source>
         <translation>
-            <numerusform>Modul %1 erhielt den Stoppbefehl, wurde aber nicht stillstehend gesehen</numerusform>
-            <numerusform>Die Module %1 erhielten den Stoppbefehl, wurden aber nicht stillstehend gesehen</numerusform>
+            <numerusform>An Modul %1 ging ein Stoppbefehl, es wurde aber nicht im Stillstand gesehen</numerusform>
+            <numerusform>An die Module %1 ging ein Stoppbefehl, sie wurden aber nicht im Stillstand gesehen</numerusform>
         </translation>
     </message>
     <message>
         <source>You can assign just its address: the other modules keep their positions and gains.</source>
-        <translation>Die anderen behalten Position und Reglerwerte, wenn es nur seine Adresse erhält.</translation>
+        <translation>Sie können allein seine Adresse vergeben: Die anderen Module behalten Position und Reglerwerte.</translation>
     </message>
     <message>
         <source>Assign the address of module %1</source>
@@ -3163,19 +3163,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Module %1 has its address again. Its motor is off, its position is 0, and it has no gains.</source>
-        <translation>Modul %1 hat seine Adresse wieder. Es ist aus, auf Position 0 und ohne Reglerwerte.</translation>
+        <translation>Modul %1 hat seine Adresse wieder. Sein Motor ist aus, seine Position ist 0, und es hat keine Reglerwerte.</translation>
     </message>
     <message>
         <source>The other modules are unchanged. Apply its gains and home it before you use it.</source>
-        <translation>Die anderen Module sind, wie sie waren. Vor dem Benutzen seine Reglerwerte senden und die Referenzfahrt machen.</translation>
+        <translation>Die anderen Module sind unverändert. Vor dem Benutzen seine Reglerwerte anwenden und es referenzieren.</translation>
     </message>
     <message>
         <source>Could not assign the address of module %1. No motor was moved.</source>
-        <translation>Modul %1 erhielt seine Adresse nicht. Kein Motor bewegte sich dadurch.</translation>
+        <translation>Die Adresse von Modul %1 konnte nicht vergeben werden. Es wurde kein Motor bewegt.</translation>
     </message>
     <message>
         <source>The module does not answer. Scan again, or restart the network.</source>
-        <translation>Es antwortet nicht. Erneut suchen oder das Netz neu starten.</translation>
+        <translation>Das Modul antwortet nicht. Erneut suchen oder das Netzwerk neu starten.</translation>
     </message>
     <message>
         <source>No module is known</source>
@@ -3195,35 +3195,35 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Module %1 has stopped.</source>
-        <translation>Modul %1 steht jetzt.</translation>
+        <translation>Modul %1 steht still.</translation>
     </message>
     <message>
         <source>It has stopped.</source>
-        <translation>Es steht jetzt.</translation>
+        <translation>Es steht still.</translation>
     </message>
     <message>
         <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
-        <translation>Modul %1 sollte das Tippen beenden: Das Programm stockte länger als 250 ms.</translation>
+        <translation>An Modul %1 ging beim Tippen ein Stoppbefehl: Das Programm stockte länger als 250 ms.</translation>
     </message>
     <message>
         <source>Module %1 was told to switch off: it moved the wrong way, to %2 counts.</source>
-        <translation>Modul %1 erhielt den Befehl, auszuschalten: Es bewegte sich in die falsche Richtung, bis %2 Inkremente.</translation>
+        <translation>Modul %1 bekam den Befehl, seinen Motor abzuschalten: Er bewegte sich in die falsche Richtung, bis %2 Inkremente.</translation>
     </message>
     <message>
         <source>Module %1 was told to stop: it went past its goal, to %2 counts.</source>
-        <translation>Modul %1 erhielt den Stoppbefehl: Es fuhr über sein Ziel hinaus, bis %2 Inkremente.</translation>
+        <translation>An Modul %1 ging ein Stoppbefehl: Es fuhr über sein Ziel hinaus, bis %2 Inkremente.</translation>
     </message>
     <message>
         <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
-        <translation>Modul %1 erhielt den Stoppbefehl: Es sagt, dass es sich bewegt, meldet aber immer wieder %2 Inkremente.</translation>
+        <translation>An Modul %1 ging ein Stoppbefehl: Es meldet Bewegung, aber seine Position bleibt bei %2 Inkrementen.</translation>
     </message>
     <message>
         <source>Overcurrent: module %1 limits its motor current.</source>
-        <translation>Modul %1 begrenzt den Strom seines Motors: Überstrom.</translation>
+        <translation>Überstrom: Modul %1 begrenzt seinen Motorstrom.</translation>
     </message>
     <message>
         <source>The motor may fail to reach its goal or hold its load. Check for a jam or too heavy a load, or raise the limit. This message stays until you clear the sticky bits.</source>
-        <translation>Vielleicht erreicht der Motor sein Ziel nicht oder hält seine Last nicht. Auf Klemmen oder zu große Last prüfen oder die Grenze erhöhen. Das Modul meldet es, bis die Sticky-Bits gelöscht werden.</translation>
+        <translation>Vielleicht erreicht der Motor sein Ziel nicht oder hält seine Last nicht. Auf eine Blockade oder zu große Last prüfen oder die Grenze erhöhen. Diese Meldung bleibt, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message>
         <source>Off, but turning</source>
@@ -3244,25 +3244,25 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message numerus="yes">
         <source>The panel ended without stopping its motors; its guardian told modules %1 to stop.</source>
         <translation>
-            <numerusform>Das Panel endete, ohne seine Motoren anzuhalten; sein Wächter hat Modul %1 angewiesen, anzuhalten.</numerusform>
-            <numerusform>Das Panel endete, ohne seine Motoren anzuhalten; sein Wächter hat die Module %1 angewiesen, anzuhalten.</numerusform>
+            <numerusform>Das Programm endete, ohne seine Motoren zu stoppen; sein Wächter hat an Modul %1 einen Stoppbefehl gesendet.</numerusform>
+            <numerusform>Das Programm endete, ohne seine Motoren zu stoppen; sein Wächter hat an die Module %1 einen Stoppbefehl gesendet.</numerusform>
         </translation>
     </message>
     <message>
         <source>The program was killed, or it hung. The guardian cannot see whether a motor stopped: look at the motors before you connect; use the hardware stop if one moves.</source>
-        <translation>Das Programm wurde beendet, oder es hing. Der Wächter kann nicht sehen, ob ein Motor gehorcht hat: vor dem Verbinden hinsehen; den Hardware-Stopp benutzen, wenn er sich bewegt.</translation>
+        <translation>Das Programm wurde gewaltsam beendet, oder es hing. Der Wächter kann nicht sehen, ob ein Motor stoppte: die Motoren ansehen, bevor Sie verbinden; den Hardware-Stopp benutzen, wenn sich einer bewegt.</translation>
     </message>
     <message>
         <source>The panel stalled while a motor was moving; its guardian told the motors to stop.</source>
-        <translation>Das Panel stand still, während sich ein Motor bewegte; sein Wächter hat die Motoren angewiesen, anzuhalten.</translation>
+        <translation>Das Programm stockte, während sich ein Motor bewegte; sein Wächter hat an die Motoren einen Stoppbefehl gesendet.</translation>
     </message>
     <message>
         <source>The program was halted, or the computer was too busy. The panel is reading all values again.</source>
-        <translation>Das Programm war angehalten, oder der Rechner war zu beschäftigt. Alle Werte werden neu gelesen.</translation>
+        <translation>Das Programm war angehalten, oder der Rechner war ausgelastet. Das Programm liest alle Werte neu.</translation>
     </message>
     <message>
         <source>No guardian: if this program is killed, nothing stops the motors.</source>
-        <translation>Niemand hält die Motoren an, wenn dieses Programm abgeschossen wird: Es hat keinen Wächter.</translation>
+        <translation>Kein Wächter: Wird dieses Programm gewaltsam beendet, stoppt nichts die Motoren.</translation>
     </message>
     <message>
         <source>nmcguard is missing. Reinstall the program. Everything else works.</source>
@@ -3270,7 +3270,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Your user account may not start nmcguard. Reinstall the program. Everything else works.</source>
-        <translation>Das Benutzerkonto darf nmcguard nicht starten. Das Programm neu installieren. Alles andere funktioniert.</translation>
+        <translation>Ihr Benutzerkonto darf nmcguard nicht starten. Das Programm neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
         <source>nmcguard and this program have different versions. Reinstall both. Everything else works.</source>
@@ -3278,43 +3278,43 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The computer ran out of memory or open files. Close other programs, then connect again. Everything else works.</source>
-        <translation>Der Rechner hat keinen Speicher oder keine Datei mehr dafür frei. Andere Programme schließen, dann neu verbinden. Alles andere funktioniert.</translation>
+        <translation>Der Rechner hat keinen Speicher oder keine offenen Dateien mehr frei. Andere Programme schließen, dann neu verbinden. Alles andere funktioniert.</translation>
     </message>
     <message>
         <source>The guardian ended unexpectedly. Connect again to restart it. Everything else works.</source>
-        <translation>Er hat sich von selbst beendet. Neu verbinden, um einen anderen zu starten. Alles andere funktioniert.</translation>
+        <translation>Der Wächter endete unerwartet. Neu verbinden, um ihn wieder zu starten. Alles andere funktioniert.</translation>
     </message>
     <message>
         <source>These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses power, a running motor keeps running, and no program can stop it. STOP ALL and Esc work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs.</source>
-        <translation>Diese Module überwachen die Verbindung nicht: Wenn das Kabel durchtrennt ist, der Adapter hängt oder dieser Rechner seinen Strom verliert, läuft ein laufender Motor weiter, und kein Programm kann ihn anhalten. ALLES STOPP und Esc wirken nur, solange die Verbindung besteht. Ein Wächter hält die Motoren an, wenn dieses Programm abgeschossen wird, abstürzt oder hängt.</translation>
+        <translation>Diese Module überwachen die Verbindung nicht: Wird das Kabel durchtrennt, hängt der Adapter oder verliert dieser Rechner seine Stromversorgung, so läuft ein laufender Motor weiter, und kein Programm kann ihn stoppen. ALLES STOPP und Esc wirken nur, solange die Verbindung besteht. Ein Wächter stoppt die Motoren, wenn dieses Programm gewaltsam beendet wird, abstürzt oder hängt.</translation>
     </message>
     <message>
         <source>--read-only requires --port or --simulator.</source>
-        <translation>--read-only braucht etwas zum Ansehen: --port oder --simulator.</translation>
+        <translation>--read-only braucht --port oder --simulator.</translation>
     </message>
     <message>
         <source>Module %1 of this chain does not answer. Motor state unknown.</source>
-        <translation>Modul %1 der hier bekannten Kette antwortet nicht. Motorzustand unbekannt.</translation>
+        <translation>Modul %1 dieser Kette antwortet nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
         <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it.</source>
-        <translation>Versorgung und Stecker daneben prüfen; das Programm versucht es weiter. Wurde es absichtlich entfernt, mit den anderen arbeiten: Dann wird es vergessen.</translation>
+        <translation>Versorgung des Moduls und den Stecker neben ihm prüfen; das Programm versucht es weiter. Wurde es absichtlich entfernt, mit den anderen arbeiten: Das Programm vergisst es dann.</translation>
     </message>
     <message>
         <source>A motor is moving, so the chain was not changed.</source>
-        <translation>Ein Motor ist in Bewegung, die Kette bleibt daher, wie sie bekannt ist.</translation>
+        <translation>Ein Motor ist in Bewegung, die Kette wurde daher nicht geändert.</translation>
     </message>
     <message>
         <source>Forgetting a module rescans the chain. Stop all motors, then try again.</source>
-        <translation>Um ein Modul zu vergessen, wird die Kette neu gesucht. Alle Motoren anhalten, dann noch einmal versuchen.</translation>
+        <translation>Um ein Modul zu vergessen, wird die Kette neu gesucht. Alle Motoren stoppen, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>Connected to %1 read-only: %2 at %3 Bd, left running.</source>
-        <translation>Nur lesend an %1: %2 bei %3 Bd, unverändert gelassen.</translation>
+        <translation>Nur lesend verbunden mit %1: %2 bei %3 Bd, laufen weiter.</translation>
     </message>
     <message>
         <source>The modules carry on, even after you disconnect. Only status requests are sent. STOP ALL still works.</source>
-        <translation>Was sie tun, geht weiter, auch wenn diese Verbindung endet. Außer Fragen wird nichts gesendet; ALLES STOPP wirkt.</translation>
+        <translation>Die Module machen weiter, auch nach dem Trennen. Es werden nur Statusabfragen gesendet. ALLES STOPP wirkt weiterhin.</translation>
     </message>
     <message>
         <source>A port is already open.</source>
@@ -3322,7 +3322,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Disconnect first, then try again. Closing the port may stop motors.</source>
-        <translation>Zuerst trennen; das Schließen hält Motoren unter Umständen an. Dann noch einmal ansehen.</translation>
+        <translation>Zuerst trennen, dann erneut versuchen. Schließen des Ports kann Motoren stoppen.</translation>
     </message>
     <message numerus="yes">
         <source>Motors %1 were moving, at %2.</source>
@@ -3353,46 +3353,46 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Only the adapter&apos;s echo came back from %1: no module answered.</source>
-        <translation>Nur das Echo des Adapters an %1 kam zurück: kein Modul hat geantwortet.</translation>
+        <translation>Nur das Echo des Adapters an %1 kam zurück: Kein Modul hat geantwortet.</translation>
     </message>
     <message>
         <source>The echo is harmless. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the modules&apos; transmit pair is wired to the adapter.</source>
-        <translation>Das Echo selbst schadet nicht. In dieser Reihenfolge prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses verbirgt alle Module; ob auch das Sendepaar der Module am Adapter angeschlossen ist.</translation>
+        <translation>Das Echo ist unschädlich. Der Reihe nach prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses Kabel verbirgt alle Module; ob auch das Sendepaar der Module am Adapter angeschlossen ist.</translation>
     </message>
     <message>
         <source>The adapter at %1 echoes everything it sends. The panel ignores the echo.</source>
-        <translation>Der Adapter an %1 gibt zurück, was ihm gesendet wird. Das Programm lässt das unbeachtet.</translation>
+        <translation>Der Adapter an %1 gibt alles, was er sendet, als Echo zurück. Das Programm ignoriert das Echo.</translation>
     </message>
     <message>
         <source>This is normal for a 2-wire adapter. No action needed.</source>
-        <translation>So arbeitet ein Zweidraht-Adapter. Es ist nichts zu tun.</translation>
+        <translation>Bei einem Zweidraht-Adapter ist das normal. Es ist nichts zu tun.</translation>
     </message>
     <message>
         <source>no exact echo of the command before it</source>
-        <translation>nicht hinter dem genauen Echo des Befehls</translation>
+        <translation>kein genaues Echo des vorherigen Befehls</translation>
     </message>
     <message>
         <source>Another host is sending on this line.</source>
-        <translation>Jemand anders sendet auf dieser Leitung.</translation>
+        <translation>Ein anderer Rechner sendet auf dieser Leitung.</translation>
     </message>
     <message numerus="yes">
         <source>Modules %1 were told to stop.</source>
         <translation>
-            <numerusform>Modul %1 hat den Stoppbefehl bekommen.</numerusform>
-            <numerusform>Die Module %1 haben den Stoppbefehl bekommen.</numerusform>
+            <numerusform>An Modul %1 ging ein Stoppbefehl.</numerusform>
+            <numerusform>An die Module %1 ging ein Stoppbefehl.</numerusform>
         </translation>
     </message>
     <message>
         <source>Modules answer commands that this panel did not send; running tasks were cancelled. Close the other program, or disconnect its computer from the line, before you continue.</source>
-        <translation>Module antworten auf Befehle, die nicht von hier kamen; was hier im Gang war, wurde abgebrochen. Das andere Programm beenden oder seinen Rechner von der Leitung nehmen, bevor es weitergeht.</translation>
+        <translation>Module antworten auf Befehle, die dieses Programm nicht gesendet hat; laufende Vorgänge wurden abgebrochen. Das andere Programm beenden oder seinen Rechner von der Leitung trennen, bevor Sie weitermachen.</translation>
     </message>
     <message>
         <source>Module %1 moves without a command from this panel.</source>
-        <translation>Modul %1 bewegt sich, und nicht durch dieses Programm.</translation>
+        <translation>Modul %1 bewegt sich ohne einen Befehl dieses Programms.</translation>
     </message>
     <message>
         <source>Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again.</source>
-        <translation>Ein anderer Rechner auf dieser Leitung hat es gestartet, oder eine Last treibt es. Das Programm greift nicht ein, solange Sie es nicht stoppen; es kann von dort wieder gestartet werden.</translation>
+        <translation>Ein anderer Rechner auf dieser Leitung hat es gestartet, oder eine Last treibt es an. Das Programm stoppt es nicht, solange Sie es nicht stoppen; der andere Rechner kann es wieder starten.</translation>
     </message>
     <message>
         <source>STOP ALL</source>
@@ -3400,23 +3400,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Home is unknown: search for it, or save it.</source>
-        <translation>Wo die Referenz liegt, ist nicht bekannt: suchen oder speichern.</translation>
+        <translation>Die Referenz ist unbekannt: suchen oder speichern.</translation>
     </message>
     <message>
         <source>Friction holds it %1 off home, too far to set the position to 0. Raise Ki and IL on the Gains page, or clear &quot;Set position to 0&quot; on the Homing page. The tolerance follows from the unit on the Axis page.</source>
-        <translation>Der Motor ruht %1 neben seiner Referenz, und null läge ebenso weit daneben: Reibung hält ihn dort. Ki und IL auf der Seite Reglerwerte erhöhen oder „Auf null setzen“ auf der Seite Referenzsuche abwählen. Was nah genug ist, folgt aus der Einheit auf der Seite Achse.</translation>
+        <translation>Reibung hält den Motor %1 neben der Referenz, zu weit, um die Position auf 0 zu setzen. Ki und IL auf der Seite Reglerwerte erhöhen oder „Position auf 0 setzen“ auf der Seite Referenzfahrt abwählen. Die Toleranz folgt aus der Einheit auf der Seite Achse.</translation>
     </message>
     <message>
         <source>Direction check of %1 inconclusive; its motor is off.</source>
-        <translation>%1: kein Ergebnis zur Drehrichtung, und der Motor ist aus.</translation>
+        <translation>Richtungsprüfung von %1 ohne Ergebnis; der Motor ist aus.</translation>
     </message>
     <message>
         <source>Direction check of %1 inconclusive; its motor was told to switch off.</source>
-        <translation>%1: kein Ergebnis zur Drehrichtung, und der Motor wurde angewiesen, sich abzuschalten.</translation>
+        <translation>Richtungsprüfung von %1 ohne Ergebnis; an den Motor ging der Befehl, sich abzuschalten.</translation>
     </message>
     <message>
-        <source>It turned farther than the check allows: something else turns it, or it coasts for long. Wait until it is at rest, then check again.</source>
-        <translation>Er wurde weiter gedreht, als die Prüfung erlaubt: Etwas anderes dreht ihn, oder er läuft lange nach. Dafür sorgen, dass er stillsteht, dann erneut prüfen.</translation>
+        <source>It turned farther than the check allows: something else turns it, or it coasts for a long time. Wait until it is at rest, then check again.</source>
+        <translation>Der Motor drehte sich weiter, als die Prüfung erlaubt: Etwas anderes dreht ihn, oder er läuft lange nach. Warten, bis er stillsteht, dann erneut prüfen.</translation>
     </message>
     <message>
         <source>It does not come to rest although nothing drives it. Find what turns it, then check again.</source>
@@ -3424,51 +3424,51 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The link was unreliable. Check the link, then repeat the direction check.</source>
-        <translation>Die Verbindung war unterdessen zweifelhaft. Die Verbindung in Ordnung bringen, dann erneut prüfen.</translation>
+        <translation>Die Verbindung war unzuverlässig. Die Verbindung prüfen, dann die Richtungsprüfung wiederholen.</translation>
     </message>
     <message>
         <source>Direction check of %1 inconclusive: it does not answer. Motor state unknown.</source>
-        <translation>%1: kein Ergebnis zur Drehrichtung, und das Modul antwortet nicht. Zustand des Motors unbekannt.</translation>
+        <translation>Richtungsprüfung von %1 ohne Ergebnis: Das Modul antwortet nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
         <source>It was told to switch off. Use the hardware stop if it moves.</source>
-        <translation>Er wurde angewiesen, sich abzuschalten. Den Hardware-Not-Halt benutzen, falls er sich bewegt.</translation>
+        <translation>Der Befehl zum Abschalten wurde gesendet. Den Hardware-Stopp benutzen, wenn der Motor sich bewegt.</translation>
     </message>
     <message>
         <source>A command failed, or its answer was lost. Repeat the direction check.</source>
-        <translation>Ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren. Erneut prüfen.</translation>
+        <translation>Ein Befehl ist fehlgeschlagen, oder seine Antwort ging verloren. Die Richtungsprüfung wiederholen.</translation>
     </message>
     <message>
         <source>%1: motor and encoder directions match.</source>
-        <translation>%1: Motor und Encoder laufen in dieselbe Richtung.</translation>
+        <translation>%1: Drehrichtung von Motor und Encoder stimmt überein.</translation>
     </message>
     <message>
         <source>%1: motor or encoder is reversed. Do not enable it.</source>
-        <translation>%1: Motor oder Encoder ist vertauscht. Nicht einschalten.</translation>
+        <translation>%1: Motor oder Encoder ist verpolt. Nicht einschalten.</translation>
     </message>
     <message>
-        <source>%1 did not move when pushed.</source>
-        <translation>%1 hat sich beim Anstoßen nicht bewegt.</translation>
+        <source>%1 did not move when driven.</source>
+        <translation>%1 hat sich trotz Antrieb nicht bewegt.</translation>
     </message>
     <message>
-        <source>%1 closed a limit switch, so it was not pushed on.</source>
-        <translation>%1 hat einen Endschalter geschlossen und wurde deshalb nicht weiter angestoßen.</translation>
+        <source>%1 closed a limit switch; the check has ended.</source>
+        <translation>%1 hat einen Endschalter geschlossen; die Prüfung ist beendet.</translation>
     </message>
     <message>
-        <source>%1 lost motor power while being pushed.</source>
-        <translation>%1 hat beim Anstoßen die Motorversorgung verloren.</translation>
+        <source>%1 lost motor power while being driven.</source>
+        <translation>%1 hat während der Prüfung die Motorversorgung verloren.</translation>
     </message>
     <message>
         <source>%1 did not move in both directions.</source>
-        <translation>%1 hat sich nicht hin und her bewegt.</translation>
+        <translation>%1 hat sich nicht in beide Richtungen bewegt.</translation>
     </message>
     <message>
         <source>It rests %1 off home; its position is 0 there.</source>
-        <translation>Der Motor ruht %1 neben seiner Referenz, und dort ist null.</translation>
+        <translation>Der Motor steht %1 neben der Referenz; dort ist seine Position 0.</translation>
     </message>
     <message>
         <source>It rests too far from home to set the position to 0. Raise Ki and IL on the Gains page.</source>
-        <translation>Der Motor ruht zu weit neben seiner Referenz für ein Nullsetzen. Siehe Ki und IL auf der Seite Reglerwerte.</translation>
+        <translation>Der Motor steht zu weit neben der Referenz, um die Position auf 0 zu setzen. Ki und IL auf der Seite Reglerwerte erhöhen.</translation>
     </message>
     <message>
         <source>OK: it counts up when driven forward and down in reverse. You can enable it.</source>
@@ -3476,27 +3476,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Reversed: it counts down when driven forward and would run away when enabled. Swap the two motor leads, or encoder A and B, then check again.</source>
-        <translation>Vertauscht: Vorwärts angetrieben zählt er abwärts. So eingeschaltet würde er davonlaufen. Die beiden Motorleitungen oder A und B des Encoders vertauschen, dann erneut prüfen.</translation>
+        <translation>Verpolt: Vorwärts angetrieben zählt er abwärts und würde beim Einschalten durchgehen. Die beiden Motorleitungen oder A und B des Encoders vertauschen, dann erneut prüfen.</translation>
     </message>
     <message>
         <source>No movement at %1 % of the supply, with motor power present. Check for a jam, a brake or too heavy a load, and check the motor and encoder cables.</source>
-        <translation>Keine Bewegung mit %1 % der Versorgung, und die Motorversorgung ist da: nach einer Blockade oder Bremse, nach den Kabeln von Motor und Encoder oder nach einer zu schweren Last sehen.</translation>
+        <translation>Keine Bewegung mit %1 % der Versorgung, obwohl die Motorversorgung da ist. Auf eine Blockade, eine Bremse oder zu große Last prüfen, dazu die Kabel von Motor und Encoder.</translation>
     </message>
     <message>
         <source>A limit switch is active: it may cut the motor&apos;s power.</source>
-        <translation>Ein Endschalter ist aktiv: Er könnte dem Motor die Versorgung nehmen.</translation>
+        <translation>Ein Endschalter ist aktiv: Er trennt vielleicht die Motorversorgung.</translation>
     </message>
     <message>
         <source>Limit switch 1 closed during the move.</source>
-        <translation>Endschalter 1 hat unterwegs geschlossen.</translation>
+        <translation>Endschalter 1 hat während der Fahrt geschlossen.</translation>
     </message>
     <message>
         <source>Limit switch 2 closed during the move.</source>
-        <translation>Endschalter 2 hat unterwegs geschlossen.</translation>
+        <translation>Endschalter 2 hat während der Fahrt geschlossen.</translation>
     </message>
     <message>
         <source>Turn the motor away from the end of its travel by hand, then check again.</source>
-        <translation>Den Motor von Hand vom Ende wegdrehen, dann erneut prüfen.</translation>
+        <translation>Den Motor von Hand vom Ende des Fahrwegs wegdrehen, dann erneut prüfen.</translation>
     </message>
     <message>
         <source>Motor power failed. Switch it on, then check again.</source>
@@ -3504,7 +3504,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Unclear: it moved in one direction only, or twice in the same direction. Something blocks or turns it. Remove the load, turn the motor away from the end of its travel by hand, then check again.</source>
-        <translation>Nicht eindeutig: Er bewegte sich nur in eine Richtung oder zweimal in dieselbe. Etwas blockiert oder dreht ihn. Von Hand vom Ende wegdrehen, die Last abnehmen, dann erneut prüfen.</translation>
+        <translation>Unklar: Er bewegte sich nur in eine Richtung oder zweimal in dieselbe. Etwas blockiert oder dreht ihn. Die Last abnehmen, den Motor von Hand vom Ende des Fahrwegs wegdrehen, dann erneut prüfen.</translation>
     </message>
     <message>
         <source>Check for a jam, or raise EL on the Gains page.</source>
@@ -3512,19 +3512,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>It ran away from its goal: motor or encoder is probably reversed. Run the direction check on the Axis page before you enable it again.</source>
-        <translation>Er ist von seiner Sollposition davongelaufen: Motor oder Encoder ist wahrscheinlich vertauscht. Vor dem erneuten Einschalten die Richtungsprüfung auf der Seite Achse machen.</translation>
+        <translation>Er lief von seinem Ziel davon: Motor oder Encoder ist wahrscheinlich verpolt. Vor dem erneuten Einschalten die Richtungsprüfung auf der Seite Achse ausführen.</translation>
     </message>
     <message>
         <source>It was driven but did not move: check for a jam, a brake or a hard stop, and check the motor cable. If it is only hard to turn, raise OL on the Gains page.</source>
-        <translation>Er wurde angetrieben und hat sich nicht bewegt: nach einer Blockade, einer Bremse, einem Anschlag und nach dem Motorkabel sehen. Ist er nur schwergängig, OL auf der Seite Reglerwerte erhöhen.</translation>
+        <translation>Er wurde angetrieben, bewegte sich aber nicht: auf eine Blockade, eine Bremse oder einen Anschlag prüfen, dazu das Motorkabel. Ist er nur schwergängig, OL auf der Seite Reglerwerte erhöhen.</translation>
     </message>
     <message>
         <source>Limit switch 1 closed: it is probably at the end of its travel. Move it the other way. To stop in time, arm a limit stop on the Homing page.</source>
-        <translation>Endschalter 1 hat unterwegs geschlossen: Er ist wahrscheinlich am Ende seines Wegs. In die andere Richtung fahren; ein Endschalter-Stopp auf der Seite Referenzsuche beendet eine Bewegung rechtzeitig.</translation>
+        <translation>Endschalter 1 hat geschlossen: Er ist wahrscheinlich am Ende seines Fahrwegs. In die andere Richtung fahren. Um rechtzeitig zu stoppen, auf der Seite Referenzfahrt einen Endschalter-Stopp scharf schalten.</translation>
     </message>
     <message>
         <source>Limit switch 2 closed: it is probably at the end of its travel. Move it the other way. To stop in time, arm a limit stop on the Homing page.</source>
-        <translation>Endschalter 2 hat unterwegs geschlossen: Er ist wahrscheinlich am Ende seines Wegs. In die andere Richtung fahren; ein Endschalter-Stopp auf der Seite Referenzsuche beendet eine Bewegung rechtzeitig.</translation>
+        <translation>Endschalter 2 hat geschlossen: Er ist wahrscheinlich am Ende seines Fahrwegs. In die andere Richtung fahren. Um rechtzeitig zu stoppen, auf der Seite Referenzfahrt einen Endschalter-Stopp scharf schalten.</translation>
     </message>
     <message>
         <source>It moved correctly but could not keep up: lower its velocity or acceleration, or raise OL and EL on the Gains page.</source>
@@ -3536,15 +3536,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>While the switch is closed, the module blocks this direction. Move the motor the other way.</source>
-        <translation>Das Modul lässt den Motor in dieser Richtung nicht weiter, solange der Schalter geschlossen ist. In die andere Richtung fahren.</translation>
+        <translation>Solange der Schalter geschlossen ist, sperrt das Modul diese Richtung. In die andere Richtung fahren.</translation>
     </message>
     <message>
         <source>Limit switch %1 of module %2 closed while its motor was moving, but does not stop it.</source>
-        <translation>Endschalter %1 von Modul %2 hat geschlossen, während sich der Motor bewegte, und stoppt ihn nicht.</translation>
+        <translation>Endschalter %1 von Modul %2 hat geschlossen, während sich der Motor bewegte, stoppt ihn aber nicht.</translation>
     </message>
     <message>
         <source>A PIC-SERVO stops at a limit switch only while a limit stop is armed. Stop the motor, then move it the other way. Arm a limit stop on the Homing page.</source>
-        <translation>Ein PIC-SERVO stoppt an einem Endschalter nur dann von selbst, wenn ein Endschalter-Stopp scharf ist, und hier war keiner scharf. Motor stoppen, dann in die andere Richtung fahren; die Seite Referenzsuche schaltet einen Endschalter-Stopp scharf.</translation>
+        <translation>Ein PIC-SERVO stoppt an einem Endschalter nur, wenn ein Endschalter-Stopp scharf ist. Den Motor stoppen, dann in die andere Richtung fahren. Auf der Seite Referenzfahrt einen Endschalter-Stopp scharf schalten.</translation>
     </message>
     <message>
         <source>The limit stop of module %1 switched its motor off.</source>
@@ -3556,11 +3556,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>A limit stop acts once. Move the motor off the switch, then arm or disarm the limit stop on the Homing page.</source>
-        <translation>Er wirkt einmal und ist nicht mehr scharf. Den Motor vom Schalter wegfahren, dann auf der Seite Referenzsuche wieder scharf schalten oder dort entschärfen.</translation>
+        <translation>Ein Endschalter-Stopp wirkt einmal. Den Motor vom Schalter wegfahren, dann den Endschalter-Stopp auf der Seite Referenzfahrt scharf schalten oder entschärfen.</translation>
     </message>
     <message>
         <source>Saving %1. The window closes when it is saved.</source>
-        <translation>%1 wird gespeichert. Das Fenster schließt sich, sobald es auf dem Datenträger ist.</translation>
+        <translation>%1 wird gespeichert. Das Fenster schließt sich, sobald das geschehen ist.</translation>
     </message>
     <message>
         <source>Motor state unknown: %1 was moving.</source>
@@ -3571,8 +3571,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Motorzustand unbekannt: %1 waren in Bewegung.</translation>
     </message>
     <message>
-        <source>Allowed to the operator</source>
-        <translation>Dem Bediener überlassen</translation>
+        <source>Operator permissions</source>
+        <translation>Rechte des Bedieners</translation>
     </message>
     <message>
         <source>Enable</source>
@@ -3600,11 +3600,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>That was on %1; a search had found home. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.</source>
-        <translation>Das war am %1; die Referenz hatte eine Suche gefunden. Hat seither nichts die Achse bewegt, kann sie daraus übernommen werden: nicht bestätigt, bis eine Suche sie findet.</translation>
+        <translation>Das war am %1; die Referenz war durch eine Suche gefunden. Hat seither nichts die Achse bewegt, kann die Referenz daraus wiederhergestellt werden. Sie bleibt bis zur nächsten Suche unbestätigt.</translation>
     </message>
     <message>
         <source>That was on %1; home had been saved. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.</source>
-        <translation>Das war am %1; die Referenz war gespeichert worden. Hat seither nichts die Achse bewegt, kann sie daraus übernommen werden: nicht bestätigt, bis eine Suche sie findet.</translation>
+        <translation>Das war am %1; die Referenz war gespeichert. Hat seither nichts die Achse bewegt, kann die Referenz daraus wiederhergestellt werden. Sie bleibt bis zur nächsten Suche unbestätigt.</translation>
     </message>
     <message>
         <source>Restore home</source>
@@ -3616,23 +3616,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Messages are lost when this session ends.</source>
-        <translation>Meldungen werden nicht über diese Sitzung hinaus aufbewahrt.</translation>
+        <translation>Meldungen gehen am Ende dieser Sitzung verloren.</translation>
     </message>
     <message>
         <source>%1 is not writable. Everything else works. To keep messages, export the message list.</source>
-        <translation>%1 kann nicht geschrieben werden. Alles andere geht; die Liste der Meldungen lässt sich exportieren.</translation>
+        <translation>%1 ist nicht beschreibbar. Alles andere funktioniert. Um Meldungen aufzubewahren, die Liste der Meldungen exportieren.</translation>
     </message>
     <message>
         <source>Limit switch %1 of module %2 stopped its motor.</source>
-        <translation>Endschalter %1 von Modul %2 hat seinen Motor angehalten.</translation>
+        <translation>Endschalter %1 von Modul %2 hat seinen Motor gestoppt.</translation>
     </message>
     <message>
         <source>The E-stop input of module %1 is active: its motor is on but cannot move.</source>
-        <translation>Der E-Stop-Eingang von Modul %1 ist aktiv: Sein Motor ist an und bewegt sich nicht.</translation>
+        <translation>Der E-Stop-Eingang von Modul %1 ist aktiv: Sein Motor ist ein, kann sich aber nicht bewegen.</translation>
     </message>
     <message>
         <source>Release the input. This does not start a motion.</source>
-        <translation>Geben Sie den Eingang frei; dadurch bewegt sich nichts.</translation>
+        <translation>Den Eingang freigeben. Das startet keine Bewegung.</translation>
     </message>
     <message>
         <source>Not allowed in operator mode. Leave operator mode first.</source>
@@ -3640,7 +3640,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Load a trapezoidal move first, then choose Start: this way a garbled load never moves the motor.</source>
-        <translation>Eine Trapezbewegung zuerst laden, dann „Starten“ wählen: So bewegt ein gestörter Ladebefehl nie den Motor.</translation>
+        <translation>Eine Trapezfahrt zuerst laden, dann „Starten“ wählen: So bewegt ein gestörter Ladebefehl nie den Motor.</translation>
     </message>
     <message>
         <source>it has no name.</source>
@@ -3668,7 +3668,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>a repeat must go back to an earlier row.</source>
-        <translation>eine Wiederholung springt zu einer Zeile über ihr zurück.</translation>
+        <translation>eine Wiederholung muss zu einer früheren Zeile zurückgehen.</translation>
     </message>
     <message>
         <source>Order of Home all</source>
@@ -3708,7 +3708,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>A repeat must go back to an earlier row.</source>
-        <translation>Eine Wiederholung springt zu einer Zeile über ihr zurück.</translation>
+        <translation>Eine Wiederholung muss zu einer früheren Zeile zurückgehen.</translation>
     </message>
     <message>
         <source>The sequence has no rows. Add a row first.</source>
@@ -3716,7 +3716,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Point &quot;%1&quot; has no axes. Teach it again.</source>
-        <translation>Der Punkt „%1“ hat keine Achsen. Ihn neu teachen.</translation>
+        <translation>Der Punkt „%1“ hat keine Achsen. Den Punkt neu teachen.</translation>
     </message>
     <message>
         <source>%1 is not in the chain.</source>
@@ -3728,11 +3728,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Point &quot;%2&quot; was taught before home of %1 was known, so it may have shifted. Teach it again.</source>
-        <translation>%1 wurde im Punkt „%2“ geteacht, bevor seine Referenz bekannt war; die Stelle kann jetzt eine andere sein. Den Punkt neu teachen.</translation>
+        <translation>Punkt „%2“ wurde geteacht, bevor die Referenz von %1 bekannt war; er kann sich verschoben haben. Den Punkt neu teachen.</translation>
     </message>
     <message>
         <source>Homing of %1 is not set up. Set it up on its Homing page.</source>
-        <translation>Für %1 ist keine Referenzsuche eingerichtet. Auf der Seite Referenzsuche einrichten.</translation>
+        <translation>Für %1 ist keine Referenzfahrt eingerichtet. Auf der Seite Referenzfahrt einrichten.</translation>
     </message>
     <message>
         <source>%1 does not have this input or output.</source>
@@ -3748,11 +3748,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>At this row, %1 must be at home. Move it there first.</source>
-        <translation>Bei einem Lauf von oben stünde %1 hier an seiner Referenz. Erst dorthin fahren.</translation>
+        <translation>In dieser Zeile muss %1 an der Referenz stehen. Zuerst dorthin fahren.</translation>
     </message>
     <message>
         <source>At this row, %1 must be at point &quot;%2&quot;. Move it there first.</source>
-        <translation>Bei einem Lauf von oben stünde %1 hier am Punkt „%2“. Erst dorthin fahren.</translation>
+        <translation>In dieser Zeile muss %1 am Punkt „%2“ stehen. Zuerst dorthin fahren.</translation>
     </message>
     <message>
         <source>At this row, output %1 of %2 must be switched over. Set it first.</source>
@@ -3760,7 +3760,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>You stopped it.</source>
-        <translation>Sie haben ihn gestoppt.</translation>
+        <translation>Von Ihnen gestoppt.</translation>
     </message>
     <message>
         <source>All motors were stopped.</source>
@@ -3768,11 +3768,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 received another command, or something else moved it.</source>
-        <translation>%1 bekam einen anderen Befehl oder wurde von anderer Seite bewegt.</translation>
+        <translation>%1 bekam einen anderen Befehl, oder etwas anderes hat die Achse bewegt.</translation>
     </message>
     <message>
         <source>A limit switch of %1 closed during the move.</source>
-        <translation>Ein Endschalter von %1 schloss unterwegs.</translation>
+        <translation>Ein Endschalter von %1 schloss während der Fahrt.</translation>
     </message>
     <message>
         <source>%1 stopped before it reached its goal.</source>
@@ -3780,7 +3780,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The motor of %1 switched off.</source>
-        <translation>Der Motor von %1 ging aus.</translation>
+        <translation>Der Motor von %1 hat sich abgeschaltet.</translation>
     </message>
     <message>
         <source>The input of %1 did not change in time.</source>
@@ -3792,7 +3792,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The link was unreliable.</source>
-        <translation>Die Verbindung war zweifelhaft.</translation>
+        <translation>Die Verbindung war unzuverlässig.</translation>
     </message>
     <message>
         <source>%1 does not answer.</source>
@@ -3807,7 +3807,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1, Zeile %2</translation>
     </message>
     <message>
-        <source>%1, round %2</source>
+        <source>%1, pass %2</source>
         <translation>%1, Durchgang %2</translation>
     </message>
     <message>
@@ -3900,11 +3900,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Paused on a fault, motors stopped: %1. %2</source>
-        <translation>Aus Zweifel pausiert, Motoren gestoppt: %1. %2</translation>
+        <translation>Wegen einer Störung pausiert, Motoren gestoppt: %1. %2</translation>
     </message>
     <message>
         <source>Ended: %1. %2</source>
-        <translation>Zu Ende: %1. %2</translation>
+        <translation>Beendet: %1. %2</translation>
     </message>
     <message>
         <source>%1 is done.</source>
@@ -3912,15 +3912,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 paused, and its motors were told to stop.</source>
-        <translation>%1 pausiert; die Motoren bekamen den Stoppbefehl.</translation>
+        <translation>%1 pausiert; an die Motoren ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>%1 ended, and its motors were told to stop.</source>
-        <translation>%1 wurde beendet; die Motoren bekamen den Stoppbefehl.</translation>
+        <translation>%1 wurde beendet; an die Motoren ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>It was at: %1. To continue, select a row and choose Run from row. Nothing restarts on its own.</source>
-        <translation>Stand: %1. Von selbst fährt nichts mehr; die Zeile wählen, bei der es weitergehen soll, und von dort starten.</translation>
+        <translation>Stand: %1. Zum Fortsetzen eine Zeile wählen, dann „Ab Zeile starten“. Nichts startet von selbst wieder.</translation>
     </message>
     <message>
         <source>Nothing was started.</source>
@@ -3928,7 +3928,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Dry run: the sequence would not start.</source>
-        <translation>Probelauf: er würde nicht gestartet.</translation>
+        <translation>Probelauf: Der Ablauf würde nicht starten.</translation>
     </message>
     <message>
         <source>Dry run: the simulation was not ready. Try again.</source>
@@ -3944,15 +3944,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Dry run: it would end after %1 s. %2</source>
-        <translation>Probelauf: er würde nach %1 s enden. %2</translation>
+        <translation>Probelauf: Der Ablauf würde nach %1 s enden. %2</translation>
     </message>
     <message>
         <source>Homing takes longer in reality: %1.</source>
-        <translation>Referenzsuchen dauern länger als hier: %1.</translation>
+        <translation>In Wirklichkeit dauern Referenzfahrten länger: %1.</translation>
     </message>
     <message>
         <source>Inputs were assumed to change at once.</source>
-        <translation>Eingänge kamen hier sofort.</translation>
+        <translation>Es wurde angenommen, dass sich Eingänge sofort ändern.</translation>
     </message>
     <message>
         <source>An endless repeat ran once.</source>
@@ -3991,7 +3991,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Höchste Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Overtravel</source>
+        <source>Distance</source>
         <translation>Überfahrstrecke</translation>
     </message>
     <message>
@@ -4003,12 +4003,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Für jede Bewegung scharf</translation>
     </message>
     <message>
-        <source>%1 was stopped: home not found within its travel limits or at its last place.</source>
-        <translation>%1 wurde angehalten: keine Referenz innerhalb der Fahrweggrenzen, auch nicht dort, wo sie war.</translation>
+        <source>%1 was stopped: home not found within its travel limits or at its last known position.</source>
+        <translation>%1 wurde gestoppt: Referenz weder innerhalb der Fahrweggrenzen noch an ihrer letzten bekannten Position gefunden.</translation>
     </message>
     <message>
         <source>Check the switch and its cable, and the search direction. If the position is wrong, choose Position in doubt on the Axis page: the next search then uses only its search distance.</source>
-        <translation>Schalter, Kabel und Suchrichtung prüfen. Stimmt die Position nicht, das auf der Seite Achse angeben (Position zweifelhaft): Dann gilt für die Suche nur ihre eigene Weggrenze.</translation>
+        <translation>Schalter, Kabel und Suchrichtung prüfen. Stimmt die Position nicht, auf der Seite Achse „Position zweifelhaft“ wählen: Die nächste Suche benutzt dann nur ihren Suchweg.</translation>
     </message>
     <message>
         <source>Taking up backlash</source>
@@ -4016,15 +4016,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The next move would exceed the travel limits. The motor was stopped.</source>
-        <translation>Der weitere Weg führt über die Fahrweggrenzen hinaus. Der Motor wurde angehalten.</translation>
+        <translation>Die nächste Fahrt würde die Fahrweggrenzen überschreiten. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
         <source>Module %1 was told to stop just before its travel limit.</source>
-        <translation>Modul %1 wurde zum Anhalten aufgefordert: Es war im Begriff, seine Fahrweggrenzen zu verlassen.</translation>
+        <translation>An Modul %1 ging kurz vor seiner Fahrweggrenze ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>The chip does not end this kind of motion by itself, so the panel did. Check the position before you continue.</source>
-        <translation>Der Chip beendet diese Art von Bewegung nicht selbst, deshalb tat es das Panel. Vor dem Weiterfahren nachsehen, wo sie steht.</translation>
+        <translation>Der Chip beendet diese Art von Bewegung nicht selbst, deshalb tat es das Programm. Vor dem Weiterfahren die Position prüfen.</translation>
     </message>
     <message>
         <source>That is beyond this axis&apos;s travel limits (Axis page).</source>
@@ -4040,7 +4040,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Stop first: a run towards a travel limit must start from standstill, so that the chip can end it there.</source>
-        <translation>Auf eine Fahrweggrenze zu beginnt ein Lauf im Stillstand, damit der Chip ihn dort beendet: zuerst anhalten.</translation>
+        <translation>Zuerst stoppen: Ein Lauf auf eine Fahrweggrenze zu muss aus dem Stillstand beginnen, damit der Chip ihn dort beenden kann.</translation>
     </message>
     <message>
         <source>Wait until the limit stop of this axis is armed.</source>
@@ -4048,39 +4048,39 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The current limit CL is 0 or unknown, so current cannot stop the motor. Apply a CL first.</source>
-        <translation>Die Stromgrenze CL ist 0 oder unbekannt, der Strom kann den Motor nicht anhalten. Zuerst CL anwenden.</translation>
+        <translation>Die Stromgrenze CL ist 0 oder unbekannt, der Strom kann den Motor daher nicht stoppen. Zuerst CL anwenden.</translation>
     </message>
     <message>
         <source>A limit switch, overheating or the E-stop input ended the move. The motor is at rest.</source>
-        <translation>Ein Endschalter, Hitze oder der Not-Halt-Eingang hat die Fahrt beendet. Der Motor steht.</translation>
+        <translation>Ein Endschalter, Überhitzung oder der E-Stop-Eingang hat die Fahrt beendet. Der Motor steht still.</translation>
     </message>
     <message>
         <source>Not all modules of group %1 confirmed setting their position to 0.</source>
-        <translation>Nicht jedes Modul der Gruppe %1 hat seine Position sicher auf 0 gesetzt.</translation>
+        <translation>Nicht alle Module der Gruppe %1 haben bestätigt, dass ihre Position auf 0 gesetzt ist.</translation>
     </message>
     <message>
         <source>Not all modules of group %1 confirmed clearing their sticky bits. A persistent fault sets its bit again at once.</source>
-        <translation>Nicht jedes Modul der Gruppe %1 hat seine Sticky-Bits sicher gelöscht: Was andauert, setzt sein Bit sofort wieder.</translation>
+        <translation>Nicht alle Module der Gruppe %1 haben das Löschen ihrer Sticky-Bits bestätigt. Eine andauernde Störung setzt ihr Bit sofort wieder.</translation>
     </message>
     <message>
         <source>Not all modules of group %1 confirmed the command.</source>
-        <translation>Nicht jedes Modul der Gruppe %1 hat es sicher ausgeführt.</translation>
+        <translation>Nicht alle Module der Gruppe %1 haben den Befehl bestätigt.</translation>
     </message>
     <message>
         <source>A group command needs an answer from every member, a state in which each can carry it out, and a known group for every module. Command the modules one by one, or set this module&apos;s group again.</source>
-        <translation>Einer Gruppe wird nur etwas gesagt, wenn jedes Mitglied antwortet und das jetzt darf und wenn die Gruppe jedes Moduls bekannt ist. Die Module einzeln ansprechen oder diesem Modul seine Gruppe erneut geben.</translation>
+        <translation>Ein Gruppenbefehl setzt voraus, dass jedes Mitglied antwortet und ihn ausführen kann und dass die Gruppe jedes Moduls bekannt ist. Die Module einzeln ansteuern oder die Gruppe dieses Moduls neu zuweisen.</translation>
     </message>
     <message>
         <source>Group %1 was told to switch its motors off: module %2.</source>
-        <translation>Die Gruppe %1 soll ihre Motoren ausschalten: Modul %2.</translation>
+        <translation>An Gruppe %1 ging der Befehl, ihre Motoren auszuschalten: Modul %2.</translation>
     </message>
     <message>
         <source>Group %1 was told to stop: module %2.</source>
-        <translation>Die Gruppe %1 soll anhalten: Modul %2.</translation>
+        <translation>An Gruppe %1 ging ein Stoppbefehl: Modul %2.</translation>
     </message>
     <message>
         <source>This computer&apos;s port does not support %1 Bd. Choose another baud rate.</source>
-        <translation>Der Anschluss dieses Rechners kann %1 Bd nicht erzeugen. Eine andere Rate wählen.</translation>
+        <translation>Der Port dieses Rechners unterstützt %1 Bd nicht. Eine andere Baudrate wählen.</translation>
     </message>
     <message>
         <source>Module %1 now has address %2. Position, gains and group are unchanged.</source>
@@ -4088,15 +4088,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The address is used by another module or not allowed. Choose a free address from 1 to 127.</source>
-        <translation>Dort antwortet ein anderes Modul, oder kein Modul darf diese Adresse haben. Eine freie von 1 bis 127 wählen.</translation>
+        <translation>Die Adresse gehört einem anderen Modul oder ist nicht erlaubt. Eine freie Adresse von 1 bis 127 wählen.</translation>
     </message>
     <message>
         <source>Its group is unknown and would change with the address. Set its group first, or none.</source>
-        <translation>Seine Gruppe ist hier nicht bekannt und würde mit der Adresse geändert. Ihm zuerst eine Gruppe geben oder keine.</translation>
+        <translation>Seine Gruppe ist unbekannt und würde sich mit der Adresse ändern. Zuerst seine Gruppe setzen oder keine.</translation>
     </message>
     <message>
         <source>The exact position that the servo holds is unknown. Choose Hold here first, or move the motor.</source>
-        <translation>Welche Position der Servo hält, ist nicht auf das Inkrement genau bekannt. Erst hier halten oder verfahren.</translation>
+        <translation>Die genaue Position, die der Servo hält, ist unbekannt. Zuerst „Erst hier halten“ wählen oder den Motor verfahren.</translation>
     </message>
     <message>
         <source>Module %1 holds its motor, and the motor oscillates.</source>
@@ -4116,39 +4116,39 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 is back to its previous gains: it began to oscillate.</source>
-        <translation>%1 hat wieder die Reglerwerte von vorher: Es begann zu schwingen.</translation>
+        <translation>%1 hat wieder die vorigen Reglerwerte: Der Motor begann zu schwingen.</translation>
     </message>
     <message>
         <source>Lower Kp and Ki, or raise Kd, then try again.</source>
-        <translation>Kp und Ki verringern oder Kd erhöhen, dann noch einmal probieren.</translation>
+        <translation>Kp und Ki senken oder Kd erhöhen, dann erneut probieren.</translation>
     </message>
     <message>
         <source>%1 is back to its previous gains: it left its position.</source>
-        <translation>%1 hat wieder die Reglerwerte von vorher: Es hat seinen Platz verlassen.</translation>
+        <translation>%1 hat wieder die vorigen Reglerwerte: Der Motor verließ seine Position.</translation>
     </message>
     <message>
         <source>These gains do not hold its load, or something else turned it.</source>
-        <translation>Diese Reglerwerte halten seine Last nicht, oder etwas anderes hat es gedreht.</translation>
+        <translation>Mit diesen Reglerwerten hält er seine Last nicht, oder etwas anderes hat ihn gedreht.</translation>
     </message>
     <message>
         <source>%1 switched itself off while gains were tried, and is free to turn.</source>
-        <translation>%1 ist beim Probieren von Reglerwerten von selbst ausgegangen und ist frei drehbar.</translation>
+        <translation>%1 hat sich beim Probieren von Reglerwerten selbst abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
         <source>Its previous gains were sent again. Check for a jam, then enable it.</source>
-        <translation>Die Reglerwerte von vorher wurden wieder gesendet. Auf Klemmen prüfen, dann einschalten.</translation>
+        <translation>Die vorigen Reglerwerte wurden wieder gesendet. Auf eine Blockade prüfen, dann einschalten.</translation>
     </message>
     <message>
         <source>%1 does not answer while gains are tried. Motor state unknown.</source>
-        <translation>%1 antwortet beim Probieren von Reglerwerten nicht. Zustand des Motors unbekannt.</translation>
+        <translation>%1 antwortet beim Probieren von Reglerwerten nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
         <source>Its previous gains were sent. Use the hardware stop if it moves.</source>
-        <translation>Die Reglerwerte von vorher wurden gesendet. Hardware-Not-Halt benutzen, wenn es sich bewegt.</translation>
+        <translation>Die vorigen Reglerwerte wurden gesendet. Den Hardware-Stopp benutzen, wenn der Motor sich bewegt.</translation>
     </message>
     <message>
         <source>The previous gains of %1 were sent again: the link was unreliable.</source>
-        <translation>%1 wurden die Reglerwerte von vorher gesendet: Die Verbindung war inzwischen zweifelhaft.</translation>
+        <translation>Die vorigen Reglerwerte von %1 wurden wieder gesendet: Die Verbindung war unzuverlässig.</translation>
     </message>
     <message>
         <source>Check the link, then try again.</source>
@@ -4156,7 +4156,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The previous gains of %1 were sent again: a command failed, or its answer was lost.</source>
-        <translation>%1 wurden die Reglerwerte von vorher gesendet: Ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren.</translation>
+        <translation>Die vorigen Reglerwerte von %1 wurden wieder gesendet: Ein Befehl ist fehlgeschlagen, oder seine Antwort ging verloren.</translation>
     </message>
     <message>
         <source>Usually noise on the cable. Try again.</source>
@@ -4168,7 +4168,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 is back to its previous gains: the trial has ended.</source>
-        <translation>%1 hat wieder die Reglerwerte von vorher: Die Probe ist vorbei.</translation>
+        <translation>%1 hat wieder die vorigen Reglerwerte: Der Versuch ist beendet.</translation>
     </message>
     <message>
         <source>The motor began to oscillate. The previous gains are restored.</source>
@@ -4176,7 +4176,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Could not print the page.</source>
-        <translation>Die Seite wurde nicht gedruckt.</translation>
+        <translation>Die Seite konnte nicht gedruckt werden.</translation>
     </message>
     <message>
         <source>%1 Export the page as a PDF file and print that file.</source>
@@ -4196,11 +4196,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The print system refused it: see Details.</source>
-        <translation>Das Drucksystem nimmt sie nicht an: siehe Einzelheiten.</translation>
+        <translation>Das Drucksystem hat sie abgewiesen: siehe Details.</translation>
     </message>
     <message>
         <source>Could not read the step responses of this machine.</source>
-        <translation>Die Sprungantworten dieser Maschine wurden nicht gelesen.</translation>
+        <translation>Die Sprungantworten dieser Maschine konnten nicht gelesen werden.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a file of step responses.</source>
@@ -4208,11 +4208,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The file is kept: before new step responses are saved, it is moved to %1.</source>
-        <translation>Davon geht nichts verloren: Wenn neue aufbewahrt werden, wird sie in %1 beiseitegelegt.</translation>
+        <translation>Die Datei bleibt erhalten: Bevor neue Sprungantworten gespeichert werden, wird sie nach %1 verschoben.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not readable. It is moved aside before new step responses are saved.</source>
-        <translation>„%1“ kann nicht gelesen werden. Wenn neue aufbewahrt werden, wird sie beiseitegelegt.</translation>
+        <translation>„%1“ ist nicht lesbar. Die Datei wird beiseitegelegt, bevor neue Sprungantworten gespeichert werden.</translation>
     </message>
     <message>
         <source>The step responses of this session are not saved.</source>
@@ -4220,7 +4220,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 is not writable. Export them before you close the panel.</source>
-        <translation>%1 kann nicht geschrieben werden. Exportieren Sie sie, bevor Sie das Panel schließen.</translation>
+        <translation>%1 ist nicht beschreibbar. Exportieren Sie sie, bevor Sie das Programm schließen.</translation>
     </message>
     <message>
         <source>%1: its loop test ended early.</source>
@@ -4228,7 +4228,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The motor moved farther than the test allows, and was told to hold. Check for a load that pulls it, or use lower gains.</source>
-        <translation>Der Motor ging weiter, als die Prüfung erlaubt, und soll jetzt halten. Eine Last suchen, die an ihm zieht, oder sanftere Reglerwerte wählen.</translation>
+        <translation>Der Motor bewegte sich weiter, als die Prüfung erlaubt, und bekam einen Haltebefehl. Prüfen, ob eine Last an ihm zieht, oder kleinere Reglerwerte nehmen.</translation>
     </message>
     <message>
         <source>A value of this test is out of range.</source>
@@ -4240,11 +4240,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The module answers. It has inputs and outputs, but no motor.</source>
-        <translation>Ein- und Ausgänge antworten. Hier ist kein Motor angeschlossen.</translation>
+        <translation>Das Modul antwortet. Es hat Ein- und Ausgänge, aber keinen Motor.</translation>
     </message>
     <message>
         <source>This module drives no motor.</source>
-        <translation>Dieses Modul treibt keinen Motor.</translation>
+        <translation>Dieses Modul treibt keinen Motor an.</translation>
     </message>
     <message>
         <source>This module is not a PIC-I/O.</source>
@@ -4252,23 +4252,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were told to stop.</source>
-        <translation>Ein Modul hat die Bahn von selbst beendet: ein Endschalter, ein Positionsfehler oder fehlende Motorspannung. An alle Achsen der Bahn ging ein Stoppbefehl.</translation>
+        <translation>Ein Modul hat die Bahn von selbst beendet: ein Endschalter, ein Positionsfehler oder fehlende Motorversorgung. An alle Achsen der Bahn ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>%1 has not finished its path.</source>
         <translation>%1 hat seine Bahn nicht beendet.</translation>
     </message>
     <message>
-        <source>The path was not started by all of its axes. They were told to stop.</source>
+        <source>Not all axes started the path. All of them were told to stop.</source>
         <translation>Nicht alle Achsen der Bahn sind gestartet. An alle ging ein Stoppbefehl.</translation>
     </message>
     <message>
-        <source>The points of the path did not come in time, so the motor stopped at the last one it had.</source>
-        <translation>Die Punkte der Bahn kamen nicht rechtzeitig, deshalb blieb der Motor am letzten stehen, den er hatte.</translation>
+        <source>The path points did not arrive in time, so the motor stopped at the last one.</source>
+        <translation>Die Bahnpunkte kamen nicht rechtzeitig, deshalb blieb der Motor am letzten stehen.</translation>
     </message>
     <message>
-        <source>The motor was not led where the path goes. It was told to stop.</source>
-        <translation>Der Motor wurde nicht dorthin geführt, wohin die Bahn geht. An den Motor ging ein Stoppbefehl.</translation>
+        <source>The command position left the path. The motor was told to stop.</source>
+        <translation>Die Sollposition hat die Bahn verlassen. An den Motor ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>On a path</source>
@@ -4329,15 +4329,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>&quot;%1&quot; is beyond what the module can count.</source>
-        <translation>„%1“ ist mehr, als das Modul zählen kann.</translation>
+        <translation>„%1“ liegt außerhalb dessen, was das Modul zählen kann.</translation>
     </message>
     <message>
-        <source>The point is %1 from the one before. At this rate at most %2 are possible.</source>
+        <source>The point is %1 from the previous one; at this rate the maximum is %2.</source>
         <translation>Der Punkt liegt %1 vom vorigen entfernt. Bei dieser Rate sind höchstens %2 möglich.</translation>
     </message>
     <message>
-        <source>This takes %1. The axis is limited to %2.</source>
-        <translation>Dafür sind %1 nötig. Die Achse ist auf %2 begrenzt.</translation>
+        <source>This needs a velocity of %1; the limit of the axis is %2.</source>
+        <translation>Dafür ist eine Geschwindigkeit von %1 nötig; die Grenze der Achse ist %2.</translation>
     </message>
     <message>
         <source>%1 is beyond the travel limit of %2.</source>
@@ -4364,24 +4364,24 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 hat keinen Bahnpuffer. Nur ein PIC-SERVO CMC oder SC folgt einer Bahn.</translation>
     </message>
     <message>
-        <source>%1 was found as another program left it. Send its I/O control first: page Amplifier or Limits and I/O.</source>
-        <translation>%1 ist so, wie ein anderes Programm es hinterlassen hat. Erst I/O Control senden: Seite Verstärker oder Endschalter und E/A.</translation>
+        <source>The I/O settings of %1 are unknown: another program set them. Apply them first on the Amplifier or Limits and I/O page.</source>
+        <translation>Die I/O-Einstellungen von %1 sind unbekannt: Ein anderes Programm hat sie gesetzt. Erst auf der Seite Verstärker oder Endschalter und E/A anwenden.</translation>
     </message>
     <message>
         <source>%1 takes step and direction pulses. Switch that off on its page Amplifier first.</source>
-        <translation>%1 folgt Schritt- und Richtungsimpulsen. Das erst auf seiner Seite Verstärker abschalten.</translation>
+        <translation>%1 folgt Takt- und Richtungsimpulsen. Das zuerst auf der Seite Verstärker abschalten.</translation>
     </message>
     <message>
         <source>%1: a path at 30 Hz needs fast path off (page Amplifier or Limits and I/O).</source>
-        <translation>%1: Eine Bahn mit 30 Hz braucht „Fast Path“ aus (Seite Verstärker oder Endschalter und E/A).</translation>
+        <translation>%1: Für eine Bahn mit 30 Hz muss „Schnelle Bahn“ aus sein (Seite Verstärker oder Endschalter und E/A).</translation>
     </message>
     <message>
         <source>%1: a path at 120 Hz needs fast path on (page Amplifier or Limits and I/O).</source>
-        <translation>%1: Eine Bahn mit 120 Hz braucht „Fast Path“ ein (Seite Verstärker oder Endschalter und E/A).</translation>
+        <translation>%1: Für eine Bahn mit 120 Hz muss „Schnelle Bahn“ ein sein (Seite Verstärker oder Endschalter und E/A).</translation>
     </message>
     <message>
         <source>%1: a path needs the servo rate SR = 1. Apply the gains with SR 1 first.</source>
-        <translation>%1: Eine Bahn braucht die Servorate SR = 1. Erst die Reglerwerte mit SR 1 anwenden.</translation>
+        <translation>%1: Eine Bahn braucht den Servotakt-Teiler SR = 1. Zuerst die Reglerwerte mit SR 1 anwenden.</translation>
     </message>
     <message>
         <source>%1 has not told its command position yet.</source>
@@ -4392,12 +4392,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 ist %2 vom ersten Punkt entfernt. Erst „Zum Anfang“ wählen.</translation>
     </message>
     <message>
-        <source>%1: point %2 is %3 from the one before. At this rate at most %4 are possible.</source>
-        <translation>%1: Punkt %2 liegt %3 vom vorigen entfernt. Bei dieser Rate sind höchstens %4 möglich.</translation>
+        <source>%1: point %2 is %3 from the previous one; at this rate the maximum is %4.</source>
+        <translation>%1: Punkt %2 liegt %3 vom vorigen entfernt; bei dieser Rate sind höchstens %4 möglich.</translation>
     </message>
     <message>
-        <source>%1: point %2 takes %3. The axis is limited to %4.</source>
-        <translation>%1: Für Punkt %2 sind %3 nötig. Die Achse ist auf %4 begrenzt.</translation>
+        <source>%1: point %2 needs a velocity of %3; the limit of the axis is %4.</source>
+        <translation>%1: Für Punkt %2 ist eine Geschwindigkeit von %3 nötig; die Grenze der Achse ist %4.</translation>
     </message>
     <message>
         <source>%1: point %2 at %3 is beyond the travel limit of %4.</source>
@@ -4409,10 +4409,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The axes of a path start together. Put them, and no other module, into one group: Chain, Groups.</source>
-        <translation>Die Achsen einer Bahn starten gemeinsam. Sie allein in eine Gruppe aufnehmen: Kette, Gruppen.</translation>
+        <translation>Die Achsen einer Bahn starten gemeinsam. Sie, und kein anderes Modul, in eine Gruppe setzen: Kette, Gruppen.</translation>
     </message>
     <message>
-        <source>The path needs %1 % of the time of the bus; %2 % are available. Use a higher baud rate or a lower path rate.</source>
+        <source>The path needs %1 % of the bus time; %2 % is available. Use a higher baud rate or a lower path rate.</source>
         <translation>Die Bahn braucht %1 % der Zeit des Busses, verfügbar sind %2 %. Eine höhere Baudrate oder eine niedrigere Bahnrate wählen.</translation>
     </message>
     <message>
@@ -4421,7 +4421,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 does not hold a known position. Enable its servo, and find home if the points count from home.</source>
-        <translation>%1 hält keine bekannte Position. Den Servo einschalten, und referenzieren, falls die Punkte von der Referenz aus zählen.</translation>
+        <translation>%1 hält keine bekannte Position. Den Servo einschalten und referenzieren, falls die Punkte von der Referenz aus zählen.</translation>
     </message>
     <message>
         <source>Only moves, waits, repeats and calls can become a path.</source>
@@ -4441,7 +4441,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Could not open &quot;%1&quot;. %2</source>
-        <translation>„%1“ ließ sich nicht öffnen. %2</translation>
+        <translation>„%1“ konnte nicht geöffnet werden. %2</translation>
     </message>
     <message>
         <source>The path is done. Each axis holds its last point.</source>
@@ -4481,11 +4481,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>This pin of %1 is set as an output.</source>
-        <translation>Dieser Anschluss von %1 ist ein Ausgang.</translation>
+        <translation>Dieser Pin von %1 ist als Ausgang eingestellt.</translation>
     </message>
     <message>
         <source>This pin of %1 is not set as an output. Set it on the I/O page.</source>
-        <translation>Dieser Anschluss von %1 ist nicht als Ausgang eingestellt. Dort auf der Seite E/A einstellen.</translation>
+        <translation>Dieser Pin von %1 ist nicht als Ausgang eingestellt. Auf der Seite E/A einstellen.</translation>
     </message>
     <message>
         <source>The A/D value of %1 did not reach its level in time.</source>
@@ -4500,7 +4500,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <name>TravelTexts</name>
     <message>
         <source>That is %1; the highest velocity of this axis is %2 (Axis page).</source>
-        <translation>Das sind %1; diese Achse fährt höchstens %2 (Seite Achse).</translation>
+        <translation>Das sind %1; die höchste Geschwindigkeit dieser Achse ist %2 (Seite Achse).</translation>
     </message>
     <message>
         <source>Lowest position reached: %1. Move forward.</source>
@@ -4512,11 +4512,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>That is beyond the travel limits: the lowest position is %1.</source>
-        <translation>Das liegt außerhalb der Fahrweggrenzen: Die tiefste Position, die angefahren werden kann, ist %1.</translation>
+        <translation>Das liegt außerhalb der Fahrweggrenzen: Die tiefste Position ist %1.</translation>
     </message>
     <message>
         <source>That is beyond the travel limits: the highest position is %1.</source>
-        <translation>Das liegt außerhalb der Fahrweggrenzen: Die höchste Position, die angefahren werden kann, ist %1.</translation>
+        <translation>Das liegt außerhalb der Fahrweggrenzen: Die höchste Position ist %1.</translation>
     </message>
     <message>
         <source>No travel limits are set.</source>
@@ -4524,7 +4524,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Not in force: home is unknown. Search for it, save it, or confirm the position.</source>
-        <translation>Nicht in Kraft: Die Referenz ist nicht bekannt. Suchen, speichern oder die Position für richtig erklären.</translation>
+        <translation>Nicht in Kraft: Die Referenz ist unbekannt. Suchen, speichern oder die Position bestätigen.</translation>
     </message>
     <message>
         <source>In force: not below %1.</source>
@@ -4560,7 +4560,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Look at the axis first: is %1 really at %2? If so, home is at position 0, and the travel limits apply from there. If not, they protect the wrong range.</source>
-        <translation>Steht %1 jetzt wirklich bei %2? Dann liegt die Referenz, wo die Position 0 ist, und die Fahrweggrenzen gelten von dort aus. Wenn nicht, schützen sie die falschen Stellen. Zuerst die Achse selbst ansehen.</translation>
+        <translation>Zuerst die Achse ansehen: Steht %1 wirklich bei %2? Dann liegt die Referenz bei Position 0, und die Fahrweggrenzen gelten von dort aus. Wenn nicht, schützen sie den falschen Bereich.</translation>
     </message>
 </context>
 <context>
@@ -4633,16 +4633,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Gegenphasige PWM</translation>
     </message>
     <message>
-        <source>For an amplifier that takes 50 % PWM as rest. Off: PWM and direction.</source>
-        <translation>Für einen Verstärker, bei dem 50 % PWM Stillstand bedeuten. Aus: PWM und Richtung.</translation>
+        <source>For a locked-antiphase amplifier: 50 % PWM is zero output. Off: PWM and direction.</source>
+        <translation>Für einen Verstärker mit gegenphasiger PWM (locked antiphase): 50 % PWM ist Ausgang null. Aus: PWM und Richtung.</translation>
     </message>
     <message>
         <source>Step and direction input</source>
         <translation>Takt- und Richtungseingang</translation>
     </message>
     <message>
-        <source>The motor follows step pulses at the limit pins instead of commands. The limits then protect nothing.</source>
-        <translation>Der Motor folgt Taktimpulsen an den Endschalter-Pins statt Befehlen. Die Endschalter schützen dann nichts.</translation>
+        <source>The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection.</source>
+        <translation>Der Motor folgt Taktimpulsen an den Endschalter-Pins statt Befehlen. Die Endschalter schützen dann nicht.</translation>
     </message>
     <message>
         <source>Fast path</source>
@@ -4689,8 +4689,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Servo beim Einschalten an</translation>
     </message>
     <message>
-        <source>The motor holds by itself after each power-up, with the saved gains, before any panel is there.</source>
-        <translation>Der Motor hält nach jedem Einschalten von selbst, mit den gespeicherten Reglerwerten, bevor ein Programm verbunden ist.</translation>
+        <source>The servo switches on by itself after each power-up, with the saved gains, even with no panel connected.</source>
+        <translation>Der Servo schaltet sich nach jedem Einschalten von selbst ein, mit den gespeicherten Reglerwerten, auch wenn kein Programm verbunden ist.</translation>
     </message>
     <message>
         <source>Save in module…</source>
@@ -4706,7 +4706,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Erase saved configuration of the module</source>
-        <translation>Gespeichertes löschen, das im Modul steht</translation>
+        <translation>Gespeichertes löschen: die Konfiguration des Moduls</translation>
     </message>
     <message>
         <source>Amplifier</source>
@@ -4722,7 +4722,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>stop abruptly</source>
-        <translation>stoppen abrupt</translation>
+        <translation>stoppen sofort</translation>
     </message>
     <message>
         <source>switch the motor off</source>
@@ -4742,27 +4742,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Counts that one step pulse moves the motor.</source>
-        <translation>Um so viele Counts bewegt ein Taktimpuls den Motor.</translation>
+        <translation>Um so viele Inkremente bewegt ein Taktimpuls den Motor.</translation>
     </message>
     <message>
         <source>Saved in the module, for power-up</source>
         <translation>Im Modul gespeichert, für das Einschalten</translation>
     </message>
     <message>
-        <source>Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor goes off, and it needs its gains again.</source>
-        <translation>Speichert diese Auswahl, die Einstellungen oben, Reglerwerte, Geschwindigkeit und Beschleunigung, wie das Modul sie jetzt hat. Sie gelten nach jedem Einschalten wieder. 3 Phasen und Gegenphase gelten auch nach einem Reset wieder. Beide Knöpfe starten das Modul neu: Sein Motor geht aus, und es braucht seine Reglerwerte noch einmal.</translation>
+        <source>Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor switches off, and it needs its gains again.</source>
+        <translation>Speichert diese Auswahl, die Einstellungen oben, Reglerwerte, Geschwindigkeit und Beschleunigung, wie das Modul sie jetzt hat. Sie gelten nach jedem Einschalten wieder. 3 Phasen und Gegenphase gelten auch nach einem Reset wieder. Beide Schaltflächen starten das Modul neu: Sein Motor geht aus, und es braucht seine Reglerwerte noch einmal.</translation>
     </message>
     <message>
-        <source>? Not known: nothing was applied in this connection, and the module does not tell. It may have saved settings.</source>
-        <translation>? Nicht bekannt: In dieser Verbindung wurde nichts angewendet, und das Modul sagt es nicht. Es kann gespeicherte Einstellungen haben.</translation>
+        <source>? Unknown: nothing has been applied in this connection, and the settings cannot be read back. The module may have saved settings.</source>
+        <translation>? Unbekannt: In dieser Verbindung wurde nichts angewendet, und die Einstellungen sind nicht auslesbar. Das Modul kann gespeicherte Einstellungen haben.</translation>
     </message>
     <message>
         <source>● Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
         <translation>● Angewendet: 3 Phasen %1, Gegenphase %2, Takt und Richtung %3, Endschalter %4.</translation>
     </message>
     <message>
-        <source>With step and direction the pins of the limits are its inputs: set the limit inputs to do nothing.</source>
-        <translation>Mit Takt und Richtung sind die Endschalter-Pins deren Eingänge: die Endschalter auf „bewirken nichts“ stellen.</translation>
+        <source>Step and direction uses the limit pins: set the limit inputs to do nothing.</source>
+        <translation>Takt und Richtung benutzt die Endschalter-Pins: die Endschalter auf „bewirken nichts“ stellen.</translation>
     </message>
     <message>
         <source>The module has these settings.</source>
@@ -4797,15 +4797,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Verstärkereinstellungen anwenden</translation>
     </message>
     <message>
-        <source>Apply these settings to %1? 3-phase, antiphase or step and direction that do not fit the amplifier or its wiring can destroy the amplifier, or make the motor run away once it is enabled.</source>
-        <translation>Diese Einstellungen auf %1 anwenden? 3 Phasen, Gegenphase oder Takt und Richtung, die nicht zum Verstärker oder seiner Verdrahtung passen, können den Verstärker zerstören oder den Motor beim Einschalten durchgehen lassen.</translation>
+        <source>Apply these settings to %1? If 3-phase, antiphase or step and direction do not match the amplifier and its wiring, the amplifier can be destroyed, or the motor can run away once it is enabled.</source>
+        <translation>Diese Einstellungen auf %1 anwenden? Passen 3 Phasen, Gegenphase oder Takt und Richtung nicht zum Verstärker und seiner Verdrahtung, kann der Verstärker zerstört werden oder der Motor nach dem Einschalten durchgehen.</translation>
     </message>
     <message>
         <source>Apply settings</source>
         <translation>Einstellungen anwenden</translation>
     </message>
     <message>
-        <source>Save the configuration of %1? It comes back at each power-up, whatever is connected then. The module restarts now: its motor goes off, and it needs its gains again.</source>
+        <source>Save the configuration of %1? It takes effect at each power-up, whatever is connected then. The module restarts now: its motor switches off, and it needs its gains again.</source>
         <translation>Die Konfiguration von %1 speichern? Sie gilt nach jedem Einschalten, was auch immer dann angeschlossen ist. Das Modul startet jetzt neu: Sein Motor geht aus, und es braucht seine Reglerwerte noch einmal.</translation>
     </message>
     <message>
@@ -4825,8 +4825,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Gespeichertes löschen</translation>
     </message>
     <message>
-        <source>Erase what %1 has saved? At the next power-up it starts as a new module does. It restarts now: its motor goes off, and it needs its gains again.</source>
-        <translation>Löschen, was %1 gespeichert hat? Beim nächsten Einschalten startet es wie ein neues Modul. Es startet jetzt neu: Sein Motor geht aus, und es braucht seine Reglerwerte noch einmal.</translation>
+        <source>Erase what %1 has saved? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
+        <translation>Löschen, was %1 gespeichert hat? Ab dem nächsten Einschalten startet es mit seinen Grundeinstellungen. Es startet jetzt neu: Sein Motor geht aus, und es braucht seine Reglerwerte noch einmal.</translation>
     </message>
     <message>
         <source>Erase and restart</source>
@@ -4865,7 +4865,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Each axis at its own max jog speed, set on its Axis page.</source>
-        <translation>Jede Achse mit ihrer eigenen Höchstgeschwindigkeit beim Tippen, die auf ihrer Seite Achse steht.</translation>
+        <translation>Jede Achse mit ihrer max. Tippgeschwindigkeit, die auf ihrer Seite Achse eingestellt ist.</translation>
     </message>
     <message>
         <source>Distance that one click on Step moves an axis, in its own unit.</source>
@@ -4881,7 +4881,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Enable all motors</source>
-        <translation>Alle Motoren freigeben</translation>
+        <translation>Alle einschalten: alle Motoren</translation>
     </message>
     <message>
         <source>Home all</source>
@@ -4901,7 +4901,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Homing is not set up for any axis. Set it up on each Homing page.</source>
-        <translation>Für keine Achse ist eine Referenzsuche eingerichtet. Auf der Seite Referenzsuche jeder Achse einrichten.</translation>
+        <translation>Für keine Achse ist eine Referenzfahrt eingerichtet. Auf der Seite Referenzfahrt jeder Achse einrichten.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -4909,19 +4909,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>No module</source>
-        <translation>Kein Modul.</translation>
+        <translation>Kein Modul</translation>
     </message>
     <message>
         <source>All motors are already enabled.</source>
-        <translation>Alle Motoren sind eingeschaltet.</translation>
+        <translation>Alle Motoren sind bereits eingeschaltet.</translation>
     </message>
     <message>
         <source>Enables every motor at its present position.</source>
-        <translation>Gibt jeden Motor an seiner jetzigen Position frei.</translation>
+        <translation>Schaltet jeden Motor an seiner jetzigen Position ein.</translation>
     </message>
     <message>
         <source>Homes one axis after the other, in the order of the table, with each axis&apos;s homing settings. Any stop ends it.</source>
-        <translation>Sucht die Referenz einer Achse nach der anderen, in der Reihenfolge der Tabelle und wie jeweils festgelegt. Jeder Stopp beendet es.</translation>
+        <translation>Sucht die Referenz einer Achse nach der anderen, in der Reihenfolge der Tabelle und mit den Einstellungen jeder Achse. Jeder Stopp beendet es.</translation>
     </message>
 </context>
 <context>
@@ -4952,7 +4952,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>native counts</source>
-        <translation>Zählwerte des Chips</translation>
+        <translation>Inkremente</translation>
     </message>
     <message>
         <source>turns</source>
@@ -4972,7 +4972,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The unit for positions and speeds. Changing it keeps every physical value and sends nothing.</source>
-        <translation>Worin Positionen und Geschwindigkeiten angezeigt werden. Beim Wechsel bleibt jeder Betrag erhalten, und es wird nichts gesendet.</translation>
+        <translation>Die Einheit für Positionen und Geschwindigkeiten. Beim Wechsel bleibt jede physikalische Größe erhalten, und es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Un&amp;it</source>
@@ -4984,7 +4984,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Counts or steps per unit.</source>
-        <translation>Wie viele Inkremente oder Schritte des Chips eine Einheit ergeben.</translation>
+        <translation>Inkremente oder Schritte je Einheit.</translation>
     </message>
     <message>
         <source>Symbol of the unit</source>
@@ -5000,11 +5000,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Max jog speed</source>
-        <translation>Größte Tippgeschwindigkeit</translation>
+        <translation>Max. Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>Jog is never faster than this.</source>
-        <translation>Beim Tippen wird nie schneller gefahren.</translation>
+        <translation>Tippen ist nie schneller als dieser Wert.</translation>
     </message>
     <message>
         <source>Max &amp;jog speed</source>
@@ -5012,11 +5012,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>A/D scale, per count</source>
-        <translation>A/D-Skala, je Zählwert</translation>
+        <translation>A/D-Skala, je Stufe</translation>
     </message>
     <message>
         <source>The value of one A/D count, for example 5 V / 255, or amperes from the amplifier&apos;s current sense.</source>
-        <translation>Wofür eine der 255 Stufen des A/D-Werts steht, zum Beispiel 5 V / 255 oder Ampere nach der Strommessung des Verstärkers.</translation>
+        <translation>Der Wert einer A/D-Stufe, zum Beispiel 5 V / 255 oder Ampere nach der Strommessung des Verstärkers.</translation>
     </message>
     <message>
         <source>A/D at &amp;0</source>
@@ -5024,7 +5024,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The value at an A/D reading of 0.</source>
-        <translation>Wofür ein A/D-Wert von 0 steht.</translation>
+        <translation>Der Wert bei einem A/D-Wert von 0.</translation>
     </message>
     <message>
         <source>Unit of the A/D value</source>
@@ -5052,7 +5052,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Calculates the unit from the data of encoder, gear and screw. Sends nothing.</source>
-        <translation>Berechnet die Einheit aus den Angaben auf den Typenschildern von Encoder, Getriebe und Spindel. Sendet nichts.</translation>
+        <translation>Berechnet die Einheit aus den Daten von Encoder, Getriebe und Spindel. Sendet nichts.</translation>
     </message>
 </context>
 <context>
@@ -5107,19 +5107,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Home %1 one place earlier</source>
-        <translation>„Alle referenzieren“ nimmt %1 eine Stelle früher</translation>
+        <translation>Früher referenzieren: %1 eine Stelle früher in „Alle referenzieren“</translation>
     </message>
     <message>
         <source>This step is less than one count of this axis, or beyond its range. Choose another step.</source>
-        <translation>Dieser Schritt ist kleiner als ein Count dieser Achse oder größer, als sie fahren kann.</translation>
+        <translation>Dieser Schritt ist kleiner als ein Inkrement dieser Achse oder liegt außerhalb ihres Bereichs. Einen anderen Schritt wählen.</translation>
     </message>
     <message>
         <source>Moves forward while held, then stops.</source>
-        <translation>Fährt vorwärts, solange sie gedrückt ist, und stoppt dann.</translation>
+        <translation>Fährt vorwärts, solange gedrückt, und stoppt dann.</translation>
     </message>
     <message>
         <source>Moves in reverse while held, then stops.</source>
-        <translation>Fährt rückwärts, solange sie gedrückt ist, und stoppt dann.</translation>
+        <translation>Fährt rückwärts, solange gedrückt, und stoppt dann.</translation>
     </message>
     <message>
         <source>Moves forward by the step above, then holds.</source>
@@ -5131,7 +5131,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Homing is not set up for this axis. Set it up on its Homing page.</source>
-        <translation>Für diese Achse ist keine Referenzsuche eingerichtet. Auf ihrer Seite Referenzsuche einrichten.</translation>
+        <translation>Für diese Achse ist keine Referenzfahrt eingerichtet. Auf ihrer Seite Referenzfahrt einrichten.</translation>
     </message>
     <message>
         <source>Home all starts with this axis.</source>
@@ -5139,7 +5139,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Home all homes this axis as number %1. Click to move it one place earlier. Nothing moves.</source>
-        <translation>„Alle referenzieren“ sucht die Referenz dieser Achse als Nummer %1; ein Klick nimmt sie eine Stelle früher. Nichts fährt.</translation>
+        <translation>„Alle referenzieren“ nimmt diese Achse als Nummer %1. Ein Klick verschiebt sie eine Stelle nach vorn. Nichts bewegt sich.</translation>
     </message>
     <message>
         <source>Home: %1.</source>
@@ -5181,7 +5181,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <name>nmc::Bell</name>
     <message>
         <source>Plays a sound on each fault, and when a sequence, homing or a series of steps ends.</source>
-        <translation>Ein Ton bei jedem Fehler und am Ende eines Ablaufs, einer Referenzfahrt oder von Schritten um N.</translation>
+        <translation>Spielt einen Ton bei jeder Störung und am Ende eines Ablaufs, einer Referenzfahrt oder einer Schrittfolge.</translation>
     </message>
     <message>
         <source>So&amp;unds</source>
@@ -5192,7 +5192,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <name>nmc::BenchTruth</name>
     <message>
         <source>Simulator values of the module</source>
-        <translation>Was der Simulator vom Modul weiß</translation>
+        <translation>Simulatorwerte des Moduls</translation>
     </message>
     <message>
         <source>Shaft</source>
@@ -5208,7 +5208,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The position as the module counts it.</source>
-        <translation>Was das Modul glaubt.</translation>
+        <translation>Die Position, wie das Modul sie zählt.</translation>
     </message>
     <message>
         <source>Position error</source>
@@ -5287,7 +5287,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>No measurement yet. The motor follows sine waves from slow to fast, which shows the response of the loop.</source>
-        <translation>Noch ist nichts gemessen. Sinusschwingungen des Sollwerts zeigen, wie der Kreis folgt, von langsam bis schnell.</translation>
+        <translation>Noch keine Messung. Der Motor folgt Sinusschwingungen von langsam bis schnell; das zeigt das Verhalten des Regelkreises.</translation>
     </message>
     <message>
         <source>Magnitude, dB</source>
@@ -5311,7 +5311,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>T: closed loop, from command to position. L: open loop; its phase above -180° where it crosses 0 dB is the phase margin. Right of the grey line the baud rate is too low to measure. Bars: two standard deviations of T.</source>
-        <translation>T: wie die Position der Sollposition folgt. L: was der Regelkreis aus seinem Fehler macht; wo L durch 0 dB geht, ist seine Phase über -180° die Phasenreserve. Hinter der grauen Linie ist die Baudrate zum Messen zu niedrig. Balken: zwei Standardabweichungen von T.</translation>
+        <translation>T: geschlossener Regelkreis, von der Sollposition zur Position. L: offener Regelkreis; seine Phase über -180°, wo L durch 0 dB geht, ist die Phasenreserve. Rechts der grauen Linie ist die Baudrate zum Messen zu niedrig. Balken: zwei Standardabweichungen von T.</translation>
     </message>
 </context>
 <context>
@@ -5453,7 +5453,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Type what to do, for example: go home</source>
-        <translation>Eingeben, was zu tun ist, zum Beispiel: Referenz</translation>
+        <translation>Eingeben, was zu tun ist, zum Beispiel: Zur Referenz</translation>
     </message>
     <message>
         <source>Commands</source>
@@ -5473,11 +5473,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>What it does, or why it is unavailable</source>
-        <translation>Was er tut, oder warum er nicht möglich ist</translation>
+        <translation>Was er tut oder warum er nicht möglich ist</translation>
     </message>
     <message>
         <source>No matching command.</source>
-        <translation>Kein Befehl enthält diese Wörter.</translation>
+        <translation>Kein passender Befehl.</translation>
     </message>
 </context>
 <context>
@@ -5516,7 +5516,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it.</source>
-        <translation>Die Arbeitsrate. Der Verbindungsaufbau beginnt mit 19 200 Bd und wechselt dann zu dieser Rate.</translation>
+        <translation>Die Baudrate für die Arbeit. Der Verbindungsaufbau beginnt mit 19 200 Bd und wechselt dann zu ihr.</translation>
     </message>
     <message>
         <source>Por&amp;t</source>
@@ -5528,7 +5528,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>not listed</source>
-        <translation>nicht in der Liste der Ports</translation>
+        <translation>nicht aufgeführt</translation>
     </message>
     <message>
         <source>no hardware needed</source>
@@ -5572,7 +5572,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Opens the port and only reads: only status requests are sent. STOP ALL still works.</source>
-        <translation>Öffnet den Port und sieht nur zu: Außer Fragen wird nichts gesendet. ALLES STOPP wirkt.</translation>
+        <translation>Öffnet den Port und liest nur: Es werden nur Statusabfragen gesendet. ALLES STOPP wirkt weiterhin.</translation>
     </message>
     <message>
         <source>Baud</source>
@@ -5587,7 +5587,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Type an nmcsim command, then press Enter: state, set, power-cycle, break, mend, stats, time, fault. Shortcut: Ctrl+L.</source>
-        <translation>Eine Zeile, wie nmcsim sie versteht, dann Eingabe: state, set, power-cycle, break, mend, stats, time, fault. Strg+L führt hierher.</translation>
+        <translation>Einen nmcsim-Befehl eingeben, dann Eingabetaste: state, set, power-cycle, break, mend, stats, time, fault. Tastenkürzel: Strg+L.</translation>
     </message>
     <message>
         <source>The simulator&apos;s answer</source>
@@ -5606,11 +5606,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Latch inputs</source>
-        <translation>Eingänge festhalten</translation>
+        <translation>Eingänge erfassen</translation>
     </message>
     <message>
         <source>Latch inputs and counter at the same time</source>
-        <translation>Pins und Zähler gleichzeitig erfassen</translation>
+        <translation>Eingänge erfassen: Eingänge und Zähler gleichzeitig</translation>
     </message>
     <message>
         <source>Store</source>
@@ -5621,11 +5621,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ausgänge für später ablegen</translation>
     </message>
     <message>
-        <source>Put out</source>
+        <source>Apply</source>
         <translation>Ausgeben</translation>
     </message>
     <message>
-        <source>Put out the stored outputs</source>
+        <source>Apply the stored outputs</source>
         <translation>Abgelegtes ausgeben</translation>
     </message>
     <message>
@@ -5690,7 +5690,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Add up the outputs: IO1 is 1, IO2 is 2, IO3 is 4, up to IO12, which is 2048.</source>
-        <translation>IO1 zählt 1, IO2 2, IO3 4 und so weiter bis IO12, das 2048 zählt.</translation>
+        <translation>Die Werte der Ausgänge addieren: IO1 ist 1, IO2 ist 2, IO3 ist 4, bis IO12, das 2048 ist.</translation>
     </message>
     <message>
         <source>Outputs</source>
@@ -5702,7 +5702,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Counter source unknown: another program has set it.</source>
-        <translation>Was zählt, ist unbekannt: Ein anderes Programm hat es eingestellt.</translation>
+        <translation>Zählerquelle unbekannt: Ein anderes Programm hat sie eingestellt.</translation>
     </message>
     <message>
         <source>= %1 s</source>
@@ -5718,23 +5718,23 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Sends the settings above. The count restarts at 0.</source>
-        <translation>Sendet, was oben gewählt ist. Die Zählung beginnt bei 0.</translation>
+        <translation>Sendet die Einstellungen oben. Die Zählung beginnt wieder bei 0.</translation>
     </message>
     <message>
         <source>Latches all pins and the count at the same moment, and reads them.</source>
-        <translation>Hält alle Pins und den Zählerstand im selben Augenblick fest und liest sie.</translation>
+        <translation>Erfasst alle Pins und den Zählerstand im selben Augenblick und liest sie.</translation>
     </message>
     <message>
-        <source>Sends these values to the module, which keeps them until you put them out.</source>
+        <source>Sends these values to the module, which keeps them until you apply them.</source>
         <translation>Sendet diese Werte an das Modul, das sie behält, bis sie ausgegeben werden.</translation>
     </message>
     <message>
         <source>Store outputs first.</source>
-        <translation>Zuerst etwas ablegen.</translation>
+        <translation>Zuerst Ausgänge ablegen.</translation>
     </message>
     <message>
-        <source>Puts out the stored pins and PWM values at the same moment.</source>
-        <translation>Gibt Abgelegtes aus, Pins und PWM im selben Augenblick.</translation>
+        <source>Applies the stored pin levels and PWM values at the same moment.</source>
+        <translation>Gibt die abgelegten Pin-Pegel und PWM-Werte im selben Augenblick aus.</translation>
     </message>
     <message>
         <source>stored: %1, PWM %2 and %3</source>
@@ -5761,11 +5761,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>accepted: answers that passed all checks</source>
-        <translation>angenommen: Antworten, denen geglaubt wurde</translation>
+        <translation>angenommen: Antworten, die alle Prüfungen bestanden</translation>
     </message>
     <message>
         <source>mean round trip, from sending a command to its complete answer</source>
-        <translation>mittlere Antwortzeit, vom Senden eines Befehls bis zu seiner ganzen Antwort</translation>
+        <translation>mittlere Antwortzeit, vom Senden eines Befehls bis zur vollständigen Antwort</translation>
     </message>
     <message>
         <source>longest round trip</source>
@@ -5776,7 +5776,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>wiederholt: Befehle, die noch einmal gesendet wurden</translation>
     </message>
     <message>
-        <source>time-outs: no answer, or too few bytes</source>
+        <source>timeouts: no answer, or too few bytes</source>
         <translation>Zeitüberschreitungen: keine Antwort oder zu wenige Bytes</translation>
     </message>
     <message>
@@ -5784,8 +5784,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>vom Modul abgewiesen: der Befehl erreichte es mit falscher Prüfsumme</translation>
     </message>
     <message>
-        <source>wrong checksums: the answer was damaged on its way</source>
-        <translation>falsche Prüfsummen: die Antwort wurde unterwegs beschädigt</translation>
+        <source>wrong checksums: the answer was corrupted in transit</source>
+        <translation>falsche Prüfsummen: die Antwort wurde unterwegs verfälscht</translation>
     </message>
     <message>
         <source>surplus bytes: received without a request</source>
@@ -5797,11 +5797,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>resyncs: link checked again after errors</source>
-        <translation>Neuabgleiche: die Verbindung musste sich neu beweisen</translation>
+        <translation>Neuabgleiche: Verbindung nach Fehlern neu geprüft</translation>
     </message>
     <message>
         <source>rejected by a rule: checksum right, but answer implausible</source>
-        <translation>durch eine Regel verworfen: die Prüfsumme stimmte, aber der Antwort wurde nicht geglaubt</translation>
+        <translation>durch eine Regel verworfen: Prüfsumme richtig, aber Antwort unplausibel</translation>
     </message>
     <message>
         <source>  of them: %1</source>
@@ -5816,11 +5816,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <name>nmc::CursorPanel</name>
     <message>
         <source>Cursor readings</source>
-        <translation>Was die Cursor anzeigen</translation>
+        <translation>Cursorwerte</translation>
     </message>
     <message>
         <source>Shows or hides the cursor readings.</source>
-        <translation>Zeigt oder verbirgt, was die Cursor anzeigen.</translation>
+        <translation>Zeigt oder verbirgt die Cursorwerte.</translation>
     </message>
     <message>
         <source>Between the cursors: %1</source>
@@ -5831,7 +5831,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <name>nmc::CursorTable</name>
     <message>
         <source>Cursor readings</source>
-        <translation>Was die Cursor anzeigen</translation>
+        <translation>Cursorwerte</translation>
     </message>
     <message>
         <source>Signal</source>
@@ -5867,7 +5867,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>RMS</source>
-        <translation>Effektivwert</translation>
+        <translation>RMS</translation>
     </message>
     <message>
         <source>Peak to peak</source>
@@ -5894,11 +5894,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The module received a garbled command and did not carry it out.</source>
-        <translation>Das Modul konnte den letzten Befehl nicht lesen; er wurde nicht ausgeführt.</translation>
+        <translation>Das Modul hat einen gestörten Befehl empfangen und nicht ausgeführt.</translation>
     </message>
     <message>
         <source>The current limit was reached. Stays set until you clear the sticky bits.</source>
-        <translation>Die Stromgrenze wurde erreicht. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
+        <translation>Die Stromgrenze wurde erreicht. Bleibt gesetzt, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message>
         <source>Motor power is present.</source>
@@ -5906,7 +5906,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The position error exceeded its limit, or the servo is off. Stays set until you clear the sticky bits.</source>
-        <translation>Die Regelabweichung lag über ihrer Grenze, oder der Servo ist aus. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
+        <translation>Der Positionsfehler überschritt seine Grenze, oder der Servo ist aus. Bleibt gesetzt, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message>
         <source>Limit switch 1.</source>
@@ -5918,7 +5918,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Waiting for the home position.</source>
-        <translation>Wartet auf die Referenzposition.</translation>
+        <translation>Wartet auf die Referenz.</translation>
     </message>
     <message>
         <source>The complement of the encoder&apos;s index.</source>
@@ -5926,7 +5926,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The 32-bit position has wrapped. Stays set until you clear the sticky bits.</source>
-        <translation>Die 32-Bit-Position ist übergelaufen. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
+        <translation>Die 32-Bit-Position ist übergelaufen. Bleibt gesetzt, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message>
         <source>The servo is on.</source>
@@ -5942,7 +5942,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>A servo tick took too long; typically not serious. Stays set until you clear the sticky bits.</source>
-        <translation>Ein Servotakt hat zu lange gedauert; meist unbedenklich. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
+        <translation>Ein Servotakt hat zu lange gedauert; meist unbedenklich. Bleibt gesetzt, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message>
         <source>Clear stic&amp;ky bits</source>
@@ -5998,7 +5998,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Saves the present position as home. The motor does not move.</source>
-        <translation>Merkt sich die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
+        <translation>Speichert die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Home register</source>
@@ -6045,7 +6045,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Differences between the file and the panel</source>
-        <translation>Unterschiede zwischen der Datei und dem Stand hier</translation>
+        <translation>Unterschiede zwischen der Datei und dem Programm</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -6093,7 +6093,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those of the file.</source>
-        <translation>„%1“ weicht vom Stand hier ab. Vor dem Anwenden ändert sich nichts, und es wird nichts gesendet; kein Motor bewegt sich dadurch. Was eingetippt und nicht gesendet ist, weicht der Datei.</translation>
+        <translation>„%1“ weicht von den jetzigen Einstellungen ab. Bis „Anwenden“ gewählt wird, ändert sich nichts, und es wird nichts gesendet; kein Motor bewegt sich. Eingegebene, nicht gesendete Werte werden durch die der Datei ersetzt.</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -6105,7 +6105,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Applies the selected settings and sends those marked as sent.</source>
-        <translation>Übernimmt, was angehakt ist, und sendet, was als zu senden angegeben ist.</translation>
+        <translation>Wendet die gewählten Einstellungen an und sendet die als zu senden markierten.</translation>
     </message>
     <message>
         <source>Selected: %1 of %2. Sent to modules: %3.</source>
@@ -6155,7 +6155,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Direction check…</source>
-        <translation>Richtungsprüfung …</translation>
+        <translation>Richtungsprüfung…</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6175,7 +6175,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Result of the direction check</source>
-        <translation>Was die Richtungsprüfung ergeben hat</translation>
+        <translation>Ergebnis der Richtungsprüfung</translation>
     </message>
     <message>
         <source>A direction check is running.</source>
@@ -6186,8 +6186,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Etwas dreht den Motor. Warten, bis er stillsteht.</translation>
     </message>
     <message>
-        <source>The motor of %1 will move a little, forward and in reverse. It is pushed for less than 0.1 s at a time, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.</source>
-        <translation>Der Motor von %1 wird sich ein wenig bewegen, vorwärts und rückwärts. Er wird jeweils weniger als eine Zehntelsekunde lang angestoßen, jedes Mal ein wenig stärker bis zu %2 % seiner Versorgung, bis er sich um %3 bewegt hat; ein frei drehender Motor kann noch etwas weiterlaufen. Mehr als %4 beendet die Prüfung. Abstand halten.</translation>
+        <source>The motor of %1 will move a little, forward and in reverse. It is driven in pulses of less than 0.1 s, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.</source>
+        <translation>Der Motor von %1 bewegt sich gleich ein wenig, vorwärts und rückwärts. Er wird mit Impulsen von weniger als 0,1 s angetrieben, mit langsam steigender Leistung bis zu %2 % seiner Versorgung, bis er sich um %3 bewegt hat. Ein frei laufender Motor kann weiter auslaufen; mehr als %4 beendet die Prüfung. Abstand halten.</translation>
     </message>
     <message>
         <source>Direction check</source>
@@ -6198,16 +6198,16 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>&amp;Push the motor</source>
+        <source>&amp;Pulse motor</source>
         <translation>&amp;Motor anstoßen</translation>
     </message>
     <message>
-        <source>Pushing it in reverse.</source>
-        <translation>Wird rückwärts angestoßen.</translation>
+        <source>Driving it in reverse.</source>
+        <translation>Antrieb rückwärts.</translation>
     </message>
     <message>
-        <source>Pushing it forward.</source>
-        <translation>Wird vorwärts angestoßen.</translation>
+        <source>Driving it forward.</source>
+        <translation>Antrieb vorwärts.</translation>
     </message>
     <message>
         <source>Inconclusive: see the message.</source>
@@ -6215,7 +6215,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Not checked in this connection. Run the check before you enable the servo for the first time: with motor or encoder reversed, it runs away.</source>
-        <translation>In dieser Verbindung nicht geprüft. Vor dem ersten Einschalten des Servos prüfen: Mit vertauschtem Motor oder Encoder läuft er davon.</translation>
+        <translation>In dieser Verbindung nicht geprüft. Vor dem ersten Einschalten des Servos prüfen: Mit verpoltem Motor oder Encoder geht der Motor durch.</translation>
     </message>
     <message>
         <source>Moves the motor a little, without the servo, to check that it turns the way its encoder counts. Asks first.</source>
@@ -6286,7 +6286,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Scans the chain again with status requests only: nothing is reset, nothing moves.</source>
-        <translation>Sucht die Kette nur mit Abfragen neu: nichts wird zurückgesetzt, nichts bewegt sich.</translation>
+        <translation>Sucht die Kette nur mit Statusabfragen neu: Nichts wird zurückgesetzt, nichts bewegt sich.</translation>
     </message>
     <message>
         <source>Resets every module and assigns new addresses. Asks first.</source>
@@ -6298,7 +6298,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>From now on, the panel expects the modules found here.</source>
-        <translation>Von nun an sind die vorhandenen Module die erwarteten.</translation>
+        <translation>Ab jetzt erwartet das Programm die hier gefundenen Module.</translation>
     </message>
 </context>
 <context>
@@ -6321,7 +6321,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The chip stops watching for home.</source>
-        <translation>Der Chip sucht keine Referenz mehr.</translation>
+        <translation>Der Chip wartet nicht mehr auf die Referenz.</translation>
     </message>
     <message>
         <source>At the first of these events the chip stores its position in the home register and stops. Start the motion with a command of your own.</source>
@@ -6361,11 +6361,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Velocity (counts/tick × 65536)</source>
-        <translation>Geschwindigkeit (Inkr./Takt × 65536)</translation>
+        <translation>Geschwindigkeit (Ink./Takt × 65536)</translation>
     </message>
     <message>
         <source>Acceleration (counts/tick² × 65536)</source>
-        <translation>Beschleunigung (Inkr./Takt² × 65536)</translation>
+        <translation>Beschleunigung (Ink./Takt² × 65536)</translation>
     </message>
     <message>
         <source>PWM value</source>
@@ -6433,7 +6433,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The motor goes to this position without a profile, as fast as the gains drive it, and holds there.</source>
-        <translation>Der Motor fährt ohne Profil zu dieser Position, so schnell die Reglerwerte ihn treiben, und hält dort.</translation>
+        <translation>Der Motor fährt ohne Profil zu dieser Position, so schnell die Reglerwerte es zulassen, und hält dort.</translation>
     </message>
     <message>
         <source>Set Homing Mode</source>
@@ -6445,11 +6445,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Change of limit 1</source>
-        <translation>Wechsel an Grenze 1</translation>
+        <translation>Wechsel Endsch. 1</translation>
     </message>
     <message>
         <source>Change of limit 2</source>
-        <translation>Wechsel an Grenze 2</translation>
+        <translation>Wechsel Endsch. 2</translation>
     </message>
     <message>
         <source>Index</source>
@@ -6457,7 +6457,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Position error</source>
-        <translation>Regelabweichung</translation>
+        <translation>Positionsfehler</translation>
     </message>
     <message>
         <source>Current limit</source>
@@ -6469,7 +6469,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Table 4 has no such mode from the present state of the motor.</source>
-        <translation>Tabelle 4 kennt dafür keinen Modus aus dem, was der Motor jetzt tut.</translation>
+        <translation>Tabelle 4 kennt keinen solchen Modus aus dem jetzigen Zustand des Motors.</translation>
     </message>
     <message>
         <source>Position (steps)</source>
@@ -6485,7 +6485,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Initial timer count</source>
-        <translation>Anfangszählerstand</translation>
+        <translation>Anfangs-Timerwert</translation>
     </message>
     <message>
         <source>Nearest integer speed</source>
@@ -6513,11 +6513,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Commands as in the data sheet</source>
-        <translation>Befehle, wie das Datenblatt sie hat</translation>
+        <translation>Befehle wie im Datenblatt</translation>
     </message>
     <message>
         <source>Commands as in the data sheet, in native counts. STOP ALL and Esc work as usual.</source>
-        <translation>Befehle, wie das Datenblatt sie hat, in den Zahlen des Chips. ALLES STOPP und Esc wirken wie immer.</translation>
+        <translation>Befehle wie im Datenblatt, in Inkrementen des Chips. ALLES STOPP und Esc wirken wie immer.</translation>
     </message>
     <message>
         <source>%1 Waits for Start Motion; the next load overwrites it.</source>
@@ -6525,7 +6525,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The servo is off; the PWM value drives the motor. No limit applies.</source>
-        <translation>Der Servo ist aus, und der PWM-Wert treibt den Motor. Keine Grenze gilt.</translation>
+        <translation>Der Servo ist aus; der PWM-Wert treibt den Motor an. Keine Grenze gilt.</translation>
     </message>
     <message>
         <source>The motor runs until it is stopped.</source>
@@ -6553,7 +6553,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The move continues to its position at this speed. If it has just ended, the motor runs until it is stopped.</source>
-        <translation>Die Fahrt geht mit dieser Geschwindigkeit bis zu ihrer Position weiter. Wäre sie inzwischen beendet, liefe der Motor bis zum Stopp.</translation>
+        <translation>Die Fahrt geht mit dieser Geschwindigkeit bis zu ihrer Position weiter. Ist sie gerade beendet, läuft der Motor bis zum Stopp.</translation>
     </message>
     <message>
         <source>Reset module…</source>
@@ -6573,7 +6573,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Reset %1? Its motor switches off, and it loses its position, settings and group. The other modules are unchanged.</source>
-        <translation>%1 zurücksetzen? Sein Motor geht aus, und es vergisst Position, Einstellungen und Gruppe. Die anderen Module bleiben, wie sie sind.</translation>
+        <translation>%1 zurücksetzen? Sein Motor geht aus, und es verliert Position, Einstellungen und Gruppe. Die anderen Module bleiben unverändert.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6588,8 +6588,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Relativ (Trapez)</translation>
     </message>
     <message>
-        <source>A trapezoidal move by this many counts, from where the servo is told to be. Start it only from standstill.</source>
-        <translation>Eine Trapezfahrt um so viele Counts, von der Sollposition aus. Nur aus dem Stillstand starten.</translation>
+        <source>A trapezoidal move by this many counts, from the command position. Start it only from standstill.</source>
+        <translation>Eine Trapezfahrt um so viele Inkremente, von der Sollposition aus. Nur aus dem Stillstand starten.</translation>
     </message>
     <message>
         <source>Advanced features on</source>
@@ -6617,7 +6617,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The home register is subtracted from the position. Nothing moves.</source>
-        <translation>Das Home-Register wird von der Position abgezogen. Nichts bewegt sich.</translation>
+        <translation>Das Referenzregister wird von der Position abgezogen. Nichts bewegt sich.</translation>
     </message>
     <message>
         <source>The position becomes this value. Nothing moves.</source>
@@ -6659,7 +6659,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The motor swings around its position, slowly at first, then faster. Make sure that everything it drives can move freely.</source>
-        <translation>Der Motor schwingt um die Stelle, an der er gehalten wird, erst langsam, dann schneller. Alles, was sich mitdreht, muss sich drehen können.</translation>
+        <translation>Der Motor schwingt um seine Position, erst langsam, dann schneller. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
     </message>
     <message>
         <source>Amplitude</source>
@@ -6671,7 +6671,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>How far the command swings to either side. The motor is stopped if it swings four times as far.</source>
-        <translation>Wie weit der Sollwert nach jeder Seite schwingt. Der Motor darf viermal so weit schwingen, bevor er gestoppt wird.</translation>
+        <translation>Wie weit die Sollposition nach jeder Seite schwingt. Schwingt der Motor viermal so weit, wird er gestoppt.</translation>
     </message>
     <message>
         <source>From</source>
@@ -6694,8 +6694,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die höchste Frequenz</translation>
     </message>
     <message>
-        <source>The test ends earlier if the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd.</source>
-        <translation>Es endet vorher, wo die Baudrate zu niedrig ist: bei etwa 40 Hz mit 115200 Bd und bei etwa 8 Hz mit 19200 Bd.</translation>
+        <source>The test ends earlier if the baud rate is too low: at about 40 Hz at 115 200 Bd, and at about 8 Hz at 19 200 Bd.</source>
+        <translation>Die Messung endet früher, wenn die Baudrate zu niedrig ist: bei etwa 40 Hz mit 115 200 Bd und bei etwa 8 Hz mit 19 200 Bd.</translation>
     </message>
     <message>
         <source>Results of the frequency response</source>
@@ -6719,7 +6719,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Saves frequency, magnitude and phase of the open and the closed loop.</source>
-        <translation>Speichert Frequenz, Betrag und Phase von beiden.</translation>
+        <translation>Speichert Frequenz, Betrag und Phase des offenen und des geschlossenen Regelkreises.</translation>
     </message>
     <message>
         <source>CSV (*.csv)</source>
@@ -6762,7 +6762,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Fills in values to start tuning with. Sends nothing.</source>
-        <translation>Füllt die Felder mit Werten für den Beginn der Abstimmung. Sendet nichts.</translation>
+        <translation>Füllt die Felder mit Werten, mit denen die Einstellung beginnen kann. Sendet nichts.</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -6782,11 +6782,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Gains cannot be read back from the module. They are unknown until you apply them.</source>
-        <translation>Reglerwerte sind aus dem Modul nicht lesbar. Bis zum Anwenden sind sie unbekannt.</translation>
+        <translation>Reglerwerte sind aus dem Modul nicht auslesbar. Bis zum Anwenden sind sie unbekannt.</translation>
     </message>
     <message>
         <source>Sends all gains at once. The servo is on: they take effect immediately.</source>
-        <translation>Sendet alle Reglerwerte auf einmal. Der Servo ist ein: sie wirken sofort.</translation>
+        <translation>Sendet alle Reglerwerte auf einmal. Der Servo ist ein: Sie wirken sofort.</translation>
     </message>
     <message>
         <source>Sends all gains at once. The motor does not move.</source>
@@ -6798,11 +6798,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Restores the gains last sent. Sends nothing.</source>
-        <translation>Zurück zu den gesendeten Reglerwerten. Sendet nichts.</translation>
+        <translation>Stellt die zuletzt gesendeten Reglerwerte wieder her. Sendet nichts.</translation>
     </message>
     <message>
         <source>Clears the fields: no gains have been sent yet. Sends nothing.</source>
-        <translation>Leert die Felder: es wurden noch keine Reglerwerte gesendet. Sendet nichts.</translation>
+        <translation>Leert die Felder: Es wurden noch keine Reglerwerte gesendet. Sendet nichts.</translation>
     </message>
     <message>
         <source>Sense of the current limit</source>
@@ -6810,7 +6810,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Whether a high or a low A/D value means overcurrent. The chip tells them apart by odd and even numbers.</source>
-        <translation>Ob ein großer oder ein kleiner A/D-Wert zu viel Strom bedeutet. Der Chip unterscheidet das an geraden und ungeraden Zahlen.</translation>
+        <translation>Ob ein hoher oder ein niedriger A/D-Wert Überstrom bedeutet. Der Chip unterscheidet das an ungeraden und geraden Zahlen.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -6838,7 +6838,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Changing SR from %2 to %1 changes the servo tick, and with it the meaning of every velocity and acceleration in counts per tick.</source>
-        <translation>SR von %2 auf %1 zu ändern ändert den Servotakt und damit die Bedeutung jeder Geschwindigkeit und Beschleunigung in Zählwerten je Takt.</translation>
+        <translation>SR von %2 auf %1 zu ändern ändert den Servotakt und damit die Bedeutung jeder Geschwindigkeit und Beschleunigung in Inkrementen je Takt.</translation>
     </message>
     <message>
         <source>Gains while the servo is on</source>
@@ -6846,7 +6846,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The servo is on, and this is a large change: %1. The motor may jump or oscillate.</source>
-        <translation>Der Servo ist ein, und das ist ein großer Schritt: %1. Der Motor kann springen oder schwingen.</translation>
+        <translation>Der Servo ist ein, und das ist eine große Änderung: %1. Der Motor kann springen oder schwingen.</translation>
     </message>
     <message>
         <source>&amp;Apply these gains</source>
@@ -6866,27 +6866,27 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Opens the step response, which shows how the motor follows a small step (F9).</source>
-        <translation>Öffnet den Ort, an dem ein kleiner Sprung zeigt, wie der Motor folgt (F9).</translation>
+        <translation>Öffnet die Sprungantwort, die zeigt, wie der Motor einem kleinen Sprung folgt (F9).</translation>
     </message>
     <message>
         <source>Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds.</source>
-        <translation>Füllt die Felder mit 0, dem Beginn der Abstimmung. Sendet nichts; nach dem Anwenden hält der Motor nicht mehr.</translation>
+        <translation>Füllt die Felder mit 0, um die Einstellung zu beginnen. Sendet nichts. Nach dem Anwenden hält der Motor nicht mehr.</translation>
     </message>
     <message>
         <source>Nothing to undo.</source>
-        <translation>Es gibt nichts zurückzunehmen.</translation>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
     </message>
     <message>
         <source>Undoes the last edit in these fields. Sends nothing.</source>
-        <translation>Nimmt die letzte Änderung in diesen Feldern zurück. Sendet nichts.</translation>
+        <translation>Macht die letzte Änderung in diesen Feldern rückgängig. Sendet nichts.</translation>
     </message>
     <message>
         <source>Nothing to redo.</source>
-        <translation>Es gibt nichts zu wiederholen.</translation>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
     </message>
     <message>
         <source>Redoes the edit that was undone. Sends nothing.</source>
-        <translation>Macht die Änderung noch einmal, die rückgängig gemacht wurde. Sendet nichts.</translation>
+        <translation>Stellt die rückgängig gemachte Änderung wieder her. Sendet nichts.</translation>
     </message>
     <message>
         <source>No changes to apply.</source>
@@ -6910,7 +6910,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>These gains are already being tried.</source>
-        <translation>Sie werden schon probiert.</translation>
+        <translation>Diese Reglerwerte werden schon probiert.</translation>
     </message>
     <message>
         <source>The module already has these gains.</source>
@@ -6918,7 +6918,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Sends these gains and restores the previous ones after %1 s unless you keep them, or at once if the motor starts to oscillate.</source>
-        <translation>Sendet diese Reglerwerte und nimmt sie nach %1 s zurück, wenn sie nicht behalten werden; sofort, wenn der Motor zu schwingen beginnt.</translation>
+        <translation>Sendet diese Reglerwerte und stellt nach %1 s die vorigen wieder her, wenn sie nicht behalten werden, oder sofort, wenn der Motor zu schwingen beginnt.</translation>
     </message>
     <message>
         <source>No gains are being tried.</source>
@@ -6968,8 +6968,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sendet No Operation, das nur den Status abfragt.</translation>
     </message>
     <message>
-        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL reaches the module.</source>
-        <translation>Typ und Version gehören nicht zu denen, deren Datenblättern dieses Programm folgt (PIC-SERVO v1 bis v5 und v10, PIC-STEP v1, PIC-I/O v1); was ein Befehl bei ihm bewirken würde, ist nicht bekannt. Es wird nur angesehen; ALLES STOPP erreicht es.</translation>
+        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL may not stop its motor: use the hardware stop.</source>
+        <translation>Dieses Programm kennt Typ und Version dieses Moduls nicht (bekannt sind PIC-SERVO v1 bis v5 und v10, PIC-STEP v1, PIC-I/O v1) und zeigt deshalb nur seinen Status. ALLES STOPP hält seinen Motor vielleicht nicht an: Hardware-Stopp benutzen.</translation>
     </message>
 </context>
 <context>
@@ -7044,11 +7044,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Starts the loaded moves of all members in the same tick. Available once every member has confirmed its load.</source>
-        <translation>Startet im selben Takt die Fahrten, die alle Mitglieder geladen haben. Wird zurückgehalten, solange nicht jedes Mitglied das Laden bestätigt hat.</translation>
+        <translation>Startet die geladenen Fahrten aller Mitglieder im selben Takt. Möglich, sobald jedes Mitglied das Laden bestätigt hat.</translation>
     </message>
     <message>
         <source>Saves the present position of each member as home, in the same tick. Nothing moves.</source>
-        <translation>Jedes Mitglied erfasst im selben Takt seine jetzige Position als Referenz. Nichts bewegt sich.</translation>
+        <translation>Speichert im selben Takt die jetzige Position jedes Mitglieds als Referenz. Nichts bewegt sich.</translation>
     </message>
     <message>
         <source>Name of the group</source>
@@ -7060,11 +7060,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The name of this group. Saved with the machine; nothing is sent.</source>
-        <translation>Wie Sie diese Gruppe nennen. Steht bei der Maschine; nichts wird gesendet.</translation>
+        <translation>Der Name dieser Gruppe. Wird mit der Maschine gespeichert; nichts wird gesendet.</translation>
     </message>
     <message>
         <source>A module listens to one group besides its own address. All members carry out a group command in the same tick; the leader, if any, answers for them, and the panel then checks each member. Status requests go to single modules.</source>
-        <translation>Ein Modul hört außer auf seine eigene Adresse auf eine Gruppe. Einen Befehl an eine Gruppe führen alle Mitglieder im selben Takt aus; ihr Leiter, wenn sie einen hat, antwortet für alle; dann wird jedes Mitglied einzeln angesehen. Fragen gehen an einzelne Module: von einer Gruppe würde nur der Leiter antworten.</translation>
+        <translation>Ein Modul hört außer auf seine eigene Adresse auf eine Gruppe. Alle Mitglieder führen einen Gruppenbefehl im selben Takt aus; das Leitmodul, wenn es eines gibt, antwortet für sie, und das Programm prüft dann jedes Mitglied. Statusabfragen gehen an einzelne Module.</translation>
     </message>
     <message>
         <source>The group that the buttons command.</source>
@@ -7072,19 +7072,19 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Stop s&amp;moothly</source>
-        <translation>&amp;Sanft anhalten</translation>
+        <translation>&amp;Sanft stoppen</translation>
     </message>
     <message>
         <source>Stop this group smoothly</source>
-        <translation>Diese Gruppe sanft anhalten</translation>
+        <translation>Sanft stoppen: diese Gruppe</translation>
     </message>
     <message>
         <source>Stop at &amp;once</source>
-        <translation>S&amp;ofort anhalten</translation>
+        <translation>S&amp;ofort stoppen</translation>
     </message>
     <message>
         <source>Stop this group at once</source>
-        <translation>Diese Gruppe sofort anhalten</translation>
+        <translation>Sofort stoppen: diese Gruppe</translation>
     </message>
     <message>
         <source>Motors o&amp;ff</source>
@@ -7124,27 +7124,27 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Makes the present position of each member 0. Asks first.</source>
-        <translation>Der Ort, an dem jedes Mitglied steht, wird 0. Fragt vorher.</translation>
+        <translation>Macht die jetzige Position jedes Mitglieds zu 0. Fragt vorher.</translation>
     </message>
     <message>
         <source>Clears the sticky fault bits of each member. PIC-SERVO only.</source>
-        <translation>Nimmt zurück, was sich jedes Mitglied an Fehlern gemerkt hat. Nur PIC-SERVO.</translation>
+        <translation>Löscht die Sticky-Fehlerbits jedes Mitglieds. Nur PIC-SERVO.</translation>
     </message>
     <message>
         <source>Every member that is on slows down and holds. Repeated until all are seen at rest.</source>
-        <translation>Jedes eingeschaltete Mitglied bremst ab und hält. Wird wiederholt, bis jedes in Ruhe gesehen wurde.</translation>
+        <translation>Jedes eingeschaltete Mitglied bremst ab und hält dann die Position. Wird wiederholt, bis alle im Stillstand gesehen wurden.</translation>
     </message>
     <message>
         <source>Every member that is on stops at once and holds. Repeated until all are seen at rest.</source>
-        <translation>Jedes eingeschaltete Mitglied hält sofort an und hält. Wird wiederholt, bis jedes in Ruhe gesehen wurde.</translation>
+        <translation>Jedes eingeschaltete Mitglied stoppt sofort und hält dann die Position. Wird wiederholt, bis alle im Stillstand gesehen wurden.</translation>
     </message>
     <message>
         <source>Switches every member off: motors coast, and loads may fall. Repeated until all are seen at rest.</source>
-        <translation>Schaltet jedes Mitglied aus: Es läuft aus, und eine Last kann fallen. Wird wiederholt, bis jedes in Ruhe gesehen wurde.</translation>
+        <translation>Schaltet jedes Mitglied aus: Motoren laufen aus, und Lasten können fallen. Wird wiederholt, bis alle im Stillstand gesehen wurden.</translation>
     </message>
     <message>
-        <source>The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then mean other places.</source>
-        <translation>Der Ort, an dem jeder Motor von %1 steht, wird Position 0: Modul %2. Referenz, Grenzen und gelernte Punkte bedeuten danach andere Orte.</translation>
+        <source>The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then refer to different positions.</source>
+        <translation>Die jetzige Position jedes Motors von %1 wird 0: Modul %2. Referenz, Grenzen und geteachte Punkte bezeichnen danach andere Positionen.</translation>
     </message>
     <message>
         <source>Set positions to 0</source>
@@ -7160,11 +7160,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Its group is unknown and would change with the address. Choose a group first, or none.</source>
-        <translation>Seine Gruppe ist hier nicht bekannt und würde mit der Adresse geändert. Zuerst eine Gruppe wählen oder keine.</translation>
+        <translation>Seine Gruppe ist unbekannt und würde sich mit der Adresse ändern. Zuerst eine Gruppe wählen oder keine.</translation>
     </message>
     <message>
         <source>A motor is moving. Stop all motors to change addresses.</source>
-        <translation>Ein Motor bewegt sich. Adressen ändern sich nur im Stillstand.</translation>
+        <translation>Ein Motor ist in Bewegung. Zum Ändern von Adressen alle Motoren stoppen.</translation>
     </message>
     <message>
         <source>Address %1 is used by %2. Nothing was sent.</source>
@@ -7187,7 +7187,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Holds the motor at its present position (Stop here).</source>
-        <translation>Nimmt die Position von diesem Augenblick als die, die zu halten ist (Hier stoppen).</translation>
+        <translation>Hält den Motor an seiner jetzigen Position (Hier stoppen).</translation>
     </message>
 </context>
 <context>
@@ -7202,7 +7202,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Homing</source>
-        <translation>Referenzsuche</translation>
+        <translation>Referenzfahrt</translation>
     </message>
     <message>
         <source>Home: search for it</source>
@@ -7210,11 +7210,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Cancel search for home</source>
-        <translation>Suche abbrechen: Die Referenzsuche abbrechen</translation>
+        <translation>Suche abbrechen: die Referenzfahrt</translation>
     </message>
     <message>
         <source>Progress of the search</source>
-        <translation>Abschnitte der Suche</translation>
+        <translation>Fortschritt der Suche</translation>
     </message>
     <message>
         <source>Search settings</source>
@@ -7222,7 +7222,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>A search for home is running.</source>
-        <translation>Eine Referenzsuche läuft.</translation>
+        <translation>Eine Referenzfahrt läuft.</translation>
     </message>
     <message>
         <source>Moves the motor to search for home, as set above.</source>
@@ -7230,7 +7230,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>No search for home is running.</source>
-        <translation>Es läuft keine Referenzsuche.</translation>
+        <translation>Es läuft keine Referenzfahrt.</translation>
     </message>
     <message>
         <source>Stops the motor smoothly, without homing it.</source>
@@ -7238,7 +7238,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Done: home was at %1.</source>
-        <translation>Erledigt: die Referenz lag bei %1.</translation>
+        <translation>Erledigt: Die Referenz lag bei %1.</translation>
     </message>
     <message>
         <source>No search yet.</source>
@@ -7249,7 +7249,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <name>nmc::HomingForm</name>
     <message>
         <source>Search for home</source>
-        <translation>Die Referenz suchen</translation>
+        <translation>Referenz suchen</translation>
     </message>
     <message>
         <source>Home is where this switch changes. If it is active at the start, the motor first backs off in the other direction.</source>
@@ -7293,7 +7293,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared first. The servo is switched on again only to continue to the index or to home.</source>
-        <translation>Die Referenz liegt an einem festen Anschlag: der Motor fährt dagegen, bis die Grenze der Regelabweichung den Servo abschaltet. Vorher werden die Sticky-Bits gelöscht. Der Servo wird nur wieder eingeschaltet, wenn es weitergehen soll, zum Index oder zur Referenz.</translation>
+        <translation>Die Referenz liegt an einem festen Anschlag: Der Motor fährt dagegen, bis die Positionsfehlergrenze den Servo abschaltet. Vorher werden die Sticky-Bits gelöscht. Der Servo wird nur zur Weiterfahrt zum Index oder zur Referenz wieder eingeschaltet.</translation>
     </message>
     <message>
         <source>Current limit</source>
@@ -7301,7 +7301,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Home is at a hard stop: the motor runs against it until the current limit is reached. Alone, it takes effect only at full speed; with other conditions from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
-        <translation>Die Referenz liegt an einem festen Anschlag: der Motor fährt dagegen, bis die Stromgrenze erreicht ist. Allein wird sie nur bei voller Geschwindigkeit beachtet, zusammen mit anderen von Anfang an; der Anfahrstrom muss dann darunter bleiben. Vorher werden die Sticky-Bits gelöscht.</translation>
+        <translation>Die Referenz liegt an einem festen Anschlag: Der Motor fährt dagegen, bis die Stromgrenze erreicht ist. Allein wirkt sie nur bei voller Geschwindigkeit, mit anderen Bedingungen von Anfang an; der Anfahrstrom muss dann darunter bleiben. Vorher werden die Sticky-Bits gelöscht.</translation>
     </message>
     <message>
         <source>then at the index, going back</source>
@@ -7309,7 +7309,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The conditions above find the approximate place; a second, slower search finds the index, which is more exact.</source>
-        <translation>Das oben Gewählte findet die Umgebung; eine zweite, langsamere Suche findet den Index, der genauer ist.</translation>
+        <translation>Die Bedingungen oben finden die ungefähre Stelle; eine zweite, langsamere Suche findet den Index, der genauer ist.</translation>
     </message>
     <message>
         <source>Reverse</source>
@@ -7337,7 +7337,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Maximum velocity for searching, backing off and going to home.</source>
-        <translation>Wie schnell der Motor sucht, freifährt und zur Referenz fährt. Schneller wird er nie.</translation>
+        <translation>Höchste Geschwindigkeit beim Suchen, Freifahren und Anfahren der Referenz.</translation>
     </message>
     <message>
         <source>Index velocity</source>
@@ -7377,7 +7377,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>%1 of the search for home</source>
-        <translation>%1 der Referenzsuche</translation>
+        <translation>%1 der Referenzfahrt</translation>
     </message>
     <message>
         <source>Abruptly</source>
@@ -7413,7 +7413,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Go to home</source>
-        <translation>Referenzposition anfahren</translation>
+        <translation>Referenz anfahren</translation>
     </message>
     <message>
         <source>The motor stops past home; this moves it back. If the search has switched the servo or amplifier off, it is switched on again.</source>
@@ -7425,7 +7425,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>A search for home is running.</source>
-        <translation>Eine Referenzsuche läuft.</translation>
+        <translation>Eine Referenzfahrt läuft.</translation>
     </message>
     <message>
         <source>The first search already finds the index.</source>
@@ -7433,7 +7433,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Needs Go to home: the position where the motor is becomes 0.</source>
-        <translation>Die Position, an der der Motor steht, wird 0; daher muss er zuerst zur Referenz fahren.</translation>
+        <translation>Braucht „Referenz anfahren“: Die Position, an der der Motor steht, wird 0.</translation>
     </message>
     <message>
         <source>The search direction, in which the switch closes.</source>
@@ -7444,8 +7444,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ein Positionsfehler schaltet den Servo von selbst ab.</translation>
     </message>
     <message>
-        <source> This chip version does not stop on its own: the panel stops it, some hundredths of a second later.</source>
-        <translation> Diese Version des Chips stoppt den Motor nicht von selbst: das Programm stoppt ihn, einige Hundertstelsekunden später.</translation>
+        <source> This chip version does not stop the motor by itself: the panel stops it, a few hundredths of a second later.</source>
+        <translation> Diese Version des Chips stoppt den Motor nicht von selbst: Das Programm stoppt ihn einige Hundertstelsekunden später.</translation>
     </message>
     <message>
         <source> The chip stops it by itself.</source>
@@ -7488,7 +7488,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Without motor power the servo switches off, and stays off when power returns.</source>
-        <translation>Ohne sie schaltet sich der Servo ab und bleibt aus, wenn die Versorgung wiederkehrt.</translation>
+        <translation>Ohne Motorversorgung schaltet sich der Servo ab und bleibt aus, wenn sie wiederkehrt.</translation>
     </message>
     <message>
         <source>The A/D input; with most amplifiers, the motor current. Set its scale on the Axis page.</source>
@@ -7508,7 +7508,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page.</source>
-        <translation>Ein Endschaltereingang stoppt den Motor bei diesem Chip nicht von selbst: auf der Seite Referenzsuche einen Endschalter-Stopp scharf schalten.</translation>
+        <translation>Ein Endschalter allein stoppt den Motor bei diesem Chip nicht. Auf der Seite Referenzfahrt einen Endschalter-Stopp scharf schalten.</translation>
     </message>
     <message>
         <source>Limit &amp;1</source>
@@ -7544,7 +7544,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Makes the pin an input, or an output with this level. Sent at once.</source>
-        <translation>Ob der Pin ein Eingang ist oder ein Ausgang, und dessen Pegel. Wird sofort gesendet.</translation>
+        <translation>Macht den Pin zu einem Eingang oder zu einem Ausgang mit diesem Pegel. Wird sofort gesendet.</translation>
     </message>
     <message>
         <source>at the index</source>
@@ -7564,7 +7564,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Switches only the amplifier&apos;s enable line; the servo stays as it is. When off, the motor gets no current, whatever the servo does.</source>
-        <translation>Stellt nur die Freigabeleitung des Verstärkers; der Servo bleibt, wie er ist. Ohne sie bekommt der Motor keinen Strom, was auch immer der Servo tut.</translation>
+        <translation>Schaltet nur die Freigabeleitung des Verstärkers; der Servo bleibt, wie er ist. Ist sie aus, bekommt der Motor keinen Strom, was auch immer der Servo tut.</translation>
     </message>
     <message>
         <source>Fast path</source>
@@ -7595,7 +7595,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Its name on this machine. Sends nothing.</source>
-        <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
+        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
     </message>
     <message>
         <source>%1, address %2</source>
@@ -7629,7 +7629,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Its name on this machine. Sends nothing.</source>
-        <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
+        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
     </message>
     <message>
         <source>A/D input</source>
@@ -7644,7 +7644,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Liest</translation>
     </message>
     <message>
-        <source>Each step</source>
+        <source>Per count</source>
         <translation>Je Stufe</translation>
     </message>
     <message>
@@ -7665,7 +7665,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Value of %1</source>
-        <translation>Was %1 liest</translation>
+        <translation>Wert von %1</translation>
     </message>
     <message>
         <source>%1, each step</source>
@@ -7673,7 +7673,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The value of one A/D count.</source>
-        <translation>Wofür jede der 255 Stufen steht.</translation>
+        <translation>Der Wert einer A/D-Stufe.</translation>
     </message>
     <message>
         <source>%1 at 0</source>
@@ -7681,7 +7681,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The value at an A/D reading of 0.</source>
-        <translation>Wofür ein A/D-Wert von 0 steht.</translation>
+        <translation>Der Wert bei einem A/D-Wert von 0.</translation>
     </message>
     <message>
         <source>Unit of %1</source>
@@ -7705,7 +7705,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Last value sent to %1</source>
-        <translation>Was %1 gesagt wurde</translation>
+        <translation>Letzter an %1 gesendeter Wert</translation>
     </message>
     <message>
         <source>255 is always on. Press Enter to send.</source>
@@ -7732,7 +7732,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <name>nmc::JogBox</name>
     <message>
         <source>Jog</source>
-        <translation>Tippbetrieb</translation>
+        <translation>Tippen</translation>
     </message>
     <message>
         <source>Jog speed</source>
@@ -7756,15 +7756,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Moves forward while held, then stops.</source>
-        <translation>Fährt vorwärts, solange sie gedrückt ist, und stoppt dann.</translation>
+        <translation>Fährt vorwärts, solange gedrückt, und stoppt dann.</translation>
     </message>
     <message>
         <source>Moves in reverse while held, then stops.</source>
-        <translation>Fährt rückwärts, solange sie gedrückt ist, und stoppt dann.</translation>
+        <translation>Fährt rückwärts, solange gedrückt, und stoppt dann.</translation>
     </message>
     <message>
         <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value on every connect; set the max jog speed on the Axis page.</source>
-        <translation>Wie schnell sich der Motor dreht, solange eine Taste oder auf ihr die Leertaste gedrückt ist. Nach jedem Verbinden wieder niedrig; der Höchstwert wird auf der Seite Achse eingestellt.</translation>
+        <translation>Wie schnell sich der Motor dreht, solange eine Taste oder auf ihr die Leertaste gedrückt ist. Nach jedem Verbinden wieder niedrig; die max. Tippgeschwindigkeit wird auf der Seite Achse eingestellt.</translation>
     </message>
     <message>
         <source>J&amp;og speed</source>
@@ -7787,7 +7787,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Large plots, with gains and step response beside them.</source>
-        <translation>Die Kurven nehmen den größten Teil des Fensters ein, Reglerwerte und Sprung daneben.</translation>
+        <translation>Große Kurven, daneben Reglerwerte und Sprungantwort.</translation>
     </message>
     <message>
         <source>&amp;Chain</source>
@@ -7878,7 +7878,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>A search for home is running and uses the same function of the chip.</source>
-        <translation>Eine Referenzsuche läuft; sie benutzt dieselbe Überwachung des Chips.</translation>
+        <translation>Eine Referenzfahrt läuft und benutzt dieselbe Funktion des Chips.</translation>
     </message>
     <message>
         <source>Select a limit switch first.</source>
@@ -7906,11 +7906,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The chip itself then stops the motor once when a selected limit switch changes, faster than the panel could. A search for home replaces it.</source>
-        <translation>Der Chip selbst stoppt dann den Motor, wenn sich ein gewählter Endschalter ändert, einmal; früher, als das Programm es könnte. Eine Referenzsuche ersetzt es.</translation>
+        <translation>Der Chip selbst stoppt den Motor dann einmal, wenn sich ein gewählter Endschalter ändert, schneller als das Programm es könnte. Eine Referenzfahrt ersetzt dies.</translation>
     </message>
     <message>
         <source>The limit stop is not armed.</source>
-        <translation>Er ist nicht scharf.</translation>
+        <translation>Der Endschalter-Stopp ist nicht scharf.</translation>
     </message>
     <message>
         <source>A limit switch no longer stops the motor.</source>
@@ -7918,7 +7918,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>○ Not armed: a limit switch alone does not stop the motor.</source>
-        <translation>○ Nicht scharf: ein Endschaltereingang allein stoppt den Motor nicht.</translation>
+        <translation>○ Nicht scharf: Ein Endschalter allein stoppt den Motor nicht.</translation>
     </message>
     <message>
         <source>○ This chip version cannot stop at a limit switch.</source>
@@ -7926,15 +7926,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>○ Not armed: the search for home has replaced it.</source>
-        <translation>○ Nicht scharf: die Referenzsuche hat ihn ersetzt.</translation>
+        <translation>○ Nicht scharf: Die Referenzfahrt hat ihn ersetzt.</translation>
     </message>
     <message>
         <source>● Armed: stops at %1, once.</source>
         <translation>● Scharf: stoppt an %1, einmal.</translation>
     </message>
     <message>
-        <source>▲ Tripped: %1 has changed, and the motor was stopped. No longer armed.</source>
-        <translation>▲ Ausgelöst: %1 hat sich geändert, und der Motor wurde gestoppt. Nicht mehr scharf.</translation>
+        <source>▲ Tripped by %1; the motor was stopped. No longer armed.</source>
+        <translation>▲ Ausgelöst durch %1; der Motor wurde gestoppt. Nicht mehr scharf.</translation>
     </message>
     <message>
         <source>? The chip watches for an event that this connection did not request.</source>
@@ -7942,7 +7942,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>the position error limit</source>
-        <translation>Grenze des Positionsfehlers</translation>
+        <translation>Positionsfehlergrenze</translation>
     </message>
     <message>
         <source>the current limit</source>
@@ -7966,11 +7966,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Position error stops the motor</source>
-        <translation>Positionsfehler: Anhalten, wenn der Positionsfehler seine Grenze überschreitet</translation>
+        <translation>Positionsfehler stoppt den Motor</translation>
     </message>
     <message>
         <source>Current stops the motor</source>
-        <translation>Strom: Anhalten, wenn der Strom seine Grenze überschreitet</translation>
+        <translation>Strom stoppt den Motor</translation>
     </message>
     <message>
         <source>For each motion of this axis, arm the limit stop</source>
@@ -7982,15 +7982,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The motor stops when the position error exceeds EL; this always switches the servo off.</source>
-        <translation>Der Motor hält an, wenn er weiter vom Sollort entfernt ist, als EL erlaubt; der Servo geht dann in jedem Fall aus.</translation>
+        <translation>Der Motor stoppt, wenn der Positionsfehler EL überschreitet; das schaltet den Servo immer ab.</translation>
     </message>
     <message>
         <source>The motor stops when its current exceeds CL.</source>
-        <translation>Der Motor hält an, wenn sein Strom CL überschreitet.</translation>
+        <translation>Der Motor stoppt, wenn sein Strom CL überschreitet.</translation>
     </message>
     <message>
         <source>The panel arms the limit stop whenever the motor is at rest with its servo on, even after a trip, and before any motion starts. Saved with the machine.</source>
-        <translation>Immer wenn der Motor mit eingeschaltetem Servo steht, schaltet das Panel den Endschalter-Stopp scharf, auch nachdem er ausgelöst hat; vorher beginnt keine Bewegung. Wird mit der Maschine gespeichert.</translation>
+        <translation>Das Programm schaltet den Endschalter-Stopp scharf, sobald der Motor mit eingeschaltetem Servo steht, auch nach dem Auslösen, und bevor eine Bewegung beginnt. Wird mit der Maschine gespeichert.</translation>
     </message>
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
@@ -8005,11 +8005,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Exchanges per second, and their share of the line&apos;s capacity.</source>
-        <translation>Übertragungen pro Sekunde und deren Anteil an dem, was eine perfekte Leitung schaffen würde.</translation>
+        <translation>Übertragungen pro Sekunde und ihr Anteil an der Kapazität der Leitung.</translation>
     </message>
     <message>
         <source>Failed exchanges: no answer, garbled, or refused for a bad checksum.</source>
-        <translation>Misslungene Übertragungen: keine Antwort, verstümmelt oder wegen falscher Prüfsumme abgewiesen.</translation>
+        <translation>Fehlgeschlagene Übertragungen: keine Antwort, gestört oder wegen falscher Prüfsumme abgewiesen.</translation>
     </message>
     <message>
         <source>Mean time from sending a command to its complete answer.</source>
@@ -8028,8 +8028,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Antwortzeit –</translation>
     </message>
     <message>
-        <source>%1 exchanges/s, %2 % of the wire</source>
-        <translation>%1 Übertragungen/s, %2 % der Leitung</translation>
+        <source>%1 exchanges/s, %2 % bus load</source>
+        <translation>%1 Übertragungen/s, %2 % Buslast</translation>
     </message>
     <message numerus="yes">
         <source>%1 errors, %2/s</source>
@@ -8071,7 +8071,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Saves one page as PDF or HTML: gains, last step response, motor model and frequency response.</source>
-        <translation>Eine Seite, als PDF oder HTML: Reglerwerte, die letzte Sprungantwort, der gefundene Motor und der Frequenzgang.</translation>
+        <translation>Speichert eine Seite als PDF oder HTML: Reglerwerte, letzte Sprungantwort, Motormodell und Frequenzgang.</translation>
     </message>
 </context>
 <context>
@@ -8082,7 +8082,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Discards names, units and settings of all axes; nothing is sent.</source>
-        <translation>Vergisst Namen, Einheiten und Einstellungen aller Achsen; es wird nichts gesendet.</translation>
+        <translation>Verwirft Namen, Einheiten und Einstellungen aller Achsen; es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>&amp;Open machine…</source>
@@ -8098,7 +8098,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Saves names, units, gains, limits, homing and groups to the machine file.</source>
-        <translation>Schreibt Namen, Einheiten, Reglerwerte, Grenzen, Referenzsuche und Gruppen in die Datei der Maschine.</translation>
+        <translation>Speichert Namen, Einheiten, Reglerwerte, Grenzen, Referenzfahrt und Gruppen in der Maschinendatei.</translation>
     </message>
     <message>
         <source>Save machine &amp;as…</source>
@@ -8185,7 +8185,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>SIMULATOR — no hardware connected; all values are simulated</source>
-        <translation>SIMULATOR — keine Hardware angeschlossen; alle Werte stammen aus dem Programm selbst</translation>
+        <translation>SIMULATOR — keine Hardware angeschlossen; alle Werte sind simuliert</translation>
     </message>
     <message>
         <source>Simulated session</source>
@@ -8213,7 +8213,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>No module</source>
-        <translation>Kein Modul.</translation>
+        <translation>Kein Modul</translation>
     </message>
     <message>
         <source>&amp;Stop and disconnect</source>
@@ -8249,7 +8249,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>READ-ONLY — only status requests are sent. STOP ALL still works.</source>
-        <translation>NUR LESEN — außer Fragen wird nichts gesendet. ALLES STOPP wirkt.</translation>
+        <translation>NUR LESEN — nur Statusabfragen werden gesendet. ALLES STOPP wirkt.</translation>
     </message>
     <message>
         <source>Connect fully</source>
@@ -8257,7 +8257,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
-        <translation>Verbindet mit demselben Port so, dass Befehle gesendet werden können. Dadurch bewegt sich nichts.</translation>
+        <translation>Verbindet neu mit demselben Port; Befehle sind dann erlaubt. Nichts bewegt sich.</translation>
     </message>
     <message>
         <source>%1 (read-only)</source>
@@ -8269,15 +8269,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Press Enter to run it.</source>
-        <translation>Eingabe führt ihn aus.</translation>
+        <translation>Die Eingabetaste führt ihn aus.</translation>
     </message>
     <message>
         <source>Its module is no longer connected.</source>
-        <translation>Das Modul gibt es nicht mehr.</translation>
+        <translation>Sein Modul ist nicht mehr verbunden.</translation>
     </message>
     <message>
         <source>Press Enter to show it on the module&apos;s page. Nothing is sent.</source>
-        <translation>Eingabe zeigt ihn auf der Seite seines Moduls; es wird nichts gesendet.</translation>
+        <translation>Die Eingabetaste zeigt ihn auf der Seite seines Moduls. Es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Operator mode</source>
@@ -8285,7 +8285,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
-        <translation>BEDIENERMODUS — es geht nur, was dem Bediener überlassen ist. ALLES STOPP wirkt.</translation>
+        <translation>BEDIENERMODUS — nur erlaubte Aktionen sind möglich. ALLES STOPP wirkt immer.</translation>
     </message>
     <message>
         <source>Leave…</source>
@@ -8305,7 +8305,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.</source>
-        <translation>Umschalt mit ◂ oder ▸ bewegt ihn, solange beide gehalten werden. Esc beendet das.</translation>
+        <translation>Zum Bewegen Umschalt mit ◂ oder ▸ gedrückt halten. Esc beendet das Handgerät.</translation>
     </message>
     <message>
         <source>Not moved: %1</source>
@@ -8325,11 +8325,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Ends pendant mode: arrow keys and gamepad no longer move anything.</source>
-        <translation>Pfeiltasten und Gamepad bewegen nichts mehr.</translation>
+        <translation>Beendet das Handgerät: Pfeiltasten und Gamepad bewegen nichts mehr.</translation>
     </message>
     <message>
-        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends pendant mode.</source>
-        <translation>Umschalt mit ◂ oder ▸ bewegt ihn, solange beide gehalten werden; ebenso eine Schultertaste des Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) ist ALLES STOPP. Esc beendet das.</translation>
+        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Zum Bewegen Umschalt mit ◂ oder ▸ gedrückt halten oder eine Schultertaste des Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) ist ALLES STOPP. Esc beendet das Handgerät.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -8396,7 +8396,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Enter finds the next match, Shift+Enter the previous one (Ctrl+F).</source>
-        <translation>Enter findet den nächsten Treffer, Umschalt+Enter den vorigen (Strg+F).</translation>
+        <translation>Die Eingabetaste findet den nächsten Treffer, Umschalt+Eingabe den vorigen (Strg+F).</translation>
     </message>
     <message>
         <source>The manual is not installed. It belongs in %1.</source>
@@ -8415,11 +8415,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>No messages. Problems appear here, and when they end.</source>
-        <translation>Keine Meldungen. Was misslingt und wann es vorbei ist, steht hier.</translation>
+        <translation>Keine Meldungen. Probleme erscheinen hier, auch wenn sie enden.</translation>
     </message>
     <message>
         <source>No message matches the filter above.</source>
-        <translation>Der Filter oben lässt keine der Meldungen durch.</translation>
+        <translation>Keine Meldung passt zum Filter oben.</translation>
     </message>
 </context>
 <context>
@@ -8462,7 +8462,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Shows only messages whose cause persists.</source>
-        <translation>Zeigt nur, was nicht vorbei ist.</translation>
+        <translation>Zeigt nur Meldungen, deren Ursache andauert.</translation>
     </message>
     <message>
         <source>Search messages</source>
@@ -8516,7 +8516,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>ended at %1</source>
-        <translation>vorbei um %1</translation>
+        <translation>endete um %1</translation>
     </message>
 </context>
 <context>
@@ -8555,7 +8555,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>How fast the motor follows. Far right: as fast as noise, output limit and stability permit.</source>
-        <translation>Wie schnell er folgt: rechts so schnell, wie Geräusch, Ausgangsgrenze und Stabilität erlauben.</translation>
+        <translation>Wie schnell der Motor folgt. Ganz rechts: so schnell, wie Rauschen, Ausgangsgrenze und Stabilität erlauben.</translation>
     </message>
     <message>
         <source>Damped</source>
@@ -8563,7 +8563,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Damping. Far right: no overshoot.</source>
-        <translation>Rechts schwingt er nicht über.</translation>
+        <translation>Dämpfung. Ganz rechts: kein Überschwingen.</translation>
     </message>
     <message>
         <source>Loud</source>
@@ -8579,11 +8579,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Record a step with this module first.</source>
-        <translation>Zuerst einen Sprung mit diesem Modul machen.</translation>
+        <translation>Zuerst mit diesem Modul einen Sprung aufzeichnen.</translation>
     </message>
     <message>
         <source>Calculates the motor model from up to %1 recent steps of this module. Sends nothing.</source>
-        <translation>Bestimmt den Motor, der die letzten Sprünge dieses Moduls erklärt, bis zu %1 davon. Sendet nichts.</translation>
+        <translation>Berechnet das Motormodell aus den letzten Sprüngen dieses Moduls, höchstens %1. Sendet nichts.</translation>
     </message>
     <message>
         <source>No suggested gains. Find the motor first.</source>
@@ -8595,11 +8595,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Calculating the motor model…</source>
-        <translation>Motor wird bestimmt …</translation>
+        <translation>Motor wird bestimmt…</translation>
     </message>
     <message>
         <source>The run behind this model was removed. Find the motor again.</source>
-        <translation>Der Lauf, aus dem er bestimmt wurde, ist fort. Neu bestimmen.</translation>
+        <translation>Der Lauf zu diesem Modell wurde entfernt. Den Motor neu bestimmen.</translation>
     </message>
     <message>
         <source>No gains keep this motor stable and quiet.</source>
@@ -8666,7 +8666,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The A/D reading of the temperature sensor.</source>
-        <translation>Was der Wandler am Temperatursensor liest.</translation>
+        <translation>Der A/D-Wert des Temperatursensors.</translation>
     </message>
     <message>
         <source>Limit switch 1</source>
@@ -8678,7 +8678,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Encoder index</source>
-        <translation>Geberindex</translation>
+        <translation>Indexpuls</translation>
     </message>
     <message>
         <source>Stays until the shaft moves.</source>
@@ -8690,7 +8690,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>If cleared, the A/D input reads the motor current.</source>
-        <translation>Ohne Haken liest der Wandler den Motorstrom.</translation>
+        <translation>Ohne Haken liest der A/D-Eingang den Motorstrom.</translation>
     </message>
     <message>
         <source>ADDR line broken towards the host</source>
@@ -8698,7 +8698,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The line is broken between this module and the next one towards the host, which then gets no address.</source>
-        <translation>Zwischen diesem Modul und dem nächsten zum Rechner hin unterbrochen: jenes bekommt keine Adresse.</translation>
+        <translation>Die Leitung ist zwischen diesem Modul und dem nächsten zum Rechner hin unterbrochen; jenes bekommt dann keine Adresse.</translation>
     </message>
     <message>
         <source>Power-cycle</source>
@@ -8706,7 +8706,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Switches this module off and on: it loses its address and gains.</source>
-        <translation>Schaltet dieses Modul aus und ein: es vergisst Adresse und Reglerwerte.</translation>
+        <translation>Schaltet dieses Modul aus und ein: Es verliert Adresse und Reglerwerte.</translation>
     </message>
     <message>
         <source>Power-cycle all</source>
@@ -8714,7 +8714,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Switches all modules off and on: they lose their addresses and gains.</source>
-        <translation>Schaltet alle Module aus und ein: sie vergessen Adressen und Reglerwerte.</translation>
+        <translation>Schaltet alle Module aus und ein: Sie verlieren Adressen und Reglerwerte.</translation>
     </message>
     <message>
         <source>Late tick</source>
@@ -8766,7 +8766,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>A hard stop at the reverse end of travel. It cannot be set past the present shaft position.</source>
-        <translation>Ein fester Anschlag am rückwärtigen Ende des Wegs. Er kann nicht jenseits der Welle liegen.</translation>
+        <translation>Ein fester Anschlag am hinteren Ende des Fahrwegs. Er kann nicht hinter die jetzige Position der Welle gesetzt werden.</translation>
     </message>
     <message>
         <source>Stop, forward</source>
@@ -8774,7 +8774,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>A hard stop at the forward end of travel. It cannot be set past the present shaft position.</source>
-        <translation>Ein fester Anschlag am vorderen Ende des Wegs. Er kann nicht jenseits der Welle liegen.</translation>
+        <translation>Ein fester Anschlag am vorderen Ende des Fahrwegs. Er kann nicht hinter die jetzige Position der Welle gesetzt werden.</translation>
     </message>
     <message>
         <source>Limit switches at the stops</source>
@@ -8794,7 +8794,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The home switch is closed forward of this position. If cleared, set it by hand.</source>
-        <translation>Der Referenzschalter ist von dort an vorwärts geschlossen. Ohne Haken wird er von Hand gestellt.</translation>
+        <translation>Der Referenzschalter ist ab dieser Position vorwärts geschlossen. Ohne Haken wird er von Hand gestellt.</translation>
     </message>
     <message>
         <source>Pins</source>
@@ -8817,7 +8817,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>PWM 1 und 2</translation>
     </message>
     <message>
-        <source>What the module puts out, of 255.</source>
+        <source>The output of the module, of 255.</source>
         <translation>Was das Modul ausgibt, von 255.</translation>
     </message>
     <message>
@@ -8830,7 +8830,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>An output: the module sets its level.</source>
-        <translation>Ein Ausgang: das Modul bestimmt seinen Pegel.</translation>
+        <translation>Ein Ausgang: Das Modul bestimmt seinen Pegel.</translation>
     </message>
     <message>
         <source>High while checked.</source>
@@ -8938,7 +8938,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Moves to the position, then holds.</source>
-        <translation>Startet die Fahrt zur Position und hält dort.</translation>
+        <translation>Fährt zur Position und hält dort.</translation>
     </message>
     <message>
         <source>Runs forward until stopped.</source>
@@ -8950,7 +8950,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Used by every motion here, and by a smooth stop.</source>
-        <translation>Wie schnell sich die Geschwindigkeit ändert. Gilt hier für jede Art von Bewegung und für den sanften Stopp.</translation>
+        <translation>Gilt für jede Bewegung hier und für den sanften Stopp.</translation>
     </message>
     <message>
         <source>How fast the motor turns.</source>
@@ -9014,7 +9014,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Already there</source>
-        <translation>Der Motor ist bereits dort</translation>
+        <translation>Bereits dort</translation>
     </message>
     <message>
         <source>The goal is outside the position range.</source>
@@ -9022,7 +9022,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The goal of a trapezoidal move from standstill. Press Enter to start.</source>
-        <translation>Wohin aus dem Stillstand mit Trapezprofil gefahren wird. Eingabe startet die Fahrt.</translation>
+        <translation>Das Ziel einer Trapezfahrt aus dem Stillstand. Die Eingabetaste startet die Fahrt.</translation>
     </message>
     <message>
         <source>Go to &amp;position</source>
@@ -9034,7 +9034,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The velocity of a run. Press Enter to run, or to change the velocity during a run.</source>
-        <translation>Wie schnell sich der Motor bis zum Stopp dreht. Eingabe startet den Lauf und ändert unterwegs die Geschwindigkeit.</translation>
+        <translation>Die Geschwindigkeit des Dauerlaufs. Die Eingabetaste startet ihn oder ändert während des Laufs die Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Loads the move without starting it. Choose Start, or start the module&apos;s group.</source>
@@ -9066,11 +9066,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Runs forward until stopped, or to its highest position.</source>
-        <translation>Läuft vorwärts, bis angehalten wird, oder bis zur höchsten Position.</translation>
+        <translation>Läuft vorwärts bis zum Stopp oder bis zur höchsten Position.</translation>
     </message>
     <message>
         <source>Runs in reverse until stopped, or to its lowest position.</source>
-        <translation>Läuft rückwärts, bis angehalten wird, oder bis zur tiefsten Position.</translation>
+        <translation>Läuft rückwärts bis zum Stopp oder bis zur tiefsten Position.</translation>
     </message>
 </context>
 <context>
@@ -9157,7 +9157,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>A series of steps is already running.</source>
-        <translation>Es werden bereits Schritte gefahren.</translation>
+        <translation>Eine Schrittfolge läuft bereits.</translation>
     </message>
     <message>
         <source>Moves forward by this distance, then holds.</source>
@@ -9169,11 +9169,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>No series of steps is running.</source>
-        <translation>Es werden keine Schritte gefahren.</translation>
+        <translation>Es läuft keine Schrittfolge.</translation>
     </message>
     <message>
         <source>Ends the series of steps and stops the motor smoothly.</source>
-        <translation>Fährt keine weiteren Schritte und stoppt den Motor sanft.</translation>
+        <translation>Beendet die Schrittfolge und stoppt den Motor sanft.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9196,7 +9196,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>%1 must be a number.</source>
-        <translation>%1 braucht eine Zahl.</translation>
+        <translation>%1 muss eine Zahl sein.</translation>
     </message>
     <message>
         <source>%1 has two decimal marks. Both , and . count as decimal marks.</source>
@@ -9204,7 +9204,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>%1 must be a whole number.</source>
-        <translation>%1 braucht eine ganze Zahl.</translation>
+        <translation>%1 muss eine ganze Zahl sein.</translation>
     </message>
 </context>
 <context>
@@ -9214,8 +9214,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Bedienermodus</translation>
     </message>
     <message>
-        <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is no security: anyone with access to this computer&apos;s files can bypass it.</source>
-        <translation>Wählen Sie, was dem Bediener überlassen bleibt. ALLES STOPP, Esc, die Stopps jedes Motors und Trennen gehen immer. Das schützt vor Versehen; es ist keine Sicherheit: Wer an die Dateien dieses Rechners kommt, kommt daran vorbei.</translation>
+        <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is not a security feature: anyone with access to this computer&apos;s files can bypass it.</source>
+        <translation>Wählen Sie, was der Bediener tun darf. ALLES STOPP, Esc, die Stopps jedes Motors und Trennen gehen immer. Der Bedienermodus verhindert Versehen; er ist keine Zugangssicherung: Wer Zugriff auf die Dateien dieses Rechners hat, kann ihn umgehen.</translation>
     </message>
     <message>
         <source>&amp;Enable motors, clear faults</source>
@@ -9267,11 +9267,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The PIN is too short: use at least 4 characters.</source>
-        <translation>Die PIN ist zu kurz: Sie braucht 4 Zeichen.</translation>
+        <translation>Die PIN ist zu kurz: Sie braucht mindestens 4 Zeichen.</translation>
     </message>
     <message>
         <source>The two PINs differ. Type the same PIN twice.</source>
-        <translation>Die beiden PINs sind verschieden. Tippen Sie zweimal dieselbe.</translation>
+        <translation>Die beiden PINs sind verschieden. Geben Sie zweimal dieselbe ein.</translation>
     </message>
     <message>
         <source>Wrong PIN. %1</source>
@@ -9302,7 +9302,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Limits the panel to the actions that you select, until someone enters the PIN.</source>
-        <translation>Überlässt einem Bediener nur, was Sie wählen, bis jemand die PIN hat.</translation>
+        <translation>Beschränkt das Programm auf die gewählten Aktionen, bis jemand die PIN eingibt.</translation>
     </message>
 </context>
 <context>
@@ -9344,7 +9344,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Filter packets by module</source>
-        <translation>Pakete welches Moduls</translation>
+        <translation>Pakete nach Modul filtern</translation>
     </message>
     <message>
         <source>Shows only packets of one module (Ctrl+M).</source>
@@ -9356,7 +9356,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Filter packets by kind</source>
-        <translation>Pakete welcher Art</translation>
+        <translation>Pakete nach Art filtern</translation>
     </message>
     <message>
         <source>Shows only packets of one kind (Ctrl+T).</source>
@@ -9400,7 +9400,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Clears the packets shown (%1).</source>
-        <translation>Vergisst die bisher gezeigten Pakete (%1).</translation>
+        <translation>Leert die gezeigten Pakete (%1).</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -9467,7 +9467,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>No packets. Exchanges are recorded while this view is visible.</source>
-        <translation>Keine Pakete. Jede Übertragung wird aufgezeichnet, solange dies zu sehen ist.</translation>
+        <translation>Keine Pakete. Übertragungen werden aufgezeichnet, solange diese Ansicht sichtbar ist.</translation>
     </message>
     <message>
         <source>No packets match the filter.</source>
@@ -9498,7 +9498,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Stop abruptly: this module</source>
-        <translation>Abrupt stoppen: dieses Modul</translation>
+        <translation>Sofort-Stopp: dieses Modul</translation>
     </message>
     <message>
         <source>&amp;Motor off</source>
@@ -9546,7 +9546,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>Schaltet Servo und Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
+        <translation>Schaltet Servo und Verstärker aus: Der Motor ist frei drehbar, und eine Last kann absinken.</translation>
     </message>
     <message>
         <source>&amp;Enable amplifier</source>
@@ -9574,11 +9574,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Stops at once and switches the amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>Stoppt sofort und schaltet den Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
+        <translation>Stoppt sofort und schaltet den Verstärker aus: Der Motor ist frei drehbar, und eine Last kann absinken.</translation>
     </message>
     <message>
         <source>Task running on this module</source>
-        <translation>Was mit diesem Modul läuft</translation>
+        <translation>Laufender Vorgang dieses Moduls</translation>
     </message>
     <message>
         <source>Measured velocity</source>
@@ -9586,7 +9586,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Velocity measured from positions over 0.2 s.</source>
-        <translation>Wie schnell er sich dreht, gemessen an den Positionen einer Fünftelsekunde.</translation>
+        <translation>Geschwindigkeit, aus Positionen über 0,2 s gemessen.</translation>
     </message>
     <message>
         <source>Motor current</source>
@@ -9614,7 +9614,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Motor power as sensed by the module.</source>
-        <translation>Motorspannung, wie das Modul sie erkennt.</translation>
+        <translation>Motorversorgung, wie das Modul sie erkennt.</translation>
     </message>
     <message>
         <source>Limit stop</source>
@@ -9674,11 +9674,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Kp is 0: the servo brakes the motor but holds no position.</source>
-        <translation>Kp ist 0: Der Servo bremst den Motor und hält keine Position.</translation>
+        <translation>Kp ist 0: Der Servo bremst den Motor, hält aber keine Position.</translation>
     </message>
     <message>
         <source>Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.</source>
-        <translation>Schaltet den Verstärker ein, hält den Motor, wo er steht, und löscht die Sticky-Bits: Das der Regelabweichung ist gesetzt, solange der Servo aus ist.</translation>
+        <translation>Schaltet den Verstärker ein, hält den Motor an seiner Position und löscht die Sticky-Bits: Das Bit des Positionsfehlers ist gesetzt, solange der Servo aus ist.</translation>
     </message>
 </context>
 <context>
@@ -9768,7 +9768,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Run path after a question</source>
-        <translation>Bahn fahren nach einer Frage</translation>
+        <translation>Bahn fahren, mit Rückfrage</translation>
     </message>
     <message>
         <source>Stop path</source>
@@ -9839,8 +9839,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Fährt jede Achse der Bahn zu ihrem ersten Punkt.</translation>
     </message>
     <message>
-        <source>Runs all axes through the path, after a question.</source>
-        <translation>Fährt alle Achsen durch die Bahn, nach einer Frage.</translation>
+        <source>Runs all axes through the path. Asks first.</source>
+        <translation>Fährt alle Achsen durch die Bahn. Fragt vorher.</translation>
     </message>
     <message>
         <source>No path is running.</source>
@@ -9880,7 +9880,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>All axes of the path start to move. Make sure that nothing is in their way.</source>
-        <translation>Alle Achsen der Bahn setzen sich in Bewegung. Nichts darf ihnen im Weg sein.</translation>
+        <translation>Alle Achsen der Bahn setzen sich in Bewegung. Sicherstellen, dass ihnen nichts im Weg ist.</translation>
     </message>
     <message>
         <source>Run the path</source>
@@ -9902,8 +9902,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Handgerät: &amp;Tastatur oder Gamepad</translation>
     </message>
     <message>
-        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or cross. B (○) of the gamepad is STOP ALL. (F12)</source>
-        <translation>Umschalt mit einer Pfeiltaste bewegt den Motor, solange beide gehalten werden; ebenso eine Schultertaste eines Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) des Gamepads ist ALLES STOPP. (F12)</translation>
+        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad. B (○) of the gamepad is STOP ALL. (F12)</source>
+        <translation>Zum Bewegen des Motors Umschalt mit einer Pfeiltaste gedrückt halten oder eine Schultertaste eines Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) des Gamepads ist ALLES STOPP. (F12)</translation>
     </message>
 </context>
 <context>
@@ -9978,11 +9978,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Its name on this machine. Sends nothing.</source>
-        <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
+        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
     </message>
     <message>
         <source>Ask first before %1 changes</source>
-        <translation>Fragen, bevor sich %1 ändert</translation>
+        <translation>Erst fragen, bevor sich %1 ändert</translation>
     </message>
     <message>
         <source>Asks before the panel switches this output.</source>
@@ -10026,7 +10026,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Another program set up this module, so its pin directions are unknown. Make all pins inputs to start over.</source>
-        <translation>Ein anderes Programm hat dieses Modul hinterlassen, und es sagt nicht, welche Pins Ausgänge sind. Alle Pins zu Eingängen machen, um neu zu beginnen.</translation>
+        <translation>Ein anderes Programm hat dieses Modul eingerichtet, die Richtungen der Pins sind daher unbekannt. Alle Pins zu Eingängen machen, um neu zu beginnen.</translation>
     </message>
     <message>
         <source>Pin directions unknown. Make all pins inputs first.</source>
@@ -10100,7 +10100,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The share of the supply that drives the motor; 255 is full power.</source>
-        <translation>Welcher Anteil der Versorgung den Motor treibt: 255 ist die ganze.</translation>
+        <translation>Der Anteil der Versorgung, der den Motor antreibt; 255 ist die volle Leistung.</translation>
     </message>
     <message>
         <source>Drive reverse with this PWM value</source>
@@ -10116,7 +10116,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>PWM drives the motor directly, without the servo. No position, position error or output limit protects it, and it runs until you switch it off.</source>
-        <translation>Der Motor wird direkt getrieben, ohne den Servo: keine Positionsgrenze, keine Grenze der Regelabweichung und keine Ausgangsgrenze schützt ihn, und er läuft, bis er abgeschaltet wird.</translation>
+        <translation>PWM treibt den Motor direkt an, ohne den Servo. Keine Positions-, Positionsfehler- oder Ausgangsgrenze schützt ihn, und er läuft, bis er abgeschaltet wird.</translation>
     </message>
     <message>
         <source>= %1 %</source>
@@ -10124,15 +10124,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Drives the motor in reverse until you switch it off.</source>
-        <translation>Treibt den Motor rückwärts, bis er abgeschaltet wird.</translation>
+        <translation>Treibt den Motor rückwärts an, bis er abgeschaltet wird.</translation>
     </message>
     <message>
         <source>Drives the motor forward until you switch it off.</source>
-        <translation>Treibt den Motor vorwärts, bis er abgeschaltet wird.</translation>
+        <translation>Treibt den Motor vorwärts an, bis er abgeschaltet wird.</translation>
     </message>
     <message>
         <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>Schaltet Servo und Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
+        <translation>Schaltet Servo und Verstärker aus: Der Motor ist frei drehbar, und eine Last kann absinken.</translation>
     </message>
 </context>
 <context>
@@ -10171,7 +10171,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>A motor is moving. Stop all motors to change the baud rate.</source>
-        <translation>Ein Motor ist in Bewegung. Die Rate wird nur im Stillstand geändert.</translation>
+        <translation>Ein Motor ist in Bewegung. Zum Ändern der Baudrate alle Motoren stoppen.</translation>
     </message>
     <message>
         <source>The chain already runs at this baud rate.</source>
@@ -10187,11 +10187,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Modules with an unknown group may miss the change: %1. Set their group on the Groups page, or none.</source>
-        <translation>Die Gruppen einiger Module sind nicht bekannt, sie würden es also vielleicht nicht hören: %1. Wählen Sie auf der Seite Gruppen eine für sie, oder keine.</translation>
+        <translation>Module mit unbekannter Gruppe verpassen vielleicht den Wechsel: %1. Auf der Seite Gruppen ihre Gruppe setzen oder keine.</translation>
     </message>
     <message>
         <source>Group leaders would answer during the change. Make these ordinary members on the Groups page: %1.</source>
-        <translation>Ein Gruppenleiter würde antworten, während die Rate wechselt. Nehmen Sie das auf der Seite Gruppen diesen ab: %1.</translation>
+        <translation>Leitmodule würden während des Wechsels antworten. Auf der Seite Gruppen gewöhnliche Mitglieder daraus machen: %1.</translation>
     </message>
     <message>
         <source>Other…</source>
@@ -10203,7 +10203,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The baud rate is 1 250 000 Bd / (divisor + 1). The panel first checks that this computer&apos;s port supports it to within 2 %.</source>
-        <translation>Die Rate ist 1 250 000 Bd / (Teiler + 1). Ob der Anschluss dieses Rechners sie auf 2 % genau erzeugt, wird geprüft, bevor ein Modul davon erfährt.</translation>
+        <translation>Die Baudrate ist 1 250 000 Bd / (Teiler + 1). Das Programm prüft zuerst, ob der Port dieses Rechners sie auf 2 % genau unterstützt.</translation>
     </message>
     <message>
         <source>= %1 Bd</source>
@@ -10269,7 +10269,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Method: how the command jumps</source>
-        <translation>Wie die Vorgabe springt</translation>
+        <translation>Art, wie die Sollposition springt</translation>
     </message>
     <message>
         <source>The record</source>
@@ -10293,7 +10293,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
-        <translation>Der Motor ist eingeschwungen, wenn er so nahe am Ziel bleibt; strenger als auf ein Inkrement wird nie geprüft. Gilt für alle Läufe.</translation>
+        <translation>Der Motor ist eingeschwungen, wenn er so nahe am Ziel bleibt. Mindestens ein Inkrement. Gilt für alle Läufe.</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -10325,7 +10325,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
-        <translation>Der Motor springt um diese Strecke und hält dort. Alles, was sich mitdreht, muss frei beweglich sein (Umschalt+F9).</translation>
+        <translation>Der Motor springt um diese Strecke und hält dort. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann (Umschalt+F9).</translation>
     </message>
     <message>
         <source>%1 %2 instead of %3</source>
@@ -10376,7 +10376,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>This run belongs to %1. Select that module first.</source>
-        <translation>Dieser Lauf ist von %1. Zuerst dieses Modul wählen.</translation>
+        <translation>Dieser Lauf gehört zu %1. Zuerst dieses Modul wählen.</translation>
     </message>
     <message>
         <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
@@ -10479,7 +10479,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
-        <translation>Positionen seit dem Sprung, gezählt von dort, wo er begann. Das schattierte Band ist das Einschwingband um das Ziel. Ein Doppelklick zeigt die ganze Aufzeichnung oder nur die Zeit der Bewegung. Das Mausrad zoomt (mit Strg die Positionen), Ziehen verschiebt, Ziehen mit Umschalt wählt eine Zeit.</translation>
+        <translation>Positionen seit dem Sprung, bezogen auf seinen Beginn. Das schattierte Band ist das Toleranzband um das Ziel. Ein Doppelklick wechselt zwischen der ganzen Aufzeichnung und der Bewegung. Das Mausrad zoomt die Zeit, mit Strg die Positionen; Ziehen verschiebt; Ziehen mit Umschalt wählt eine Zeit.</translation>
     </message>
     <message>
         <source>time since the step (s)</source>
@@ -10554,7 +10554,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>How far the motor went past its goal, in % of the step.</source>
-        <translation>Wie weit es über das Ziel hinausging, in % des Sprungs.</translation>
+        <translation>Wie weit der Motor über sein Ziel hinausging, in % des Sprungs.</translation>
     </message>
     <message>
         <source>Goal minus the mean position over the last fifth of the record.</source>
@@ -10562,7 +10562,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>PWM demand at the jump, calculated from the gains. Later ticks may need more: below the output limit OL this is a lower bound.</source>
-        <translation>Was der Servo vom Verstärker verlangt, wenn die Sollposition springt, aus den Reglerwerten. Ein späterer Takt kann mehr verlangen; unter der Ausgangsgrenze OL ist es daher nur eine untere Schranke.</translation>
+        <translation>PWM-Bedarf beim Sprung, aus den Reglerwerten berechnet. Spätere Takte können mehr brauchen: Unter der Ausgangsgrenze OL ist dies eine untere Schranke.</translation>
     </message>
     <message>
         <source>Mean time between two positions of the record. It sets the accuracy of the results.</source>
@@ -10582,7 +10582,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record.</source>
-        <translation>Zeit, bis er im Einschwingband um das Ziel bleibt. Nichts, wenn das nicht vor dem letzten Fünftel der Aufzeichnung ist.</translation>
+        <translation>Zeit, bis die Position im Toleranzband um das Ziel bleibt. Leer, wenn das erst im letzten Fünftel der Aufzeichnung eintritt.</translation>
     </message>
     <message>
         <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
@@ -10641,7 +10641,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
-        <translation>Die bisherigen Sprungantworten, die neueste zuerst. Haken Sie zwei an, um ihre Kurven zu vergleichen. Die letzten %1 werden bei der Maschine aufbewahrt, am längsten die mit einem Namen oder einer Notiz.</translation>
+        <translation>Sprungantworten, die neueste zuerst. Zwei Häkchen setzen, um die Kurven zu vergleichen. Die letzten %1 werden mit der Maschine gespeichert; am längsten bleiben die mit einem Namen oder einer Notiz.</translation>
     </message>
     <message>
         <source>Name</source>
@@ -10668,7 +10668,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <name>nmc::ResponseView</name>
     <message>
         <source>Cursor readings</source>
-        <translation>Was die Cursor anzeigen</translation>
+        <translation>Cursorwerte</translation>
     </message>
     <message>
         <source>Run</source>
@@ -10692,7 +10692,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Fits the view to the motion and all positions (A, in the plot).</source>
-        <translation>Solange der Motor sich bewegt, und alle Positionen (A, im Diagramm).</translation>
+        <translation>Passt die Ansicht an die Bewegung und alle Positionen an (A, im Diagramm).</translation>
     </message>
     <message>
         <source>Cursors</source>
@@ -10712,7 +10712,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The visible plot as an image.</source>
-        <translation>Das Sichtbare als Bild.</translation>
+        <translation>Das sichtbare Diagramm als Bild.</translation>
     </message>
     <message>
         <source>&amp;Vector picture (SVG)…</source>
@@ -10720,7 +10720,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>Das Sichtbare in Linien, die in jeder Größe scharf bleiben.</translation>
+        <translation>Das sichtbare Diagramm in Linien, die in jeder Größe scharf bleiben.</translation>
     </message>
     <message>
         <source>P&amp;age (PDF)…</source>
@@ -10728,7 +10728,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The visible plot on a page for printing or a report.</source>
-        <translation>Das Sichtbare auf einer Seite für einen Drucker oder einen Bericht.</translation>
+        <translation>Das sichtbare Diagramm auf einer Seite zum Drucken oder für einen Bericht.</translation>
     </message>
     <message>
         <source>&amp;Copy picture</source>
@@ -10736,11 +10736,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Copies the visible plot to the clipboard.</source>
-        <translation>Das Sichtbare in die Zwischenablage.</translation>
+        <translation>Kopiert das sichtbare Diagramm in die Zwischenablage.</translation>
     </message>
     <message>
         <source>Exports the visible plot, with a description of the runs.</source>
-        <translation>Holt das Sichtbare aus dem Panel heraus, mit den Läufen in Worten.</translation>
+        <translation>Exportiert das sichtbare Diagramm mit einer Beschreibung der Läufe.</translation>
     </message>
     <message>
         <source>A: run %1, %2, %3, %4</source>
@@ -10784,7 +10784,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Was zu sehen ist, auf einer Seite des Standarddruckers dieses Rechners.</translation>
+        <translation>Druckt das sichtbare Diagramm auf dem Standarddrucker dieses Rechners.</translation>
     </message>
 </context>
 <context>
@@ -10928,7 +10928,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Shows two cursors to measure with: drag them (C).</source>
-        <translation>Zwei Cursor zum Messen, die sich ziehen lassen (C).</translation>
+        <translation>Zeigt zwei Cursor zum Messen, die sich ziehen lassen (C).</translation>
     </message>
     <message>
         <source>Status bits</source>
@@ -10936,7 +10936,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Shows the status bits of the selected module over time (B).</source>
-        <translation>Die Statusbits des gewählten Moduls über der Zeit (B).</translation>
+        <translation>Zeigt die Statusbits des gewählten Moduls über der Zeit (B).</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -11007,7 +11007,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The visible plot as an image.</source>
-        <translation>Das Sichtbare als Bild.</translation>
+        <translation>Das sichtbare Diagramm als Bild.</translation>
     </message>
     <message>
         <source>&amp;Vector picture (SVG)…</source>
@@ -11015,7 +11015,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>Das Sichtbare in Linien, die in jeder Größe scharf bleiben.</translation>
+        <translation>Das sichtbare Diagramm in Linien, die in jeder Größe scharf bleiben.</translation>
     </message>
     <message>
         <source>&amp;Copy picture</source>
@@ -11023,7 +11023,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Copies the visible plot to the clipboard, with its samples if these are few.</source>
-        <translation>Das Sichtbare in die Zwischenablage; mit seinen Messwerten, wenn es wenige sind.</translation>
+        <translation>Kopiert das sichtbare Diagramm in die Zwischenablage; mit seinen Messwerten, wenn es wenige sind.</translation>
     </message>
     <message>
         <source>Export from the scope</source>
@@ -11047,7 +11047,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The visible plot on a page for printing or a report.</source>
-        <translation>Was zu sehen ist, auf einer Seite für einen Drucker oder einen Bericht.</translation>
+        <translation>Das sichtbare Diagramm auf einer Seite zum Drucken oder für einen Bericht.</translation>
     </message>
     <message>
         <source>P&amp;rint</source>
@@ -11055,7 +11055,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Was zu sehen ist, auf einer Seite des Standarddruckers dieses Rechners.</translation>
+        <translation>Druckt das sichtbare Diagramm auf dem Standarddrucker dieses Rechners.</translation>
     </message>
 </context>
 <context>
@@ -11106,7 +11106,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Nothing to record: connect a module first.</source>
-        <translation>Es gibt nichts aufzuzeichnen: kein Modul ist verbunden.</translation>
+        <translation>Nichts aufzuzeichnen: zuerst ein Modul verbinden.</translation>
     </message>
     <message>
         <source>● Recording %1, %2, %3</source>
@@ -11142,7 +11142,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Overlay</source>
-        <translation>Unter den laufenden Kurven</translation>
+        <translation>Unterlegt</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -11170,7 +11170,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Draws a recording in pale lines below the live traces, aligned to the start of the last motion.</source>
-        <translation>Zeichnet eine Aufzeichnung blass unter das Laufende, ihre erste Bewegung dort, wo hier die letzte begann.</translation>
+        <translation>Zeichnet eine Aufzeichnung mit blassen Linien unter die laufenden Kurven, ausgerichtet am Beginn der letzten Bewegung.</translation>
     </message>
     <message>
         <source>Overlay a recording</source>
@@ -11178,7 +11178,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Overlay: %1</source>
-        <translation>Blass unter den laufenden Kurven: %1</translation>
+        <translation>Unterlegt: %1</translation>
     </message>
 </context>
 <context>
@@ -11201,14 +11201,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Overlay: %1</source>
-        <translation>Blass darunter: %1</translation>
+        <translation>Unterlegt: %1</translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopePlot</name>
     <message>
         <source>%1 · unknown</source>
-        <translation>%1 · jetzt nicht bekannt</translation>
+        <translation>%1 · unbekannt</translation>
     </message>
     <message>
         <source>%1 · %2/s</source>
@@ -11278,7 +11278,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The selected axes become part of the point.</source>
-        <translation>Die angekreuzten Achsen werden Teil des Punkts.</translation>
+        <translation>Die gewählten Achsen werden Teil des Punkts.</translation>
     </message>
     <message>
         <source>Teach</source>
@@ -11286,7 +11286,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Teach a point: store the positions of the selected axes</source>
-        <translation>Einen Punkt teachen: behalten, wo die angekreuzten Achsen stehen</translation>
+        <translation>Teachen: die Positionen der gewählten Achsen speichern</translation>
     </message>
     <message>
         <source>Go to point</source>
@@ -11442,7 +11442,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Pause the sequence after its row</source>
-        <translation>Den Ablauf hinter seiner Zeile pausieren</translation>
+        <translation>Pause: den Ablauf nach seiner Zeile anhalten</translation>
     </message>
     <message>
         <source>Single step</source>
@@ -11450,7 +11450,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Single step: run one row of the sequence</source>
-        <translation>Eine Zeile des Ablaufs ausführen</translation>
+        <translation>Einzelschritt: eine Zeile des Ablaufs ausführen</translation>
     </message>
     <message>
         <source>Stop sequence</source>
@@ -11466,7 +11466,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Move row</source>
-        <translation>Zeile schieben</translation>
+        <translation>Zeile verschieben</translation>
     </message>
     <message>
         <source>Enter a name for the point first.</source>
@@ -11474,7 +11474,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Select at least one axis.</source>
-        <translation>Mindestens eine Achse ankreuzen.</translation>
+        <translation>Mindestens eine Achse wählen.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -11482,7 +11482,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Stores the present positions of the selected axes under this name, replacing any point of that name. Nothing moves.</source>
-        <translation>Behält unter diesem Namen, wo die angekreuzten Achsen jetzt stehen; nichts fährt. Ein Punkt, der schon so heißt, bekommt die neuen Stellen.</translation>
+        <translation>Speichert die jetzigen Positionen der gewählten Achsen unter diesem Namen und ersetzt einen Punkt gleichen Namens. Nichts bewegt sich.</translation>
     </message>
     <message>
         <source>Select a point in the table.</source>
@@ -11498,7 +11498,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Removes this point; nothing moves.</source>
-        <translation>Entfernt diesen Punkt; nichts fährt.</translation>
+        <translation>Entfernt diesen Punkt; nichts bewegt sich.</translation>
     </message>
     <message>
         <source>No sequence yet. Add one first.</source>
@@ -11514,7 +11514,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Row %1 of &quot;%2&quot; calls this sequence. Change that row first.</source>
-        <translation>Zeile %1 von „%2“ ruft diesen Ablauf. Zuerst diese Zeile ändern.</translation>
+        <translation>Zeile %1 von „%2“ ruft diesen Ablauf auf. Zuerst diese Zeile ändern.</translation>
     </message>
     <message>
         <source>Removes this sequence with its rows.</source>
@@ -11534,15 +11534,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The row cannot move farther: a repeat must stay below the row it goes back to.</source>
-        <translation>Weiter geht es nicht: eine Wiederholung bleibt unter der Zeile, zu der sie zurückspringt.</translation>
+        <translation>Die Zeile lässt sich nicht weiter verschieben: Eine Wiederholung muss unter der Zeile bleiben, zu der sie zurückgeht.</translation>
     </message>
     <message>
         <source>Moves this row up.</source>
-        <translation>Schiebt diese Zeile hinauf.</translation>
+        <translation>Verschiebt diese Zeile nach oben.</translation>
     </message>
     <message>
         <source>Moves this row down.</source>
-        <translation>Schiebt diese Zeile hinunter.</translation>
+        <translation>Verschiebt diese Zeile nach unten.</translation>
     </message>
     <message>
         <source>Nothing to undo.</source>
@@ -11570,7 +11570,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Runs &quot;%1&quot; from the selected row on. The axes must be where the rows above leave them.</source>
-        <translation>Startet „%1“ ab der gewählten Zeile. Möglich, wenn die Achsen so stehen, wie die Zeilen darüber sie verlassen.</translation>
+        <translation>Startet „%1“ ab der gewählten Zeile. Die Achsen müssen dort stehen, wo die Zeilen darüber sie lassen.</translation>
     </message>
     <message>
         <source>No sequence is running.</source>
@@ -11590,7 +11590,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The sequence is running. Pause it first.</source>
-        <translation>Er läuft. Ihn erst pausieren.</translation>
+        <translation>Der Ablauf läuft. Ihn zuerst pausieren.</translation>
     </message>
     <message>
         <source>Runs one row, then waits. Starts with the selected row.</source>
@@ -11633,7 +11633,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Homing</source>
-        <translation>Referenzsuche</translation>
+        <translation>Referenzfahrt</translation>
     </message>
     <message>
         <source>PWM</source>
@@ -11696,7 +11696,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Filter by module or signal</source>
-        <translation>Filter: ein Modul, ein Signal oder Wörter von beiden</translation>
+        <translation>Filter: nach Modul oder Signal</translation>
     </message>
     <message>
         <source>Position and command position, with the error and the motor current below.</source>
@@ -11760,7 +11760,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The motor jumps back and forth around its position. Make sure that everything it drives can move freely.</source>
-        <translation>Der Motor springt um die Stelle, an der er gehalten wird, hin und her. Alles, was sich mitdreht, muss sich drehen können.</translation>
+        <translation>Der Motor springt um seine Position hin und her. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -11800,11 +11800,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>How far the motor may move past either side. Beyond that, the test stops and the motor holds.</source>
-        <translation>Wie weit der Motor über jede Seite hinaus gehen darf. Darüber hinaus wird er gehalten.</translation>
+        <translation>Wie weit der Motor über jede Seite hinausgehen darf. Darüber hinaus stoppt die Prüfung, und der Motor hält.</translation>
     </message>
     <message>
         <source>Method: how the command jumps</source>
-        <translation>Wie die Vorgabe springt</translation>
+        <translation>Art, wie die Sollposition springt</translation>
     </message>
     <message>
         <source>Method</source>
@@ -11820,7 +11820,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Keep as a run: the median edge</source>
-        <translation>Den Median der Flanken als Sprungantwort behalten</translation>
+        <translation>Als Lauf behalten: den Median der Flanken</translation>
     </message>
     <message>
         <source>Rise %1</source>
@@ -11844,7 +11844,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Adds the median of the rising edges to the list of step responses.</source>
-        <translation>Nimmt den Median der Flanken vorwärts in die Liste der Sprungantworten auf.</translation>
+        <translation>Fügt den Median der steigenden Flanken zur Liste der Sprungantworten hinzu.</translation>
     </message>
     <message>
         <source>Edges with these gains: %1</source>
@@ -11875,7 +11875,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Choose a serial port…</source>
-        <translation>Seriellen Port wählen …</translation>
+        <translation>Seriellen Port wählen…</translation>
     </message>
     <message>
         <source>No serial port found. Plug in the adapter of the modules: it shows up here.</source>
@@ -11923,12 +11923,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::StepperDetailsBox</name>
     <message>
-        <source>Step pulses are coming.</source>
+        <source>The module is sending step pulses.</source>
         <translation>Schrittimpulse kommen.</translation>
     </message>
     <message>
         <source>The module received a garbled command and did not carry it out.</source>
-        <translation>Das Modul konnte den letzten Befehl nicht lesen; er wurde nicht ausgeführt.</translation>
+        <translation>Das Modul hat einen gestörten Befehl empfangen und nicht ausgeführt.</translation>
     </message>
     <message>
         <source>The driver is enabled (AMP_EN is high).</source>
@@ -11952,7 +11952,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Waiting for the home position.</source>
-        <translation>Wartet auf die Referenzposition.</translation>
+        <translation>Wartet auf die Referenz.</translation>
     </message>
     <message>
         <source>High stops the motor, unless it is ignored.</source>
@@ -11972,7 +11972,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>For homing.</source>
-        <translation>Für die Referenzsuche.</translation>
+        <translation>Für die Referenzfahrt.</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -12056,7 +12056,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Saves the present position as home. The motor does not move.</source>
-        <translation>Merkt sich die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
+        <translation>Speichert die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Home register</source>
@@ -12095,19 +12095,19 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Moves only while you hold a button, or Space on it</source>
-        <translation>bewegt nur, solange eine Taste, oder die Leertaste auf ihr, gedrückt ist</translation>
+        <translation>bewegt nur, solange eine Taste oder auf ihr die Leertaste gedrückt ist</translation>
     </message>
     <message>
         <source>How fast the motor turns while you hold a button: %1 to %2. Set the max jog speed on the Parameters page.</source>
-        <translation>Wie schnell sich der Motor dreht, solange eine Taste gehalten wird: %1 bis %2. Das Höchste wird auf der Seite Parameter eingestellt.</translation>
+        <translation>Wie schnell sich der Motor dreht, solange eine Taste gehalten wird: %1 bis %2. Die max. Tippgeschwindigkeit wird auf der Seite Parameter eingestellt.</translation>
     </message>
     <message>
         <source>Moves forward while held, then stops.</source>
-        <translation>Fährt vorwärts, solange sie gedrückt ist, und stoppt dann.</translation>
+        <translation>Fährt vorwärts, solange gedrückt, und stoppt dann.</translation>
     </message>
     <message>
         <source>Moves in reverse while held, then stops.</source>
-        <translation>Fährt rückwärts, solange sie gedrückt ist, und stoppt dann.</translation>
+        <translation>Fährt rückwärts, solange gedrückt, und stoppt dann.</translation>
     </message>
 </context>
 <context>
@@ -12126,7 +12126,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Its name on this machine. Sends nothing.</source>
-        <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
+        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
     </message>
     <message>
         <source>Outputs</source>
@@ -12206,7 +12206,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Selects the level. Choose Set all outputs to send all five.</source>
-        <translation>Wählt, was er werden soll. „Alle Ausgänge setzen“ sendet alle fünf.</translation>
+        <translation>Wählt den Pegel. „Alle Ausgänge setzen“ sendet alle fünf.</translation>
     </message>
     <message>
         <source>Select a level for all five outputs first.</source>
@@ -12218,7 +12218,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Outputs unknown: they cannot be read back. Select all five levels, then set them.</source>
-        <translation>Die Ausgänge sind unbekannt: das Modul lässt sich nicht danach fragen. Alle fünf wählen, dann setzen.</translation>
+        <translation>Ausgänge unbekannt: Sie lassen sich nicht auslesen. Alle fünf Pegel wählen, dann setzen.</translation>
     </message>
 </context>
 <context>
@@ -12237,7 +12237,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Ramps to a speed and keeps it until stopped (velocity profile mode).</source>
-        <translation>Fährt über eine Rampe auf eine Geschwindigkeit und behält sie bis zum Stopp (Geschwindigkeitsprofil).</translation>
+        <translation>Fährt über eine Rampe auf eine Geschwindigkeit und behält sie bis zum Stopp (Modus Geschwindigkeitsprofil).</translation>
     </message>
     <message>
         <source>Move without ramp</source>
@@ -12245,7 +12245,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).</source>
-        <translation>Fährt vom ersten Schritt an mit einer einzigen Geschwindigkeit zu einer Position und stoppt dort sofort. Ist sie zu hoch, verliert der Motor Schritte (ohne Profil, mit Stopp).</translation>
+        <translation>Fährt mit konstanter Geschwindigkeit ohne Rampen zu einer Position. Bei zu hoher Geschwindigkeit verliert der Motor Schritte (ohne Profil, mit Stopp).</translation>
     </message>
     <message>
         <source>Run without ramp</source>
@@ -12253,7 +12253,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).</source>
-        <translation>Läuft vom ersten Schritt an mit einer einzigen Geschwindigkeit bis zum Stopp. Ist sie zu hoch, verliert der Motor Schritte (ohne Profil, ohne Stopp).</translation>
+        <translation>Läuft mit konstanter Geschwindigkeit ohne Rampe bis zum Stopp. Bei zu hoher Geschwindigkeit verliert der Motor Schritte (ohne Profil, ohne Stopp).</translation>
     </message>
     <message>
         <source>Kind of motion</source>
@@ -12344,11 +12344,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>At constant speed, without a ramp.</source>
-        <translation>Vom ersten Schritt an mit dieser Geschwindigkeit.</translation>
+        <translation>Mit konstanter Geschwindigkeit, ohne Rampe.</translation>
     </message>
     <message>
         <source>Takes %1 s from standstill.</source>
-        <translation>Ist aus dem Stillstand in %1 s dort.</translation>
+        <translation>Dauert %1 s aus dem Stillstand.</translation>
     </message>
     <message>
         <source>Stop, wait: %1</source>
@@ -12356,7 +12356,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Loads the motion without starting it.</source>
-        <translation>Sendet die Bewegung, ohne sie zu starten.</translation>
+        <translation>Lädt die Bewegung, ohne sie zu starten.</translation>
     </message>
     <message>
         <source>Load</source>
@@ -12364,7 +12364,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Moves to the position, then holds.</source>
-        <translation>Startet die Fahrt zur Position und hält dort.</translation>
+        <translation>Fährt zur Position und hält dort.</translation>
     </message>
     <message>
         <source>Load &amp;reverse</source>
@@ -12392,11 +12392,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>The goal of the move. Press Enter to start.</source>
-        <translation>Wohin gefahren wird. Eingabe startet die Fahrt.</translation>
+        <translation>Das Ziel der Fahrt. Die Eingabetaste startet sie.</translation>
     </message>
     <message>
         <source>The distance counts from where the motor is at the start.</source>
-        <translation>Die Position zählt von dort, wo der Motor beim Start steht.</translation>
+        <translation>Die Strecke zählt von dort, wo der Motor beim Start steht.</translation>
     </message>
     <message>
         <source>The buttons only load the motion. Choose Start loaded, or start the module&apos;s group.</source>
@@ -12432,7 +12432,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Moves to home with a ramp, at the travel speed.</source>
-        <translation>Fährt mit Rampe zur Referenz, mit der Geschwindigkeit der Fahrten zu einer Position.</translation>
+        <translation>Fährt mit Rampe zur Referenz, mit der Fahrgeschwindigkeit.</translation>
     </message>
 </context>
 <context>
@@ -12455,7 +12455,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Homing</source>
-        <translation>Referenzsuche</translation>
+        <translation>Referenzfahrt</translation>
     </message>
     <message>
         <source>Axis</source>
@@ -12473,15 +12473,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::StepperParametersBox</name>
     <message>
-        <source>ignored: they stop nothing</source>
-        <translation>ignoriert: sie stoppen nichts</translation>
+        <source>ignored: no motor stop</source>
+        <translation>ignoriert: kein Motorstopp</translation>
     </message>
     <message>
-        <source>ignored: it stops nothing</source>
-        <translation>ignoriert: er stoppt nichts</translation>
-    </message>
-    <message>
-        <source>the motor goes off as well</source>
+        <source>motor switches off, too</source>
         <translation>der Motor wird auch abgeschaltet</translation>
     </message>
     <message>
@@ -12538,15 +12534,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Parameters cannot be read back from the module. The motor moves only after you apply them.</source>
-        <translation>Parameter sind aus dem Modul nicht lesbar, und vor dem Anwenden bewegt sich nichts.</translation>
+        <translation>Parameter sind aus dem Modul nicht auslesbar. Der Motor bewegt sich erst, wenn sie angewendet sind.</translation>
     </message>
     <message>
         <source>If checked, the E-stop input does not stop the motor.</source>
-        <translation>Damit stoppt der E-Stop-Eingang des Moduls den Motor nicht.</translation>
+        <translation>Mit Haken stoppt der E-Stop-Eingang den Motor nicht.</translation>
     </message>
     <message>
         <source>If checked, the limit switches do not stop the motor.</source>
-        <translation>Damit stoppen die Endschalter den Motor nicht.</translation>
+        <translation>Mit Haken stoppen die Endschalter den Motor nicht.</translation>
     </message>
     <message>
         <source>Sends all parameters at once. The amplifier is on: currents and limits take effect immediately.</source>
@@ -12562,11 +12558,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Restores the parameters last sent. Sends nothing.</source>
-        <translation>Zurück zu den gesendeten Parametern. Sendet nichts.</translation>
+        <translation>Stellt die zuletzt gesendeten Parameter wieder her. Sendet nichts.</translation>
     </message>
     <message>
         <source>Clears the fields: no parameters have been sent yet. Sends nothing.</source>
-        <translation>Leert die Felder: es wurden noch keine Parameter gesendet. Sendet nichts.</translation>
+        <translation>Leert die Felder: Es wurden noch keine Parameter gesendet. Sendet nichts.</translation>
     </message>
 </context>
 <context>
@@ -12585,7 +12581,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Max jog speed</source>
-        <translation>Größte Tippgeschwindigkeit</translation>
+        <translation>Max. Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>Jog is never faster than this. Set a speed that you can react to.</source>
@@ -12657,15 +12653,15 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>The test is already running.</source>
-        <translation>Sie läuft schon.</translation>
+        <translation>Die Prüfung läuft schon.</translation>
     </message>
     <message>
         <source>The test is not running.</source>
-        <translation>Sie läuft nicht.</translation>
+        <translation>Die Prüfung läuft nicht.</translation>
     </message>
     <message>
         <source>The motor holds its position.</source>
-        <translation>Der Motor wird an seiner Position gehalten.</translation>
+        <translation>Der Motor hält seine Position.</translation>
     </message>
 </context>
 <context>
@@ -12708,7 +12704,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>Limits moves, runs, steps, jog and homing. Empty: the module&apos;s maximum.</source>
-        <translation>Nichts bewegt diese Achse schneller: keine Fahrt, kein Lauf, kein Schritt, kein Tippen, keine Referenzsuche. Leer: so schnell das Modul kann.</translation>
+        <translation>Begrenzt Fahrten, Dauerlauf, Schritte, Tippen und Referenzfahrt. Leer: der Höchstwert des Moduls.</translation>
     </message>
     <message>
         <source>Backlash</source>
@@ -12716,7 +12712,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none.</source>
-        <translation>Etwas mehr als das Spiel zwischen Motor und Last. Eine Fahrt von der falschen Seite geht dann zuerst um so viel über ihr Ziel hinaus und kommt zurück. Leer: keines.</translation>
+        <translation>Etwas mehr als das Spiel zwischen Motor und Last. Eine Fahrt von der anderen Seite geht um diese Strecke über ihr Ziel hinaus und kommt zurück. Leer: keines.</translation>
     </message>
     <message>
         <source>Approach direction of every goal</source>
@@ -12732,7 +12728,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight.</source>
-        <translation>Fahrt, Referenzfahrt und Schritt kommen von dieser Seite an ihr Ziel. Eine geladene Fahrt geht geradewegs.</translation>
+        <translation>„Position anfahren“, „Zur Referenz“ und „Schritt“ kommen von dieser Seite an ihr Ziel. Eine geladene Fahrt geht direkt.</translation>
     </message>
     <message>
         <source>Confirm position…</source>
@@ -12748,7 +12744,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>Position in doubt: it may be wrong</source>
-        <translation>Angeben, dass die Position falsch sein kann</translation>
+        <translation>Position zweifelhaft: sie kann falsch sein</translation>
     </message>
     <message>
         <source>Confirm the position</source>
@@ -12776,7 +12772,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>Confirms that the position is right: home is at position 0. Asks first.</source>
-        <translation>Nimmt Ihr Wort dafür, dass die Position stimmt: Die Referenz liegt, wo sie 0 ist. Fragt zuerst.</translation>
+        <translation>Bestätigt, dass die Position stimmt: Die Referenz liegt bei Position 0. Fragt vorher.</translation>
     </message>
     <message>
         <source>Marks home as unknown. The travel limits are not in force until home is known again.</source>
@@ -12823,7 +12819,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>Share of the picture before the trigger, in percent.</source>
-        <translation>Wie viel des Bildes aus der Zeit vor dem Trigger ist, in Prozent.</translation>
+        <translation>Anteil des Bildes vor dem Trigger, in Prozent.</translation>
     </message>
     <message>
         <source>Arm</source>
@@ -12961,7 +12957,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>As set on the driver; 1 for full steps, 2 for half steps.</source>
-        <translation>Wie am Treiber eingestellt; 1 für keine, 2 für Halbschritte.</translation>
+        <translation>Wie am Treiber eingestellt; 1 für Vollschritte, 2 für Halbschritte.</translation>
     </message>
     <message>
         <source>Encoder lines per turn</source>
@@ -12981,7 +12977,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>Gear: output turns</source>
-        <translation>Getriebe: ergeben Umdrehungen am Abtrieb</translation>
+        <translation>Getriebe: Umdrehungen am Abtrieb</translation>
     </message>
     <message>
         <source>For a 50 : 1 gear, enter 1.</source>
@@ -13025,7 +13021,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>Sets this unit for the axis. Keeps every physical value and sends nothing.</source>
-        <translation>Übernimmt sie als Einheit dieser Achse. Behält jeden Betrag und sendet nichts.</translation>
+        <translation>Setzt diese Einheit für die Achse. Jede physikalische Größe bleibt erhalten; es wird nichts gesendet.</translation>
     </message>
 </context>
 </TS>

@@ -194,7 +194,7 @@
         <translation>Envía las ganancias al módulo. El motor no se mueve.</translation>
     </message>
     <message>
-        <source>New wiring? Run the direction check on page Axis first.</source>
+        <source>New wiring? Run the direction check on the Axis page first.</source>
         <translation>¿Cableado nuevo? Haga primero la prueba de sentido en la página Eje.</translation>
     </message>
     <message>
@@ -329,7 +329,7 @@
     </message>
     <message>
         <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
-        <translation>La referencia se desconoce. Búsquela, o lleve el motor hasta ella y elija “Guardar como referencia”. Un reinicio del módulo la vuelve a perder.</translation>
+        <translation>La referencia se desconoce. Búsquela, o lleve el motor hasta ella y elija “Guardar como referencia”. Al reiniciarse el módulo, se vuelve a perder.</translation>
     </message>
     <message>
         <source>Home is at %1. A search found it %2 min ago.</source>
@@ -567,7 +567,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Hay muy pocas muestras. Grabe durante más tiempo o aumente la velocidad en baudios.</translation>
     </message>
     <message>
-        <source>The shaft did not move. Check motor power and brake, or use a longer step.</source>
+        <source>The shaft did not move. Check motor power and brake, or use a larger step.</source>
         <translation>El eje del motor no se movió. Compruebe la alimentación del motor y el freno, o use un escalón mayor.</translation>
     </message>
     <message>
@@ -583,7 +583,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El modelo no se ajusta al escalón. Compruebe si hay holgura, una correa elástica, un tope mecánico o un límite de corriente.</translation>
     </message>
     <message>
-        <source>These steps do not determine the motor gain. Add a longer step, so that the motor gets close to a steady speed.</source>
+        <source>These steps do not determine the motor gain. Add a larger step, so that the motor gets close to a steady speed.</source>
         <translation>Estos escalones no determinan la ganancia del motor. Añada uno mayor, para que el motor se acerque a una velocidad constante.</translation>
     </message>
     <message>
@@ -904,10 +904,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
-        <translation>Corriente del motor en movimiento; 255 es toda la corriente del driver. 0: sin corriente, y el motor no sigue. No supere los valores nominales del motor ni del driver.</translation>
+        <translation>Corriente del motor en movimiento; 255 es toda la corriente del driver. 0: sin corriente, y el motor no sigue los pasos. No supere los valores nominales del motor ni del driver.</translation>
     </message>
     <message>
-        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and the motor holds nothing.</source>
+        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
         <translation>Corriente del motor parado, desde unos 0,25 s después de un movimiento. Suele ser menor que la de marcha, para que el motor no se caliente. 0: sin corriente, y el motor no retiene nada.</translation>
     </message>
     <message>
@@ -915,11 +915,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El módulo apaga el motor cuando el valor A/D cae por debajo de este límite: la tensión de un puente con termistor baja cuando el motor se calienta. 0: inactivo. Para hallar el límite correcto, observe el valor A/D con el motor caliente.</translation>
     </message>
     <message>
-        <source>Normally the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches stop nothing, and the motor can run into the end of its travel.</source>
-        <translation>Normalmente el chip detiene el motor en el final de carrera 1 al ir hacia adelante y en el 2 al ir hacia atrás. Si se ignoran, los finales de carrera no detienen nada y el motor puede llegar al final de su recorrido.</translation>
+        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
+        <translation>Normalmente el chip detiene el motor en el final de carrera 1 al ir hacia adelante y en el 2 al ir hacia atrás. Si se ignoran, los finales de carrera no detienen nada y el motor puede chocar con el final de su recorrido.</translation>
     </message>
     <message>
-        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input stops nothing.</source>
+        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
         <translation>Normalmente el chip detiene el motor cuando su entrada E-Stop pasa a nivel alto. Si se ignora, la entrada no detiene nada.</translation>
     </message>
     <message>
@@ -1309,7 +1309,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Stopping the motors, then closing.</source>
-        <translation>Se paran los motores y después se cierra.</translation>
+        <translation>Parando los motores antes de cerrar.</translation>
     </message>
     <message>
         <source>Fit a hardware emergency stop that removes motor power.</source>
@@ -1401,7 +1401,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>The motor moves at its goal velocity.</source>
-        <translation>El motor se mueve a su velocidad de destino.</translation>
+        <translation>El motor se mueve a su velocidad objetivo.</translation>
     </message>
     <message>
         <source>The motor is slowing down.</source>
@@ -1576,14 +1576,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>A read-only connection cannot assign addresses. Connect without read-only.</source>
-        <translation>Una conexión de solo lectura no puede asignar direcciones. Conecte sin solo lectura.</translation>
+        <translation>Una conexión de solo lectura no puede asignar direcciones. Conecte sin el modo de solo lectura.</translation>
     </message>
     <message>
         <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
         <translation>El enlace es dudoso: fallaron %1 de los últimos %2 intercambios.</translation>
     </message>
     <message>
-        <source>The command was damaged on its way, or the gains cause a large overshoot. Check the position before the next move.</source>
+        <source>The command was corrupted in transit, or the gains cause a large overshoot. Check the position before the next move.</source>
         <translation>El comando se dañó por el camino, o las ganancias causan un gran sobreimpulso. Compruebe la posición antes del próximo movimiento.</translation>
     </message>
     <message>
@@ -1619,8 +1619,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Reanudado tras %1: se ordenó parar a los motores; se leen de nuevo todos los valores.</translation>
     </message>
     <message>
-        <source>The computer was suspended. Motors that were moving kept moving. Look at them before the next move.</source>
-        <translation>El equipo estuvo suspendido. Los motores que se movían siguieron moviéndose. Obsérvelos antes del próximo movimiento.</translation>
+        <source>While the computer was suspended, the panel could not stop a motor. Look at the motors before the next move.</source>
+        <translation>Mientras el equipo estuvo suspendido, el panel no podía parar ningún motor. Observe los motores antes del próximo movimiento.</translation>
     </message>
     <message numerus="yes">
         <source>The last session ended while motors %1 were moving.</source>
@@ -1646,7 +1646,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%2 (pid %3) está usando %1.</translation>
     </message>
     <message>
-        <source>It probes a newly connected adapter for a modem for some seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.</source>
+        <source>It probes a newly connected adapter for a modem for a few seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.</source>
         <translation>Busca un módem durante unos segundos en cada adaptador recién conectado; espere e inténtelo de nuevo. Para que no toque los adaptadores USB, ejecute %1 y vuelva a conectar el adaptador.</translation>
     </message>
     <message>
@@ -1765,8 +1765,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Reiniciado</translation>
     </message>
     <message>
-        <source>The module restarted: its motor is off, and its position, gains and address are lost. Restart the network.</source>
-        <translation>El módulo se reinició: su motor está apagado y ha perdido su posición, sus ganancias y su dirección. Reinicie la red.</translation>
+        <source>The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.</source>
+        <translation>El módulo se reinició: su motor está apagado y ha perdido su posición, sus ganancias y su dirección. Asígnele de nuevo su dirección si se ofrece, o reinicie la red.</translation>
     </message>
     <message>
         <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
@@ -1882,7 +1882,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>command</source>
-        <translation>consigna</translation>
+        <translation>comando</translation>
     </message>
     <message>
         <source>check</source>
@@ -2042,7 +2042,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Module %2 did not answer at %1 Bd, so all modules went back. Try another baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>El módulo %2 no respondió a %1 Bd, por lo que todos los módulos volvieron atrás. Pruebe otra velocidad en baudios, un cable más corto o terminación en ambos extremos.</translation>
+        <translation>El módulo %2 no respondió a %1 Bd, por lo que todos los módulos volvieron a la velocidad anterior. Pruebe otra velocidad en baudios, un cable más corto o terminación en ambos extremos.</translation>
     </message>
     <message>
         <source>A stop came first.</source>
@@ -2701,7 +2701,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>No home within the search distance. The motor was stopped.</source>
-        <translation>No hay referencia en la distancia de búsqueda. Se paró el motor.</translation>
+        <translation>No se encontró la referencia en la distancia de búsqueda. Se paró el motor.</translation>
     </message>
     <message>
         <source>No home within the time limit. The motor was stopped.</source>
@@ -2765,7 +2765,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Stopped by a limit</source>
-        <translation>Parado por un final</translation>
+        <translation>Parado por límite</translation>
     </message>
     <message>
         <source>E-stop input</source>
@@ -3207,7 +3207,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Module %1 was told to switch off: it moved the wrong way, to %2 counts.</source>
-        <translation>Se ordenó al módulo %1 apagarse: se movió en el sentido erróneo, hasta %2 cuentas.</translation>
+        <translation>Se ordenó al módulo %1 apagar el motor: se movió en el sentido erróneo, hasta %2 cuentas.</translation>
     </message>
     <message>
         <source>Module %1 was told to stop: it went past its goal, to %2 counts.</source>
@@ -3278,7 +3278,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>The computer ran out of memory or open files. Close other programs, then connect again. Everything else works.</source>
-        <translation>El equipo se quedó sin memoria o sin archivos disponibles. Cierre otros programas y conecte de nuevo. Todo lo demás funciona.</translation>
+        <translation>El equipo se quedó sin memoria o alcanzó el máximo de archivos abiertos. Cierre otros programas y conecte de nuevo. Todo lo demás funciona.</translation>
     </message>
     <message>
         <source>The guardian ended unexpectedly. Connect again to restart it. Everything else works.</source>
@@ -3306,7 +3306,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Forgetting a module rescans the chain. Stop all motors, then try again.</source>
-        <translation>Para olvidar un módulo se vuelve a buscar la cadena. Pare todos los motores e inténtelo de nuevo.</translation>
+        <translation>Para olvidar un módulo se vuelven a buscar los módulos de la cadena. Pare todos los motores e inténtelo de nuevo.</translation>
     </message>
     <message>
         <source>Connected to %1 read-only: %2 at %3 Bd, left running.</source>
@@ -3415,7 +3415,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Prueba de sentido de %1 no concluyente; se ordenó apagar su motor.</translation>
     </message>
     <message>
-        <source>It turned farther than the check allows: something else turns it, or it coasts for long. Wait until it is at rest, then check again.</source>
+        <source>It turned farther than the check allows: something else turns it, or it coasts for a long time. Wait until it is at rest, then check again.</source>
         <translation>Giró más de lo que permite la prueba: algo externo lo gira o tarda mucho en pararse por inercia. Espere a que esté parado y repita la prueba.</translation>
     </message>
     <message>
@@ -3432,7 +3432,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>It was told to switch off. Use the hardware stop if it moves.</source>
-        <translation>Se le ordenó apagarse. Use la parada por hardware si se mueve.</translation>
+        <translation>Se le ordenó apagar el motor. Use la parada por hardware si se mueve.</translation>
     </message>
     <message>
         <source>A command failed, or its answer was lost. Repeat the direction check.</source>
@@ -3447,15 +3447,15 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1: el motor o el encoder está invertido. No lo habilite.</translation>
     </message>
     <message>
-        <source>%1 did not move when pushed.</source>
+        <source>%1 did not move when driven.</source>
         <translation>%1 no se movió al empujarlo.</translation>
     </message>
     <message>
-        <source>%1 closed a limit switch, so it was not pushed on.</source>
+        <source>%1 closed a limit switch; the check has ended.</source>
         <translation>%1 cerró un final de carrera, por lo que no se siguió empujando.</translation>
     </message>
     <message>
-        <source>%1 lost motor power while being pushed.</source>
+        <source>%1 lost motor power while being driven.</source>
         <translation>%1 perdió la alimentación del motor mientras se empujaba.</translation>
     </message>
     <message>
@@ -3560,7 +3560,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Saving %1. The window closes when it is saved.</source>
-        <translation>Guardando %1. La ventana se cierra cuando esté guardado.</translation>
+        <translation>Guardando %1. La ventana se cerrará cuando esté guardado.</translation>
     </message>
     <message>
         <source>Motor state unknown: %1 was moving.</source>
@@ -3571,7 +3571,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Estado de los motores desconocido: %1 estaban en movimiento.</translation>
     </message>
     <message>
-        <source>Allowed to the operator</source>
+        <source>Operator permissions</source>
         <translation>Permitido al operador</translation>
     </message>
     <message>
@@ -3807,8 +3807,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1, fila %2</translation>
     </message>
     <message>
-        <source>%1, round %2</source>
-        <translation>%1, vuelta %2</translation>
+        <source>%1, pass %2</source>
+        <translation>%1, pasada %2</translation>
     </message>
     <message>
         <source>Move to &quot;%1&quot;</source>
@@ -3991,7 +3991,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Velocidad máxima</translation>
     </message>
     <message>
-        <source>Overtravel</source>
+        <source>Distance</source>
         <translation>Sobrerrecorrido</translation>
     </message>
     <message>
@@ -4003,7 +4003,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Armada en cada movimiento</translation>
     </message>
     <message>
-        <source>%1 was stopped: home not found within its travel limits or at its last place.</source>
+        <source>%1 was stopped: home not found within its travel limits or at its last known position.</source>
         <translation>%1 se paró: no se encontró la referencia dentro de sus límites de recorrido ni en su último lugar.</translation>
     </message>
     <message>
@@ -4032,7 +4032,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Travel limit reached. Move in the other direction.</source>
-        <translation>Límite de recorrido alcanzado. Mueva en el otro sentido.</translation>
+        <translation>Límite de recorrido alcanzado. Vaya en el otro sentido.</translation>
     </message>
     <message>
         <source>That exceeds this axis&apos;s highest velocity (Axis page).</source>
@@ -4100,7 +4100,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Module %1 holds its motor, and the motor oscillates.</source>
-        <translation>El módulo %1 mantiene su motor, y el motor oscila.</translation>
+        <translation>El módulo %1 mantiene la posición, y su motor oscila.</translation>
     </message>
     <message>
         <source>Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them.</source>
@@ -4259,16 +4259,16 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 no ha terminado su trayectoria.</translation>
     </message>
     <message>
-        <source>The path was not started by all of its axes. They were told to stop.</source>
+        <source>Not all axes started the path. All of them were told to stop.</source>
         <translation>No todos los ejes iniciaron la trayectoria. Se les ordenó parar.</translation>
     </message>
     <message>
-        <source>The points of the path did not come in time, so the motor stopped at the last one it had.</source>
+        <source>The path points did not arrive in time, so the motor stopped at the last one.</source>
         <translation>Los puntos de la trayectoria no llegaron a tiempo, por lo que el motor se paró en el último que tenía.</translation>
     </message>
     <message>
-        <source>The motor was not led where the path goes. It was told to stop.</source>
-        <translation>El motor no fue guiado por donde va la trayectoria. Se le ordenó parar.</translation>
+        <source>The command position left the path. The motor was told to stop.</source>
+        <translation>El motor no fue guiado por la trayectoria. Se le ordenó parar.</translation>
     </message>
     <message>
         <source>On a path</source>
@@ -4332,11 +4332,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>“%1” supera lo que el módulo puede contar.</translation>
     </message>
     <message>
-        <source>The point is %1 from the one before. At this rate at most %2 are possible.</source>
+        <source>The point is %1 from the previous one; at this rate the maximum is %2.</source>
         <translation>El punto está a %1 del anterior. A esta frecuencia se admiten como máximo %2.</translation>
     </message>
     <message>
-        <source>This takes %1. The axis is limited to %2.</source>
+        <source>This needs a velocity of %1; the limit of the axis is %2.</source>
         <translation>Esto requiere %1. El eje está limitado a %2.</translation>
     </message>
     <message>
@@ -4364,20 +4364,20 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 no tiene búfer de trayectoria. Solo un PIC-SERVO CMC o SC sigue una trayectoria.</translation>
     </message>
     <message>
-        <source>%1 was found as another program left it. Send its I/O control first: page Amplifier or Limits and I/O.</source>
-        <translation>%1 se encontró tal como lo dejó otro programa. Envíe primero su I/O Control: página Amplificador o Finales de carrera y E/S.</translation>
+        <source>The I/O settings of %1 are unknown: another program set them. Apply them first on the Amplifier or Limits and I/O page.</source>
+        <translation>Los ajustes de E/S de %1 son desconocidos: otro programa los ha cambiado. Aplíquelos primero en la página Amplificador o Finales y E/S.</translation>
     </message>
     <message>
         <source>%1 takes step and direction pulses. Switch that off on its page Amplifier first.</source>
-        <translation>%1 sigue pulsos de pasos y dirección. Desactívelo primero en su página Amplificador.</translation>
+        <translation>%1 sigue pulsos de paso y dirección. Desactívelo primero en su página Amplificador.</translation>
     </message>
     <message>
         <source>%1: a path at 30 Hz needs fast path off (page Amplifier or Limits and I/O).</source>
-        <translation>%1: una trayectoria a 30 Hz requiere “Trayectoria rápida” desactivada (página Amplificador o Finales de carrera y E/S).</translation>
+        <translation>%1: una trayectoria a 30 Hz requiere “Trayectoria rápida” desactivada (página Amplificador o Finales y E/S).</translation>
     </message>
     <message>
         <source>%1: a path at 120 Hz needs fast path on (page Amplifier or Limits and I/O).</source>
-        <translation>%1: una trayectoria a 120 Hz requiere “Trayectoria rápida” activada (página Amplificador o Finales de carrera y E/S).</translation>
+        <translation>%1: una trayectoria a 120 Hz requiere “Trayectoria rápida” activada (página Amplificador o Finales y E/S).</translation>
     </message>
     <message>
         <source>%1: a path needs the servo rate SR = 1. Apply the gains with SR 1 first.</source>
@@ -4392,11 +4392,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 está a %2 del primer punto. Elija primero “Ir al inicio”.</translation>
     </message>
     <message>
-        <source>%1: point %2 is %3 from the one before. At this rate at most %4 are possible.</source>
+        <source>%1: point %2 is %3 from the previous one; at this rate the maximum is %4.</source>
         <translation>%1: el punto %2 está a %3 del anterior. A esta frecuencia se admiten como máximo %4.</translation>
     </message>
     <message>
-        <source>%1: point %2 takes %3. The axis is limited to %4.</source>
+        <source>%1: point %2 needs a velocity of %3; the limit of the axis is %4.</source>
         <translation>%1: el punto %2 requiere %3. El eje está limitado a %4.</translation>
     </message>
     <message>
@@ -4412,7 +4412,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Los ejes de una trayectoria arrancan a la vez. Póngalos en un mismo grupo, sin ningún otro módulo: Cadena, Grupos.</translation>
     </message>
     <message>
-        <source>The path needs %1 % of the time of the bus; %2 % are available. Use a higher baud rate or a lower path rate.</source>
+        <source>The path needs %1 % of the bus time; %2 % is available. Use a higher baud rate or a lower path rate.</source>
         <translation>La trayectoria necesita el %1 % del tiempo del bus; está disponible el %2 %. Use una velocidad en baudios mayor o una frecuencia de trayectoria menor.</translation>
     </message>
     <message>
@@ -4504,11 +4504,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Lowest position reached: %1. Move forward.</source>
-        <translation>Posición mínima alcanzada: %1. Mueva hacia adelante.</translation>
+        <translation>Posición mínima alcanzada: %1. Vaya hacia adelante.</translation>
     </message>
     <message>
         <source>Highest position reached: %1. Move in reverse.</source>
-        <translation>Posición máxima alcanzada: %1. Mueva hacia atrás.</translation>
+        <translation>Posición máxima alcanzada: %1. Vaya hacia atrás.</translation>
     </message>
     <message>
         <source>That is beyond the travel limits: the lowest position is %1.</source>
@@ -4633,15 +4633,15 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>PWM en contrafase</translation>
     </message>
     <message>
-        <source>For an amplifier that takes 50 % PWM as rest. Off: PWM and direction.</source>
+        <source>For a locked-antiphase amplifier: 50 % PWM is zero output. Off: PWM and direction.</source>
         <translation>Para un amplificador en el que un 50 % de PWM significa reposo. Inactivo: PWM y dirección.</translation>
     </message>
     <message>
         <source>Step and direction input</source>
-        <translation>Entrada de pasos y dirección</translation>
+        <translation>Entrada de paso y dirección</translation>
     </message>
     <message>
-        <source>The motor follows step pulses at the limit pins instead of commands. The limits then protect nothing.</source>
+        <source>The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection.</source>
         <translation>El motor sigue los pulsos de paso de los pines de final de carrera en lugar de los comandos. Los finales de carrera no protegen entonces nada.</translation>
     </message>
     <message>
@@ -4689,7 +4689,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Servo encendido al arrancar</translation>
     </message>
     <message>
-        <source>The motor holds by itself after each power-up, with the saved gains, before any panel is there.</source>
+        <source>The servo switches on by itself after each power-up, with the saved gains, even with no panel connected.</source>
         <translation>El motor mantiene la posición por sí solo tras cada encendido, con las ganancias guardadas, antes de que haya un panel conectado.</translation>
     </message>
     <message>
@@ -4749,20 +4749,20 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Guardado en el módulo, para el arranque</translation>
     </message>
     <message>
-        <source>Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor goes off, and it needs its gains again.</source>
-        <translation>Guarda estas opciones, los ajustes de arriba, las ganancias, la velocidad y la aceleración tal como los tiene ahora el módulo. Vuelven en cada encendido. Los modos trifásico y en contrafase vuelven también tras un reset. Ambos botones reinician el módulo: su motor se apaga y necesita de nuevo sus ganancias.</translation>
+        <source>Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor switches off, and it needs its gains again.</source>
+        <translation>Guarda estas opciones, los ajustes de arriba, las ganancias, la velocidad y la aceleración tal como los tiene ahora el módulo. Se recuperan en cada encendido. Los modos trifásico y en contrafase se recuperan también tras un reinicio. Ambos botones reinician el módulo: su motor se apaga y necesita de nuevo sus ganancias.</translation>
     </message>
     <message>
-        <source>? Not known: nothing was applied in this connection, and the module does not tell. It may have saved settings.</source>
+        <source>? Unknown: nothing has been applied in this connection, and the settings cannot be read back. The module may have saved settings.</source>
         <translation>? Desconocido: no se aplicó nada en esta conexión, y el módulo no lo indica. Puede tener ajustes guardados.</translation>
     </message>
     <message>
         <source>● Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
-        <translation>● Aplicado: trifásico %1, contrafase %2, pasos y dirección %3, finales de carrera: %4.</translation>
+        <translation>● Aplicado: trifásico %1, contrafase %2, paso y dirección %3, finales de carrera: %4.</translation>
     </message>
     <message>
-        <source>With step and direction the pins of the limits are its inputs: set the limit inputs to do nothing.</source>
-        <translation>Con pasos y dirección, los pines de final de carrera son sus entradas: ponga los finales de carrera en “no hacen nada”.</translation>
+        <source>Step and direction uses the limit pins: set the limit inputs to do nothing.</source>
+        <translation>Con paso y dirección, los pines de final de carrera son sus entradas: ponga los finales de carrera en “no hacen nada”.</translation>
     </message>
     <message>
         <source>The module has these settings.</source>
@@ -4797,16 +4797,16 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Aplicar ajustes del amplificador</translation>
     </message>
     <message>
-        <source>Apply these settings to %1? 3-phase, antiphase or step and direction that do not fit the amplifier or its wiring can destroy the amplifier, or make the motor run away once it is enabled.</source>
-        <translation>¿Aplicar estos ajustes a %1? Unos modos trifásico, en contrafase o de pasos y dirección que no correspondan al amplificador o a su cableado pueden destruir el amplificador, o hacer que el motor se embale en cuanto se habilite.</translation>
+        <source>Apply these settings to %1? If 3-phase, antiphase or step and direction do not match the amplifier and its wiring, the amplifier can be destroyed, or the motor can run away once it is enabled.</source>
+        <translation>¿Aplicar estos ajustes a %1? Unos modos trifásico, en contrafase o de paso y dirección que no correspondan al amplificador o a su cableado pueden destruir el amplificador, o hacer que el motor se embale en cuanto se habilite.</translation>
     </message>
     <message>
         <source>Apply settings</source>
         <translation>Aplicar ajustes</translation>
     </message>
     <message>
-        <source>Save the configuration of %1? It comes back at each power-up, whatever is connected then. The module restarts now: its motor goes off, and it needs its gains again.</source>
-        <translation>¿Guardar la configuración de %1? Vuelve en cada encendido, sea lo que sea lo que esté conectado entonces. El módulo se reinicia ahora: su motor se apaga y necesita de nuevo sus ganancias.</translation>
+        <source>Save the configuration of %1? It takes effect at each power-up, whatever is connected then. The module restarts now: its motor switches off, and it needs its gains again.</source>
+        <translation>¿Guardar la configuración de %1? Se recupera en cada encendido, esté conectado lo que esté entonces. El módulo se reinicia ahora: su motor se apaga y necesita de nuevo sus ganancias.</translation>
     </message>
     <message>
         <source>Its motor will be driven right after power-up, without a command.</source>
@@ -4825,7 +4825,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Borrar configuración guardada</translation>
     </message>
     <message>
-        <source>Erase what %1 has saved? At the next power-up it starts as a new module does. It restarts now: its motor goes off, and it needs its gains again.</source>
+        <source>Erase what %1 has saved? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
         <translation>¿Borrar lo que %1 ha guardado? En el próximo encendido arranca como un módulo nuevo. Se reinicia ahora: su motor se apaga y necesita de nuevo sus ganancias.</translation>
     </message>
     <message>
@@ -4869,7 +4869,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Distance that one click on Step moves an axis, in its own unit.</source>
-        <translation>Distancia que un clic en Paso mueve un eje, en su propia unidad.</translation>
+        <translation>Distancia que un clic en “Paso” mueve un eje, en su propia unidad.</translation>
     </message>
     <message>
         <source>%1 units</source>
@@ -5369,7 +5369,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>Scans the chain again; nothing is reset.</source>
-        <translation>Vuelve a buscar la cadena; no se reinicia nada.</translation>
+        <translation>Vuelve a buscar los módulos de la cadena; no se reinicia nada.</translation>
     </message>
     <message>
         <source>&amp;Restart the network: positions and gains are lost…</source>
@@ -5621,11 +5621,11 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Almacenar salidas para después</translation>
     </message>
     <message>
-        <source>Put out</source>
+        <source>Apply</source>
         <translation>Emitir</translation>
     </message>
     <message>
-        <source>Put out the stored outputs</source>
+        <source>Apply the stored outputs</source>
         <translation>Emitir las salidas almacenadas</translation>
     </message>
     <message>
@@ -5650,7 +5650,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Prescaler</source>
-        <translation>Divisor previo</translation>
+        <translation>Preescalador</translation>
     </message>
     <message>
         <source>every edge</source>
@@ -5725,7 +5725,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Captura todos los pines y el recuento en el mismo instante y los lee.</translation>
     </message>
     <message>
-        <source>Sends these values to the module, which keeps them until you put them out.</source>
+        <source>Sends these values to the module, which keeps them until you apply them.</source>
         <translation>Envía estos valores al módulo, que los guarda hasta que usted los emita.</translation>
     </message>
     <message>
@@ -5733,7 +5733,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Almacene primero las salidas.</translation>
     </message>
     <message>
-        <source>Puts out the stored pins and PWM values at the same moment.</source>
+        <source>Applies the stored pin levels and PWM values at the same moment.</source>
         <translation>Emite los pines y los valores de PWM almacenados en el mismo instante.</translation>
     </message>
     <message>
@@ -5776,7 +5776,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>reintentados: comandos que se enviaron de nuevo</translation>
     </message>
     <message>
-        <source>time-outs: no answer, or too few bytes</source>
+        <source>timeouts: no answer, or too few bytes</source>
         <translation>tiempos agotados: sin respuesta o con bytes de menos</translation>
     </message>
     <message>
@@ -5784,7 +5784,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>rechazados por el módulo: el comando le llegó con una suma de comprobación errónea</translation>
     </message>
     <message>
-        <source>wrong checksums: the answer was damaged on its way</source>
+        <source>wrong checksums: the answer was corrupted in transit</source>
         <translation>sumas de comprobación erróneas: la respuesta se dañó por el camino</translation>
     </message>
     <message>
@@ -5890,7 +5890,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <name>nmc::DetailsBox</name>
     <message>
         <source>The move has ended; in velocity mode the goal velocity is reached.</source>
-        <translation>El movimiento ha terminado; en modo de velocidad se ha alcanzado la velocidad de destino.</translation>
+        <translation>El movimiento ha terminado; en modo de velocidad se ha alcanzado la velocidad objetivo.</translation>
     </message>
     <message>
         <source>The module received a garbled command and did not carry it out.</source>
@@ -6186,7 +6186,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Algo gira el motor. Espere a que esté parado.</translation>
     </message>
     <message>
-        <source>The motor of %1 will move a little, forward and in reverse. It is pushed for less than 0.1 s at a time, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.</source>
+        <source>The motor of %1 will move a little, forward and in reverse. It is driven in pulses of less than 0.1 s, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.</source>
         <translation>El motor de %1 se moverá un poco, hacia adelante y hacia atrás. Se le empuja menos de 0,1 s cada vez, con una potencia que sube despacio hasta el %2 % de su alimentación, hasta que se haya movido %3. Un motor que gira libremente puede seguir más por inercia; más de %4 termina la prueba. Manténgase alejado de él.</translation>
     </message>
     <message>
@@ -6198,15 +6198,15 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>&amp;Cancelar</translation>
     </message>
     <message>
-        <source>&amp;Push the motor</source>
+        <source>&amp;Pulse motor</source>
         <translation>Em&amp;pujar el motor</translation>
     </message>
     <message>
-        <source>Pushing it in reverse.</source>
+        <source>Driving it in reverse.</source>
         <translation>Empujando hacia atrás.</translation>
     </message>
     <message>
-        <source>Pushing it forward.</source>
+        <source>Driving it forward.</source>
         <translation>Empujando hacia adelante.</translation>
     </message>
     <message>
@@ -6286,7 +6286,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Scans the chain again with status requests only: nothing is reset, nothing moves.</source>
-        <translation>Vuelve a buscar la cadena solo con consultas de estado: no se reinicia nada, nada se mueve.</translation>
+        <translation>Vuelve a buscar los módulos de la cadena solo con consultas de estado: no se reinicia nada, nada se mueve.</translation>
     </message>
     <message>
         <source>Resets every module and assigns new addresses. Asks first.</source>
@@ -6469,7 +6469,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Table 4 has no such mode from the present state of the motor.</source>
-        <translation>La tabla 4 no tiene tal modo desde el estado actual del motor.</translation>
+        <translation>La tabla 4 no prevé ese modo desde el estado actual del motor.</translation>
     </message>
     <message>
         <source>Position (steps)</source>
@@ -6588,7 +6588,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Relativo (trapezoidal)</translation>
     </message>
     <message>
-        <source>A trapezoidal move by this many counts, from where the servo is told to be. Start it only from standstill.</source>
+        <source>A trapezoidal move by this many counts, from the command position. Start it only from standstill.</source>
         <translation>Un movimiento trapezoidal de este número de cuentas, desde la consigna del servo. Inícielo solo con el motor parado.</translation>
     </message>
     <message>
@@ -6671,7 +6671,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>How far the command swings to either side. The motor is stopped if it swings four times as far.</source>
-        <translation>Cuánto oscila la consigna a cada lado. El motor se detiene si oscila cuatro veces más.</translation>
+        <translation>Cuánto oscila la consigna a cada lado. El motor se detiene si oscila cuatro veces esa amplitud.</translation>
     </message>
     <message>
         <source>From</source>
@@ -6694,7 +6694,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>La frecuencia más alta</translation>
     </message>
     <message>
-        <source>The test ends earlier if the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd.</source>
+        <source>The test ends earlier if the baud rate is too low: at about 40 Hz at 115 200 Bd, and at about 8 Hz at 19 200 Bd.</source>
         <translation>La prueba termina antes si la velocidad en baudios es demasiado baja: a unos 40 Hz con 115200 Bd y a unos 8 Hz con 19200 Bd.</translation>
     </message>
     <message>
@@ -6870,7 +6870,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds.</source>
-        <translation>Pone los campos a 0 para empezar el ajuste. No envía nada. Una vez aplicado, el motor ya no mantiene la posición.</translation>
+        <translation>Pone los campos a 0 para empezar el ajuste. No envía nada. Una vez aplicados, el motor ya no mantiene la posición.</translation>
     </message>
     <message>
         <source>Nothing to undo.</source>
@@ -6918,7 +6918,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Sends these gains and restores the previous ones after %1 s unless you keep them, or at once if the motor starts to oscillate.</source>
-        <translation>Envía estas ganancias y restaura las anteriores a los %1 s si no las conserva, o de inmediato si el motor empieza a oscilar.</translation>
+        <translation>Envía estas ganancias. Si no elige “Conservar”, a los %1 s se restauran las anteriores; si el motor empieza a oscilar, de inmediato.</translation>
     </message>
     <message>
         <source>No gains are being tried.</source>
@@ -6968,8 +6968,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Envía No Operation, que solo consulta el estado.</translation>
     </message>
     <message>
-        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL reaches the module.</source>
-        <translation>El panel no admite este tipo y versión (admite: PIC-SERVO v1 a v5 y v10, PIC-STEP v1, PIC-I/O v1), por lo que solo muestra el estado del módulo. PARAR TODO llega al módulo.</translation>
+        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL may not stop its motor: use the hardware stop.</source>
+        <translation>El panel no admite este tipo y versión (admite: PIC-SERVO v1 a v5 y v10, PIC-STEP v1, PIC-I/O v1), por lo que solo muestra el estado del módulo. Es posible que PARAR TODO no pare su motor: use la parada por hardware.</translation>
     </message>
 </context>
 <context>
@@ -6984,7 +6984,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Group to command</source>
-        <translation>Grupo al que mandar</translation>
+        <translation>Grupo destinatario</translation>
     </message>
     <message>
         <source>St&amp;art loaded moves</source>
@@ -7068,7 +7068,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>The group that the buttons command.</source>
-        <translation>El grupo al que mandan los botones.</translation>
+        <translation>El grupo al que los botones envían comandos.</translation>
     </message>
     <message>
         <source>Stop s&amp;moothly</source>
@@ -7143,7 +7143,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Apaga todos los miembros: los motores giran por inercia y las cargas pueden caer. Se repite hasta verlos todos parados.</translation>
     </message>
     <message>
-        <source>The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then mean other places.</source>
+        <source>The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then refer to different positions.</source>
         <translation>La posición actual de cada motor de %1 pasa a ser 0: módulo %2. La referencia, los límites y los puntos memorizados indicarán entonces otros lugares.</translation>
     </message>
     <message>
@@ -7345,7 +7345,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Velocity of the second search, for the index. Slower is more exact.</source>
-        <translation>Velocidad de la segunda búsqueda, la del índice. Más lenta es más exacta.</translation>
+        <translation>Velocidad de la segunda búsqueda, la del índice. Cuanto más lenta, más exacta.</translation>
     </message>
     <message>
         <source>Acceleration</source>
@@ -7444,7 +7444,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Un error de posición apaga el servo.</translation>
     </message>
     <message>
-        <source> This chip version does not stop on its own: the panel stops it, some hundredths of a second later.</source>
+        <source> This chip version does not stop the motor by itself: the panel stops it, a few hundredths of a second later.</source>
         <translation> Esta versión del chip no lo detiene por sí sola: lo detiene el panel, unas centésimas de segundo después.</translation>
     </message>
     <message>
@@ -7644,7 +7644,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Lectura</translation>
     </message>
     <message>
-        <source>Each step</source>
+        <source>Per count</source>
         <translation>Por unidad</translation>
     </message>
     <message>
@@ -7933,8 +7933,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>● Armada: se detiene en %1, una vez.</translation>
     </message>
     <message>
-        <source>▲ Tripped: %1 has changed, and the motor was stopped. No longer armed.</source>
-        <translation>▲ Disparada: %1 ha cambiado, y el motor se paró. Ya no está armada.</translation>
+        <source>▲ Tripped by %1; the motor was stopped. No longer armed.</source>
+        <translation>▲ Disparada por %1; el motor se paró. Ya no está armada.</translation>
     </message>
     <message>
         <source>? The chip watches for an event that this connection did not request.</source>
@@ -8028,7 +8028,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>respuesta en –</translation>
     </message>
     <message>
-        <source>%1 exchanges/s, %2 % of the wire</source>
+        <source>%1 exchanges/s, %2 % bus load</source>
         <translation>%1 intercambios/s, %2 % de la línea</translation>
     </message>
     <message numerus="yes">
@@ -8146,7 +8146,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>&amp;Close: the next start offers to restore them</source>
-        <translation>&amp;Cerrar: el próximo inicio ofrece restaurarlos</translation>
+        <translation>&amp;Cerrar: podrá restaurarlos al iniciar</translation>
     </message>
     <message>
         <source>&amp;Save changes</source>
@@ -8309,7 +8309,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Not moved: %1</source>
-        <translation>No movido: %1</translation>
+        <translation>No se movió: %1</translation>
     </message>
     <message>
         <source>PENDANT — %1. %2</source>
@@ -8328,7 +8328,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Termina el modo de mando portátil: las flechas y el gamepad ya no mueven nada.</translation>
     </message>
     <message>
-        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends pendant mode.</source>
+        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
         <translation>Para moverlo, mantenga pulsada Mayús con ◂ o ▸, o un botón superior del gamepad con su palanca izquierda o su cruceta. B (○) es PARAR TODO. Esc termina el modo de mando portátil.</translation>
     </message>
     <message>
@@ -8817,7 +8817,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>PWM 1 y 2</translation>
     </message>
     <message>
-        <source>What the module puts out, of 255.</source>
+        <source>The output of the module, of 255.</source>
         <translation>Lo que emite el módulo, de 255.</translation>
     </message>
     <message>
@@ -9214,7 +9214,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Modo operador</translation>
     </message>
     <message>
-        <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is no security: anyone with access to this computer&apos;s files can bypass it.</source>
+        <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is not a security feature: anyone with access to this computer&apos;s files can bypass it.</source>
         <translation>Marque lo que puede hacer el operador. PARAR TODO, Esc, las paradas de cada motor y Desconectar siempre funcionan. El modo operador evita errores; no es una protección: quien tenga acceso a los archivos de este equipo puede eludirlo.</translation>
     </message>
     <message>
@@ -9839,7 +9839,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Mueve cada eje de la trayectoria a su primer punto.</translation>
     </message>
     <message>
-        <source>Runs all axes through the path, after a question.</source>
+        <source>Runs all axes through the path. Asks first.</source>
         <translation>Mueve todos los ejes por la trayectoria, tras una pregunta.</translation>
     </message>
     <message>
@@ -9902,7 +9902,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Mando portá&amp;til: teclado o gamepad</translation>
     </message>
     <message>
-        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or cross. B (○) of the gamepad is STOP ALL. (F12)</source>
+        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad. B (○) of the gamepad is STOP ALL. (F12)</source>
         <translation>Para mover el motor, mantenga pulsada Mayús con una flecha, o un botón superior de un gamepad con su palanca izquierda o su cruceta. B (○) del gamepad es PARAR TODO. (F12)</translation>
     </message>
 </context>
@@ -10293,7 +10293,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
-        <translation>El motor se ha establecido cuando permanece así de cerca de su destino. Al menos una cuenta. Se aplica a todos los ensayos.</translation>
+        <translation>El motor se considera establecido cuando permanece así de cerca de su destino. Al menos una cuenta. Se aplica a todos los ensayos.</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -10826,11 +10826,11 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>%1 active</source>
-        <translation>%1 activa</translation>
+        <translation>%1 activo</translation>
     </message>
     <message>
         <source>%1 not active</source>
-        <translation>%1 no activa</translation>
+        <translation>%1 no activo</translation>
     </message>
     <message>
         <source>output %1 on</source>
@@ -10850,7 +10850,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>within %1 s</source>
-        <translation>en %1 s</translation>
+        <translation>máx. %1 s</translation>
     </message>
     <message>
         <source>forever</source>
@@ -11820,7 +11820,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Keep as a run: the median edge</source>
-        <translation>Guardar como ensayo: el flanco mediano</translation>
+        <translation>Guardar como ensayo: la mediana de los flancos</translation>
     </message>
     <message>
         <source>Rise %1</source>
@@ -11923,7 +11923,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::StepperDetailsBox</name>
     <message>
-        <source>Step pulses are coming.</source>
+        <source>The module is sending step pulses.</source>
         <translation>Llegan pulsos de paso.</translation>
     </message>
     <message>
@@ -11940,7 +11940,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>The motor has reached its commanded speed.</source>
-        <translation>El motor ha alcanzado la velocidad ordenada.</translation>
+        <translation>El motor ha alcanzado la velocidad de consigna.</translation>
     </message>
     <message>
         <source>Runs with a ramp: velocity profile mode.</source>
@@ -12348,7 +12348,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Takes %1 s from standstill.</source>
-        <translation>Tarda %1 s partiendo de parado.</translation>
+        <translation>Tarda %1 s desde parado.</translation>
     </message>
     <message>
         <source>Stop, wait: %1</source>
@@ -12473,15 +12473,11 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::StepperParametersBox</name>
     <message>
-        <source>ignored: they stop nothing</source>
+        <source>ignored: no motor stop</source>
         <translation>ignorados: no detienen nada</translation>
     </message>
     <message>
-        <source>ignored: it stops nothing</source>
-        <translation>ignorada: no detiene nada</translation>
-    </message>
-    <message>
-        <source>the motor goes off as well</source>
+        <source>motor switches off, too</source>
         <translation>también se apaga el motor</translation>
     </message>
     <message>
@@ -12581,7 +12577,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>How long a ramp stays at each speed, in units of 0.25 ms; smaller is steeper. Sent with the next motion that has a ramp, and used by smooth stops after it.</source>
-        <translation>Cuánto permanece una rampa en cada velocidad, en unidades de 0,25 ms; menor es más empinada. Se envía con el próximo movimiento con rampa y lo usan las paradas suaves posteriores.</translation>
+        <translation>Cuánto permanece una rampa en cada velocidad, en unidades de 0,25 ms; cuanto menor, más empinada. Se envía con el próximo movimiento con rampa y lo usan las paradas suaves posteriores.</translation>
     </message>
     <message>
         <source>Max jog speed</source>

@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>Chain OK: %1.</source>
-        <translation>Chaîne en ordre&#xa0;: %1.</translation>
+        <translation>Chaîne OK&#xa0;: %1.</translation>
     </message>
     <message>
         <source>No module answered.</source>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>OK</source>
-        <translation>en ordre</translation>
+        <translation>OK</translation>
     </message>
     <message>
         <source>new</source>
@@ -85,7 +85,7 @@
     </message>
     <message>
         <source>missing</source>
-        <translation>manque</translation>
+        <translation>absent</translation>
     </message>
     <message>
         <source>does not answer</source>
@@ -156,7 +156,7 @@
     </message>
     <message>
         <source>Allow control lines to inject faults into the built-in simulator.</source>
-        <translation>Autoriser les lignes de contrôle à injecter des défauts dans le simulateur intégré.</translation>
+        <translation>Autoriser les commandes nmcsim à injecter des défauts dans le simulateur intégré.</translation>
     </message>
     <message>
         <source>With --port or --simulator: connect read-only. Only status requests are sent, and closing does not stop motors. STOP ALL still works.</source>
@@ -194,7 +194,7 @@
         <translation>Envoie les gains au module. Le moteur ne bouge pas.</translation>
     </message>
     <message>
-        <source>New wiring? Run the direction check on page Axis first.</source>
+        <source>New wiring? Run the direction check on the Axis page first.</source>
         <translation>Nouveau câblage&#x202f;? Faites d’abord le contrôle de sens sur la page Axe.</translation>
     </message>
     <message>
@@ -242,7 +242,7 @@
     </message>
     <message>
         <source>Kp, position gain: output per count of position error. Set Kd first; then raise Kp with small, fast test moves until the motor starts to overshoot, and back off a little.</source>
-        <translation>Kp, gain proportionnel&#xa0;: sortie par incrément d’erreur de position. Réglez d’abord Kd&#x202f;; augmentez ensuite Kp avec de petits déplacements d’essai rapides jusqu’à ce que le moteur commence à dépasser, puis réduisez un peu.</translation>
+        <translation>Kp, gain proportionnel&#xa0;: sortie par incrément d’erreur de position. Réglez d’abord Kd&#x202f;; augmentez ensuite Kp avec de petits déplacements d’essai rapides jusqu’à ce qu’un dépassement apparaisse, puis réduisez un peu.</translation>
     </message>
     <message>
         <source>Kd, derivative gain: damping. Start here, with Kp and Ki at 0: raise Kd until the motor starts to hum, then back off a little.</source>
@@ -270,7 +270,7 @@
     </message>
     <message>
         <source>SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
-        <translation>SR, diviseur de cadence servo&#xa0;: un cycle servo dure SR x 0,512&#xa0;ms. Une cadence plus lente amortit les lourdes charges avec moins de Kd. Modifier SR change la signification de toutes les vitesses et accélérations.</translation>
+        <translation>SR, diviseur de cadence servo&#xa0;: un cycle servo dure SR x 0,512&#xa0;ms. Une cadence plus lente amortit les charges lourdes avec moins de Kd. Modifier SR change la signification de toutes les vitesses et accélérations.</translation>
     </message>
     <message>
         <source>DB, deadband compensation: added to every PWM value except 0, for amplifiers with a deadband near zero. Version 4 and later.</source>
@@ -298,7 +298,7 @@
     </message>
     <message>
         <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
+        <translation>%1&#xa0;Hz</translation>
     </message>
     <message>
         <source>no current limit</source>
@@ -329,7 +329,7 @@
     </message>
     <message>
         <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
-        <translation>L’origine est inconnue. Lancez la prise d’origine, ou allez-y et choisissez «&#xa0;Enregistrer comme origine&#xa0;». Un redémarrage du module fait de nouveau perdre l’origine.</translation>
+        <translation>L’origine est inconnue. Lancez la prise d’origine, ou amenez l’axe à l’origine et choisissez «&#xa0;Enregistrer comme origine&#xa0;». Un redémarrage du module fait de nouveau perdre l’origine.</translation>
     </message>
     <message>
         <source>Home is at %1. A search found it %2 min ago.</source>
@@ -567,7 +567,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Trop peu d’échantillons. Enregistrez plus longtemps ou augmentez le débit.</translation>
     </message>
     <message>
-        <source>The shaft did not move. Check motor power and brake, or use a longer step.</source>
+        <source>The shaft did not move. Check motor power and brake, or use a larger step.</source>
         <translation>L’arbre n’a pas bougé. Vérifiez l’alimentation du moteur et le frein, ou utilisez un échelon plus grand.</translation>
     </message>
     <message>
@@ -583,7 +583,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le modèle ne correspond pas à l’échelon. Vérifiez s’il y a du jeu, une courroie élastique, une butée mécanique ou une limite de courant.</translation>
     </message>
     <message>
-        <source>These steps do not determine the motor gain. Add a longer step, so that the motor gets close to a steady speed.</source>
+        <source>These steps do not determine the motor gain. Add a larger step, so that the motor gets close to a steady speed.</source>
         <translation>Ces échelons ne déterminent pas le gain du moteur. Ajoutez un échelon plus grand, pour que le moteur approche d’une vitesse constante.</translation>
     </message>
     <message>
@@ -729,7 +729,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>From %1; 0 s is %2</source>
-        <translation>Depuis %1&#x202f;; 0&#xa0;s correspond à %2</translation>
+        <translation>À partir de %1&#x202f;; 0&#xa0;s correspond à %2</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -797,11 +797,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>%1&#xa0;s</translation>
     </message>
     <message>
         <source>acceleration</source>
@@ -907,7 +907,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Courant du moteur en mouvement&#x202f;; 255 est le plein courant du driver. 0&#xa0;: pas de courant, le moteur ne suit pas. Ne dépassez pas les valeurs nominales du moteur et du driver.</translation>
     </message>
     <message>
-        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and the motor holds nothing.</source>
+        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
         <translation>Courant du moteur à l’arrêt, environ 0,25&#xa0;s après un mouvement. En général inférieur au courant de marche, pour limiter l’échauffement du moteur. 0&#xa0;: pas de courant, le moteur ne maintient rien.</translation>
     </message>
     <message>
@@ -915,11 +915,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le module coupe le moteur quand la valeur A/D tombe sous ce seuil&#xa0;: la tension d’un pont à thermistance baisse quand le moteur chauffe. 0&#xa0;: inactif. Pour trouver le bon seuil, observez la valeur A/D d’un moteur chaud.</translation>
     </message>
     <message>
-        <source>Normally the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches stop nothing, and the motor can run into the end of its travel.</source>
+        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
         <translation>Normalement, la puce s’arrête au fin de course 1 en marche avant et au fin de course 2 en marche arrière. S’ils sont ignorés, les fins de course n’arrêtent rien et le moteur peut heurter l’extrémité de sa course.</translation>
     </message>
     <message>
-        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input stops nothing.</source>
+        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
         <translation>Normalement, la puce arrête le moteur quand son entrée E-Stop passe à l’état haut. Si elle est ignorée, l’entrée n’arrête rien.</translation>
     </message>
     <message>
@@ -955,7 +955,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <name>StepperWords</name>
     <message>
         <source>%1 steps/s</source>
-        <translation>%1 pas/s</translation>
+        <translation>%1&#xa0;pas/s</translation>
     </message>
     <message>
         <source>%1x: %2 to %3 steps/s</source>
@@ -975,7 +975,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1 steps/s²</source>
-        <translation>%1 pas/s²</translation>
+        <translation>%1&#xa0;pas/s²</translation>
     </message>
     <message>
         <source>The motor is already there.</source>
@@ -1106,7 +1106,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Not every module answered at %1 Bd, so the modules cannot be used yet.</source>
-        <translation>Tous les modules n’ont pas répondu à %1&#xa0;Bd&#xa0;: les modules ne sont pas encore utilisables.</translation>
+        <translation>Au moins un module n’a pas répondu à %1&#xa0;Bd&#xa0;: les modules ne sont pas encore utilisables.</translation>
     </message>
     <message>
         <source>Module %1 did not answer at %2 Bd, so the modules cannot be used yet.</source>
@@ -1298,7 +1298,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>reaches %1 of %2</source>
-        <translation>atteint %1 sur %2</translation>
+        <translation>atteint %1 des %2 modules</translation>
     </message>
     <message numerus="yes">
         <source>%n motors are moving. They will be stopped before the port closes.</source>
@@ -1437,11 +1437,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The acceleration is 0: the motor could not start or stop. Enter an acceleration.</source>
-        <translation>L’accélération est 0&#xa0;: le moteur ne pourrait ni démarrer ni s’arrêter. Saisissez une accélération.</translation>
+        <translation>L’accélération est à 0&#xa0;: le moteur ne pourrait ni démarrer ni s’arrêter. Saisissez une accélération.</translation>
     </message>
     <message>
         <source>The velocity is 0: the motor would not move. Enter a velocity.</source>
-        <translation>La vitesse est 0&#xa0;: le moteur ne bougerait pas. Saisissez une vitesse.</translation>
+        <translation>La vitesse est à 0&#xa0;: le moteur ne bougerait pas. Saisissez une vitesse.</translation>
     </message>
     <message>
         <source>Note</source>
@@ -1532,11 +1532,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1 counts/s</source>
-        <translation>%1 incr./s</translation>
+        <translation>%1&#xa0;incr./s</translation>
     </message>
     <message>
         <source>%1 counts/s²</source>
-        <translation>%1 incr./s²</translation>
+        <translation>%1&#xa0;incr./s²</translation>
     </message>
     <message>
         <source>Done: %1</source>
@@ -1583,7 +1583,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>La liaison est douteuse&#xa0;: taux d’échec de %1 sur les %2 derniers échanges.</translation>
     </message>
     <message>
-        <source>The command was damaged on its way, or the gains cause a large overshoot. Check the position before the next move.</source>
+        <source>The command was corrupted in transit, or the gains cause a large overshoot. Check the position before the next move.</source>
         <translation>La commande a été altérée en chemin, ou les gains provoquent un fort dépassement. Vérifiez la position avant le prochain déplacement.</translation>
     </message>
     <message>
@@ -1592,15 +1592,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>%1&#xa0;s</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation>%1 min</translation>
+        <translation>%1&#xa0;min</translation>
     </message>
     <message>
         <source>%1 h</source>
-        <translation>%1 h</translation>
+        <translation>%1&#xa0;h</translation>
     </message>
     <message>
         <source>The panel froze for %1 while a motor was moving. The motor was not stopped.</source>
@@ -1619,8 +1619,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Reprise après %1&#xa0;: les moteurs ont reçu l’ordre d’arrêt&#x202f;; relecture de toutes les valeurs.</translation>
     </message>
     <message>
-        <source>The computer was suspended. Motors that were moving kept moving. Look at them before the next move.</source>
-        <translation>L’ordinateur était en veille. Les moteurs en mouvement ont continué. Regardez-les avant le prochain déplacement.</translation>
+        <source>While the computer was suspended, the panel could not stop a motor. Look at the motors before the next move.</source>
+        <translation>Pendant la veille de l’ordinateur, le programme ne pouvait arrêter aucun moteur. Regardez les moteurs avant le prochain déplacement.</translation>
     </message>
     <message numerus="yes">
         <source>The last session ended while motors %1 were moving.</source>
@@ -1646,7 +1646,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 est utilisé par %2 (pid %3).</translation>
     </message>
     <message>
-        <source>It probes a newly connected adapter for a modem for some seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.</source>
+        <source>It probes a newly connected adapter for a modem for a few seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.</source>
         <translation>Ce programme cherche pendant quelques secondes un modem sur tout adaptateur qui vient d’être branché&#x202f;; patientez, puis réessayez. Pour l’écarter des adaptateurs USB, exécutez %1, puis rebranchez l’adaptateur.</translation>
     </message>
     <message>
@@ -1707,7 +1707,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Connected to %1: %2 at %3 Bd, left running.</source>
-        <translation>Connecté à %1&#xa0;: %2 à %3&#xa0;Bd, laissés tels quels.</translation>
+        <translation>Connecté à %1&#xa0;: %2 à %3&#xa0;Bd, sans rien arrêter.</translation>
     </message>
     <message>
         <source>The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
@@ -1765,8 +1765,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Redémarré</translation>
     </message>
     <message>
-        <source>The module restarted: its motor is off, and its position, gains and address are lost. Restart the network.</source>
-        <translation>Le module a redémarré&#xa0;: son moteur est coupé&#x202f;; sa position, ses gains et son adresse sont perdus. Redémarrez le réseau.</translation>
+        <source>The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.</source>
+        <translation>Le module a redémarré : son moteur est coupé ; sa position, ses gains et son adresse sont perdus. Réattribuez son adresse si le programme le propose, ou redémarrez le réseau.</translation>
     </message>
     <message>
         <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
@@ -1882,7 +1882,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>command</source>
-        <translation>consigne</translation>
+        <translation>commande</translation>
     </message>
     <message>
         <source>check</source>
@@ -1962,11 +1962,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Not all modules of group %1 confirmed their start.</source>
-        <translation>Tous les modules du groupe %1 n’ont pas confirmé leur démarrage.</translation>
+        <translation>Au moins un module du groupe %1 n’a pas confirmé son démarrage.</translation>
     </message>
     <message>
         <source>Look at the motors. The start is never repeated: load again, then start again. Usually noise on the cable.</source>
-        <translation>Regardez les moteurs. Le démarrage n’est jamais répété&#xa0;: chargez de nouveau, puis redémarrez. Cause habituelle&#xa0;: parasites sur le câble.</translation>
+        <translation>Regardez les moteurs. Le démarrage n’est jamais répété&#xa0;: rechargez le déplacement, puis démarrez de nouveau. Cause habituelle&#xa0;: parasites sur le câble.</translation>
     </message>
     <message>
         <source>Group %1 is empty. Nothing was sent.</source>
@@ -2006,7 +2006,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Not all modules of group %1 confirmed saving home.</source>
-        <translation>Tous les modules du groupe %1 n’ont pas confirmé l’enregistrement de l’origine.</translation>
+        <translation>Au moins un module du groupe %1 n’a pas confirmé l’enregistrement de l’origine.</translation>
     </message>
     <message>
         <source>No motor was moved.</source>
@@ -2042,11 +2042,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Module %2 did not answer at %1 Bd, so all modules went back. Try another baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>Le module %2 n’a pas répondu à %1&#xa0;Bd&#xa0;: tous les modules sont revenus en arrière. Essayez un autre débit, un câble plus court ou une terminaison aux deux extrémités.</translation>
+        <translation>Le module %2 n’a pas répondu à %1&#xa0;Bd&#xa0;: tous les modules sont revenus à l’ancien débit. Essayez un autre débit, un câble plus court ou une terminaison aux deux extrémités.</translation>
     </message>
     <message>
         <source>A stop came first.</source>
-        <translation>Un arrêt est passé en premier.</translation>
+        <translation>Un arrêt est intervenu avant.</translation>
     </message>
     <message>
         <source>Module %1 has not answered since the baud rate changed. No motor was moving.</source>
@@ -2741,7 +2741,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>It stays off when the input is released.</source>
-        <translation>Il reste coupé quand l’entrée est relâchée.</translation>
+        <translation>Il reste coupé même une fois l’entrée relâchée.</translation>
     </message>
     <message>
         <source>Module %1 switched its motor off because a limit switch is active.</source>
@@ -2861,7 +2861,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Stop the motor first: the chip cannot change this in motion.</source>
-        <translation>Arrêtez d’abord le moteur&#xa0;: la puce ne peut pas changer cela en mouvement.</translation>
+        <translation>Arrêtez d’abord le moteur&#xa0;: la puce ne peut pas changer cela pendant un mouvement.</translation>
     </message>
     <message>
         <source>The module&apos;s E-stop input is active. Release it first.</source>
@@ -2905,7 +2905,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1 holds again: it moved the wrong way, or more than twice the step.</source>
-        <translation>%1 maintient de nouveau sa position&#xa0;: il est parti dans le mauvais sens, ou de plus du double de l’échelon.</translation>
+        <translation>%1 maintient de nouveau sa position&#xa0;: il a bougé dans le mauvais sens, ou de plus du double de l’échelon.</translation>
     </message>
     <message>
         <source>The servo oscillates, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.</source>
@@ -2965,7 +2965,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The motor kept oscillating by more than the whole step. It was switched off and is free to turn. Lower Kp and Ki, or raise Kd.</source>
-        <translation>Le moteur n’a cessé d’osciller de plus que l’échelon entier. Il a été coupé et peut tourner librement. Réduisez Kp et Ki, ou augmentez Kd.</translation>
+        <translation>Le moteur n’a cessé d’osciller, avec une amplitude supérieure à l’échelon. Il a été coupé et peut tourner librement. Réduisez Kp et Ki, ou augmentez Kd.</translation>
     </message>
     <message>
         <source>its folder does not exist.</source>
@@ -3133,7 +3133,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>It was connected to %1 and was killed, or the computer failed. Motor state unknown: look at the motor before you connect; use the hardware stop if it moves. This message stays until the motor is seen at rest.</source>
-        <translation>Elle était connectée à %1 et a été tuée, ou l’ordinateur est tombé en panne. État du moteur inconnu&#xa0;: regardez le moteur avant de vous connecter&#x202f;; utilisez l’arrêt câblé s’il bouge. Ce message reste affiché jusqu’à ce que le moteur soit vu à l’arrêt.</translation>
+        <translation>Elle était connectée à %1 et a été interrompue de force, ou l’ordinateur est tombé en panne. État du moteur inconnu&#xa0;: regardez le moteur avant de vous connecter&#x202f;; utilisez l’arrêt câblé s’il bouge. Ce message reste affiché jusqu’à ce que le moteur soit vu à l’arrêt.</translation>
     </message>
     <message>
         <source>I have checked: it is at rest</source>
@@ -3207,7 +3207,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Module %1 was told to switch off: it moved the wrong way, to %2 counts.</source>
-        <translation>Le module %1 a reçu l’ordre de se couper&#xa0;: il est parti dans le mauvais sens, jusqu’à %2 incréments.</translation>
+        <translation>Le module %1 a reçu l’ordre de couper son moteur&#xa0;: il est parti dans le mauvais sens, jusqu’à %2 incréments.</translation>
     </message>
     <message>
         <source>Module %1 was told to stop: it went past its goal, to %2 counts.</source>
@@ -3250,7 +3250,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The program was killed, or it hung. The guardian cannot see whether a motor stopped: look at the motors before you connect; use the hardware stop if one moves.</source>
-        <translation>Le programme a été tué ou s’est bloqué. Le gardien ne peut pas voir si un moteur s’est arrêté&#xa0;: regardez les moteurs avant de vous connecter&#x202f;; utilisez l’arrêt câblé si l’un d’eux bouge.</translation>
+        <translation>Le programme a été fermé de force ou s’est bloqué. Le gardien ne peut pas voir si un moteur s’est arrêté&#xa0;: regardez les moteurs avant de vous connecter&#x202f;; utilisez l’arrêt câblé si l’un d’eux bouge.</translation>
     </message>
     <message>
         <source>The panel stalled while a motor was moving; its guardian told the motors to stop.</source>
@@ -3262,7 +3262,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>No guardian: if this program is killed, nothing stops the motors.</source>
-        <translation>Pas de gardien&#xa0;: si ce programme est tué, rien n’arrête les moteurs.</translation>
+        <translation>Pas de gardien&#xa0;: si ce programme est fermé de force, rien n’arrête les moteurs.</translation>
     </message>
     <message>
         <source>nmcguard is missing. Reinstall the program. Everything else works.</source>
@@ -3286,7 +3286,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses power, a running motor keeps running, and no program can stop it. STOP ALL and Esc work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs.</source>
-        <translation>Ces modules n’ont pas de chien de garde de liaison&#xa0;: si le câble est coupé, si l’adaptateur se bloque ou si cet ordinateur n’est plus alimenté, un moteur en mouvement continue, et aucun programme ne peut l’arrêter. TOUT ARRÊTER et Esc n’agissent que tant que la liaison fonctionne. Un gardien arrête les moteurs si ce programme est tué, plante ou se bloque.</translation>
+        <translation>Ces modules n’ont pas de chien de garde de liaison&#xa0;: si le câble est coupé, si l’adaptateur se bloque ou si cet ordinateur n’est plus alimenté, un moteur en mouvement continue, et aucun programme ne peut l’arrêter. TOUT ARRÊTER et Esc n’agissent que tant que la liaison fonctionne. Un gardien arrête les moteurs si ce programme est fermé de force, plante ou se bloque.</translation>
     </message>
     <message>
         <source>--read-only requires --port or --simulator.</source>
@@ -3310,11 +3310,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Connected to %1 read-only: %2 at %3 Bd, left running.</source>
-        <translation>Connecté à %1 en lecture seule&#xa0;: %2 à %3&#xa0;Bd, laissés tels quels.</translation>
+        <translation>Connecté à %1 en lecture seule&#xa0;: %2 à %3&#xa0;Bd, sans rien arrêter.</translation>
     </message>
     <message>
         <source>The modules carry on, even after you disconnect. Only status requests are sent. STOP ALL still works.</source>
-        <translation>Les modules poursuivent, même après votre déconnexion. Seules des demandes d’état sont envoyées. TOUT ARRÊTER fonctionne toujours.</translation>
+        <translation>Les modules continuent ce qu’ils font, même après votre déconnexion. Seules des demandes d’état sont envoyées. TOUT ARRÊTER fonctionne toujours.</translation>
     </message>
     <message>
         <source>A port is already open.</source>
@@ -3412,10 +3412,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Direction check of %1 inconclusive; its motor was told to switch off.</source>
-        <translation>Contrôle de sens de %1 non concluant&#x202f;; son moteur a reçu l’ordre de se couper.</translation>
+        <translation>Contrôle de sens de %1 non concluant&#x202f;; il a reçu l’ordre de couper son moteur.</translation>
     </message>
     <message>
-        <source>It turned farther than the check allows: something else turns it, or it coasts for long. Wait until it is at rest, then check again.</source>
+        <source>It turned farther than the check allows: something else turns it, or it coasts for a long time. Wait until it is at rest, then check again.</source>
         <translation>Il a tourné plus que le contrôle ne le permet&#xa0;: autre chose le fait tourner, ou il continue longtemps sur sa lancée. Attendez qu’il soit à l’arrêt, puis refaites le contrôle.</translation>
     </message>
     <message>
@@ -3432,7 +3432,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>It was told to switch off. Use the hardware stop if it moves.</source>
-        <translation>Il a reçu l’ordre de se couper. Utilisez l’arrêt câblé s’il bouge.</translation>
+        <translation>Il a reçu l’ordre de couper son moteur. Utilisez l’arrêt câblé s’il bouge.</translation>
     </message>
     <message>
         <source>A command failed, or its answer was lost. Repeat the direction check.</source>
@@ -3447,15 +3447,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1&#xa0;: moteur ou codeur inversé. Ne l’activez pas.</translation>
     </message>
     <message>
-        <source>%1 did not move when pushed.</source>
+        <source>%1 did not move when driven.</source>
         <translation>%1 n’a pas bougé sous les impulsions.</translation>
     </message>
     <message>
-        <source>%1 closed a limit switch, so it was not pushed on.</source>
+        <source>%1 closed a limit switch; the check has ended.</source>
         <translation>%1 a fermé un fin de course&#x202f;; les impulsions ont donc été interrompues.</translation>
     </message>
     <message>
-        <source>%1 lost motor power while being pushed.</source>
+        <source>%1 lost motor power while being driven.</source>
         <translation>%1 a perdu l’alimentation moteur pendant les impulsions.</translation>
     </message>
     <message>
@@ -3472,11 +3472,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>OK: it counts up when driven forward and down in reverse. You can enable it.</source>
-        <translation>En ordre&#xa0;: il compte vers le haut en marche avant et vers le bas en marche arrière. Vous pouvez l’activer.</translation>
+        <translation>OK&#xa0;: la position augmente en marche avant et diminue en marche arrière. Vous pouvez l’activer.</translation>
     </message>
     <message>
         <source>Reversed: it counts down when driven forward and would run away when enabled. Swap the two motor leads, or encoder A and B, then check again.</source>
-        <translation>Inversé&#xa0;: il compte vers le bas en marche avant et s’emballerait une fois activé. Permutez les deux fils du moteur, ou A et B du codeur, puis refaites le contrôle.</translation>
+        <translation>Inversé&#xa0;: la position diminue en marche avant et il s’emballerait une fois activé. Permutez les deux fils du moteur, ou A et B du codeur, puis refaites le contrôle.</translation>
     </message>
     <message>
         <source>No movement at %1 % of the supply, with motor power present. Check for a jam, a brake or too heavy a load, and check the motor and encoder cables.</source>
@@ -3571,7 +3571,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>État des moteurs inconnu&#xa0;: %1 étaient en mouvement.</translation>
     </message>
     <message>
-        <source>Allowed to the operator</source>
+        <source>Operator permissions</source>
         <translation>Permis à l’opérateur</translation>
     </message>
     <message>
@@ -3748,11 +3748,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>At this row, %1 must be at home. Move it there first.</source>
-        <translation>À cette ligne, %1 doit être à l’origine. Amenez-le d’abord là.</translation>
+        <translation>À cette ligne, %1 doit être à l’origine. Amenez-l’y d’abord.</translation>
     </message>
     <message>
         <source>At this row, %1 must be at point &quot;%2&quot;. Move it there first.</source>
-        <translation>À cette ligne, %1 doit être au point «&#xa0;%2&#xa0;». Amenez-le d’abord là.</translation>
+        <translation>À cette ligne, %1 doit être au point «&#xa0;%2&#xa0;». Amenez-l’y d’abord.</translation>
     </message>
     <message>
         <source>At this row, output %1 of %2 must be switched over. Set it first.</source>
@@ -3807,7 +3807,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1, ligne %2</translation>
     </message>
     <message>
-        <source>%1, round %2</source>
+        <source>%1, pass %2</source>
         <translation>%1, tour %2</translation>
     </message>
     <message>
@@ -3920,7 +3920,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>It was at: %1. To continue, select a row and choose Run from row. Nothing restarts on its own.</source>
-        <translation>Étape atteinte&#xa0;: %1. Pour continuer, sélectionnez une ligne et choisissez «&#xa0;Marche depuis la ligne&#xa0;». Rien ne redémarre tout seul.</translation>
+        <translation>Étape atteinte&#xa0;: %1. Pour continuer, sélectionnez une ligne et choisissez «&#xa0;Lancer depuis la ligne&#xa0;». Rien ne redémarre tout seul.</translation>
     </message>
     <message>
         <source>Nothing was started.</source>
@@ -3991,7 +3991,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Vitesse maximale</translation>
     </message>
     <message>
-        <source>Overtravel</source>
+        <source>Distance</source>
         <translation>Surcourse</translation>
     </message>
     <message>
@@ -4003,8 +4003,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Armé pour chaque mouvement</translation>
     </message>
     <message>
-        <source>%1 was stopped: home not found within its travel limits or at its last place.</source>
-        <translation>%1 a été arrêté&#xa0;: origine introuvable dans ses limites de course et à son dernier emplacement.</translation>
+        <source>%1 was stopped: home not found within its travel limits or at its last known position.</source>
+        <translation>%1 a été arrêté&#xa0;: origine introuvable, dans ses limites de course comme à son dernier emplacement.</translation>
     </message>
     <message>
         <source>Check the switch and its cable, and the search direction. If the position is wrong, choose Position in doubt on the Axis page: the next search then uses only its search distance.</source>
@@ -4032,7 +4032,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Travel limit reached. Move in the other direction.</source>
-        <translation>Limite de course atteinte. Déplacez dans l’autre sens.</translation>
+        <translation>Limite de course atteinte. Repartez dans l’autre sens.</translation>
     </message>
     <message>
         <source>That exceeds this axis&apos;s highest velocity (Axis page).</source>
@@ -4056,15 +4056,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Not all modules of group %1 confirmed setting their position to 0.</source>
-        <translation>Tous les modules du groupe %1 n’ont pas confirmé la mise à 0 de leur position.</translation>
+        <translation>Au moins un module du groupe %1 n’a pas confirmé la mise à 0 de sa position.</translation>
     </message>
     <message>
         <source>Not all modules of group %1 confirmed clearing their sticky bits. A persistent fault sets its bit again at once.</source>
-        <translation>Tous les modules du groupe %1 n’ont pas confirmé l’effacement de leurs bits mémorisés. Un défaut persistant remet aussitôt son bit à 1.</translation>
+        <translation>Au moins un module du groupe %1 n’a pas confirmé l’effacement de ses bits mémorisés. Un défaut persistant remet aussitôt son bit à 1.</translation>
     </message>
     <message>
         <source>Not all modules of group %1 confirmed the command.</source>
-        <translation>Tous les modules du groupe %1 n’ont pas confirmé la commande.</translation>
+        <translation>Au moins un module du groupe %1 n’a pas confirmé la commande.</translation>
     </message>
     <message>
         <source>A group command needs an answer from every member, a state in which each can carry it out, and a known group for every module. Command the modules one by one, or set this module&apos;s group again.</source>
@@ -4259,15 +4259,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 n’a pas terminé sa trajectoire.</translation>
     </message>
     <message>
-        <source>The path was not started by all of its axes. They were told to stop.</source>
-        <translation>La trajectoire n’a pas été démarrée par tous ses axes. Ils ont reçu l’ordre d’arrêt.</translation>
+        <source>Not all axes started the path. All of them were told to stop.</source>
+        <translation>Tous les axes n’ont pas démarré la trajectoire. Tous ont reçu l’ordre de s’arrêter.</translation>
     </message>
     <message>
-        <source>The points of the path did not come in time, so the motor stopped at the last one it had.</source>
+        <source>The path points did not arrive in time, so the motor stopped at the last one.</source>
         <translation>Les points de la trajectoire ne sont pas arrivés à temps&#xa0;: le moteur s’est arrêté au dernier qu’il avait reçu.</translation>
     </message>
     <message>
-        <source>The motor was not led where the path goes. It was told to stop.</source>
+        <source>The command position left the path. The motor was told to stop.</source>
         <translation>Le moteur n’a pas été conduit là où va la trajectoire. Il a reçu l’ordre d’arrêt.</translation>
     </message>
     <message>
@@ -4297,7 +4297,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1 %2</source>
         <comment>a number and its unit</comment>
-        <translation>%1 %2</translation>
+        <translation>%1&#xa0;%2</translation>
     </message>
     <message>
         <source>The rate &quot;%1&quot; does not exist. Use 30, 60 or 120.</source>
@@ -4332,11 +4332,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>«&#xa0;%1&#xa0;» dépasse la plage de comptage du module.</translation>
     </message>
     <message>
-        <source>The point is %1 from the one before. At this rate at most %2 are possible.</source>
+        <source>The point is %1 from the previous one; at this rate the maximum is %2.</source>
         <translation>Le point est à %1 du précédent. À cette fréquence, au plus %2 sont possibles.</translation>
     </message>
     <message>
-        <source>This takes %1. The axis is limited to %2.</source>
+        <source>This needs a velocity of %1; the limit of the axis is %2.</source>
         <translation>Cela exige %1. L’axe est limité à %2.</translation>
     </message>
     <message>
@@ -4364,8 +4364,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 n’a pas de tampon de trajectoire. Seul un PIC-SERVO CMC ou SC suit une trajectoire.</translation>
     </message>
     <message>
-        <source>%1 was found as another program left it. Send its I/O control first: page Amplifier or Limits and I/O.</source>
-        <translation>%1 est dans l’état laissé par un autre programme. Envoyez d’abord sa commande I/O Control&#xa0;: page Amplificateur ou Fins de course et E/S.</translation>
+        <source>The I/O settings of %1 are unknown: another program set them. Apply them first on the Amplifier or Limits and I/O page.</source>
+        <translation>Les réglages d’E/S de %1 sont inconnus : un autre programme les a définis. Appliquez-les d’abord sur la page Amplificateur ou Fins de course et E/S.</translation>
     </message>
     <message>
         <source>%1 takes step and direction pulses. Switch that off on its page Amplifier first.</source>
@@ -4373,11 +4373,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1: a path at 30 Hz needs fast path off (page Amplifier or Limits and I/O).</source>
-        <translation>%1&#xa0;: une trajectoire à 30 Hz exige «&#xa0;Trajectoire rapide&#xa0;» inactif (page Amplificateur ou Fins de course et E/S).</translation>
+        <translation>%1&#xa0;: une trajectoire à 30&#xa0;Hz exige «&#xa0;Trajectoire rapide&#xa0;» inactif (page Amplificateur ou Fins de course et E/S).</translation>
     </message>
     <message>
         <source>%1: a path at 120 Hz needs fast path on (page Amplifier or Limits and I/O).</source>
-        <translation>%1&#xa0;: une trajectoire à 120 Hz exige «&#xa0;Trajectoire rapide&#xa0;» actif (page Amplificateur ou Fins de course et E/S).</translation>
+        <translation>%1&#xa0;: une trajectoire à 120&#xa0;Hz exige «&#xa0;Trajectoire rapide&#xa0;» actif (page Amplificateur ou Fins de course et E/S).</translation>
     </message>
     <message>
         <source>%1: a path needs the servo rate SR = 1. Apply the gains with SR 1 first.</source>
@@ -4392,11 +4392,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 est à %2 du premier point. Choisissez d’abord «&#xa0;Aller au départ&#xa0;».</translation>
     </message>
     <message>
-        <source>%1: point %2 is %3 from the one before. At this rate at most %4 are possible.</source>
+        <source>%1: point %2 is %3 from the previous one; at this rate the maximum is %4.</source>
         <translation>%1&#xa0;: le point %2 est à %3 du précédent. À cette fréquence, au plus %4 sont possibles.</translation>
     </message>
     <message>
-        <source>%1: point %2 takes %3. The axis is limited to %4.</source>
+        <source>%1: point %2 needs a velocity of %3; the limit of the axis is %4.</source>
         <translation>%1&#xa0;: le point %2 exige %3. L’axe est limité à %4.</translation>
     </message>
     <message>
@@ -4412,7 +4412,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Les axes d’une trajectoire démarrent ensemble. Mettez-les dans un même groupe, sans autre module&#xa0;: Chaîne, Groupes.</translation>
     </message>
     <message>
-        <source>The path needs %1 % of the time of the bus; %2 % are available. Use a higher baud rate or a lower path rate.</source>
+        <source>The path needs %1 % of the bus time; %2 % is available. Use a higher baud rate or a lower path rate.</source>
         <translation>La trajectoire exige %1&#x202f;% du temps du bus&#x202f;; %2&#x202f;% sont disponibles. Choisissez un débit plus élevé ou une fréquence de trajectoire plus faible.</translation>
     </message>
     <message>
@@ -4433,7 +4433,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Up to here the path would have more than %1 points.</source>
-        <translation>Jusqu’ici, la trajectoire aurait plus de %1 points.</translation>
+        <translation>À cette ligne, la trajectoire aurait déjà plus de %1 points.</translation>
     </message>
     <message>
         <source>The sequence &quot;%1&quot; moves nothing.</source>
@@ -4457,7 +4457,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Point %1 of %2, %3 s left, %4 points ahead in the buffer</source>
-        <translation>Point %1 sur %2, encore %3 s, %4 points d’avance dans le tampon</translation>
+        <translation>Point %1 sur %2, encore %3&#xa0;s, %4 points d’avance dans le tampon</translation>
     </message>
     <message>
         <source>%1. The buffer is about to run dry: the bus is too slow.</source>
@@ -4469,7 +4469,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1 points at %2 Hz, %3 s</source>
-        <translation>%1 points à %2 Hz, %3 s</translation>
+        <translation>%1 points à %2&#xa0;Hz, %3&#xa0;s</translation>
     </message>
     <message>
         <source>SM, step multiplier</source>
@@ -4504,11 +4504,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Lowest position reached: %1. Move forward.</source>
-        <translation>Position minimale atteinte&#xa0;: %1. Déplacez en avant.</translation>
+        <translation>Position minimale atteinte&#xa0;: %1. Repartez en avant.</translation>
     </message>
     <message>
         <source>Highest position reached: %1. Move in reverse.</source>
-        <translation>Position maximale atteinte&#xa0;: %1. Déplacez en arrière.</translation>
+        <translation>Position maximale atteinte&#xa0;: %1. Repartez en arrière.</translation>
     </message>
     <message>
         <source>That is beyond the travel limits: the lowest position is %1.</source>
@@ -4633,7 +4633,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>PWM en antiphase</translation>
     </message>
     <message>
-        <source>For an amplifier that takes 50 % PWM as rest. Off: PWM and direction.</source>
+        <source>For a locked-antiphase amplifier: 50 % PWM is zero output. Off: PWM and direction.</source>
         <translation>Pour un amplificateur dont le repos correspond à 50&#x202f;% de PWM. Inactif&#xa0;: PWM et direction.</translation>
     </message>
     <message>
@@ -4641,7 +4641,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Entrée pas et direction</translation>
     </message>
     <message>
-        <source>The motor follows step pulses at the limit pins instead of commands. The limits then protect nothing.</source>
+        <source>The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection.</source>
         <translation>Le moteur suit les impulsions de pas sur les broches de fin de course au lieu des commandes. Les fins de course ne protègent alors plus rien.</translation>
     </message>
     <message>
@@ -4689,8 +4689,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Servo actif à la mise sous tension</translation>
     </message>
     <message>
-        <source>The motor holds by itself after each power-up, with the saved gains, before any panel is there.</source>
-        <translation>Le moteur maintient de lui-même sa position à chaque mise sous tension, avec les gains enregistrés, avant tout raccordement d’un programme.</translation>
+        <source>The servo switches on by itself after each power-up, with the saved gains, even with no panel connected.</source>
+        <translation>Le moteur maintient de lui-même sa position à chaque mise sous tension, avec les gains enregistrés, avant même qu’un programme soit connecté.</translation>
     </message>
     <message>
         <source>Save in module…</source>
@@ -4749,11 +4749,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Enregistré dans le module, pour la mise sous tension</translation>
     </message>
     <message>
-        <source>Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor goes off, and it needs its gains again.</source>
-        <translation>Enregistre ces choix, les réglages ci-dessus, les gains, la vitesse et l’accélération tels que le module les a maintenant. Ils reviennent à chaque mise sous tension. Triphasé et antiphase reviennent aussi après un reset. Les deux boutons redémarrent le module&#xa0;: son moteur est coupé, et ses gains doivent lui être renvoyés.</translation>
+        <source>Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor switches off, and it needs its gains again.</source>
+        <translation>Enregistre ces choix, les réglages ci-dessus, les gains, la vitesse et l’accélération tels que le module les a maintenant. Ils reviennent à chaque mise sous tension. Triphasé et antiphase reviennent aussi après une réinitialisation. Les deux boutons redémarrent le module&#xa0;: son moteur est coupé, et ses gains doivent lui être renvoyés.</translation>
     </message>
     <message>
-        <source>? Not known: nothing was applied in this connection, and the module does not tell. It may have saved settings.</source>
+        <source>? Unknown: nothing has been applied in this connection, and the settings cannot be read back. The module may have saved settings.</source>
         <translation>? Inconnu&#xa0;: rien n’a été appliqué pendant cette connexion, et le module ne le dit pas. Il peut avoir des réglages enregistrés.</translation>
     </message>
     <message>
@@ -4761,7 +4761,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>● Appliqué&#xa0;: triphasé %1, antiphase %2, pas et direction %3, fins de course %4.</translation>
     </message>
     <message>
-        <source>With step and direction the pins of the limits are its inputs: set the limit inputs to do nothing.</source>
+        <source>Step and direction uses the limit pins: set the limit inputs to do nothing.</source>
         <translation>En mode pas et direction, les broches de fin de course en sont les entrées&#xa0;: choisissez «&#xa0;sans effet&#xa0;» pour les fins de course.</translation>
     </message>
     <message>
@@ -4797,7 +4797,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Appliquer les réglages de l’amplificateur</translation>
     </message>
     <message>
-        <source>Apply these settings to %1? 3-phase, antiphase or step and direction that do not fit the amplifier or its wiring can destroy the amplifier, or make the motor run away once it is enabled.</source>
+        <source>Apply these settings to %1? If 3-phase, antiphase or step and direction do not match the amplifier and its wiring, the amplifier can be destroyed, or the motor can run away once it is enabled.</source>
         <translation>Appliquer ces réglages à %1&#x202f;? Un réglage triphasé, antiphase ou pas et direction qui ne convient pas à l’amplificateur ou à son câblage peut détruire l’amplificateur, ou faire s’emballer le moteur dès son activation.</translation>
     </message>
     <message>
@@ -4805,7 +4805,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Appliquer les réglages</translation>
     </message>
     <message>
-        <source>Save the configuration of %1? It comes back at each power-up, whatever is connected then. The module restarts now: its motor goes off, and it needs its gains again.</source>
+        <source>Save the configuration of %1? It takes effect at each power-up, whatever is connected then. The module restarts now: its motor switches off, and it needs its gains again.</source>
         <translation>Enregistrer la configuration de %1&#x202f;? Elle revient à chaque mise sous tension, quoi qu’il y ait alors de raccordé. Le module redémarre maintenant&#xa0;: son moteur est coupé, et ses gains doivent lui être renvoyés.</translation>
     </message>
     <message>
@@ -4825,7 +4825,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Effacer la configuration enregistrée</translation>
     </message>
     <message>
-        <source>Erase what %1 has saved? At the next power-up it starts as a new module does. It restarts now: its motor goes off, and it needs its gains again.</source>
+        <source>Erase what %1 has saved? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
         <translation>Effacer ce que %1 a enregistré&#x202f;? À la prochaine mise sous tension, il démarre comme un module neuf. Il redémarre maintenant&#xa0;: son moteur est coupé, et ses gains doivent lui être renvoyés.</translation>
     </message>
     <message>
@@ -5583,7 +5583,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <name>nmc::ControlLineBox</name>
     <message>
         <source>Control line</source>
-        <translation>Ligne de contrôle</translation>
+        <translation>Ligne de commande</translation>
     </message>
     <message>
         <source>Type an nmcsim command, then press Enter: state, set, power-cycle, break, mend, stats, time, fault. Shortcut: Ctrl+L.</source>
@@ -5621,12 +5621,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Stocker les sorties pour plus tard</translation>
     </message>
     <message>
-        <source>Put out</source>
-        <translation>Sortir</translation>
+        <source>Apply</source>
+        <translation>Écrire</translation>
     </message>
     <message>
-        <source>Put out the stored outputs</source>
-        <translation>Sortir les valeurs stockées</translation>
+        <source>Apply the stored outputs</source>
+        <translation>Écrire les sorties stockées</translation>
     </message>
     <message>
         <source>Counter and synchronous I/O</source>
@@ -5670,7 +5670,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Count</source>
-        <translation>Nombre</translation>
+        <translation>Compteur</translation>
     </message>
     <message>
         <source>Counts</source>
@@ -5706,7 +5706,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>= %1 s</source>
-        <translation>= %1 s</translation>
+        <translation>= %1&#xa0;s</translation>
     </message>
     <message>
         <source>%1 Hz on IO10</source>
@@ -5725,16 +5725,16 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Fige toutes les broches et le compteur au même instant, et les lit.</translation>
     </message>
     <message>
-        <source>Sends these values to the module, which keeps them until you put them out.</source>
-        <translation>Envoie ces valeurs au module, qui les garde jusqu’à ce que vous les sortiez.</translation>
+        <source>Sends these values to the module, which keeps them until you apply them.</source>
+        <translation>Envoie ces valeurs au module, qui les garde jusqu’à ce que vous les écriviez sur les sorties.</translation>
     </message>
     <message>
         <source>Store outputs first.</source>
         <translation>Stockez d’abord des sorties.</translation>
     </message>
     <message>
-        <source>Puts out the stored pins and PWM values at the same moment.</source>
-        <translation>Sort les broches et les valeurs PWM stockées au même instant.</translation>
+        <source>Applies the stored pin levels and PWM values at the same moment.</source>
+        <translation>Écrit au même instant les broches et les valeurs PWM stockées.</translation>
     </message>
     <message>
         <source>stored: %1, PWM %2 and %3</source>
@@ -5776,7 +5776,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>répétées&#xa0;: commandes envoyées de nouveau</translation>
     </message>
     <message>
-        <source>time-outs: no answer, or too few bytes</source>
+        <source>timeouts: no answer, or too few bytes</source>
         <translation>délais dépassés&#xa0;: pas de réponse, ou trop peu d’octets</translation>
     </message>
     <message>
@@ -5784,7 +5784,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>refusées par le module&#xa0;: la commande l’a atteint avec une somme de contrôle fausse</translation>
     </message>
     <message>
-        <source>wrong checksums: the answer was damaged on its way</source>
+        <source>wrong checksums: the answer was corrupted in transit</source>
         <translation>sommes de contrôle fausses&#xa0;: la réponse a été altérée en chemin</translation>
     </message>
     <message>
@@ -5809,7 +5809,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
 </context>
 <context>
@@ -5859,7 +5859,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>%1&#xa0;s</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -5883,7 +5883,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
+        <translation>%1&#xa0;Hz</translation>
     </message>
 </context>
 <context>
@@ -6186,7 +6186,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Quelque chose fait tourner le moteur. Attendez qu’il soit à l’arrêt.</translation>
     </message>
     <message>
-        <source>The motor of %1 will move a little, forward and in reverse. It is pushed for less than 0.1 s at a time, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.</source>
+        <source>The motor of %1 will move a little, forward and in reverse. It is driven in pulses of less than 0.1 s, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.</source>
         <translation>Le moteur de %1 va bouger un peu, en avant et en arrière. Il reçoit des impulsions de moins de 0,1&#xa0;s, d’une puissance lentement croissante jusqu’à %2&#x202f;% de son alimentation, jusqu’à ce qu’il se soit déplacé de %3. Un moteur qui tourne sans charge peut continuer plus loin sur sa lancée&#x202f;; au-delà de %4, le contrôle s’arrête. Tenez-vous à l’écart.</translation>
     </message>
     <message>
@@ -6198,15 +6198,15 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>A&amp;nnuler</translation>
     </message>
     <message>
-        <source>&amp;Push the motor</source>
+        <source>&amp;Pulse motor</source>
         <translation>Lancer les im&amp;pulsions</translation>
     </message>
     <message>
-        <source>Pushing it in reverse.</source>
+        <source>Driving it in reverse.</source>
         <translation>Impulsion en marche arrière.</translation>
     </message>
     <message>
-        <source>Pushing it forward.</source>
+        <source>Driving it forward.</source>
         <translation>Impulsion en marche avant.</translation>
     </message>
     <message>
@@ -6588,7 +6588,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Relatif (trapézoïdal)</translation>
     </message>
     <message>
-        <source>A trapezoidal move by this many counts, from where the servo is told to be. Start it only from standstill.</source>
+        <source>A trapezoidal move by this many counts, from the command position. Start it only from standstill.</source>
         <translation>Déplacement trapézoïdal de ce nombre d’incréments, depuis la position de consigne du servo. Ne le démarrez qu’à l’arrêt.</translation>
     </message>
     <message>
@@ -6694,7 +6694,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>La fréquence la plus haute</translation>
     </message>
     <message>
-        <source>The test ends earlier if the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd.</source>
+        <source>The test ends earlier if the baud rate is too low: at about 40 Hz at 115 200 Bd, and at about 8 Hz at 19 200 Bd.</source>
         <translation>L’essai se termine plus tôt si le débit est trop faible&#xa0;: vers 40&#xa0;Hz à 115200&#xa0;Bd, et vers 8&#xa0;Hz à 19200&#xa0;Bd.</translation>
     </message>
     <message>
@@ -6968,8 +6968,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Envoie No Operation, qui ne fait que demander l’état.</translation>
     </message>
     <message>
-        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL reaches the module.</source>
-        <translation>Le programme ne prend pas en charge ce type et cette version (pris en charge&#xa0;: PIC-SERVO v1 à v5 et v10, PIC-STEP v1, PIC-I/O v1)&#x202f;; il n’affiche donc que l’état du module. TOUT ARRÊTER atteint le module.</translation>
+        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL may not stop its motor: use the hardware stop.</source>
+        <translation>Le programme ne prend pas en charge ce type et cette version (pris en charge : PIC-SERVO v1 à v5 et v10, PIC-STEP v1, PIC-I/O v1) ; il n’affiche donc que l’état du module. TOUT ARRÊTER n’arrête peut-être pas son moteur : utilisez l’arrêt matériel.</translation>
     </message>
 </context>
 <context>
@@ -7143,7 +7143,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Coupe chaque membre&#xa0;: les moteurs continuent sur leur lancée, et des charges peuvent tomber. Répété jusqu’à ce que tous soient vus à l’arrêt.</translation>
     </message>
     <message>
-        <source>The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then mean other places.</source>
+        <source>The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then refer to different positions.</source>
         <translation>La position actuelle de chaque moteur de %1 devient 0&#xa0;: module %2. L’origine, les limites et les points appris désignent alors d’autres emplacements.</translation>
     </message>
     <message>
@@ -7444,7 +7444,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Une erreur de position coupe le servo.</translation>
     </message>
     <message>
-        <source> This chip version does not stop on its own: the panel stops it, some hundredths of a second later.</source>
+        <source> This chip version does not stop the motor by itself: the panel stops it, a few hundredths of a second later.</source>
         <translation> Cette version de la puce ne s’arrête pas d’elle-même&#xa0;: le programme l’arrête, quelques centièmes de seconde plus tard.</translation>
     </message>
     <message>
@@ -7560,7 +7560,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>missing</source>
-        <translation>manque</translation>
+        <translation>absente</translation>
     </message>
     <message>
         <source>Switches only the amplifier&apos;s enable line; the servo stays as it is. When off, the motor gets no current, whatever the servo does.</source>
@@ -7644,7 +7644,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Lecture</translation>
     </message>
     <message>
-        <source>Each step</source>
+        <source>Per count</source>
         <translation>Par unité</translation>
     </message>
     <message>
@@ -7933,7 +7933,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>● Armé&#xa0;: arrêt sur %1, une fois.</translation>
     </message>
     <message>
-        <source>▲ Tripped: %1 has changed, and the motor was stopped. No longer armed.</source>
+        <source>▲ Tripped by %1; the motor was stopped. No longer armed.</source>
         <translation>▲ Déclenché par %1&#xa0;: le moteur a été arrêté. N’est plus armé.</translation>
     </message>
     <message>
@@ -8028,7 +8028,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>aller-retour –</translation>
     </message>
     <message>
-        <source>%1 exchanges/s, %2 % of the wire</source>
+        <source>%1 exchanges/s, %2 % bus load</source>
         <translation>%1 échanges/s, %2&#x202f;% de la ligne</translation>
     </message>
     <message numerus="yes">
@@ -8328,7 +8328,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Quitte le mode pupitre&#xa0;: les touches fléchées et la manette ne déplacent plus rien.</translation>
     </message>
     <message>
-        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends pendant mode.</source>
+        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
         <translation>Pour le déplacer, maintenez Maj avec ◂ ou ▸, ou une gâchette supérieure de la manette avec son stick gauche ou sa croix. B (○) est TOUT ARRÊTER. Esc quitte le mode pupitre.</translation>
     </message>
     <message>
@@ -8341,7 +8341,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1, %2 Bd</source>
-        <translation>%1, %2 Bd</translation>
+        <translation>%1, %2&#xa0;Bd</translation>
     </message>
     <message>
         <source>Save the tuning report</source>
@@ -8810,15 +8810,15 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>255 stands for 5 V.</source>
-        <translation>255 correspond à 5 V.</translation>
+        <translation>255 correspond à 5&#xa0;V.</translation>
     </message>
     <message>
         <source>PWM 1 and 2</source>
         <translation>PWM 1 et 2</translation>
     </message>
     <message>
-        <source>What the module puts out, of 255.</source>
-        <translation>Ce que le module sort, sur 255.</translation>
+        <source>The output of the module, of 255.</source>
+        <translation>Valeurs que le module délivre, sur 255.</translation>
     </message>
     <message>
         <source>Timer or counter</source>
@@ -8826,7 +8826,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>As the module counts.</source>
-        <translation>Tel que le module compte.</translation>
+        <translation>Tel que le module le compte.</translation>
     </message>
     <message>
         <source>An output: the module sets its level.</source>
@@ -9002,7 +9002,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>%1&#xa0;s</translation>
     </message>
     <message>
         <source>Takes %1, peak %2: too short to reach its velocity</source>
@@ -9214,7 +9214,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Mode opérateur</translation>
     </message>
     <message>
-        <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is no security: anyone with access to this computer&apos;s files can bypass it.</source>
+        <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is not a security feature: anyone with access to this computer&apos;s files can bypass it.</source>
         <translation>Sélectionnez ce que l’opérateur peut faire. TOUT ARRÊTER, Esc, les arrêts de chaque moteur et «&#xa0;Déconnecter&#xa0;» restent toujours utilisables. Le mode opérateur évite les erreurs&#x202f;; ce n’est pas une protection&#xa0;: quiconque accède aux fichiers de cet ordinateur peut le contourner.</translation>
     </message>
     <message>
@@ -9736,7 +9736,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
+        <translation>%1&#xa0;Hz</translation>
     </message>
     <message>
         <source>Draw path</source>
@@ -9839,7 +9839,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Déplace chaque axe de la trajectoire vers son premier point.</translation>
     </message>
     <message>
-        <source>Runs all axes through the path, after a question.</source>
+        <source>Runs all axes through the path. Asks first.</source>
         <translation>Fait parcourir la trajectoire à tous les axes, après confirmation.</translation>
     </message>
     <message>
@@ -9902,7 +9902,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Pupitre&#xa0;: &amp;clavier ou manette</translation>
     </message>
     <message>
-        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or cross. B (○) of the gamepad is STOP ALL. (F12)</source>
+        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad. B (○) of the gamepad is STOP ALL. (F12)</source>
         <translation>Pour déplacer le moteur, maintenez Maj avec une touche fléchée, ou une gâchette supérieure de la manette avec son stick gauche ou sa croix. B (○) de la manette est TOUT ARRÊTER. (F12)</translation>
     </message>
 </context>
@@ -10159,7 +10159,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 Bd</source>
-        <translation>%1 Bd</translation>
+        <translation>%1&#xa0;Bd</translation>
     </message>
     <message>
         <source>Positions, gains and groups are kept. The panel checks every module at the new baud rate; if one does not answer, all modules go back to the old rate.</source>
@@ -10570,7 +10570,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Settling to the goal</source>
@@ -10846,7 +10846,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>%1&#xa0;s</translation>
     </message>
     <message>
         <source>within %1 s</source>
@@ -10940,11 +10940,11 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>%1&#xa0;s</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation>%1 min</translation>
+        <translation>%1&#xa0;min</translation>
     </message>
     <message>
         <source>Time shown by the scope</source>
@@ -10972,7 +10972,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Waits for a signal or a status bit, and holds the picture around it (T).</source>
-        <translation>Attend un signal ou un bit d’état, et fige l’image autour de lui (T).</translation>
+        <translation>Attend un signal ou un bit d’état, et fige l’image autour de cet instant (T).</translation>
     </message>
     <message>
         <source>Back to live</source>
@@ -11114,7 +11114,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>%1&#xa0;s</translation>
     </message>
     <message>
         <source>Opening %1, %2 %</source>
@@ -11278,7 +11278,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>The selected axes become part of the point.</source>
-        <translation>Les axes sélectionnés deviennent partie du point.</translation>
+        <translation>Les axes sélectionnés feront partie du point.</translation>
     </message>
     <message>
         <source>Teach</source>
@@ -11430,11 +11430,11 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Run from row</source>
-        <translation>Marche depuis la ligne</translation>
+        <translation>Lancer depuis la ligne</translation>
     </message>
     <message>
         <source>Run from row: start at the selected row</source>
-        <translation>Marche depuis la ligne sélectionnée</translation>
+        <translation>Lancer depuis la ligne sélectionnée</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -11526,7 +11526,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Adds a copy of the row after it.</source>
-        <translation>Ajoute une copie de la ligne après elle.</translation>
+        <translation>Ajoute une copie de la ligne juste après.</translation>
     </message>
     <message>
         <source>Removes this row.</source>
@@ -11855,7 +11855,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <name>nmc::StartPage</name>
     <message>
         <source>Start</source>
-        <translation>Démarrer</translation>
+        <translation>Accueil</translation>
     </message>
     <message>
         <source>Start the simulator</source>
@@ -11883,11 +11883,11 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1 Bd.</source>
-        <translation>%1 Bd.</translation>
+        <translation>%1&#xa0;Bd.</translation>
     </message>
     <message>
         <source>%1, %2 Bd.</source>
-        <translation>%1, %2 Bd.</translation>
+        <translation>%1, %2&#xa0;Bd.</translation>
     </message>
     <message>
         <source>Connect to %1</source>
@@ -11923,7 +11923,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::StepperDetailsBox</name>
     <message>
-        <source>Step pulses are coming.</source>
+        <source>The module is sending step pulses.</source>
         <translation>Des impulsions de pas arrivent.</translation>
     </message>
     <message>
@@ -12473,15 +12473,11 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::StepperParametersBox</name>
     <message>
-        <source>ignored: they stop nothing</source>
+        <source>ignored: no motor stop</source>
         <translation>ignorés&#xa0;: ils n’arrêtent rien</translation>
     </message>
     <message>
-        <source>ignored: it stops nothing</source>
-        <translation>ignorée&#xa0;: elle n’arrête rien</translation>
-    </message>
-    <message>
-        <source>the motor goes off as well</source>
+        <source>motor switches off, too</source>
         <translation>le moteur est aussi coupé</translation>
     </message>
     <message>
@@ -12969,7 +12965,7 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     </message>
     <message>
         <source>As on its label: lines, CPR or PPR. The chip counts four per line.</source>
-        <translation>Comme sur son étiquette&#xa0;: traits, CPR ou PPR. La puce en compte quatre par trait.</translation>
+        <translation>Comme sur son étiquette&#xa0;: traits, CPR ou PPR. La puce compte quatre incréments par trait.</translation>
     </message>
     <message>
         <source>Gear: motor turns</source>

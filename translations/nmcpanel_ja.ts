@@ -194,7 +194,7 @@
         <translation>ゲインをモジュールに送信します。モーターは動きません。</translation>
     </message>
     <message>
-        <source>New wiring? Run the direction check on page Axis first.</source>
+        <source>New wiring? Run the direction check on the Axis page first.</source>
         <translation>新しい配線の場合は、先に「軸」ページで方向チェックを行ってください。</translation>
     </message>
     <message>
@@ -246,7 +246,7 @@
     </message>
     <message>
         <source>Kd, derivative gain: damping. Start here, with Kp and Ki at 0: raise Kd until the motor starts to hum, then back off a little.</source>
-        <translation>Kd、微分ゲイン：制動。KpとKiを0にして、ここから始めます。モーターがうなり始めるまでKdを上げ、少し戻します。</translation>
+        <translation>Kd、微分ゲイン：減衰（ダンピング）。KpとKiを0にして、ここから始めます。モーターがうなり始めるまでKdを上げ、少し戻します。</translation>
     </message>
     <message>
         <source>Ki, integral gain: removes the steady-state error that Kp and Kd leave. Set IL to 16000 first, then raise Ki until the error settles fast enough. Adds some overshoot.</source>
@@ -270,7 +270,7 @@
     </message>
     <message>
         <source>SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
-        <translation>SR、サーボレート分周比：サーボ1周期はSR x 0.512 msです。周期を長くすると、小さなKdで重い負荷を制動できます。SRを変えると、すべての速度と加速度の意味が変わります。</translation>
+        <translation>SR、サーボレート分周比：サーボ1周期はSR x 0.512 msです。周期を長くすると、重い負荷の振動を小さなKdで抑えられます。SRを変えると、すべての速度と加速度の意味が変わります。</translation>
     </message>
     <message>
         <source>DB, deadband compensation: added to every PWM value except 0, for amplifiers with a deadband near zero. Version 4 and later.</source>
@@ -314,7 +314,7 @@
     </message>
     <message>
         <source>%1 from %2 to %3</source>
-        <translation>%1：%2から%3</translation>
+        <translation>%1 %2→%3</translation>
     </message>
 </context>
 <context>
@@ -376,7 +376,7 @@
     </message>
     <message>
         <source>Bandwidth (-3 dB) not reached</source>
-        <translation>帯域幅 (-3 dB) に未到達</translation>
+        <translation>帯域幅 (-3 dB)：測定範囲外</translation>
     </message>
     <message>
         <source>Resonance %1 dB</source>
@@ -388,7 +388,7 @@
     </message>
     <message>
         <source>Phase margin not reached</source>
-        <translation>位相余裕に未到達</translation>
+        <translation>位相余裕：測定範囲外</translation>
     </message>
     <message>
         <source>Gain margin %1</source>
@@ -396,7 +396,7 @@
     </message>
     <message>
         <source>Gain margin not reached</source>
-        <translation>ゲイン余裕に未到達</translation>
+        <translation>ゲイン余裕：測定範囲外</translation>
     </message>
 </context>
 <context>
@@ -566,7 +566,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>サンプルが不足しています。記録時間を延ばすか、ボーレートを上げてください。</translation>
     </message>
     <message>
-        <source>The shaft did not move. Check motor power and brake, or use a longer step.</source>
+        <source>The shaft did not move. Check motor power and brake, or use a larger step.</source>
         <translation>シャフトが動きませんでした。モーター電源とブレーキを確認するか、ステップを大きくしてください。</translation>
     </message>
     <message>
@@ -579,10 +579,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>The model does not fit the step. Check for backlash, an elastic belt, a hard stop or a current limit.</source>
-        <translation>モデルがステップに合いません。バックラッシ、伸びるベルト、メカストッパー、電流制限を確認してください。</translation>
+        <translation>モデルがステップに合いません。バックラッシ、ベルトの伸び、メカストッパー、電流制限を確認してください。</translation>
     </message>
     <message>
-        <source>These steps do not determine the motor gain. Add a longer step, so that the motor gets close to a steady speed.</source>
+        <source>These steps do not determine the motor gain. Add a larger step, so that the motor gets close to a steady speed.</source>
         <translation>これらのステップではモーターのゲインが定まりません。モーターが一定速度に近づくように、より大きいステップを追加してください。</translation>
     </message>
     <message>
@@ -728,7 +728,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>From %1; 0 s is %2</source>
-        <translation>%1から、0 sは%2</translation>
+        <translation>%1から（0 s = %2）</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -903,22 +903,22 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
-        <translation>移動中のモーター電流です。255がドライバーの最大電流です。0：電流なし、モーターは追従しません。モーターとドライバーの定格を超えないでください。</translation>
+        <translation>モーターが動いている間の電流です。255がドライバーの最大電流です。0：電流なし、モーターは追従しません。モーターとドライバーの定格を超えないでください。</translation>
     </message>
     <message>
-        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and the motor holds nothing.</source>
-        <translation>停止中のモーター電流です。動作終了の約0.25 s後から適用されます。モーターの発熱を抑えるため、通常は運転電流より小さくします。0：電流なし、モーターは何も保持しません。</translation>
+        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
+        <translation>停止中のモーター電流です。動作終了の約0.25秒後から適用されます。モーターの発熱を抑えるため、通常は運転電流より小さくします。0：電流なし、モーターは何も保持しません。</translation>
     </message>
     <message>
         <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
         <translation>A/D値がこの値を下回ると、モジュールがモーターをオフにします。モーターが温まるとサーミスターブリッジの電圧が下がります。0：オフ。適切な値を決めるには、温まったモーターのA/D値を見てください。</translation>
     </message>
     <message>
-        <source>Normally the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches stop nothing, and the motor can run into the end of its travel.</source>
+        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
         <translation>通常、チップは正方向ではリミットスイッチ1、逆方向ではリミットスイッチ2で停止します。無視すると、スイッチでは何も停止せず、モーターがストローク端に突き当たることがあります。</translation>
     </message>
     <message>
-        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input stops nothing.</source>
+        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
         <translation>通常、チップはE-stop入力がHighになるとモーターを停止します。無視すると、この入力では何も停止しません。</translation>
     </message>
     <message>
@@ -1185,7 +1185,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Module %1 has not answered for %2 s. Motor state unknown: it was moving.</source>
-        <translation>モジュール%1が%2秒間応答していません。モーターの状態は不明です（移動中でした）。</translation>
+        <translation>モジュール%1が%2秒間応答していません。モーターの状態は不明です。最後の確認時は動いていました。</translation>
     </message>
     <message>
         <source>Module %1 has not answered for %2 s. Motor state unknown; it was stopped when last seen.</source>
@@ -1302,7 +1302,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message numerus="yes">
         <source>%n motors are moving. They will be stopped before the port closes.</source>
         <translation>
-            <numerusform>%n台のモーターが移動中です。ポートを閉じる前に停止します。</numerusform>
+            <numerusform>%n台のモーターが動いています。ポートを閉じる前に停止します。</numerusform>
         </translation>
     </message>
     <message>
@@ -1431,7 +1431,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>The motor is moving. Stop it first: a move to a position starts from standstill.</source>
-        <translation>モーターが移動中です。先に停止してください。位置への移動は停止状態から始めます。</translation>
+        <translation>モーターが動いています。先に停止してください。位置への移動は停止状態から始めます。</translation>
     </message>
     <message>
         <source>The acceleration is 0: the motor could not start or stop. Enter an acceleration.</source>
@@ -1513,7 +1513,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source> and </source>
-        <translation> と </translation>
+        <translation>と</translation>
     </message>
     <message>
         <source>counts</source>
@@ -1545,7 +1545,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Answer to: %1</source>
-        <translation>%1への回答</translation>
+        <translation>%1への応答</translation>
     </message>
     <message>
         <source>steps</source>
@@ -1565,7 +1565,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Motor state unknown; commands may not get through. Usually a short circuit, swapped wires of a pair, or a module without power.</source>
-        <translation>モーターの状態は不明です。コマンドが届かない可能性があります。多くの場合、短絡、ペア線の入れ違い、または電源の入っていないモジュールです。</translation>
+        <translation>モーターの状態は不明です。コマンドが届かない可能性があります。多くの場合、短絡、ペア線の逆接続、または電源の入っていないモジュールです。</translation>
     </message>
     <message>
         <source>The modules on %1 have no addresses yet.</source>
@@ -1580,7 +1580,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>通信の信頼性に疑いがあります。直近%2回の通信のうち%1回が失敗しました。</translation>
     </message>
     <message>
-        <source>The command was damaged on its way, or the gains cause a large overshoot. Check the position before the next move.</source>
+        <source>The command was corrupted in transit, or the gains cause a large overshoot. Check the position before the next move.</source>
         <translation>コマンドが途中で壊れたか、ゲインのためにオーバーシュートが大きくなっています。次の移動の前に位置を確認してください。</translation>
     </message>
     <message>
@@ -1589,19 +1589,19 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>%1秒</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation>%1 min</translation>
+        <translation>%1分</translation>
     </message>
     <message>
         <source>%1 h</source>
-        <translation>%1 h</translation>
+        <translation>%1時間</translation>
     </message>
     <message>
         <source>The panel froze for %1 while a motor was moving. The motor was not stopped.</source>
-        <translation>モーターの移動中に、パネルが%1応答しませんでした。モーターへの停止指令は送られていません。</translation>
+        <translation>モーターが動いているときに、パネルが%1応答しませんでした。モーターへの停止指令は送られていません。</translation>
     </message>
     <message>
         <source>STOP ALL did not work during that time. The computer was busy, or the program hung.</source>
@@ -1616,13 +1616,13 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1後に復帰しました。モーターに停止を指令し、すべての値を読み直しています。</translation>
     </message>
     <message>
-        <source>The computer was suspended. Motors that were moving kept moving. Look at them before the next move.</source>
-        <translation>コンピューターがスリープしていました。移動中だったモーターは動き続けていました。次の移動の前に目視で確認してください。</translation>
+        <source>While the computer was suspended, the panel could not stop a motor. Look at the motors before the next move.</source>
+        <translation>コンピューターのスリープ中、パネルはモーターを停止できませんでした。次の移動の前にモーターを目視で確認してください。</translation>
     </message>
     <message numerus="yes">
         <source>The last session ended while motors %1 were moving.</source>
         <translation>
-            <numerusform>前回のセッションは、モーター%1の移動中に終了しました。</numerusform>
+            <numerusform>前回のセッションは、モーター%1が動いている間に終了しました。</numerusform>
         </translation>
     </message>
     <message>
@@ -1642,7 +1642,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1は%2が使用中です（PID %3）。</translation>
     </message>
     <message>
-        <source>It probes a newly connected adapter for a modem for some seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.</source>
+        <source>It probes a newly connected adapter for a modem for a few seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.</source>
         <translation>このプログラムは、新しく接続されたアダプターにモデムがないか数秒間調べます。待ってから、もう一度試してください。USBアダプターを調べさせないようにするには、%1を実行し、アダプターを差し直してください。</translation>
     </message>
     <message>
@@ -1699,7 +1699,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
-        <translation>次の順に確認してください：モジュールの電源、チェーンの全ケーブル（1本の緩みですべてのモジュールが見えなくなります）、PCから最も遠いモジュールのADDR_INジャンパー、TXとRXの入れ違いがないこと、全二重（4線式）アダプターであること。別のプログラムがチェーンを通常と異なるボーレートのままにした場合は、ネットワークを再起動してください。</translation>
+        <translation>次の順に確認してください：モジュールの電源、チェーンの全ケーブル（1本の緩みですべてのモジュールが見えなくなります）、PCから最も遠いモジュールのADDR_INジャンパー、TXとRXが入れ替わっていないこと、全二重（4線式）アダプターであること。別のプログラムがチェーンを通常と異なるボーレートのままにした場合は、ネットワークを再起動してください。</translation>
     </message>
     <message>
         <source>Connected to %1: %2 at %3 Bd, left running.</source>
@@ -1752,7 +1752,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message numerus="yes">
         <source>%n motors are moving. They will be stopped first.</source>
         <translation>
-            <numerusform>%n台のモーターが移動中です。先に停止します。</numerusform>
+            <numerusform>%n台のモーターが動いています。先に停止します。</numerusform>
         </translation>
     </message>
     <message>
@@ -1760,8 +1760,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>再起動しました</translation>
     </message>
     <message>
-        <source>The module restarted: its motor is off, and its position, gains and address are lost. Restart the network.</source>
-        <translation>モジュールが再起動しました。モーターはオフで、位置、ゲイン、アドレスは失われました。ネットワークを再起動してください。</translation>
+        <source>The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.</source>
+        <translation>モジュールが再起動しました。モーターはオフで、位置、ゲイン、アドレスは失われました。アドレスの再割り当てが提示された場合は実行し、提示されない場合はネットワークを再起動してください。</translation>
     </message>
     <message>
         <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
@@ -1825,7 +1825,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>timer count of a moving motor is not 1 to 65 452</source>
-        <translation>移動中のモーターのタイマー値が1～65 452の範囲外</translation>
+        <translation>動いているモーターのタイマー値が1～65 452の範囲外</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -1929,7 +1929,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Usually encoder or motor wires are swapped, or the gains make it oscillate. Check both before the next move.</source>
-        <translation>多くの場合、エンコーダー線またはモーター線の入れ違いか、ゲインによる発振です。次の移動の前に両方を確認してください。</translation>
+        <translation>多くの場合、エンコーダー線またはモーター線の逆接続か、ゲインによる発振です。次の移動の前に両方を確認してください。</translation>
     </message>
     <message>
         <source>Carried out by: %1.</source>
@@ -2021,7 +2021,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>A motor is moving, or about to move. Stop all motors, then try again.</source>
-        <translation>モーターが移動中か、移動しようとしています。すべてのモーターを停止してから、もう一度試してください。</translation>
+        <translation>モーターが動いているか、動き出そうとしています。すべてのモーターを停止してから、もう一度試してください。</translation>
     </message>
     <message>
         <source>Module %1 does not answer and would be left behind. Connect again first.</source>
@@ -2045,7 +2045,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Module %1 has not answered since the baud rate changed. No motor was moving.</source>
-        <translation>ボーレートの変更後、モジュール%1が応答していません。移動中のモーターはありませんでした。</translation>
+        <translation>ボーレートの変更後、モジュール%1が応答していません。動いていたモーターはありません。</translation>
     </message>
     <message>
         <source>It may still be at %1 Bd; the others are at %2 Bd. Scan again. If the module is not found, restart the network: positions and gains are lost.</source>
@@ -2546,12 +2546,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message numerus="yes">
         <source>%n motors are moving: stop them before anything is sent.</source>
         <translation>
-            <numerusform>%n台のモーターが移動中です。送信する前に停止してください。</numerusform>
+            <numerusform>%n台のモーターが動いています。送信する前に停止してください。</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 was stopped: its switch stayed active while backing off.</source>
-        <translation>%1を停止しました。退避中もスイッチがオンのままでした。</translation>
+        <translation>%1を停止しました。退避中もスイッチがオンのままだったためです。</translation>
     </message>
     <message>
         <source>The switch may be stuck, or the search direction is wrong. Move the motor off the switch, or change the direction, then try again.</source>
@@ -2567,7 +2567,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 was stopped: home not found within the search distance.</source>
-        <translation>%1を停止しました。サーチ距離内に原点が見つかりません。</translation>
+        <translation>%1を停止しました。サーチ距離内に原点が見つからなかったためです。</translation>
     </message>
     <message>
         <source>Check the switch and its cable, the search direction and the search distance.</source>
@@ -2575,7 +2575,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 was stopped: home not found within the time limit.</source>
-        <translation>%1を停止しました。制限時間内に原点が見つかりません。</translation>
+        <translation>%1を停止しました。制限時間内に原点が見つからなかったためです。</translation>
     </message>
     <message>
         <source>Check the switch and its cable, the search direction and velocity, and the time limit.</source>
@@ -2583,7 +2583,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 is not homed and was told to stop: the link was unreliable.</source>
-        <translation>%1は原点復帰しておらず、停止を指令しました。通信が不安定でした。</translation>
+        <translation>%1は原点復帰しておらず、停止を指令しました。通信が不安定だったためです。</translation>
     </message>
     <message>
         <source>The home position found may be wrong. Check the link, then repeat the search.</source>
@@ -2607,7 +2607,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 is not homed and was told to stop: a command failed, or its answer was lost.</source>
-        <translation>%1は原点復帰しておらず、停止を指令しました。コマンドが失敗したか、その応答が失われました。</translation>
+        <translation>%1は原点復帰しておらず、停止を指令しました。コマンドが失敗したか、その応答が失われたためです。</translation>
     </message>
     <message>
         <source>Usually noise on the cable. Repeat the search.</source>
@@ -2615,7 +2615,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 is at rest but not homed: two readings of home differ.</source>
-        <translation>%1は停止していますが、原点復帰していません。原点の2回の読み取り値が異なります。</translation>
+        <translation>%1は停止していますが、原点復帰していません。原点の2回の読み取り値が異なるためです。</translation>
     </message>
     <message>
         <source>%1 found home and holds close to it, but the position was not set to 0.</source>
@@ -2855,7 +2855,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Stop the motor first: the chip cannot change this in motion.</source>
-        <translation>先にモーターを停止してください。移動中は、チップがこれを変更できません。</translation>
+        <translation>先にモーターを停止してください。動いている間は、チップがこれを変更できません。</translation>
     </message>
     <message>
         <source>The module&apos;s E-stop input is active. Release it first.</source>
@@ -2899,7 +2899,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 holds again: it moved the wrong way, or more than twice the step.</source>
-        <translation>%1は再び保持しています。誤った方向に動いたか、ステップの2倍を超えて動きました。</translation>
+        <translation>%1は再び保持しています。誤った方向に動いたか、ステップの2倍を超えて動いたためです。</translation>
     </message>
     <message>
         <source>The servo oscillates, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.</source>
@@ -2907,7 +2907,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 was switched off and is free to turn: it kept oscillating after its step.</source>
-        <translation>%1をオフにしました。自由に回ります。ステップ後も発振が続きました。</translation>
+        <translation>%1をオフにしました（自由に回ります）。ステップ後も発振が続いたためです。</translation>
     </message>
     <message>
         <source>The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply them, then enable it.</source>
@@ -2939,7 +2939,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 was told to hold, and its step was not recorded: the link was unreliable.</source>
-        <translation>%1に保持を指令しました。ステップは記録されませんでした。通信が不安定でした。</translation>
+        <translation>%1に保持を指令しました。ステップは記録されませんでした。通信が不安定だったためです。</translation>
     </message>
     <message>
         <source>Check the link, then step again.</source>
@@ -2947,7 +2947,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 was told to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
-        <translation>%1に保持を指令しました。ステップは記録されませんでした。コマンドが失敗したか、その応答が失われました。</translation>
+        <translation>%1に保持を指令しました。ステップは記録されませんでした。コマンドが失敗したか、その応答が失われたためです。</translation>
     </message>
     <message>
         <source>Usually noise on the cable. Step again.</source>
@@ -3079,7 +3079,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Show the last 2 s</source>
-        <translation>直近2 sを表示</translation>
+        <translation>直近2秒を表示</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -3103,11 +3103,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>A record must be 0.02 s to 3 s long.</source>
-        <translation>記録の長さは0.02 s～3 sでなければなりません。</translation>
+        <translation>記録の長さは0.02～3秒でなければなりません。</translation>
     </message>
     <message>
         <source>No motor is moving. All are told to stop before the port closes.</source>
-        <translation>移動中のモーターはありません。ポートを閉じる前に、全モーターに停止を指令します。</translation>
+        <translation>動いているモーターはありません。ポートを閉じる前に、全モーターに停止を指令します。</translation>
     </message>
     <message>
         <source>Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
@@ -3123,11 +3123,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>The panel froze for %1; motors were told to stop after 2 s.</source>
-        <translation>パネルが%1応答しませんでした。モーターには2 s後に停止を指令しました。</translation>
+        <translation>パネルが%1応答しませんでした。モーターには2秒後に停止を指令しました。</translation>
     </message>
     <message>
         <source>It was connected to %1 and was killed, or the computer failed. Motor state unknown: look at the motor before you connect; use the hardware stop if it moves. This message stays until the motor is seen at rest.</source>
-        <translation>%1に接続したまま強制終了されたか、コンピューターが停止しました。モーターの状態は不明です。接続する前にモーターを目視で確認し、動く場合はハードウェア停止装置を使用してください。このメッセージは、モーターの停止を確認するまで表示されます。</translation>
+        <translation>%1に接続したまま強制終了されたか、コンピューターに障害が起きました。モーターの状態は不明です。接続する前にモーターを目視で確認し、動く場合はハードウェア停止装置を使用してください。このメッセージは、モーターの停止を確認するまで表示されます。</translation>
     </message>
     <message>
         <source>I have checked: it is at rest</source>
@@ -3195,19 +3195,19 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
-        <translation>モジュール%1にジョグの停止を指令しました。パネルが250 msを超えて停滞しました。</translation>
+        <translation>モジュール%1にジョグの停止を指令しました。パネルが250 msを超えて停滞したためです。</translation>
     </message>
     <message>
         <source>Module %1 was told to switch off: it moved the wrong way, to %2 counts.</source>
-        <translation>モジュール%1にモーターオフを指令しました。誤った方向に%2カウントまで動きました。</translation>
+        <translation>モジュール%1にモーターオフを指令しました。誤った方向に動き、位置%2カウントに達したためです。</translation>
     </message>
     <message>
         <source>Module %1 was told to stop: it went past its goal, to %2 counts.</source>
-        <translation>モジュール%1に停止を指令しました。目標位置を行き過ぎ、%2カウントまで動きました。</translation>
+        <translation>モジュール%1に停止を指令しました。目標位置を行き過ぎ、位置%2カウントに達したためです。</translation>
     </message>
     <message>
         <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
-        <translation>モジュール%1に停止を指令しました。移動中と報告していますが、位置が%2カウントから変わりません。</translation>
+        <translation>モジュール%1に停止を指令しました。動いていると報告していますが、位置が%2カウントから変わらないためです。</translation>
     </message>
     <message>
         <source>Overcurrent: module %1 limits its motor current.</source>
@@ -3227,7 +3227,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>The shaft moves while the motor is off: a load turns it, or it is still coasting. A stop cannot hold it; use a brake, or enable the servo.</source>
-        <translation>モーターがオフなのにシャフトが動いています。負荷で回されているか、まだ惰走しています。停止では保持できません。ブレーキを使うか、サーボをオンにしてください。</translation>
+        <translation>モーターがオフなのにシャフトが動いています。負荷で回されているか、まだ惰走しています。停止操作では保持できません。ブレーキを使うか、サーボをオンにしてください。</translation>
     </message>
     <message>
         <source>The motor is at rest, but its current was limited: it may not hold its load. This stays until you clear the sticky bits.</source>
@@ -3245,7 +3245,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>The panel stalled while a motor was moving; its guardian told the motors to stop.</source>
-        <translation>モーターの移動中にパネルが停滞しました。監視プログラムがモーターに停止を指令しました。</translation>
+        <translation>モーターが動いているときに、パネルが停滞しました。監視プログラムがモーターに停止を指令しました。</translation>
     </message>
     <message>
         <source>The program was halted, or the computer was too busy. The panel is reading all values again.</source>
@@ -3277,7 +3277,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses power, a running motor keeps running, and no program can stop it. STOP ALL and Esc work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs.</source>
-        <translation>これらのモジュールには通信監視（ウォッチドッグ）がありません。ケーブルの切断、アダプターの停止、このコンピューターの電源断が起きても、運転中のモーターは動き続け、どのプログラムでも停止できません。全停止とEscが効くのは、通信できる間だけです。このプログラムの強制終了、クラッシュ、ハングのときは、監視プログラムがモーターを停止します。</translation>
+        <translation>これらのモジュールには通信監視（ウォッチドッグ）がありません。ケーブルの切断、アダプターのハング、このコンピューターの電源断が起きても、運転中のモーターは動き続け、どのプログラムでも停止できません。全停止とEscが効くのは、通信できる間だけです。このプログラムの強制終了、クラッシュ、ハングのときは、監視プログラムがモーターを停止します。</translation>
     </message>
     <message>
         <source>--read-only requires --port or --simulator.</source>
@@ -3289,11 +3289,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it.</source>
-        <translation>モジュールの電源と隣のプラグを確認してください。パネルは試行を続けます。意図して取り外した場合は、ほかのモジュールで作業してください。パネルはこのモジュールを削除します。</translation>
+        <translation>モジュールの電源と隣のプラグを確認してください。パネルは試行を続けます。意図して取り外した場合は、ほかのモジュールで作業してください。パネルはこのモジュールの登録を削除します。</translation>
     </message>
     <message>
         <source>A motor is moving, so the chain was not changed.</source>
-        <translation>モーターが移動中のため、チェーンは変更しませんでした。</translation>
+        <translation>モーターが動いているため、チェーンは変更しませんでした。</translation>
     </message>
     <message>
         <source>Forgetting a module rescans the chain. Stop all motors, then try again.</source>
@@ -3318,7 +3318,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message numerus="yes">
         <source>Motors %1 were moving, at %2.</source>
         <translation>
-            <numerusform>モーター%1が移動中でした（%2）。</numerusform>
+            <numerusform>モーター%1が動いていました（%2）。</numerusform>
         </translation>
     </message>
     <message>
@@ -3381,7 +3381,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again.</source>
-        <translation>この回線の別のホストが始動したか、負荷で回されています。停止を操作しない限り、パネルは停止しません。別のホストが再び始動することもあります。</translation>
+        <translation>この回線の別のホストが始動したか、負荷で回されています。停止操作をしない限り、パネルは停止しません。別のホストが再び始動することもあります。</translation>
     </message>
     <message>
         <source>STOP ALL</source>
@@ -3404,7 +3404,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1の方向チェックは判定できませんでした。モーターオフを指令しました。</translation>
     </message>
     <message>
-        <source>It turned farther than the check allows: something else turns it, or it coasts for long. Wait until it is at rest, then check again.</source>
+        <source>It turned farther than the check allows: something else turns it, or it coasts for a long time. Wait until it is at rest, then check again.</source>
         <translation>チェックの許容量を超えて回りました。ほかの力で回されているか、惰走が長くなっています。静止するまで待ってから、もう一度チェックしてください。</translation>
     </message>
     <message>
@@ -3417,7 +3417,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Direction check of %1 inconclusive: it does not answer. Motor state unknown.</source>
-        <translation>%1の方向チェックは判定できませんでした。応答しません。モーターの状態は不明です。</translation>
+        <translation>%1の方向チェックは判定できませんでした（応答なし）。モーターの状態は不明です。</translation>
     </message>
     <message>
         <source>It was told to switch off. Use the hardware stop if it moves.</source>
@@ -3436,15 +3436,15 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1：モーターまたはエンコーダーが逆です。オンにしないでください。</translation>
     </message>
     <message>
-        <source>%1 did not move when pushed.</source>
+        <source>%1 did not move when driven.</source>
         <translation>%1は、駆動しても動きませんでした。</translation>
     </message>
     <message>
-        <source>%1 closed a limit switch, so it was not pushed on.</source>
+        <source>%1 closed a limit switch; the check has ended.</source>
         <translation>%1でリミットスイッチが閉じたため、それ以上は駆動しませんでした。</translation>
     </message>
     <message>
-        <source>%1 lost motor power while being pushed.</source>
+        <source>%1 lost motor power while being driven.</source>
         <translation>%1は、駆動中にモーター電源を失いました。</translation>
     </message>
     <message>
@@ -3501,7 +3501,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>It ran away from its goal: motor or encoder is probably reversed. Run the direction check on the Axis page before you enable it again.</source>
-        <translation>目標位置から離れて暴走しました。モーターまたはエンコーダーが逆の可能性があります。もう一度オンにする前に、「軸」ページで方向チェックを行ってください。</translation>
+        <translation>目標位置から離れて暴走しました。おそらくモーターまたはエンコーダーが逆です。もう一度オンにする前に、「軸」ページで方向チェックを行ってください。</translation>
     </message>
     <message>
         <source>It was driven but did not move: check for a jam, a brake or a hard stop, and check the motor cable. If it is only hard to turn, raise OL on the Gains page.</source>
@@ -3509,11 +3509,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Limit switch 1 closed: it is probably at the end of its travel. Move it the other way. To stop in time, arm a limit stop on the Homing page.</source>
-        <translation>リミットスイッチ1が閉じました。ストローク端に達した可能性があります。反対方向に動かしてください。手前で停止させるには、「原点復帰」ページでリミット停止を有効にしてください。</translation>
+        <translation>リミットスイッチ1が閉じました。おそらくストローク端に達しています。反対方向に動かしてください。手前で停止させるには、「原点復帰」ページでリミット停止を有効にしてください。</translation>
     </message>
     <message>
         <source>Limit switch 2 closed: it is probably at the end of its travel. Move it the other way. To stop in time, arm a limit stop on the Homing page.</source>
-        <translation>リミットスイッチ2が閉じました。ストローク端に達した可能性があります。反対方向に動かしてください。手前で停止させるには、「原点復帰」ページでリミット停止を有効にしてください。</translation>
+        <translation>リミットスイッチ2が閉じました。おそらくストローク端に達しています。反対方向に動かしてください。手前で停止させるには、「原点復帰」ページでリミット停止を有効にしてください。</translation>
     </message>
     <message>
         <source>It moved correctly but could not keep up: lower its velocity or acceleration, or raise OL and EL on the Gains page.</source>
@@ -3521,7 +3521,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Limit switch %1 of module %2 closed while its motor was moving.</source>
-        <translation>モーターの移動中に、モジュール%2のリミットスイッチ%1が閉じました。</translation>
+        <translation>モーターが動いているときに、モジュール%2のリミットスイッチ%1が閉じました。</translation>
     </message>
     <message>
         <source>While the switch is closed, the module blocks this direction. Move the motor the other way.</source>
@@ -3529,7 +3529,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Limit switch %1 of module %2 closed while its motor was moving, but does not stop it.</source>
-        <translation>モーターの移動中に、モジュール%2のリミットスイッチ%1が閉じましたが、モーターは停止しません。</translation>
+        <translation>モーターが動いているときに、モジュール%2のリミットスイッチ%1が閉じましたが、モーターは停止しません。</translation>
     </message>
     <message>
         <source>A PIC-SERVO stops at a limit switch only while a limit stop is armed. Stop the motor, then move it the other way. Arm a limit stop on the Homing page.</source>
@@ -3553,14 +3553,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Motor state unknown: %1 was moving.</source>
-        <translation>モーターの状態は不明です。%1が移動中でした。</translation>
+        <translation>モーターの状態は不明です。%1が動いていました。</translation>
     </message>
     <message>
         <source>Motor state unknown: %1 were moving.</source>
-        <translation>モーターの状態は不明です。%1が移動中でした。</translation>
+        <translation>モーターの状態は不明です。%1が動いていました。</translation>
     </message>
     <message>
-        <source>Allowed to the operator</source>
+        <source>Operator permissions</source>
         <translation>オペレーターに許可</translation>
     </message>
     <message>
@@ -3796,7 +3796,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1、%2行目</translation>
     </message>
     <message>
-        <source>%1, round %2</source>
+        <source>%1, pass %2</source>
         <translation>%1、%2周目</translation>
     </message>
     <message>
@@ -3881,7 +3881,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Paused before: %1</source>
-        <translation>次の前で一時停止中：%1</translation>
+        <translation>一時停止中、次は%1</translation>
     </message>
     <message>
         <source>Stopping: %1</source>
@@ -3925,15 +3925,15 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Dry run: cut off after %1 s.</source>
-        <translation>模擬実行：%1 sで打ち切りました。</translation>
+        <translation>模擬実行：%1秒で打ち切りました。</translation>
     </message>
     <message>
         <source>Dry run: done after %1 s.</source>
-        <translation>模擬実行：%1 sで完了しました。</translation>
+        <translation>模擬実行：%1秒で完了しました。</translation>
     </message>
     <message>
         <source>Dry run: it would end after %1 s. %2</source>
-        <translation>模擬実行：%1 sで終了します。%2</translation>
+        <translation>模擬実行：%1秒で終了します。%2</translation>
     </message>
     <message>
         <source>Homing takes longer in reality: %1.</source>
@@ -3980,7 +3980,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>最高速度</translation>
     </message>
     <message>
-        <source>Overtravel</source>
+        <source>Distance</source>
         <translation>行き過ぎ量</translation>
     </message>
     <message>
@@ -3992,8 +3992,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>動作ごとに有効</translation>
     </message>
     <message>
-        <source>%1 was stopped: home not found within its travel limits or at its last place.</source>
-        <translation>%1を停止しました。移動範囲内にも前回の場所にも原点が見つかりません。</translation>
+        <source>%1 was stopped: home not found within its travel limits or at its last known position.</source>
+        <translation>%1を停止しました。移動範囲内にも前回の場所にも原点が見つからなかったためです。</translation>
     </message>
     <message>
         <source>Check the switch and its cable, and the search direction. If the position is wrong, choose Position in doubt on the Axis page: the next search then uses only its search distance.</source>
@@ -4105,7 +4105,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 is back to its previous gains: it began to oscillate.</source>
-        <translation>%1のゲインを元に戻しました。発振し始めました。</translation>
+        <translation>%1のゲインを元に戻しました。発振し始めたためです。</translation>
     </message>
     <message>
         <source>Lower Kp and Ki, or raise Kd, then try again.</source>
@@ -4113,7 +4113,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 is back to its previous gains: it left its position.</source>
-        <translation>%1のゲインを元に戻しました。位置から離れました。</translation>
+        <translation>%1のゲインを元に戻しました。位置から離れたためです。</translation>
     </message>
     <message>
         <source>These gains do not hold its load, or something else turned it.</source>
@@ -4137,7 +4137,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>The previous gains of %1 were sent again: the link was unreliable.</source>
-        <translation>%1の以前のゲインを再送しました。通信が不安定でした。</translation>
+        <translation>%1の以前のゲインを再送しました。通信が不安定だったためです。</translation>
     </message>
     <message>
         <source>Check the link, then try again.</source>
@@ -4145,7 +4145,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>The previous gains of %1 were sent again: a command failed, or its answer was lost.</source>
-        <translation>%1の以前のゲインを再送しました。コマンドが失敗したか、その応答が失われました。</translation>
+        <translation>%1の以前のゲインを再送しました。コマンドが失敗したか、その応答が失われたためです。</translation>
     </message>
     <message>
         <source>Usually noise on the cable. Try again.</source>
@@ -4157,7 +4157,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 is back to its previous gains: the trial has ended.</source>
-        <translation>%1のゲインを元に戻しました。試用が終わりました。</translation>
+        <translation>%1のゲインを元に戻しました。試用が終わったためです。</translation>
     </message>
     <message>
         <source>The motor began to oscillate. The previous gains are restored.</source>
@@ -4248,16 +4248,16 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1はパスを完了していません。</translation>
     </message>
     <message>
-        <source>The path was not started by all of its axes. They were told to stop.</source>
+        <source>Not all axes started the path. All of them were told to stop.</source>
         <translation>パスの一部の軸が開始しませんでした。全軸に停止を指令しました。</translation>
     </message>
     <message>
-        <source>The points of the path did not come in time, so the motor stopped at the last one it had.</source>
+        <source>The path points did not arrive in time, so the motor stopped at the last one.</source>
         <translation>パスの点が間に合わなかったため、モーターは最後に受け取った点で停止しました。</translation>
     </message>
     <message>
-        <source>The motor was not led where the path goes. It was told to stop.</source>
-        <translation>モーターがパスに沿って誘導されませんでした。停止を指令しました。</translation>
+        <source>The command position left the path. The motor was told to stop.</source>
+        <translation>指令位置がパスから外れました。停止を指令しました。</translation>
     </message>
     <message>
         <source>On a path</source>
@@ -4321,11 +4321,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>「%1」は、モジュールが数えられる範囲を超えています。</translation>
     </message>
     <message>
-        <source>The point is %1 from the one before. At this rate at most %2 are possible.</source>
+        <source>The point is %1 from the previous one; at this rate the maximum is %2.</source>
         <translation>点が前の点から%1離れています。このレートでは最大%2までです。</translation>
     </message>
     <message>
-        <source>This takes %1. The axis is limited to %2.</source>
+        <source>This needs a velocity of %1; the limit of the axis is %2.</source>
         <translation>%1の速度が必要ですが、この軸は%2に制限されています。</translation>
     </message>
     <message>
@@ -4353,8 +4353,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1にはパスバッファーがありません。パスに追従するのは、PIC-SERVO CMCとSCだけです。</translation>
     </message>
     <message>
-        <source>%1 was found as another program left it. Send its I/O control first: page Amplifier or Limits and I/O.</source>
-        <translation>%1は、別のプログラムが設定したままの状態です。先に「アンプ」ページまたは「リミットとI/O」ページでI/O Controlを送信してください。</translation>
+        <source>The I/O settings of %1 are unknown: another program set them. Apply them first on the Amplifier or Limits and I/O page.</source>
+        <translation>%1のI/O設定は不明です。別のプログラムが設定したものです。先に「アンプ」ページまたは「リミットとI/O」ページで適用してください。</translation>
     </message>
     <message>
         <source>%1 takes step and direction pulses. Switch that off on its page Amplifier first.</source>
@@ -4381,11 +4381,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1は最初の点から%2離れています。先に「始点へ移動」を選択してください。</translation>
     </message>
     <message>
-        <source>%1: point %2 is %3 from the one before. At this rate at most %4 are possible.</source>
+        <source>%1: point %2 is %3 from the previous one; at this rate the maximum is %4.</source>
         <translation>%1：点%2が前の点から%3離れています。このレートでは最大%4までです。</translation>
     </message>
     <message>
-        <source>%1: point %2 takes %3. The axis is limited to %4.</source>
+        <source>%1: point %2 needs a velocity of %3; the limit of the axis is %4.</source>
         <translation>%1：点%2には%3の速度が必要ですが、この軸は%4に制限されています。</translation>
     </message>
     <message>
@@ -4401,7 +4401,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>パスの軸は同時に開始します。それらの軸だけを1つのグループにまとめ、ほかのモジュールは入れないでください：「チェーン」の「グループ」。</translation>
     </message>
     <message>
-        <source>The path needs %1 % of the time of the bus; %2 % are available. Use a higher baud rate or a lower path rate.</source>
+        <source>The path needs %1 % of the bus time; %2 % is available. Use a higher baud rate or a lower path rate.</source>
         <translation>パスはバスの時間の%1%を必要としますが、使用できるのは%2%です。ボーレートを上げるか、パスのレートを下げてください。</translation>
     </message>
     <message>
@@ -4454,7 +4454,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 from %2 to %3</source>
-        <translation>%1：%2から%3</translation>
+        <translation>%1：%2～%3</translation>
     </message>
     <message>
         <source>%1 points at %2 Hz, %3 s</source>
@@ -4541,11 +4541,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Below the lowest position</source>
-        <translation>最小位置より下</translation>
+        <translation>最小位置未満</translation>
     </message>
     <message>
         <source>Above the highest position</source>
-        <translation>最大位置より上</translation>
+        <translation>最大位置超過</translation>
     </message>
     <message>
         <source>Look at the axis first: is %1 really at %2? If so, home is at position 0, and the travel limits apply from there. If not, they protect the wrong range.</source>
@@ -4622,7 +4622,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>アンチフェーズPWM</translation>
     </message>
     <message>
-        <source>For an amplifier that takes 50 % PWM as rest. Off: PWM and direction.</source>
+        <source>For a locked-antiphase amplifier: 50 % PWM is zero output. Off: PWM and direction.</source>
         <translation>50% PWMを停止とみなすアンプ用です。オフ：PWMと方向。</translation>
     </message>
     <message>
@@ -4630,7 +4630,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>ステップ/方向入力</translation>
     </message>
     <message>
-        <source>The motor follows step pulses at the limit pins instead of commands. The limits then protect nothing.</source>
+        <source>The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection.</source>
         <translation>モーターはコマンドではなく、リミットピンのステップパルスに追従します。リミットによる保護はなくなります。</translation>
     </message>
     <message>
@@ -4678,7 +4678,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>電源投入時にサーボオン</translation>
     </message>
     <message>
-        <source>The motor holds by itself after each power-up, with the saved gains, before any panel is there.</source>
+        <source>The servo switches on by itself after each power-up, with the saved gains, even with no panel connected.</source>
         <translation>電源投入のたびに、パネルの接続前でも、保存したゲインでモーターが自動で保持を始めます。</translation>
     </message>
     <message>
@@ -4738,11 +4738,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュールに保存（電源投入時用）</translation>
     </message>
     <message>
-        <source>Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor goes off, and it needs its gains again.</source>
+        <source>Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor switches off, and it needs its gains again.</source>
         <translation>これらの選択、上の設定、および現在モジュールにあるゲイン、速度、加速度を保存します。電源投入のたびに復元されます。三相とアンチフェーズは、リセット後にも復元されます。どちらのボタンもモジュールを再起動します。モーターはオフになり、ゲインを再度送る必要があります。</translation>
     </message>
     <message>
-        <source>? Not known: nothing was applied in this connection, and the module does not tell. It may have saved settings.</source>
+        <source>? Unknown: nothing has been applied in this connection, and the settings cannot be read back. The module may have saved settings.</source>
         <translation>? 不明：この接続では何も適用しておらず、モジュールからは読み出せません。保存済みの設定がある可能性があります。</translation>
     </message>
     <message>
@@ -4750,7 +4750,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>● 適用済み：三相 %1、アンチフェーズ %2、ステップ/方向 %3、リミット %4。</translation>
     </message>
     <message>
-        <source>With step and direction the pins of the limits are its inputs: set the limit inputs to do nothing.</source>
+        <source>Step and direction uses the limit pins: set the limit inputs to do nothing.</source>
         <translation>ステップ/方向では、リミットのピンがその入力になります。リミット入力を「何もしない」に設定してください。</translation>
     </message>
     <message>
@@ -4786,7 +4786,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>アンプ設定の適用</translation>
     </message>
     <message>
-        <source>Apply these settings to %1? 3-phase, antiphase or step and direction that do not fit the amplifier or its wiring can destroy the amplifier, or make the motor run away once it is enabled.</source>
+        <source>Apply these settings to %1? If 3-phase, antiphase or step and direction do not match the amplifier and its wiring, the amplifier can be destroyed, or the motor can run away once it is enabled.</source>
         <translation>この設定を%1に適用しますか？三相、アンチフェーズ、ステップ/方向がアンプや配線に合わないと、アンプが破損するか、オンにしたときにモーターが暴走するおそれがあります。</translation>
     </message>
     <message>
@@ -4794,7 +4794,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>設定を適用</translation>
     </message>
     <message>
-        <source>Save the configuration of %1? It comes back at each power-up, whatever is connected then. The module restarts now: its motor goes off, and it needs its gains again.</source>
+        <source>Save the configuration of %1? It takes effect at each power-up, whatever is connected then. The module restarts now: its motor switches off, and it needs its gains again.</source>
         <translation>%1の構成を保存しますか？何が接続されていても、電源投入のたびに復元されます。モジュールは今すぐ再起動します。モーターはオフになり、ゲインを再度送る必要があります。</translation>
     </message>
     <message>
@@ -4814,7 +4814,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>保存済み構成の消去</translation>
     </message>
     <message>
-        <source>Erase what %1 has saved? At the next power-up it starts as a new module does. It restarts now: its motor goes off, and it needs its gains again.</source>
+        <source>Erase what %1 has saved? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
         <translation>%1の保存内容を消去しますか？次の電源投入時には、新品のモジュールと同じ状態で起動します。モジュールは今すぐ再起動します。モーターはオフになり、ゲインを再度送る必要があります。</translation>
     </message>
     <message>
@@ -4866,11 +4866,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Enable all</source>
-        <translation>全てオン</translation>
+        <translation>全軸オン</translation>
     </message>
     <message>
         <source>Enable all motors</source>
-        <translation>全てオン：全モーター</translation>
+        <translation>全軸オン：全モーター</translation>
     </message>
     <message>
         <source>Home all</source>
@@ -5280,7 +5280,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Magnitude, dB</source>
-        <translation>振幅、dB</translation>
+        <translation>ゲイン、dB</translation>
     </message>
     <message>
         <source>Phase, degrees</source>
@@ -5580,7 +5580,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>The simulator&apos;s answer</source>
-        <translation>シミュレーターの回答</translation>
+        <translation>シミュレーターの応答</translation>
     </message>
 </context>
 <context>
@@ -5610,11 +5610,11 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>格納：後で出力する値</translation>
     </message>
     <message>
-        <source>Put out</source>
+        <source>Apply</source>
         <translation>一斉出力</translation>
     </message>
     <message>
-        <source>Put out the stored outputs</source>
+        <source>Apply the stored outputs</source>
         <translation>一斉出力：格納した出力</translation>
     </message>
     <message>
@@ -5714,7 +5714,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>全ピンとカウントを同時にラッチして読み取ります。</translation>
     </message>
     <message>
-        <source>Sends these values to the module, which keeps them until you put them out.</source>
+        <source>Sends these values to the module, which keeps them until you apply them.</source>
         <translation>この値をモジュールに送信します。一斉出力するまでモジュールが保持します。</translation>
     </message>
     <message>
@@ -5722,7 +5722,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>先に出力を格納してください。</translation>
     </message>
     <message>
-        <source>Puts out the stored pins and PWM values at the same moment.</source>
+        <source>Applies the stored pin levels and PWM values at the same moment.</source>
         <translation>格納したピンとPWM値を同時に出力します。</translation>
     </message>
     <message>
@@ -5765,7 +5765,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>再試行：再送信したコマンド</translation>
     </message>
     <message>
-        <source>time-outs: no answer, or too few bytes</source>
+        <source>timeouts: no answer, or too few bytes</source>
         <translation>タイムアウト：応答なし、またはバイト不足</translation>
     </message>
     <message>
@@ -5773,7 +5773,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モジュールが拒否：コマンドが誤ったチェックサムで届いた</translation>
     </message>
     <message>
-        <source>wrong checksums: the answer was damaged on its way</source>
+        <source>wrong checksums: the answer was corrupted in transit</source>
         <translation>チェックサム不一致：応答が途中で壊れた</translation>
     </message>
     <message>
@@ -6046,7 +6046,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Here or last sent</source>
-        <translation>現在または最後に送信</translation>
+        <translation>現在値/最終送信値</translation>
     </message>
     <message>
         <source>When applied</source>
@@ -6082,7 +6082,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those of the file.</source>
-        <translation>「%1」は現在の設定と異なります。「適用」を選択するまで何も変更、送信されず、モーターも動きません。入力済みで未送信の値は、ファイルの値に置き換わります。</translation>
+        <translation>「%1」は現在の設定と異なります。「適用」を選択するまで、変更も送信も行われず、モーターも動きません。入力済みで未送信の値は、ファイルの値に置き換わります。</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -6094,7 +6094,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Applies the selected settings and sends those marked as sent.</source>
-        <translation>選択した設定を適用し、「送信」と示されたものを送信します。</translation>
+        <translation>選択した設定を適用し、「モジュールに送信されます」と示されたものを送信します。</translation>
     </message>
     <message>
         <source>Selected: %1 of %2. Sent to modules: %3.</source>
@@ -6175,8 +6175,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>何かがモーターを回しています。静止するまで待ってください。</translation>
     </message>
     <message>
-        <source>The motor of %1 will move a little, forward and in reverse. It is pushed for less than 0.1 s at a time, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.</source>
-        <translation>%1のモーターが正方向と逆方向に少し動きます。1回0.1 s未満の駆動を、電源の%2%まで少しずつ強めながら、%3動くまで繰り返します。自由に回るモーターは、さらに惰走することがあります。%4を超えるとチェックを終了します。モーターに近づかないでください。</translation>
+        <source>The motor of %1 will move a little, forward and in reverse. It is driven in pulses of less than 0.1 s, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.</source>
+        <translation>%1のモーターが正方向と逆方向に少し動きます。1回0.1秒未満の駆動を、電源の%2%まで少しずつ強めながら、%3動くまで繰り返します。自由に回るモーターは、さらに惰走することがあります。%4を超えるとチェックを終了します。モーターに近づかないでください。</translation>
     </message>
     <message>
         <source>Direction check</source>
@@ -6187,15 +6187,15 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
-        <source>&amp;Push the motor</source>
+        <source>&amp;Pulse motor</source>
         <translation>モーターを駆動(&amp;P)</translation>
     </message>
     <message>
-        <source>Pushing it in reverse.</source>
+        <source>Driving it in reverse.</source>
         <translation>逆方向に駆動しています。</translation>
     </message>
     <message>
-        <source>Pushing it forward.</source>
+        <source>Driving it forward.</source>
         <translation>正方向に駆動しています。</translation>
     </message>
     <message>
@@ -6577,7 +6577,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>相対（台形）</translation>
     </message>
     <message>
-        <source>A trapezoidal move by this many counts, from where the servo is told to be. Start it only from standstill.</source>
+        <source>A trapezoidal move by this many counts, from the command position. Start it only from standstill.</source>
         <translation>サーボの指令位置から、このカウント数だけ台形移動します。必ず停止状態から開始してください。</translation>
     </message>
     <message>
@@ -6683,7 +6683,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>最高周波数</translation>
     </message>
     <message>
-        <source>The test ends earlier if the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd.</source>
+        <source>The test ends earlier if the baud rate is too low: at about 40 Hz at 115 200 Bd, and at about 8 Hz at 19 200 Bd.</source>
         <translation>ボーレートが低すぎると、テストは早く終わります。115200 Bdでは約40 Hz、19200 Bdでは約8 Hzです。</translation>
     </message>
     <message>
@@ -6708,7 +6708,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Saves frequency, magnitude and phase of the open and the closed loop.</source>
-        <translation>開ループと閉ループの周波数、振幅、位相を保存します。</translation>
+        <translation>開ループと閉ループの周波数、ゲイン、位相を保存します。</translation>
     </message>
     <message>
         <source>CSV (*.csv)</source>
@@ -6946,7 +6946,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>It does not answer. </source>
-        <translation>応答がありません。 </translation>
+        <translation>応答がありません。</translation>
     </message>
     <message>
         <source>Request status</source>
@@ -6957,8 +6957,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>No Operationを送信します。ステータスを要求するだけです。</translation>
     </message>
     <message>
-        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL reaches the module.</source>
-        <translation>このタイプとバージョンにはパネルが対応していないため（対応：PIC-SERVO v1～v5およびv10、PIC-STEP v1、PIC-I/O v1）、モジュールのステータスだけを表示します。全停止はこのモジュールにも届きます。</translation>
+        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL may not stop its motor: use the hardware stop.</source>
+        <translation>このタイプとバージョンにはパネルが対応していないため（対応：PIC-SERVO v1～v5およびv10、PIC-STEP v1、PIC-I/O v1）、モジュールのステータスだけを表示します。全停止ではモーターが止まらない可能性があります。ハードウェア停止を使用してください。</translation>
     </message>
 </context>
 <context>
@@ -7132,7 +7132,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>全メンバーをオフにします。モーターは惰走し、負荷が落下することがあります。全台の停止を確認するまで繰り返します。</translation>
     </message>
     <message>
-        <source>The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then mean other places.</source>
+        <source>The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then refer to different positions.</source>
         <translation>%1の各モーターの現在位置が0になります：モジュール%2。原点、制限、教示済みポイントの示す場所が変わります。</translation>
     </message>
     <message>
@@ -7153,7 +7153,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>A motor is moving. Stop all motors to change addresses.</source>
-        <translation>モーターが移動中です。アドレスを変更するには、すべてのモーターを停止してください。</translation>
+        <translation>モーターが動いています。アドレスを変更するには、すべてのモーターを停止してください。</translation>
     </message>
     <message>
         <source>Address %1 is used by %2. Nothing was sent.</source>
@@ -7426,19 +7426,19 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>The search direction, in which the switch closes.</source>
-        <translation>スイッチが閉じるサーチ方向です。</translation>
+        <translation>サーチ方向です。この方向に動くとスイッチが閉じます。</translation>
     </message>
     <message>
         <source>A position error switches the servo off.</source>
         <translation>位置偏差でサーボがオフになります。</translation>
     </message>
     <message>
-        <source> This chip version does not stop on its own: the panel stops it, some hundredths of a second later.</source>
-        <translation> このバージョンのチップは自動では停止しません。パネルが数十ミリ秒後に停止します。</translation>
+        <source> This chip version does not stop the motor by itself: the panel stops it, a few hundredths of a second later.</source>
+        <translation>このバージョンのチップは自動では停止しません。パネルが数十ミリ秒後に停止します。</translation>
     </message>
     <message>
         <source> The chip stops it by itself.</source>
-        <translation> チップが自動で停止します。</translation>
+        <translation>チップが自動で停止します。</translation>
     </message>
     <message>
         <source>At home the motor stops at once and holds.</source>
@@ -7633,7 +7633,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>読み取り値</translation>
     </message>
     <message>
-        <source>Each step</source>
+        <source>Per count</source>
         <translation>1刻み</translation>
     </message>
     <message>
@@ -7922,8 +7922,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>● 有効：%1で停止、1回のみ。</translation>
     </message>
     <message>
-        <source>▲ Tripped: %1 has changed, and the motor was stopped. No longer armed.</source>
-        <translation>▲ 作動：%1が変化し、モーターを停止しました。現在は無効です。</translation>
+        <source>▲ Tripped by %1; the motor was stopped. No longer armed.</source>
+        <translation>▲ 作動：%1によりモーターを停止しました。現在は無効です。</translation>
     </message>
     <message>
         <source>? The chip watches for an event that this connection did not request.</source>
@@ -8017,7 +8017,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>往復 –</translation>
     </message>
     <message>
-        <source>%1 exchanges/s, %2 % of the wire</source>
+        <source>%1 exchanges/s, %2 % bus load</source>
         <translation>通信 %1回/s、回線の%2%</translation>
     </message>
     <message numerus="yes">
@@ -8213,7 +8213,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Motors are moving</source>
-        <translation>モーターが移動中です</translation>
+        <translation>モーターが動いています</translation>
     </message>
     <message>
         <source>St&amp;ay</source>
@@ -8316,7 +8316,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ペンダントモードを終了します。矢印キーとゲームパッドでは何も動かなくなります。</translation>
     </message>
     <message>
-        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends pendant mode.</source>
+        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
         <translation>Shiftと◂または▸、あるいはゲームパッドのショルダーボタンと左スティックまたは十字キーを押している間、動きます。B (○) は全停止です。Escでペンダントモードを終了します。</translation>
     </message>
     <message>
@@ -8538,7 +8538,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Stiff</source>
-        <translation>硬さ</translation>
+        <translation>剛性</translation>
     </message>
     <message>
         <source>How fast the motor follows. Far right: as fast as noise, output limit and stability permit.</source>
@@ -8546,11 +8546,11 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Damped</source>
-        <translation>制動</translation>
+        <translation>減衰</translation>
     </message>
     <message>
         <source>Damping. Far right: no overshoot.</source>
-        <translation>制動の強さです。右端：オーバーシュートなし。</translation>
+        <translation>減衰の強さです。右端：オーバーシュートなし。</translation>
     </message>
     <message>
         <source>Loud</source>
@@ -8586,7 +8586,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>The run behind this model was removed. Find the motor again.</source>
-        <translation>このモデルの元の運転が削除されました。もう一度モーターを同定してください。</translation>
+        <translation>このモデルの元の測定が削除されました。もう一度モーターを同定してください。</translation>
     </message>
     <message>
         <source>No gains keep this motor stable and quiet.</source>
@@ -8804,7 +8804,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>PWM 1と2</translation>
     </message>
     <message>
-        <source>What the module puts out, of 255.</source>
+        <source>The output of the module, of 255.</source>
         <translation>モジュールの出力値です（/ 255）。</translation>
     </message>
     <message>
@@ -9201,7 +9201,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>オペレーターモード</translation>
     </message>
     <message>
-        <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is no security: anyone with access to this computer&apos;s files can bypass it.</source>
+        <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is not a security feature: anyone with access to this computer&apos;s files can bypass it.</source>
         <translation>オペレーターに許可する操作を選択してください。全停止、Esc、各モーターの停止、切断は常に使用できます。オペレーターモードは誤操作を防ぐもので、セキュリティ機能ではありません。このコンピューターのファイルを扱える人なら回避できます。</translation>
     </message>
     <message>
@@ -9505,7 +9505,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>%1 s old</source>
-        <translation>%1 s前</translation>
+        <translation>%1秒前</translation>
     </message>
     <message>
         <source>out of date</source>
@@ -9826,7 +9826,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>パスの各軸を最初の点へ移動します。</translation>
     </message>
     <message>
-        <source>Runs all axes through the path, after a question.</source>
+        <source>Runs all axes through the path. Asks first.</source>
         <translation>確認の後、パスの全軸をパスに沿って動かします。</translation>
     </message>
     <message>
@@ -9889,7 +9889,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ペンダント：キーボードまたはゲームパッド(&amp;K)</translation>
     </message>
     <message>
-        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or cross. B (○) of the gamepad is STOP ALL. (F12)</source>
+        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad. B (○) of the gamepad is STOP ALL. (F12)</source>
         <translation>Shiftと矢印キー、あるいはゲームパッドのショルダーボタンと左スティックまたは十字キーを押している間、モーターが動きます。ゲームパッドのB (○) は全停止です。（F12）</translation>
     </message>
 </context>
@@ -10158,7 +10158,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>A motor is moving. Stop all motors to change the baud rate.</source>
-        <translation>モーターが移動中です。ボーレートを変更するには、すべてのモーターを停止してください。</translation>
+        <translation>モーターが動いています。ボーレートを変更するには、すべてのモーターを停止してください。</translation>
     </message>
     <message>
         <source>The chain already runs at this baud rate.</source>
@@ -10280,7 +10280,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.</source>
-        <translation>モーターが目標位置からこの範囲内に留まると、整定したとみなします。最小1カウント。すべての運転に適用されます。</translation>
+        <translation>モーターが目標位置からこの範囲内に留まると、整定したとみなします。最小1カウント。すべての測定に適用されます。</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -10359,27 +10359,27 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Select a run in the list first.</source>
-        <translation>先に一覧で運転を選択してください。</translation>
+        <translation>先に一覧で測定を選択してください。</translation>
     </message>
     <message>
         <source>This run belongs to %1. Select that module first.</source>
-        <translation>この運転は%1のものです。先にそのモジュールを選択してください。</translation>
+        <translation>この測定は%1のものです。先にそのモジュールを選択してください。</translation>
     </message>
     <message>
         <source>Copies the gains of this run to the Gains page. Sends nothing (Ctrl+Shift+U).</source>
-        <translation>この運転のゲインを「ゲイン」ページにコピーします。何も送信しません（Ctrl+Shift+U）。</translation>
+        <translation>この測定のゲインを「ゲイン」ページにコピーします。何も送信しません（Ctrl+Shift+U）。</translation>
     </message>
     <message>
         <source>Removes this run from the list (Ctrl+Del).</source>
-        <translation>この運転を一覧から削除します（Ctrl+Del）。</translation>
+        <translation>この測定を一覧から削除します（Ctrl+Del）。</translation>
     </message>
     <message>
         <source>No run yet. Record a step first.</source>
-        <translation>運転がありません。先にステップを記録してください。</translation>
+        <translation>測定がありません。先にステップを記録してください。</translation>
     </message>
     <message>
         <source>Saves all runs in the list with their gains and results (Ctrl+Shift+X).</source>
-        <translation>一覧のすべての運転を、ゲインと結果とともに保存します（Ctrl+Shift+X）。</translation>
+        <translation>一覧のすべての測定を、ゲインと結果とともに保存します（Ctrl+Shift+X）。</translation>
     </message>
     <message>
         <source>Export step responses</source>
@@ -10407,15 +10407,15 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>All runs</source>
-        <translation>すべての運転</translation>
+        <translation>すべての測定</translation>
     </message>
     <message>
         <source>All runs of this module in the plot</source>
-        <translation>すべての運転：このモジュールの運転をグラフに表示</translation>
+        <translation>すべての測定：このモジュールの測定をグラフに表示</translation>
     </message>
     <message>
         <source>Shows the other runs of this module, older runs paler.</source>
-        <translation>このモジュールのほかの運転を、古いものほど淡く表示します。</translation>
+        <translation>このモジュールのほかの測定を、古いものほど淡く表示します。</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -10423,11 +10423,11 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>No run was removed.</source>
-        <translation>削除した運転はありません。</translation>
+        <translation>削除した測定はありません。</translation>
     </message>
     <message>
         <source>Restores the run removed last (Ctrl+Shift+Del).</source>
-        <translation>最後に削除した運転を復元します（Ctrl+Shift+Del）。</translation>
+        <translation>最後に削除した測定を復元します（Ctrl+Shift+Del）。</translation>
     </message>
 </context>
 <context>
@@ -10438,7 +10438,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>run %1, %2</source>
-        <translation>運転%1、%2</translation>
+        <translation>測定%1、%2</translation>
     </message>
     <message>
         <source>A: %1</source>
@@ -10454,7 +10454,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>No run selected. A step response shows how the motor follows a jump of its command.</source>
-        <translation>運転が選択されていません。ステップ応答は、指令の急変にモーターがどう追従するかを示します。</translation>
+        <translation>測定が選択されていません。ステップ応答は、指令の急変にモーターがどう追従するかを示します。</translation>
     </message>
     <message>
         <source>motor model</source>
@@ -10501,7 +10501,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <name>nmc::ResponseResults</name>
     <message>
         <source>Results of the runs shown</source>
-        <translation>表示中の運転の結果</translation>
+        <translation>表示中の測定の結果</translation>
     </message>
     <message>
         <source>A</source>
@@ -10612,19 +10612,19 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Run %1 as A</source>
-        <translation>運転%1をAに</translation>
+        <translation>測定%1をAに</translation>
     </message>
     <message>
         <source>Run %1 as B</source>
-        <translation>運転%1をBに</translation>
+        <translation>測定%1をBに</translation>
     </message>
     <message>
         <source>Draws this run as A, with a solid line.</source>
-        <translation>この運転をAとして実線で描きます。</translation>
+        <translation>この測定をAとして実線で描きます。</translation>
     </message>
     <message>
         <source>Draws this run as B, with a dashed line.</source>
-        <translation>この運転をBとして破線で描きます。</translation>
+        <translation>この測定をBとして破線で描きます。</translation>
     </message>
     <message>
         <source>Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.</source>
@@ -10640,11 +10640,11 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Name of the run. Double-click or press F2 to edit.</source>
-        <translation>運転の名前です。ダブルクリックまたはF2で編集します。</translation>
+        <translation>測定の名前です。ダブルクリックまたはF2で編集します。</translation>
     </message>
     <message>
         <source>Note on the run. Double-click or press F2 to edit.</source>
-        <translation>運転の注記です。ダブルクリックまたはF2で編集します。</translation>
+        <translation>測定の注記です。ダブルクリックまたはF2で編集します。</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -10727,15 +10727,15 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Exports the visible plot, with a description of the runs.</source>
-        <translation>表示中のグラフを、運転の説明とともにエクスポートします。</translation>
+        <translation>表示中のグラフを、測定の説明とともにエクスポートします。</translation>
     </message>
     <message>
         <source>A: run %1, %2, %3, %4</source>
-        <translation>A：運転%1、%2、%3、%4</translation>
+        <translation>A：測定%1、%2、%3、%4</translation>
     </message>
     <message>
         <source>B: run %1, %2, %3, %4</source>
-        <translation>B：運転%1、%2、%3、%4</translation>
+        <translation>B：測定%1、%2、%3、%4</translation>
     </message>
     <message>
         <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
@@ -11802,11 +11802,11 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Keep as a run</source>
-        <translation>運転として保存</translation>
+        <translation>測定として保存</translation>
     </message>
     <message>
         <source>Keep as a run: the median edge</source>
-        <translation>運転として保存：エッジの中央値</translation>
+        <translation>測定として保存：エッジの中央値</translation>
     </message>
     <message>
         <source>Rise %1</source>
@@ -11909,7 +11909,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::StepperDetailsBox</name>
     <message>
-        <source>Step pulses are coming.</source>
+        <source>The module is sending step pulses.</source>
         <translation>ステップパルスが出力されています。</translation>
     </message>
     <message>
@@ -11982,7 +11982,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>moving, commanded by another program</source>
-        <translation>別のプログラムの指令で移動中</translation>
+        <translation>別のプログラムの指令で動作中</translation>
     </message>
     <message>
         <source>&amp;Zero here</source>
@@ -12334,7 +12334,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Takes %1 s from standstill.</source>
-        <translation>停止状態から%1 sかかります。</translation>
+        <translation>停止状態から%1秒かかります。</translation>
     </message>
     <message>
         <source>Stop, wait: %1</source>
@@ -12418,7 +12418,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>Moves to home with a ramp, at the travel speed.</source>
-        <translation>加減速のある移動で、移動速度で原点へ移動します。</translation>
+        <translation>加減速しながら、「移動速度」で原点へ移動します。</translation>
     </message>
 </context>
 <context>
@@ -12459,15 +12459,11 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::StepperParametersBox</name>
     <message>
-        <source>ignored: they stop nothing</source>
+        <source>ignored: no motor stop</source>
         <translation>無視：何も停止しません</translation>
     </message>
     <message>
-        <source>ignored: it stops nothing</source>
-        <translation>無視：何も停止しません</translation>
-    </message>
-    <message>
-        <source>the motor goes off as well</source>
+        <source>motor switches off, too</source>
         <translation>モーターもオフになります</translation>
     </message>
     <message>

@@ -107,7 +107,7 @@ TEST_F(Connection, StatusBarSaysStateAndFigures) {
                          .errors = 3,
                          .meanRoundTripMs = 1.98});
     EXPECT_EQ(text(u"linkLabel"_s), u"Connected to /dev/ttyUSB0 at 115\u202f200 Bd, 1 module"_s);
-    EXPECT_EQ(text(u"rateLabel"_s), u"482 exchanges/s, 96 % of the wire"_s);
+    EXPECT_EQ(text(u"rateLabel"_s), u"482 exchanges/s, 96 % bus load"_s);
     EXPECT_EQ(text(u"errorLabel"_s), u"3 errors, 0.1/s"_s);
     EXPECT_EQ(text(u"roundTripLabel"_s), u"round trip 1.98 ms"_s);
     window->showLink({});

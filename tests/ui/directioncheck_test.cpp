@@ -82,10 +82,10 @@ TEST_F(DirectionBox, CanBeCancelledWhileItRuns) {
     show();
     EXPECT_FALSE(button(u"cancelDirectionCheckButton"_s)->isEnabled());
     report(ProcedureStage::Moving);
-    EXPECT_EQ(state(), u"▶ Pushing it forward."_s);
+    EXPECT_EQ(state(), u"▶ Driving it forward."_s);
     EXPECT_FALSE(button(u"directionCheckButton"_s)->isEnabled());
     report(ProcedureStage::Moving, {}, 2);
-    EXPECT_EQ(state(), u"▶ Pushing it in reverse."_s);
+    EXPECT_EQ(state(), u"▶ Driving it in reverse."_s);
     click(u"cancelDirectionCheckButton"_s);
     ASSERT_EQ(intents.size(), 1);
     EXPECT_TRUE(std::holds_alternative<intent::CancelProcedure>(intents.at(0).at(1).value<Intent>()));

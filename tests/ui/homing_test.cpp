@@ -251,7 +251,7 @@ TEST_F(Homing, TheLimitStopShowsItsState) {
         sample.report.status = static_cast<std::uint8_t>(sample.report.status & 0x7FU);
         module.apply(sample);
     });
-    EXPECT_TRUE(text(u"limitStopState"_s).startsWith(u"▲ Tripped: limit 2 has changed"_s));
+    EXPECT_TRUE(text(u"limitStopState"_s).startsWith(u"▲ Tripped by limit 2;"_s));
     showChanged({}, [](ModuleState& module) { module.latest->status |= 0x80U; });
     EXPECT_TRUE(text(u"limitStopState"_s).startsWith(u"?"_s)) << "nobody here has asked for it";
 }

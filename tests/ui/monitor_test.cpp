@@ -266,7 +266,7 @@ TEST_F(Monitor, ShowsTheCountersAndWhatTheyCount) {
     for (int row = 0; row < counters->rowCount(); ++row)
         values[counters->index(row, 1).data().toString()] = counters->index(row, 0).data().toString();
     EXPECT_EQ(values.value(u"sent: commands that asked for an answer"_s), u"12\u202F345"_s);
-    EXPECT_EQ(values.value(u"time-outs: no answer, or too few bytes"_s), u"3"_s);
+    EXPECT_EQ(values.value(u"timeouts: no answer, or too few bytes"_s), u"3"_s);
     EXPECT_EQ(values.value(u"  of them: home register changed without a command"_s), u"2"_s);
     EXPECT_EQ(values.value(u"mean round trip, from sending a command to its complete answer"_s), u"2 ms"_s);
     EXPECT_EQ(values.value(u"longest round trip"_s), u"12.3 ms"_s);

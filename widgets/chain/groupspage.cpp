@@ -315,7 +315,7 @@ QString GroupsPage::questionBeforeReset() const {
     for (const ModuleState& module : m_link.modules)
         if (module.info.group && module.info.group->group == group())
             members.push_back(module.info.index);
-    return tr("The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then mean other places.")
+    return tr("The present position of each motor of %1 becomes 0: module %2. Home, limits and taught points then refer to different positions.")
         .arg(titleOf(group()), texts::listOfModules(members));
 }
 

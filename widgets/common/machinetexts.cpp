@@ -267,7 +267,7 @@ QString machinePart(MachinePart part) {
         case MachinePart::Groups:
             return Texts::tr("Groups");
         case MachinePart::OperatorRights:
-            return Texts::tr("Allowed to the operator");
+            return Texts::tr("Operator permissions");
         case MachinePart::Program:
             return Texts::tr("Points and sequences");
         case MachinePart::HomeOrder:
@@ -367,7 +367,7 @@ QString machineField(const QString& key) {
         {u"lowest"_s, QT_TRANSLATE_NOOP("Texts", "Lowest position, from home")},
         {u"highest"_s, QT_TRANSLATE_NOOP("Texts", "Highest position, from home")},
         {u"fastest"_s, QT_TRANSLATE_NOOP("Texts", "Highest velocity")},
-        {u"distance"_s, QT_TRANSLATE_NOOP("Texts", "Overtravel")},
+        {u"distance"_s, QT_TRANSLATE_NOOP("Texts", "Distance")},
         {u"from_above"_s, QT_TRANSLATE_NOOP("Texts", "From above")},
         {u"each_motion"_s, QT_TRANSLATE_NOOP("Texts", "Armed for each motion")},
         {u"on_limit1"_s, QT_TRANSLATE_NOOP("Texts", "On limit switch 1")},

@@ -53,10 +53,10 @@ QString sentence(const PathProblem& problem, const AxisScale& scale) {
         case OutOfRange:
             return Texts::tr("\"%1\" is beyond what the module can count.").arg(text);
         case Jump:
-            return Texts::tr("The point is %1 from the one before. At this rate at most %2 are possible.")
+            return Texts::tr("The point is %1 from the previous one; at this rate the maximum is %2.")
                 .arg(position(scale, problem.value), position(scale, problem.allowed));
         case TooFast:
-            return Texts::tr("This takes %1. The axis is limited to %2.")
+            return Texts::tr("This needs a velocity of %1; the limit of the axis is %2.")
                 .arg(velocity(scale, problem.value), velocity(scale, problem.allowed));
         case BeyondTravel:
             return Texts::tr("%1 is beyond the travel limit of %2.")
@@ -93,7 +93,7 @@ QString pathObstacle(const PathObstacle& obstacle, servo::PathRate rate, const S
             return Texts::tr("%1 has no path buffer. Only a PIC-SERVO CMC or SC follows a path.").arg(who);
         case ControlUnknown:
             return Texts::
-                tr("%1 was found as another program left it. Send its I/O control first: page Amplifier or Limits and I/O.")
+                tr("The I/O settings of %1 are unknown: another program set them. Apply them first on the Amplifier or Limits and I/O page.")
                     .arg(who);
         case StepAndDirection:
             return Texts::tr(
@@ -115,10 +115,10 @@ QString pathObstacle(const PathObstacle& obstacle, servo::PathRate rate, const S
             return Texts::tr("%1 is %2 from the first point. Choose Move to start first.")
                 .arg(who, position(scale, obstacle.value));
         case Jump:
-            return Texts::tr("%1: point %2 is %3 from the one before. At this rate at most %4 are possible.")
+            return Texts::tr("%1: point %2 is %3 from the previous one; at this rate the maximum is %4.")
                 .arg(who, point, position(scale, obstacle.value), position(scale, obstacle.allowed));
         case TooFast:
-            return Texts::tr("%1: point %2 takes %3. The axis is limited to %4.")
+            return Texts::tr("%1: point %2 needs a velocity of %3; the limit of the axis is %4.")
                 .arg(who, point, velocity(scale, obstacle.value), velocity(scale, obstacle.allowed));
         case BeyondTravel:
             return Texts::tr("%1: point %2 at %3 is beyond the travel limit of %4.")
@@ -130,7 +130,7 @@ QString pathObstacle(const PathObstacle& obstacle, servo::PathRate rate, const S
                 "The axes of a path start together. Put them, and no other module, into one group: Chain, Groups.");
         case BusTooSlow:
             return Texts::
-                tr("The path needs %1 % of the time of the bus; %2 % are available. Use a higher baud rate or a lower path rate.")
+                tr("The path needs %1 % of the bus time; %2 % is available. Use a higher baud rate or a lower path rate.")
                     .arg(percent(obstacle.value), percent(obstacle.allowed));
     }
     return {};

@@ -53,7 +53,7 @@ Message inUse(const PortError& error) {
             intoUdev(uR"(ACTION=="add", SUBSYSTEM=="tty", KERNEL=="ttyUSB*", ENV{ID_MM_PORT_IGNORE}="1")"_s);
         m.body =
             Texts::tr(
-                "It probes a newly connected adapter for a modem for some seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.")
+                "It probes a newly connected adapter for a modem for a few seconds; wait, then try again. To keep it away from USB adapters, run %1, then plug the adapter in again.")
                 .arg(m.command);
     } else if (error.program.rfind("brltty", 0) == 0) {
         m.command = u"sudo ln -s /dev/null /etc/udev/rules.d/90-brltty-usb-generic.rules"_s;

@@ -44,7 +44,8 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
                 Texts::tr("Check the switch and its cable, the search direction and the search distance.")};
         case ProcedureFailure::SoftLimit:
             return {
-                Texts::tr("%1 was stopped: home not found within its travel limits or at its last place.")
+                Texts::tr(
+                    "%1 was stopped: home not found within its travel limits or at its last known position.")
                     .arg(who),
                 Texts::tr(
                     "Check the switch and its cable, and the search direction. If the position is wrong, choose Position in doubt on the Axis page: the next search then uses only its search distance.")};
@@ -198,7 +199,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
             return {
                 off,
                 Texts::tr(
-                    "It turned farther than the check allows: something else turns it, or it coasts for long. Wait until it is at rest, then check again.")};
+                    "It turned farther than the check allows: something else turns it, or it coasts for a long time. Wait until it is at rest, then check again.")};
         case ProcedureFailure::NotStill:
             return {
                 off,
@@ -240,11 +241,11 @@ QString directionHeadline(const DirectionFound& found, const QString& who) {
         case DirectionVerdict::Reversed:
             return Texts::tr("%1: motor or encoder is reversed. Do not enable it.").arg(who);
         case DirectionVerdict::NoMovement:
-            return Texts::tr("%1 did not move when pushed.").arg(who);
+            return Texts::tr("%1 did not move when driven.").arg(who);
         case DirectionVerdict::LimitClosed:
-            return Texts::tr("%1 closed a limit switch, so it was not pushed on.").arg(who);
+            return Texts::tr("%1 closed a limit switch; the check has ended.").arg(who);
         case DirectionVerdict::NoPower:
-            return Texts::tr("%1 lost motor power while being pushed.").arg(who);
+            return Texts::tr("%1 lost motor power while being driven.").arg(who);
         case DirectionVerdict::Unclear:
             return Texts::tr("%1 did not move in both directions.").arg(who);
     }
@@ -388,12 +389,11 @@ QString procedureFailure(ProcedureFailure failure) {
             return Texts::tr(
                 "It rests too far from home to set the position to 0. Raise Ki and IL on the Gains page.");
         case ProcedureFailure::NotStarted:
-            return Texts::tr("The path was not started by all of its axes. They were told to stop.");
+            return Texts::tr("Not all axes started the path. All of them were told to stop.");
         case ProcedureFailure::UnderRun:
-            return Texts::tr(
-                "The points of the path did not come in time, so the motor stopped at the last one it had.");
+            return Texts::tr("The path points did not arrive in time, so the motor stopped at the last one.");
         case ProcedureFailure::OffPath:
-            return Texts::tr("The motor was not led where the path goes. It was told to stop.");
+            return Texts::tr("The command position left the path. The motor was told to stop.");
     }
     return {};
 }

@@ -111,7 +111,7 @@ QString placeOf(const SequenceReport& report) {
     for (const SequenceReport::Place& place : report.places) {
         QString part = Texts::tr("%1, row %2").arg(QString::fromStdString(place.sequence)).arg(place.row + 1);
         for (const auto& [row, rounds] : place.rounds)
-            part = Texts::tr("%1, round %2").arg(part).arg(rounds + 1);
+            part = Texts::tr("%1, pass %2").arg(part).arg(rounds + 1);
         parts << part;
     }
     return parts.join(u" › "_s);

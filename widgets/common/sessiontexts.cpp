@@ -43,7 +43,7 @@ Message machineSlept(double seconds, bool stopped) {
         .severity = Severity::Attention,
         .headline = text.arg(span(seconds)),
         .body = Texts::tr(
-            "The computer was suspended. Motors that were moving kept moving. Look at them before the next move.")};
+            "While the computer was suspended, the panel could not stop a motor. Look at the motors before the next move.")};
 }
 
 namespace {

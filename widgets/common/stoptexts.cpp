@@ -86,7 +86,7 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
             m.headline = Texts::tr("Module %1 was told to stop: it went past its goal, to %2 counts.")
                              .arg(number, position);
             m.body = Texts::tr(
-                "The command was damaged on its way, or the gains cause a large overshoot. Check the position before the next move.");
+                "The command was corrupted in transit, or the gains cause a large overshoot. Check the position before the next move.");
             break;
         case bus::MotionSuspect::Reason::Frozen:
             m.headline =

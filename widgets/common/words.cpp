@@ -114,7 +114,7 @@ QString activityMeaning(Activity activity) {
             return Texts::tr("The module does not answer. Motor state unknown.");
         case Activity::Restarted:
             return Texts::tr(
-                "The module restarted: its motor is off, and its position, gains and address are lost. Restart the network.");
+                "The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.");
         case Activity::NoPower:
             return Texts::tr("The module has no motor power, so its motor is off.");
         case Activity::ServoOff:

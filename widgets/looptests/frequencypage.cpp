@@ -37,7 +37,7 @@ FrequencyPage::FrequencyPage(QWidget* parent) : QWidget(parent) {
     m_to = m_form->addNumber(u"frequencyToField"_s, tr("To"), tr("The highest frequency"), tr("Hz"), 2);
     m_to->setRange(kSlowestSine, kFastestSine);
     m_to->setMeaning(tr(
-        "The test ends earlier if the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd."));
+        "The test ends earlier if the baud rate is too low: at about 40 Hz at 115 200 Bd, and at about 8 Hz at 19 200 Bd."));
     m_to->showValue(kFastestSine);
     m_form->setWanted([this]() -> Intent {
         return intent::FrequencyResponse{static_cast<std::int32_t>(*m_amplitude->native()), *m_from->value(),

@@ -51,7 +51,7 @@ void LinkBar::showLink(const LinkState& state) {
 void LinkBar::showFigures(const LinkFigures& figures) {
     if (!m_connected)
         return;
-    look::setText(m_rate, tr("%1 exchanges/s, %2 % of the wire")
+    look::setText(m_rate, tr("%1 exchanges/s, %2 % bus load")
                               .arg(texts::readout(std::round(figures.exchangesPerSecond)))
                               .arg(qRound(figures.wireShare * 100)));
     look::setText(m_errors, tr("%1 errors, %2/s", nullptr, static_cast<int>(figures.errors))

@@ -223,7 +223,7 @@ void MainWindow::showPendant() {
     const QString what =
         !m_pendant->problem().isEmpty() ? tr("Not moved: %1").arg(m_pendant->problem())
         : m_pendant->hasGamepad()
-            ? tr("To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends pendant mode.")
+            ? tr("To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.")
             : tr("Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.");
     m_pendantRibbon->setText(tr("PENDANT — %1. %2").arg(texts::moduleName(module->info.index), what));
 }

@@ -35,7 +35,7 @@ OperatorDialog::OperatorDialog(QWidget* window) : QDialog(window) {
 
 OperatorDialog::OperatorDialog(const OperatorRights& rights, QWidget* window) : OperatorDialog(window) {
     auto* text = new QLabel(
-        tr("Select what the operator may do. STOP ALL, Esc, each motor's stops and Disconnect always work. Operator mode prevents mistakes; it is no security: anyone with access to this computer's files can bypass it."),
+        tr("Select what the operator may do. STOP ALL, Esc, each motor's stops and Disconnect always work. Operator mode prevents mistakes; it is not a security feature: anyone with access to this computer's files can bypass it."),
         this);
     text->setWordWrap(true);
     layout()->addWidget(text);

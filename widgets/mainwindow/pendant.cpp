@@ -76,7 +76,7 @@ void Pendant::showModule(const QString& reason) {
     m_action->setEnabled(reason.isEmpty());
     m_action->setToolTip(
         reason.isEmpty()
-            ? tr("To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or cross. B (○) of the gamepad is STOP ALL. (F12)")
+            ? tr("To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad. B (○) of the gamepad is STOP ALL. (F12)")
             : reason);
     if (!reason.isEmpty())
         m_action->setChecked(false);

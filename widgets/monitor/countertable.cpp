@@ -59,9 +59,9 @@ CounterTable::CounterTable(QWidget* parent) : QTableWidget(0, kColumns, parent) 
     addRow(u"roundTripMean"_s, tr("mean round trip, from sending a command to its complete answer"));
     addRow(u"roundTripMax"_s, tr("longest round trip"));
     addRow(u"retried"_s, tr("retried: commands that were sent again"));
-    addRow(u"timeOuts"_s, tr("time-outs: no answer, or too few bytes"));
+    addRow(u"timeOuts"_s, tr("timeouts: no answer, or too few bytes"));
     addRow(u"refused"_s, tr("refused by the module: the command reached it with a wrong checksum"));
-    addRow(u"wrongSums"_s, tr("wrong checksums: the answer was damaged on its way"));
+    addRow(u"wrongSums"_s, tr("wrong checksums: the answer was corrupted in transit"));
     addRow(u"surplusBytes"_s, tr("surplus bytes: received without a request"));
     addRow(u"staleBytes"_s, tr("of them stale: late answers, discarded"));
     addRow(u"resyncs"_s, tr("resyncs: link checked again after errors"));

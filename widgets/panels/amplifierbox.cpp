@@ -31,12 +31,12 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
       m_threePhase(
           newBox(u"threePhaseBox"_s, tr("3-phase commutation"),
                  tr("For a brushless motor with Hall sensors and a 3-phase amplifier. Off: a brush motor."))),
-      m_antiphase(newBox(u"antiphaseBox"_s, tr("Antiphase PWM"),
-                         tr("For an amplifier that takes 50 % PWM as rest. Off: PWM and direction."))),
-      m_steps(
-          newBox(u"stepperInputBox"_s, tr("Step and direction input"),
-                 tr("The motor follows step pulses at the limit pins instead of commands. The limits then "
-                    "protect nothing."))),
+      m_antiphase(
+          newBox(u"antiphaseBox"_s, tr("Antiphase PWM"),
+                 tr("For a locked-antiphase amplifier: 50 % PWM is zero output. Off: PWM and direction."))),
+      m_steps(newBox(
+          u"stepperInputBox"_s, tr("Step and direction input"),
+          tr("The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection."))),
       m_limits(new QComboBox(this)),
       m_fastPath(newBox(u"fastPathBox"_s, tr("Fast path"),
                         tr("Path points at 60 and 120 Hz instead of 30 and 60 Hz."))),
@@ -58,7 +58,7 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
                               tr("AMP_EN goes high by itself after each power-up."))),
       m_savesServo(newBox(
           u"saveServoBox"_s, tr("Servo on at power-up"),
-          tr("The motor holds by itself after each power-up, with the saved gains, before any panel is there."))),
+          tr("The servo switches on by itself after each power-up, with the saved gains, even with no panel connected."))),
       m_save(new Command({.name = u"saveConfigurationButton"_s,
                           .icon = u"download"_s,
                           .text = tr("Save in module…"),
@@ -133,9 +133,7 @@ void AmplifierBox::buildSaved(QGridLayout& grid, int& line) {
     heading->setFont(bold);
     grid.addWidget(heading, line++, 0, 1, 4);
     auto* remark = look::newMutedLabel(
-        tr("Saves these choices, the settings above, the gains, the velocity and the acceleration as the module "
-           "has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. "
-           "Both buttons restart the module: its motor goes off, and it needs its gains again."),
+        tr("Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor switches off, and it needs its gains again."),
         this);
     remark->setWordWrap(true);
     grid.addWidget(remark, line++, 0, 1, 4);
@@ -194,8 +192,7 @@ QString AmplifierBox::stateText() const {
     const auto& now = m_context.state().scIo;
     if (!now)
         return tr(
-            "? Not known: nothing was applied in this connection, and the module does not tell. It may "
-            "have saved settings.");
+            "? Unknown: nothing has been applied in this connection, and the settings cannot be read back. The module may have saved settings.");
     return tr("● Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.")
         .arg(onOrOff(now->threePhase), onOrOff(now->antiphase), onOrOff(now->stepAndDirection),
              m_limits->itemText(m_limits->findData(static_cast<int>(now->limitStop))));
@@ -207,9 +204,7 @@ void AmplifierBox::refresh() {
     const QString now = m_context.reasonNow(IntentKind::ControlSc);
     QString reason = now;
     if (reason.isEmpty() && m_steps->isChecked() && wanted().limitStop != LimitStop::None)
-        reason =
-            tr("With step and direction the pins of the limits are its inputs: set the limit inputs to do "
-               "nothing.");
+        reason = tr("Step and direction uses the limit pins: set the limit inputs to do nothing.");
     if (reason.isEmpty() && m_context.state().scIo == wanted())
         reason = tr("The module has these settings.");
     m_apply->setPossible(reason, tr("Takes AMP_EN low and sends these settings."));
@@ -241,8 +236,7 @@ void AmplifierBox::question(const QString& name, const QString& title, const QSt
 void AmplifierBox::apply() {
     question(
         u"applyAmplifierQuestion"_s, tr("Apply amplifier settings"),
-        tr("Apply these settings to %1? 3-phase, antiphase or step and direction that do not fit the "
-           "amplifier or its wiring can destroy the amplifier, or make the motor run away once it is enabled.")
+        tr("Apply these settings to %1? If 3-phase, antiphase or step and direction do not match the amplifier and its wiring, the amplifier can be destroyed, or the motor can run away once it is enabled.")
             .arg(texts::moduleName(m_context.state().info.index)),
         tr("Apply settings"), intent::ControlSc{wanted()});
 }
@@ -250,8 +244,7 @@ void AmplifierBox::apply() {
 void AmplifierBox::save() {
     const servo::HardReset saved = wantedSaved();
     QString text =
-        tr("Save the configuration of %1? It comes back at each power-up, whatever is connected then. "
-           "The module restarts now: its motor goes off, and it needs its gains again.")
+        tr("Save the configuration of %1? It takes effect at each power-up, whatever is connected then. The module restarts now: its motor switches off, and it needs its gains again.")
             .arg(texts::moduleName(m_context.state().info.index));
     if (saved.amplifierOn || saved.servoOn)
         text += u' ' + tr("Its motor will be driven right after power-up, without a command.");
@@ -262,8 +255,7 @@ void AmplifierBox::save() {
 void AmplifierBox::erase() {
     question(
         u"eraseConfigurationQuestion"_s, tr("Erase saved configuration"),
-        tr("Erase what %1 has saved? At the next power-up it starts as a new module does. It restarts now: "
-           "its motor goes off, and it needs its gains again.")
+        tr("Erase what %1 has saved? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.")
             .arg(texts::moduleName(m_context.state().info.index)),
         tr("Erase and restart"), intent::SaveConfiguration{servo::HardReset{}});
 }

@@ -52,8 +52,8 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
                           this, [this] { store(); })),
       m_synchOutput(new Command({.name = u"synchOutputButton"_s,
                                  .icon = u"send"_s,
-                                 .text = tr("Put out"),
-                                 .accessible = tr("Put out the stored outputs")},
+                                 .text = tr("Apply"),
+                                 .accessible = tr("Apply the stored outputs")},
                                 this, [this] { m_context.ask(iointent::SynchOutput{}); })),
       m_stored(look::newMutedLabel({}, this)) {
     look::name(this, u"counterBox"_s, tr("Counter and synchronous I/O"));
@@ -184,12 +184,12 @@ void CounterBox::refresh() {
         if (problem.isEmpty())
             problem = field->problemText();
     m_store->setPossible(problem,
-                         tr("Sends these values to the module, which keeps them until you put them out."));
+                         tr("Sends these values to the module, which keeps them until you apply them."));
     const auto& stored = module.pins.stored();
     m_synchOutput->setPossible(!outputs.isEmpty() ? outputs
                                : stored           ? QString()
                                                   : tr("Store outputs first."),
-                               tr("Puts out the stored pins and PWM values at the same moment."));
+                               tr("Applies the stored pin levels and PWM values at the same moment."));
     look::setText(m_stored, stored ? tr("stored: %1, PWM %2 and %3")
                                          .arg(levels(stored->outputs))
                                          .arg(static_cast<int>(stored->pwm1))

@@ -72,7 +72,7 @@ QString DirectionCheckBox::whyNotNow() const {
 QString DirectionCheckBox::question() const {
     constexpr double kWhole = 255.0;
     const AxisScale scale = m_context.scale();
-    return tr("The motor of %1 will move a little, forward and in reverse. It is pushed for less than 0.1 s at a time, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.")
+    return tr("The motor of %1 will move a little, forward and in reverse. It is driven in pulses of less than 0.1 s, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.")
         .arg(texts::moduleName(m_context.state().info.index))
         .arg(qRound(kStrongestPush * 100.0 / kWhole))
         .arg(texts::position(scale, kMovedCounts),
@@ -95,14 +95,14 @@ void DirectionCheckBox::ask() {
                     .stay = tr("&Cancel"),
                     .stayName = u"stayDirectionCheckButton"_s,
                     .stayIsDefault = true},
-                   {{tr("&Push the motor"), u"startDirectionCheckButton"_s, go}}, window());
+                   {{tr("&Pulse motor"), u"startDirectionCheckButton"_s, go}}, window());
 }
 
 /// Shape, then word.
 QString DirectionCheckBox::found() const {
     const auto check = report();
     if (running())
-        return u"▶ "_s + (check->round > 1 ? tr("Pushing it in reverse.") : tr("Pushing it forward."));
+        return u"▶ "_s + (check->round > 1 ? tr("Driving it in reverse.") : tr("Driving it forward."));
     if (check && check->direction)
         return (check->direction->verdict == DirectionVerdict::Right ? u"✓ "_s : u"▲ "_s) +
                texts::directionFound(*check->direction);

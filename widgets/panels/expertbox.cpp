@@ -124,7 +124,7 @@ DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
                 load.startNow,
                 load.relative
                     ? ExpertBox::tr(
-                          "A trapezoidal move by this many counts, from where the servo is told to be. Start it only from standstill.")
+                          "A trapezoidal move by this many counts, from the command position. Start it only from standstill.")
                     : ExpertBox::tr("A trapezoidal move to the position. Start it only from standstill."));
         });
     return box;

@@ -41,7 +41,7 @@ QString hintFor(FirstStep step) {
         case FirstStep::ApplyGains:
             return Texts::tr("Sends the gains to the module. The motor does not move.");
         case FirstStep::Enable:
-            return Texts::tr("New wiring? Run the direction check on page Axis first.");
+            return Texts::tr("New wiring? Run the direction check on the Axis page first.");
         case FirstStep::Jog:
             return Texts::tr("The motor moves while you hold the button. Esc stops it from anywhere.");
     }

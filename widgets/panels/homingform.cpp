@@ -291,7 +291,7 @@ void HomingForm::refreshStops() {
         m_type == ModuleType::Servo && m_version > 0 && m_version < servo::kAutoStopVersion;
     const QString who =
         hostStops
-            ? tr(" This chip version does not stop on its own: the panel stops it, some hundredths of a second later.")
+            ? tr(" This chip version does not stop the motor by itself: the panel stops it, a few hundredths of a second later.")
             : tr(" The chip stops it by itself.");
     const std::array meanings{tr("At home the motor stops at once and holds."),
                               tr("At home the motor slows down, stops past it and holds."),

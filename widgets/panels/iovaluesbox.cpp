@@ -71,7 +71,7 @@ NumberField* IoValuesBox::newNumber(const QString& objectName, const QString& ac
 
 void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
     const std::array<QString, 6> headings{tr("A/D input"), tr("Name"), tr("Reads"),
-                                          tr("Each step"), tr("At 0"), tr("Unit")};
+                                          tr("Per count"), tr("At 0"), tr("Unit")};
     for (int i = 0; i < static_cast<int>(headings.size()); ++i)
         grid.addWidget(look::newMutedLabel(headings.at(static_cast<std::size_t>(i)), this), row, i);
     for (std::size_t i = 0; i < m_analog.size(); ++i) {

@@ -215,8 +215,7 @@ void LimitStopBox::refreshState() {
     else if (watch.state() == Watch::Armed && watch.stops())
         state = tr("● Armed: stops at %1, once.").arg(limits(watch));
     else if (watch.state() == Watch::Tripped && watch.stops())
-        state =
-            tr("▲ Tripped: %1 has changed, and the motor was stopped. No longer armed.").arg(limits(watch));
+        state = tr("▲ Tripped by %1; the motor was stopped. No longer armed.").arg(limits(watch));
     else if (waits)
         state = tr("? The chip watches for an event that this connection did not request.");
     look::setText(m_state, state);

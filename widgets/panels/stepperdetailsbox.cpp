@@ -19,7 +19,7 @@ namespace {
 
 QString statusMeaning(std::size_t bit) {
     const std::array<QString, 8> meanings{
-        StepperDetailsBox::tr("Step pulses are coming."),
+        StepperDetailsBox::tr("The module is sending step pulses."),
         StepperDetailsBox::tr("The module received a garbled command and did not carry it out."),
         StepperDetailsBox::tr("The driver is enabled (AMP_EN is high)."),
         StepperDetailsBox::tr("Motor power is present (PWR_SENSE is high)."),

@@ -100,16 +100,16 @@ QString stepperParameterMeaning(StepperParameter parameter) {
                 "Motor current while moving; 255 is the driver's full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.");
         case StepperParameter::HoldCurrent:
             return StepperMeaning::tr(
-                "Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and the motor holds nothing.");
+                "Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.");
         case StepperParameter::ThermalLimit:
             return StepperMeaning::tr(
                 "The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.");
         case StepperParameter::IgnoreLimits:
             return StepperMeaning::tr(
-                "Normally the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches stop nothing, and the motor can run into the end of its travel.");
+                "Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.");
         case StepperParameter::IgnoreEstop:
             return StepperMeaning::tr(
-                "Normally the chip stops the motor when its E-stop input goes high. When ignored, the input stops nothing.");
+                "Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.");
         case StepperParameter::MotorOff:
             return StepperMeaning::tr(
                 "A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.");

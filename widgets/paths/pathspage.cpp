@@ -329,7 +329,7 @@ void PathsPage::refresh() {
     const bool refused = m_obstacle && m_obstacle->kind == PathObstacle::Kind::Refused;
     m_toStart->setPossible(refused ? notRun : notMoved,
                            tr("Moves each axis of the path to its first point."));
-    m_run->setPossible(notRun, tr("Runs all axes through the path, after a question."));
+    m_run->setPossible(notRun, tr("Runs all axes through the path. Asks first."));
     m_end->setPossible(running() ? QString() : tr("No path is running."),
                        tr("Stops all axes of the path; they hold where they stop."));
     QStringList summary;

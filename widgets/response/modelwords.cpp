@@ -39,7 +39,7 @@ QString motorNotFound(IdentifyFailure failure) {
             return ModelTexts::tr("Too few samples. Record for longer, or raise the baud rate.");
         case IdentifyFailure::DoesNotMove:
             return ModelTexts::tr(
-                "The shaft did not move. Check motor power and brake, or use a longer step.");
+                "The shaft did not move. Check motor power and brake, or use a larger step.");
         case IdentifyFailure::WrongWay:
             return ModelTexts::tr(
                 "The shaft moved away from its goal. Check the direction on the Axis page.");
@@ -50,7 +50,7 @@ QString motorNotFound(IdentifyFailure failure) {
                 "The model does not fit the step. Check for backlash, an elastic belt, a hard stop or a current limit.");
         case IdentifyFailure::GainUnclear:
             return ModelTexts::tr(
-                "These steps do not determine the motor gain. Add a longer step, so that the motor gets close to a steady speed.");
+                "These steps do not determine the motor gain. Add a larger step, so that the motor gets close to a steady speed.");
         case IdentifyFailure::TimeConstantUnclear:
             return ModelTexts::tr(
                 "These steps do not determine the time constant. Repeat the step, or raise the baud rate.");

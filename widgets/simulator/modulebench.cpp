@@ -146,7 +146,7 @@ void ModuleBench::buildPins() {
         grid.addWidget(value, row, 1, 1, 2);
         return value;
     };
-    m_pwm = addValue(u"pwm"_s, tr("PWM 1 and 2"), tr("What the module puts out, of 255."));
+    m_pwm = addValue(u"pwm"_s, tr("PWM 1 and 2"), tr("The output of the module, of 255."));
     m_count = addValue(u"count"_s, tr("Timer or counter"), tr("As the module counts."));
     buildCable(grid);
     grid.setRowStretch(grid.rowCount(), 1);
