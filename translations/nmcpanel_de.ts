@@ -4495,6 +4495,13 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>wait for A/D</source>
         <translation>auf A/D warten</translation>
     </message>
+    <message numerus="yes">
+        <source>Modules %1 cannot be told to stop</source>
+        <translation>
+            <numerusform>Modul %1 kann kein Stoppbefehl gegeben werden</numerusform>
+            <numerusform>Den Modulen %1 kann kein Stoppbefehl gegeben werden</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

@@ -42,6 +42,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>Modules %1 cannot be told to stop</source>
+        <translation>
+            <numerusform>Module %1 cannot be told to stop</numerusform>
+            <numerusform>Modules %1 cannot be told to stop</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Modules %1 do not answer</source>
         <translation>
             <numerusform>Module %1 does not answer</numerusform>

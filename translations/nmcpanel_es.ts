@@ -4495,6 +4495,13 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>wait for A/D</source>
         <translation>esperar A/D</translation>
     </message>
+    <message numerus="yes">
+        <source>Modules %1 cannot be told to stop</source>
+        <translation>
+            <numerusform>No se puede ordenar parar al módulo %1</numerusform>
+            <numerusform>No se puede ordenar parar a los módulos %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

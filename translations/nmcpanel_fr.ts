@@ -4495,6 +4495,13 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>wait for A/D</source>
         <translation>attendre A/D</translation>
     </message>
+    <message numerus="yes">
+        <source>Modules %1 cannot be told to stop</source>
+        <translation>
+            <numerusform>Le module %1 ne peut pas recevoir d’ordre d’arrêt</numerusform>
+            <numerusform>Les modules %1 ne peuvent pas recevoir d’ordre d’arrêt</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

@@ -4484,6 +4484,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>wait for A/D</source>
         <translation>A/Dを待つ</translation>
     </message>
+    <message numerus="yes">
+        <source>Modules %1 cannot be told to stop</source>
+        <translation>
+            <numerusform>モジュール%1には停止を指令できません</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

@@ -118,6 +118,8 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
     Module& module = at(index);
     if (module.belief.restarted())
         return;  // off by itself, and without an address
+    if (!hasStop(module.belief.info().identity.type))
+        return;  // nothing to tell it
     if (m_readOnly && cause != StopCause::StopAll)
         return;  // nobody asked
     const StopCause first = module.owed ? module.owed->cause : cause;

@@ -13,10 +13,13 @@ StopRun::StopRun(const Chain& chain, TimePoint now) : m_began(now) {
 void StopRun::restart(const Chain& chain) {
     m_targets.clear();
     m_restarted.clear();
+    m_noStopKnown.clear();
     for (const Chain::Module& module : chain.modules()) {
         const Belief& belief = module.belief;
         if (belief.restarted())
             m_restarted.push_back(belief.info().index);
+        else if (!hasStop(belief.info().identity.type))
+            m_noStopKnown.push_back(belief.info().index);
         else
             m_targets.push_back({StopTarget(belief), !chain.answers(belief.info().index), belief.moving()});
     }
@@ -66,6 +69,7 @@ StopTarget* StopRun::find(ModuleIndex module) {
 StopFinished StopRun::finished() const {
     StopFinished event;
     event.unreached = m_restarted;
+    event.noStopKnown = m_noStopKnown;
     for (const Target& target : m_targets)
         (target.stop.stopped()                    ? event.stopped
          : target.stop.heard() && !target.givenUp ? event.unconfirmed

@@ -31,7 +31,8 @@ public:
     [[nodiscard]] StopTarget* next(TimePoint now);
     /// The module that was asked did not answer, or did.
     void onReply(StopTarget& asked, const ReplyEnd& end, const Belief& belief, TimePoint now);
-    /// Nothing for a module that is not in it: one that restarted is off, and has no address.
+    /// Nothing for a module that is not in it: one that restarted is off, and has no address; one of an
+    /// unknown type can't be told.
     [[nodiscard]] StopTarget* find(ModuleIndex module);
 
     [[nodiscard]] StopFinished finished() const;
@@ -49,6 +50,7 @@ private:
     TimePoint m_began;
     std::vector<Target> m_targets;
     std::vector<ModuleIndex> m_restarted;
+    std::vector<ModuleIndex> m_noStopKnown;
 };
 
 }  // namespace nmc::bus

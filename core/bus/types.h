@@ -308,6 +308,7 @@ struct StopFinished {
     std::vector<ModuleIndex> stopped;      ///< seen at rest, twice
     std::vector<ModuleIndex> unreached;    ///< did not answer: use the hardware stop
     std::vector<ModuleIndex> unconfirmed;  ///< was told, but was not seen at rest: use the hardware stop
+    std::vector<ModuleIndex> noStopKnown;  ///< !hasStop(): was not told, use the hardware stop
     Duration took{};
 };
 

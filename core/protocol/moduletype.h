@@ -15,6 +15,11 @@ struct ModuleIdentity {
     bool operator==(const ModuleIdentity&) const = default;
 };
 
+/// Whether there is a command here that stops it. What others take the same bytes for, nobody knows.
+[[nodiscard]] constexpr bool hasStop(ModuleType type) {
+    return type == ModuleType::Servo || type == ModuleType::Stepper || type == ModuleType::Io;
+}
+
 /// Members of the family whose data sheet this program follows: PIC-SERVO v1 to v4, PIC-STEP v1. Others may
 /// take the same bytes for something else (protocol.md 5).
 [[nodiscard]] constexpr bool hasDataSheet(const ModuleIdentity& module) {

@@ -331,6 +331,27 @@ TEST(StopFor, AModuleWithoutADataSheetIsLeftAlone) {
     EXPECT_FALSE(stopFor(Belief({ModuleIndex(0), BusAddress(1), {ModuleType::Io, 1}})));
 }
 
+TEST(StopRun, NeverCallsAModuleStoppedThatItCannotTell) {
+    ScriptedBus bus(2);
+    bus.answer = [&](ByteSpan packet) {
+        bus.type = packet[1] == 2 ? 7 : 0;
+        return bus.likeAServo(packet);
+    };
+    ASSERT_TRUE(bus.connect());
+    const std::size_t from = bus.sent.size();
+    bus.engine.stopAll(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() == 1; }));
+    const StopFinished finished = bus.all<StopFinished>()[0];
+    EXPECT_THAT(numbers(finished.stopped), ElementsAre(0));
+    EXPECT_THAT(numbers(finished.noStopKnown), ElementsAre(1));
+    EXPECT_THAT(finished.unreached, IsEmpty());
+    EXPECT_THAT(finished.unconfirmed, IsEmpty());
+    bus.runFor(5s);
+    EXPECT_EQ(bus.count<UnacknowledgedStopConfirmed>(), 0U);
+    for (std::size_t i = from; i < bus.sent.size(); ++i)
+        EXPECT_FALSE(has(bus.sent[i].hex, "AA 02 17")) << "what it takes a stop for is unknown";
+}
+
 TEST(StopRun, StopsASteppersMotion) {
     ScriptedBus bus(2);
     bus.type = 3;

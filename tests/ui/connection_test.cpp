@@ -151,7 +151,7 @@ TEST_F(Connection, U06_DisconnectingWhileAMotorMovesStopsFirst) {
     EXPECT_EQ(disconnects.size(), 0);
     click(u"stopAndCloseButton"_s);
     EXPECT_EQ(stops.size(), 1);
-    window->showStopResult({{ModuleIndex(0)}, {}, {}, fromSeconds(0.01)});
+    window->showStopResult({{ModuleIndex(0)}, {}, {}, {}, fromSeconds(0.01)});
     EXPECT_EQ(disconnects.size(), 1);
 }
 

@@ -66,12 +66,22 @@ TEST_F(StopAll, IsEnabledWheneverAPortIsOpen) {
     EXPECT_FALSE(button(u"stopAllButton"_s)->isEnabled());
 }
 
+TEST_F(StopAll, F41_ReachesNoModuleOfAnUnknownType) {
+    std::vector<ModuleState> modules{Servo{}.state(), Servo{.index = 1}.state()};
+    modules[1].info.identity = {static_cast<ModuleType>(7), 2};
+    window->showLink(connectedTo(modules));
+    EXPECT_TRUE(button(u"stopAllButton"_s)->toolTip().contains(u"reaches 1 of 2"_s));
+    window->showStopResult({{ModuleIndex(0)}, {}, {}, {ModuleIndex(1)}, fromSeconds(0.021)});
+    EXPECT_EQ(text(u"stopResultLabel"_s),
+              u"1 of 2 stopped. Module 2 cannot be told to stop: use the hardware stop."_s);
+}
+
 TEST_F(StopAll, SaysWhatItReachesAndWhatItReached) {
     std::vector<ModuleState> modules{Servo{}.state(), Servo{.index = 1}.state(), Servo{.index = 2}.state()};
     modules[2].silent = true;
     window->showLink(connectedTo(modules));
     EXPECT_TRUE(button(u"stopAllButton"_s)->toolTip().contains(u"reaches 2 of 3"_s));
-    window->showStopResult({{ModuleIndex(0), ModuleIndex(1)}, {ModuleIndex(2)}, {}, fromSeconds(0.021)});
+    window->showStopResult({{ModuleIndex(0), ModuleIndex(1)}, {ModuleIndex(2)}, {}, {}, fromSeconds(0.021)});
     EXPECT_EQ(text(u"stopResultLabel"_s),
               u"2 of 3 stopped. Module 3 does not answer: use the hardware stop."_s);
     EXPECT_EQ(text(u"bannerHeadline"_s), text(u"stopResultLabel"_s));

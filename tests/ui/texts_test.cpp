@@ -147,12 +147,13 @@ TEST(Texts, StopBeforeAndAfter) {
     std::vector<ModuleIndex> five;
     for (std::uint8_t i = 0; i < 5; ++i)
         five.emplace_back(i);
-    EXPECT_EQ(texts::stopResult({five, {}, {}, fromSeconds(0.021)}, true).headline,
+    EXPECT_EQ(texts::stopResult({five, {}, {}, {}, fromSeconds(0.021)}, true).headline,
               u"5 of 5 stopped, 21 ms. Still holding."_s);
-    EXPECT_EQ(texts::stopResult({five, {}, {}, fromSeconds(0.021)}, false).headline,
+    EXPECT_EQ(texts::stopResult({five, {}, {}, {}, fromSeconds(0.021)}, false).headline,
               u"5 of 5 stopped, 21 ms. Every motor is off."_s);
-    EXPECT_EQ(texts::stopResult({{five.begin(), five.begin() + 4}, {ModuleIndex(2)}, {}, {}}, true).headline,
-              u"4 of 5 stopped. Module 3 does not answer: use the hardware stop."_s);
+    EXPECT_EQ(
+        texts::stopResult({{five.begin(), five.begin() + 4}, {ModuleIndex(2)}, {}, {}, {}}, true).headline,
+        u"4 of 5 stopped. Module 3 does not answer: use the hardware stop."_s);
 }
 
 TEST(Texts, AStopThatIsNotConfirmedSendsToTheHardwareStop) {
@@ -167,15 +168,15 @@ TEST(Texts, AStopThatIsNotConfirmedSendsToTheHardwareStop) {
         return message.headline;
     };
     EXPECT_EQ(
-        said({{one, three}, {}, {two}, {}}),
+        said({{one, three}, {}, {two}, {}, {}}),
         u"2 of 3 stopped. Module 2 was told to stop but was not seen at rest: use the hardware stop."_s);
-    EXPECT_EQ(said({{one}, {three}, {two}, {}}),
+    EXPECT_EQ(said({{one}, {three}, {two}, {}, {}}),
               u"1 of 3 stopped. Module 3 does not answer. Module 2 was told to stop but was not seen at "
               u"rest: use the hardware stop."_s);
-    EXPECT_EQ(said({{one}, {}, {two, three}, {}}),
+    EXPECT_EQ(said({{one}, {}, {two, three}, {}, {}}),
               u"1 of 3 stopped. Modules 2 and 3 were told to stop but were not seen at rest: use the "
               u"hardware stop."_s);
-    EXPECT_EQ(said({{}, {one, two}, {}, {}}),
+    EXPECT_EQ(said({{}, {one, two}, {}, {}, {}}),
               u"No stop was confirmed. Modules 1 and 2 do not answer: use the hardware stop."_s);
     EXPECT_EQ(
         said({{}, {}, {one}, {}}),

@@ -18,19 +18,22 @@ QStringList missing(const bus::StopFinished& finished) {
         parts << Texts::tr("Modules %1 were told to stop but were not seen at rest", nullptr,
                            howMany(finished.unconfirmed))
                      .arg(listOfModules(finished.unconfirmed));
+    if (!finished.noStopKnown.empty())
+        parts << Texts::tr("Modules %1 cannot be told to stop", nullptr, howMany(finished.noStopKnown))
+                     .arg(listOfModules(finished.noStopKnown));
     return parts;
 }
 
 }  // namespace
 
 bool allStopped(const bus::StopFinished& finished) {
-    return !finished.stopped.empty() && finished.unreached.empty() && finished.unconfirmed.empty();
+    return !finished.stopped.empty() && missing(finished).isEmpty();
 }
 
 Message stopResult(const bus::StopFinished& finished, bool holding) {
     const QString stopped = QString::number(finished.stopped.size());
-    const QString all =
-        QString::number(finished.stopped.size() + finished.unreached.size() + finished.unconfirmed.size());
+    const QString all = QString::number(finished.stopped.size() + finished.unreached.size() +
+                                        finished.unconfirmed.size() + finished.noStopKnown.size());
     if (allStopped(finished)) {
         const auto ms = std::llround(toSeconds(finished.took) * 1000);
         const QString text = holding ? Texts::tr("%1 of %2 stopped, %3 ms. Still holding.")

@@ -227,8 +227,9 @@ void ConnectionBar::showLink(const LinkState& state) {
                       tr("The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it."));
     m_stop->setEnabled(open);
     const auto modules = static_cast<int>(state.modules.size());
-    const auto reachable = static_cast<int>(std::count_if(state.modules.cbegin(), state.modules.cend(),
-                                                          [](const ModuleState& m) { return !m.silent; }));
+    const auto reachable = static_cast<int>(
+        std::count_if(state.modules.cbegin(), state.modules.cend(),
+                      [](const ModuleState& m) { return !m.silent && hasStop(m.info.identity.type); }));
     // Of a chain that is not asked nobody knows whom it reaches.
     const bool asked = modules > 0 && state.phase == LinkPhase::Connected;
     const QString reach = asked ? texts::stopReach(reachable, modules) : tr("goes to all modules");

@@ -306,6 +306,7 @@ void BusStore::note(const bus::StopFinished& stopped) {
             m_link.modules[module.value()].confirmedAtRest();
     doubtMotions(stopped.unreached);
     doubtMotions(stopped.unconfirmed);
+    doubtMotions(stopped.noStopKnown);
 }
 
 void BusStore::noteGains(const bus::CommandExecuted& executed) {

@@ -99,8 +99,8 @@ struct EventLine {
     }
     std::string operator()(const bus::StopFinished& finished) const {
         return "stop finished: stopped " + list(finished.stopped) + ", not reached " +
-               list(finished.unreached) + ", not confirmed " + list(finished.unconfirmed) + ", " +
-               ms(finished.took);
+               list(finished.unreached) + ", not confirmed " + list(finished.unconfirmed) +
+               ", no stop known for " + list(finished.noStopKnown) + ", " + ms(finished.took);
     }
     std::string operator()(const bus::UnacknowledgedStopConfirmed& confirmed) const {
         return name(confirmed.module) + " stands: the stop owed for cause " + number(confirmed.cause);
