@@ -46,13 +46,22 @@ public:
         m_painter.setBrush(m_colour);
         m_painter.drawEllipse(at(centre), radius * m_rect.width(), radius * m_rect.height());
     }
-    void text(QChar character) {
-        QFont font = m_painter.font();
-        font.setPixelSize(qMax(5, qRound(m_rect.height() * 0.86)));
-        font.setBold(true);
-        m_painter.setFont(font);
-        m_painter.setPen(m_colour);
-        m_painter.drawText(m_rect, Qt::AlignCenter, QString(character));
+    // Letters are drawn as well: a font of each size that a mark may have would be loaded for one letter.
+    void exclamationMark() {
+        polygon({{0.36, 0.02}, {0.64, 0.02}, {0.57, 0.66}, {0.43, 0.66}});
+        disc({0.5, 0.87}, 0.13);
+    }
+    void smallI() {
+        disc({0.5, 0.16}, 0.11);
+        line({{0.5, 0.44}, {0.5, 0.86}});
+    }
+    void questionMark() {
+        QPainterPath hook(at({0.26, 0.30}));
+        hook.cubicTo(at({0.28, -0.02}), at({0.78, 0.00}), at({0.74, 0.32}));
+        hook.cubicTo(at({0.72, 0.46}), at({0.50, 0.46}), at({0.50, 0.64}));
+        stroke();
+        m_painter.drawPath(hook);
+        disc({0.5, 0.88}, 0.10);
     }
 
 private:
@@ -72,10 +81,10 @@ private:
 void paintMark(MarkPainter mark, Activity activity) {
     switch (activity) {
         case Activity::Unknown:
-            mark.text(u'?');
+            mark.questionMark();
             break;
         case Activity::Restarted:
-            mark.text(u'!');
+            mark.exclamationMark();
             break;
         case Activity::Unresponsive:
             for (double x : {0.15, 0.5, 0.85})
@@ -179,13 +188,13 @@ void paintSeverity(QPainter& painter, const QRectF& rect, Severity severity, con
     painter.setRenderHint(QPainter::Antialiasing);
     const auto [inner, colour] = paintContainer(painter, square(rect), severity, palette);
     MarkPainter mark(painter, inner, colour);
-    if (severity == Severity::Normal)
+    if (severity == Severity::Normal) {
         mark.ring(0.48);
-    const QRectF letter = severity == Severity::Normal
-                              ? inner.adjusted(inner.width() * 0.1, inner.height() * 0.1,
-                                               -inner.width() * 0.1, -inner.height() * 0.1)
-                              : inner;
-    MarkPainter(painter, letter, colour).text(severity == Severity::Normal ? u'i' : u'!');
+        const double edge = inner.width() * 0.15;
+        MarkPainter(painter, inner.adjusted(edge, edge, -edge, -edge), colour).smallI();
+    } else {
+        mark.exclamationMark();
+    }
     painter.restore();
 }
 
