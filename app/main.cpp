@@ -91,5 +91,7 @@ int main(int argc, char** argv) {
     QObject::connect(&signalsOfTheSystem, &nmc::UnixSignals::terminationAsked, &composition,
                      &nmc::Composition::stopAndQuit);
     composition.show(start);
-    return QApplication::exec();
+    const int exitCode = QApplication::exec();
+    qCDebug(startLog) << "painted, or ended";  // for scripts/bench start, which quits after the first paint
+    return exitCode;
 }

@@ -2,6 +2,7 @@
 // What the panel's start-up is measured against: a bare QMainWindow with one chart, up to its first paint.
 #include <QApplication>
 #include <QChartView>
+#include <QDebug>
 #include <QMainWindow>
 #include <QTimer>
 #include <QWindow>
@@ -28,5 +29,7 @@ int main(int argc, char** argv) {
     window.show();
     QuitAfterExpose quit;
     window.windowHandle()->installEventFilter(&quit);
-    return QApplication::exec();
+    const int exitCode = QApplication::exec();
+    qDebug() << "painted";
+    return exitCode;
 }
