@@ -29,8 +29,7 @@ protected:
     static QPalette inWindow(const QPalette& palette) {
         QWidget widget;
         widget.setPalette(palette);
-        look::adoptPlaceholders(&widget);
-        look::adoptHighlight(&widget);
+        look::adoptReadable(&widget);
         return widget.palette();
     }
     [[nodiscard]] QColor of(QPalette::ColorRole role, QPalette::ColorGroup group = QPalette::Active) const {

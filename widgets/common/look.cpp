@@ -203,15 +203,6 @@ QLabel* newMutedLabel(const QString& text, QWidget* parent) {
     return label;
 }
 
-void adoptPlaceholders(QWidget* window) {
-    QPalette palette = window->palette();
-    const QColor colour = mutedText(palette);
-    if (palette.color(QPalette::Active, QPalette::PlaceholderText) == colour)
-        return;
-    palette.setColor(QPalette::PlaceholderText, colour);
-    window->setPalette(palette);
-}
-
 void keepRoom(QWidget* widget) {
     QSizePolicy policy = widget->sizePolicy();
     policy.setRetainSizeWhenHidden(true);

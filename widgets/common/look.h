@@ -54,10 +54,6 @@ void setReadout(QLabel* label, const QString& text);
 /// Quiet secondary text that follows the palette.
 [[nodiscard]] QLabel* newMutedLabel(const QString& text, QWidget* parent);
 
-/// What stands in empty fields of this window is as readable as other secondary text: again with each change
-/// of its palette.
-void adoptPlaceholders(QWidget* window);
-
 /// Nothing around it moves when it comes or goes.
 void keepRoom(QWidget* widget);
 

@@ -156,14 +156,19 @@ QColor selectionTint(const QPalette& palette) {
                             mixed(base.blueF(), highlight.blueF()));
 }
 
-void adoptHighlight(QWidget* window) {
-    QPalette palette = window->palette();
+void adoptReadable(QWidget* window) {
+    const QPalette before = window->palette();
+    QPalette palette = before;
+    const QColor placeholder = mutedText(palette);
+    if (palette.color(QPalette::Active, QPalette::PlaceholderText) != placeholder)
+        palette.setColor(QPalette::PlaceholderText, placeholder);
     const QColor highlight = palette.color(QPalette::Active, QPalette::Highlight);
-    if (contrast(palette.color(QPalette::Active, QPalette::HighlightedText), highlight) >= kReadable)
-        return;
-    const bool black = contrast(Qt::black, highlight) > contrast(Qt::white, highlight);
-    palette.setColor(QPalette::HighlightedText, black ? Qt::black : Qt::white);
-    window->setPalette(palette);
+    if (contrast(palette.color(QPalette::Active, QPalette::HighlightedText), highlight) < kReadable) {
+        const bool black = contrast(Qt::black, highlight) > contrast(Qt::white, highlight);
+        palette.setColor(QPalette::HighlightedText, black ? Qt::black : Qt::white);
+    }
+    if (palette != before)
+        window->setPalette(palette);
 }
 
 QStyle* newStyle() {

@@ -27,9 +27,10 @@ void useColours(Colours colours);
 [[nodiscard]] bool isHighContrast(const QPalette& palette);
 /// Behind the text of a selected row that keeps its own colours.
 [[nodiscard]] QColor selectionTint(const QPalette& palette);
-/// Where a desktop's palette has text upon its highlight that can't be read well, this window has black or
-/// white there: again with each change of its palette.
-void adoptHighlight(QWidget* window);
+/// What stands in empty fields of this window is as readable as other secondary text; and where a desktop's
+/// palette has text upon its highlight that can't be read well, it is black or white. Again with each change of
+/// its palette.
+void adoptReadable(QWidget* window);
 
 /// Fusion; upon a black window, where its frames can't be seen, with light ones.
 [[nodiscard]] QStyle* newStyle();

@@ -64,8 +64,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
       m_machineMenu(new MachineMenu(this)),
       m_chainMenu(new ChainMenu(m_session.machine(), m_session.link(), this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
-    look::adoptPlaceholders(this);
-    look::adoptHighlight(this);
+    look::adoptReadable(this);
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
     new WheelFilter(this);  // before the first box asks for the focus by the wheel
@@ -235,10 +234,8 @@ void MainWindow::showOperator() {
 
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) {
-        look::adoptPlaceholders(this);
-        look::adoptHighlight(this);
-    }
+    if (event->type() == QEvent::PaletteChange)
+        look::adoptReadable(this);
 }
 
 bool MainWindow::focusNextPrevChild(bool next) {

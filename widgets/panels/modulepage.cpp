@@ -13,6 +13,7 @@
 
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
+#include "widgets/common/palettes.h"
 #include "widgets/common/scrolled.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/detailsbox.h"
@@ -42,6 +43,11 @@ void letScroll(QTabWidget& pages) {
 }
 
 }  // namespace
+
+ModulePage::ModulePage(const PanelView& view, QWidget* parent) : QWidget(parent), m_context(view, this) {
+    // As the window has it: or all that is on the page would change its palette with each coming and going.
+    look::adoptReadable(this);
+}
 
 void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     m_pages = pages;
@@ -75,6 +81,12 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     // What acts is seen, whatever it was asked by.
     for (Command* command : commands())
         connect(command, &QAction::triggered, this, [this, command] { reveal(*command->box()); });
+}
+
+void ModulePage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        look::adoptReadable(this);
 }
 
 void ModulePage::resizeEvent(QResizeEvent* event) {

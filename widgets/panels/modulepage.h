@@ -21,8 +21,7 @@ class ModulePage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ModulePage(const PanelView& view, QWidget* parent = nullptr)
-        : QWidget(parent), m_context(view, this) {}
+    explicit ModulePage(const PanelView& view, QWidget* parent = nullptr);
 
     /// Emits nothing, except that a hold ends when its permission goes.
     void showModule(const PanelView& view) { m_context.show(view); }
@@ -45,6 +44,7 @@ signals:
     void responseWanted();
 
 protected:
+    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     /// The head above; motions at the left, the pages beside them: each scrolls for itself where there is
     /// little room, and where there is very little the motions are the first of the pages.
