@@ -74,7 +74,7 @@ TEST_F(ArmedLimits, TheChipStopsAtTheSwitchAndIsArmedAgain) {
     (void)sim.control(u"set 1 limit1 1"_s);
     ASSERT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
     EXPECT_TRUE(panel.waitFor([&] { return watch().state() == HomeWatch::State::Tripped; }));
-    EXPECT_TRUE(panel.waitFor([&] { return said().startsWith(u"▲ Tripped: limit 1"_s); }))
+    EXPECT_TRUE(panel.waitFor([&] { return said().startsWith(u"▲ Tripped by limit 1"_s); }))
         << said().toStdString();
     const double rest = shaft();
     ASSERT_TRUE(panel.answersFor(0.5));

@@ -28,8 +28,8 @@ void useColours(Colours colours);
 /// Behind the text of a selected row that keeps its own colours.
 [[nodiscard]] QColor selectionTint(const QPalette& palette);
 /// What stands in empty fields of this window is as readable as other secondary text; and where a desktop's
-/// palette has text upon its highlight that can't be read well, it is black or white. Again with each change of
-/// its palette.
+/// palette has text upon its highlight that can't be read well, it is black or white. Again with each change
+/// of its palette.
 void adoptReadable(QWidget* window);
 
 /// Fusion; upon a black window, where its frames can't be seen, with light ones.
