@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bus/belief.h"
 
+#include <cstdlib>
+
 #include "base/overloaded.h"
 
 namespace nmc::bus {
@@ -51,9 +53,12 @@ struct Belief::Sent {
     }
     void operator()(const DefineStatus&) const { b.forgetItems(); }
     void operator()(const SetAddress&) const { b.m_info.group.reset(); }
-    void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, stepper::SetParameters,
-                                stepper::SetOutputs, servo::SetHoming, stepper::SetHoming, SetBaud,
-                                servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
+    void operator()(const AnyOf<ResetPosition, servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
+        b.rename();
+    }
+    void operator()(const AnyOf<ReadStatus, servo::SetGain, stepper::SetParameters, stepper::SetOutputs,
+                                servo::SetHoming, stepper::SetHoming, SetBaud, servo::ClearStickyBits,
+                                SaveAsHome, Nop, HardReset, servo::HardReset> auto&) const {}
     void operator()(const AnyOf<servo::IoControl, servo::ScIoControl> auto&) const {
         b.m_pathControl.reset();
     }
@@ -63,8 +68,6 @@ struct Belief::Sent {
         b.m_lastMotion = latched;
         b.m_onPath = b.m_mayEnable = true;
     }
-    void operator()(
-        const AnyOf<servo::ResetRelativeToHome, servo::SetPosition, servo::HardReset> auto&) const {}
     void operator()(const io::OwnCommand auto& command) const { b.m_outputs.onSent(command); }
 };
 
@@ -105,16 +108,18 @@ struct Belief::Executed {
     void operator()(const SetAddress& set) const {
         b.m_info.group = GroupPlace{set.group.value(), set.leader};
     }
-    void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, stepper::StopMotor,
-                                stepper::SetOutputs, stepper::SetHoming, SetBaud, servo::ClearStickyBits,
-                                SaveAsHome, Nop, HardReset> auto&) const {}
+    void operator()(const AnyOf<ResetPosition, servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
+        b.rename();
+    }
+    void operator()(
+        const AnyOf<ReadStatus, servo::SetGain, stepper::StopMotor, stepper::SetOutputs, stepper::SetHoming,
+                    SetBaud, servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
     void operator()(const servo::IoControl& control) const { b.m_pathControl = pathControlOf(control); }
     void operator()(const servo::ScIoControl& control) const {
         b.m_pathControl = pathControlOf(control);
         b.m_limitStops = control.limitStop != servo::LimitStop::None;
     }
-    void operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition, servo::AddPathPoints,
-                                servo::HardReset> auto&) const {}
+    void operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {}
     void operator()(const io::OwnCommand auto& command) const { b.m_outputs.onExecuted(command); }
 };
 
@@ -144,8 +149,11 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
     m_before = m_statusTime;
     m_statusTime = latched;
     m_lastItems = report.items;
-    if (report.position)
-        m_position = report.position;
+    if (report.position) {
+        // An encoder that stands at an edge goes to and fro by one.
+        m_rolls = m_place && std::abs(countsBetween(*m_place, *report.position)) > 1;
+        m_place = m_position = report.position;
+    }
     if (report.home)
         m_home = report.home;
     if (report.position && report.positionError)
@@ -177,6 +185,12 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         m_velocityGoal = m_homingStops = false;
     if (m_limitStops && status.moveDone() && (m_velocityReverse ? status.limit2() : status.limit1()))
         m_velocityGoal = false;
+}
+
+/// The answer to such a command may tell either.
+void Belief::rename() {
+    m_place.reset();
+    m_rolls = false;
 }
 
 void Belief::setRestarted() {

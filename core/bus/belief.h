@@ -89,6 +89,9 @@ public:
     [[nodiscard]] bool mayMove() const;
     /// Measured velocity, counts per tick, when the newest status had it.
     [[nodiscard]] std::optional<std::int16_t> velocity() const { return m_velocity; }
+    /// The last two positions that were told lie apart: with the servo off, a motor that coasts by less than
+    /// the velocity item tells, a count per tick.
+    [[nodiscard]] bool rolls() const { return m_rolls; }
     [[nodiscard]] bool powered() const;
     /// The last status shows a motion, whatever it was told. True when there is none.
     [[nodiscard]] bool seenMoving() const;
@@ -120,6 +123,7 @@ private:
     void mayStart(const servo::LoadTrajectory& load);
     void started(const servo::LoadTrajectory& load);
     void mayStart(const stepper::LoadTrajectory& load);
+    void rename();
 
     ModuleInfo m_info;
     std::optional<StatusItems> m_items = StatusItems{};
@@ -128,6 +132,8 @@ private:
     std::uint8_t m_status = 0;
     std::optional<std::int16_t> m_velocity;
     std::optional<std::int32_t> m_position;
+    std::optional<std::int32_t> m_place;  ///< position, unless it has been renamed since
+    bool m_rolls = false;
     std::optional<std::int32_t> m_home;
     StatusItems m_lastItems;
     std::uint8_t m_aux = 0;

@@ -19,7 +19,7 @@ using servo::ProfileMode;
     if (belief.info().identity.type == ModuleType::Servo && !belief.on()) {
         if (!belief.velocity())
             return Permission::NeedsStatus;
-        return *belief.velocity() == 0 ? Permission::Allowed : Permission::InMotion;
+        return *belief.velocity() == 0 && !belief.rolls() ? Permission::Allowed : Permission::InMotion;
     }
     return Permission::Allowed;
 }

@@ -21,12 +21,14 @@ public:
     explicit Module(ModuleIdentity identity = {ModuleType::Servo, 4})
         : belief({ModuleIndex(0), BusAddress(1), identity}) {}
 
-    void status(std::uint8_t bits, std::uint8_t aux, std::int16_t velocity = 0) {
+    void status(std::uint8_t bits, std::uint8_t aux, std::int16_t velocity = 0,
+                std::optional<std::int32_t> position = {}) {
         StatusReport report;
         report.items = StatusItems(0x3F);
         report.status = bits;
         report.aux = aux;
         report.velocity = velocity;
+        report.position = position;
         belief.onStatus(report, m_now += 1ms);
     }
     void executed(const Order& order) {
@@ -144,6 +146,26 @@ TEST(Gate, TakesACoastingMotorForMoving) {
     EXPECT_EQ(module.judgeMove(), Permission::InMotion);
     module.status(kMoveDone | kPower, 0, 0);
     EXPECT_EQ(module.judgeMove(), Permission::Allowed);
+}
+
+/// The velocity item is 0 in every third tick at two thirds of a count per tick.
+TEST(Gate, TakesAMotorThatCoastsSlowlyForMoving) {
+    Module module;
+    module.status(kMoveDone | kPower, 0, 0, 1'000);
+    EXPECT_EQ(module.judgeMove(), Permission::Allowed);
+    module.status(kMoveDone | kPower, 0, 0, 1'002);
+    EXPECT_EQ(module.judgeMove(), Permission::InMotion);
+    EXPECT_EQ(module.judge(ResetPosition{}), Permission::InMotion);
+    module.status(kMoveDone | kPower, 0, 0, 1'003);
+    EXPECT_EQ(module.judgeMove(), Permission::Allowed);
+}
+
+TEST(Gate, TakesNoRenamedPositionForAMotion) {
+    Module module;
+    module.status(kMoveDone | kPower, 0, 0, 1'000);
+    module.executed(toServo(0, ResetPosition{}));
+    module.status(kMoveDone | kPower, 0, 0, 0);
+    EXPECT_EQ(module.judge(ResetPosition{}), Permission::Allowed);
 }
 
 TEST(Gate, TakesAPwmOutputForMoving) {
