@@ -10,7 +10,7 @@ namespace {
 
 constexpr BusAddress kUnaddressed{0};
 constexpr unsigned kFirstAddress = 1;
-constexpr std::size_t kUsualAddresses = 2;  ///< probed at every rate first
+constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
 /// A search that skips a number, because nobody was heard to take it, goes beyond 32.
 constexpr unsigned kLastAddress = 34;
 
@@ -23,15 +23,15 @@ void addNew(std::vector<T>& list, const T& value) {
 }  // namespace
 
 ChainLook::ChainLook(const std::vector<std::uint32_t>& rates, std::vector<BusAddress> addresses)
-    : m_rates(kRates.begin(), kRates.end()) {
+    : m_rates(kRates.begin(), kRates.end()), m_known(std::move(addresses)) {
     for (const std::uint32_t rate : rates)
         addNew(m_rates, rate);
     for (unsigned address = kFirstAddress; address <= kLastAddress; ++address)
         (m_first.size() < kUsualAddresses ? m_first : m_rest)
             .emplace_back(static_cast<std::uint8_t>(address));
-    const std::size_t usual = std::min(addresses.size(), kUsualAddresses);
-    for (std::size_t i = 0; i < addresses.size(); ++i)
-        addNew(i < usual ? m_first : m_rest, addresses[i]);
+    const std::size_t usual = std::min<std::size_t>(m_known.size(), kUsualAddresses);
+    for (std::size_t i = 0; i < m_known.size(); ++i)
+        addNew(i < usual ? m_first : m_rest, m_known[i]);
     const auto asked = [this](BusAddress address) {
         return std::find(m_first.begin(), m_first.end(), address) != m_first.end();
     };
@@ -68,28 +68,54 @@ void ChainLook::refill() {
     }
     switch (m_stage) {
         case Stage::First:
-            if (m_rate) {
-                m_stage = Stage::Rest;
-                add(*m_rate, m_rest);
-            } else if (m_unaddressed) {
-                m_stage = Stage::Over;
-            } else {
-                m_stage = Stage::Everywhere;
-                for (const std::uint32_t rate : m_rates)
+            if (m_rate)
+                return goOn();
+            m_stage = m_unaddressed ? Stage::Fresh : Stage::Everywhere;
+            for (const std::uint32_t rate : m_rates)
+                if (m_unaddressed)
+                    add(rate, missing());
+                else
                     add(rate, m_rest);
-            }
             return;
+        case Stage::Fresh:
+            if (m_rate)
+                return goOn();
+            break;
         case Stage::Rest:
         case Stage::Everywhere:
+            if (trouble())
+                break;
+            m_stage = Stage::Missing;
+            return add(*m_rate, missing());
+        case Stage::Missing:
         case Stage::Over:
-            m_stage = Stage::Over;
-            return;
+            break;
     }
+    m_stage = Stage::Over;
 }
 
+void ChainLook::goOn() {
+    m_stage = Stage::Rest;
+    add(*m_rate, m_rest);
+}
+
+/// The usual first ones if nobody was found; two behind the last otherwise, because one of them may be that
+/// of a module that has restarted.
+std::vector<BusAddress> ChainLook::missing() const {
+    std::vector<BusAddress> addresses;
+    const unsigned last = (m_found.empty() ? 0U : m_found.back().value()) + kUsualAddresses;
+    for (unsigned address = kFirstAddress; address <= std::min(last, kLastAddress); ++address)
+        addresses.emplace_back(static_cast<std::uint8_t>(address));
+    for (const BusAddress address : m_known)
+        addNew(addresses, address);
+    return addresses;
+}
+
+/// But for those that have answered.
 void ChainLook::add(std::uint32_t rate, const std::vector<BusAddress>& addresses) {
     for (const BusAddress address : addresses)
-        m_probes.push_back({rate, address});
+        if (std::find(m_found.begin(), m_found.end(), address) == m_found.end())
+            m_probes.push_back({rate, address});
 }
 
 void ChainLook::onReply(const ReplyEnd& end) {

@@ -17,7 +17,8 @@ namespace nmc::bus {
 /// Operation only: nothing is changed and nothing that moves is disturbed. The first two addresses at every
 /// rate come first, because hardly a host counts otherwise, and the first two of those that are known from
 /// the last time; the others at every rate only if nobody answers there. Where zeros answer, type and version
-/// are asked for. Says what to do next and is told what came of it. Pure.
+/// are asked for. One lost answer hides nobody: where one should be and nobody answers, and before a chain is
+/// taken for a fresh one, all is asked a second time. Says what to do next and is told what came of it. Pure.
 class ChainLook {
 public:
     /// Address and rate a module wakes up with come first.
@@ -43,18 +44,28 @@ public:
     [[nodiscard]] std::optional<ConnectFailure> trouble() const;
 
 private:
-    enum class Stage : std::uint8_t { First, Rest, Everywhere, Over };
+    enum class Stage : std::uint8_t {
+        First,
+        Fresh,       ///< only a module without an address answered: is it beside a chain?
+        Rest,        ///< at the rate of the chain
+        Everywhere,  ///< nobody answered
+        Missing,     ///< between those that answered, next to them, and of those that are known
+        Over
+    };
     struct Probe {
         std::uint32_t rate;
         BusAddress address;
     };
 
     void refill();
+    void goOn();
+    [[nodiscard]] std::vector<BusAddress> missing() const;
     [[nodiscard]] bool heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard);
     void found(const Probe& probe);
     void add(std::uint32_t rate, const std::vector<BusAddress>& addresses);
 
     std::vector<std::uint32_t> m_rates;
+    std::vector<BusAddress> m_known;
     std::vector<BusAddress> m_first;  ///< addresses
     std::vector<BusAddress> m_rest;
     Stage m_stage = Stage::First;

@@ -28,7 +28,8 @@ TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces)
     };
     // Beside a module at another rate a look may fail; a person looks again.
     for (int i = 0; i < 3 && !QTest::qWaitFor(found, 5'000); ++i)
-        (void)panel.press(QStringLiteral("did not answer at"), QStringLiteral("Scan again"));
+        for (const char* missed : {"did not answer at", "of this chain does not answer"})
+            (void)panel.press(QLatin1String(missed), QStringLiteral("Scan again"));
     ASSERT_TRUE(found()) << panel.headlines().join(QLatin1Char('\n')).toStdString();
     EXPECT_EQ(store.link().modules[2].info.address, BusAddress(3));
     EXPECT_TRUE(store.link().modules[2].isStepper()) << "Z is where it was";
@@ -38,8 +39,11 @@ TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces)
     const auto rests = [&](std::size_t i) { return store.link().modules[i].activity() != Activity::Unknown; };
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(restarted) != nullptr && rests(0) && rests(2); }));
     ASSERT_TRUE(panel.press(restarted, QStringLiteral("address")));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("has its address again")) == 1; }))
-        << panel.headlines().join(QLatin1Char('\n')).toStdString();
+    const auto back = [&] { return panel.count(QStringLiteral("has its address again")) == 1; };
+    // A machine that stalls in its midst makes it fail, which is said; a person presses again.
+    for (int i = 0; i < 3 && !QTest::qWaitFor(back, 5'000); ++i)
+        (void)panel.press(restarted, QStringLiteral("address"));
+    ASSERT_TRUE(back()) << panel.headlines().join(QLatin1Char('\n')).toStdString();
     EXPECT_TRUE(panel.waitFor([&] {
         const ModuleState& y = store.link().modules[1];
         return !y.hasRestarted && !y.silent && y.latest.has_value();

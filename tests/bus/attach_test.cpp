@@ -165,6 +165,26 @@ TEST(Attach, TellsOfAModuleWithoutAnAddressBesideTheChain) {
     }
 }
 
+/// Whichever it is: nobody is left out, and nobody is given an address that another has.
+TEST(Attach, IsNotMisledByOneLostAnswer) {
+    for (const bool restarted : {false, true})
+        for (int lost = 0; lost < 80; ++lost) {
+            SCOPED_TRACE(lost);
+            LeftBehind left(3, 115'200);
+            VirtualBus& bus = left.bus;
+            if (restarted)
+                bus.chain.powerCycle(ModuleIndex(1), bus.now);
+            bus.runFor(100ms);
+            bus.losesReply = [n = 0, lost](ByteSpan) mutable { return n++ == lost; };
+            ASSERT_TRUE(bus.connect());
+            const auto found = *bus.last<ChainFound>();
+            EXPECT_TRUE(found.attached);
+            EXPECT_EQ(found.modules.size(), restarted ? 2U : 3U);
+            for (const auto& sent : bus.sent)
+                EXPECT_NE(commandOf(sent), 0x21) << sent.hex();
+        }
+}
+
 TEST(Attach, FindsAddressesThatNoHostCountsUpTo) {
     LeftBehind left(3, 57'600);
     VirtualBus& bus = left.bus;
