@@ -23,6 +23,7 @@
 #include "app/composition.h"
 #include "link/clock.h"
 #include "timedchain.h"
+#include "widgets/common/look.h"
 
 namespace {
 
@@ -241,6 +242,7 @@ void report(const char* way, std::uint32_t baud, const std::vector<Trial>& trial
 int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(argc, argv);
+    look::setUp(application);
     QApplication::setQuitOnLastWindowClosed(false);
     // The platform has nothing to say here that matters.
     qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});

@@ -229,6 +229,20 @@ TEST_F(FirstStepsTest, AreNotForAServoThatHasMoved) {
     EXPECT_FALSE(stripIsThere());
 }
 
+/// In a window of the size that it has at first, with all its bars.
+TEST_F(FirstStepsTest, NeedNoScroll) {
+    window->resize(1456, 952);
+    LinkState link = connectedTo({module});
+    link.simulated = true;
+    window->showLink(link);
+    settle();
+    for (const char* name : {"kpField", "fillGainsButton", "applyGainsButton", "enableButton",
+                             "holdForwardButton", "firstStepButton"}) {
+        const auto* widget = window->findChild<QWidget*>(QLatin1String(name));
+        EXPECT_EQ(widget->visibleRegion().boundingRect(), widget->rect()) << name;
+    }
+}
+
 TEST_F(FirstStepsTest, NameTheNextOneOnlyBesidePlots) {
     QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
     for (int i = 0; i < 5; ++i)

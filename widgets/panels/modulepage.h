@@ -38,7 +38,7 @@ public:
     void setTuning(bool on);
 
     /// How much higher their room is than the motions need; below 0: not all of them are in view.
-    [[nodiscard]] int spareHeight() const;
+    [[nodiscard]] virtual int spareHeight() const;
 
 signals:
     void responseWanted();

@@ -82,6 +82,15 @@ void ServoPanel::resizeEvent(QResizeEvent* event) {
     m_steps->giveRoomBack();
 }
 
+int ServoPanel::spareHeight() const {
+    const int motions = ModulePage::spareHeight();
+    const auto* apply = m_gains->findChild<QWidget*>(u"applyGainsButton"_s);
+    if (m_steps->isHidden() || !m_gains->isVisible())
+        return motions;
+    const int bottom = apply->mapTo(m_gains, QPoint(0, apply->height() + look::gridUnit(this))).y();
+    return qMin(motions, m_gains->parentWidget()->height() - bottom);
+}
+
 void ServoPanel::revealTuning() {
     reveal(*m_gains);
 }

@@ -21,6 +21,8 @@ public:
 
     /// Into the fields, in sight; sends nothing.
     void stageGains(const servo::SetGain& gains);
+    /// With what the first steps are done by, for as long as they are there.
+    [[nodiscard]] int spareHeight() const override;
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
