@@ -69,17 +69,14 @@ void ChainLook::refill() {
     switch (m_stage) {
         case Stage::First:
             if (m_rate)
-                return goOn();
+                return enterRest();
             m_stage = m_unaddressed ? Stage::Fresh : Stage::Everywhere;
             for (const std::uint32_t rate : m_rates)
-                if (m_unaddressed)
-                    add(rate, missing());
-                else
-                    add(rate, m_rest);
+                add(rate, m_unaddressed ? missing() : m_rest);
             return;
         case Stage::Fresh:
             if (m_rate)
-                return goOn();
+                return enterRest();
             break;
         case Stage::Rest:
         case Stage::Everywhere:
@@ -94,7 +91,7 @@ void ChainLook::refill() {
     m_stage = Stage::Over;
 }
 
-void ChainLook::goOn() {
+void ChainLook::enterRest() {
     m_stage = Stage::Rest;
     add(*m_rate, m_rest);
 }

@@ -58,7 +58,7 @@ private:
     };
 
     void refill();
-    void goOn();
+    void enterRest();
     [[nodiscard]] std::vector<BusAddress> missing() const;
     [[nodiscard]] bool heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard);
     void found(const Probe& probe);
