@@ -68,6 +68,18 @@ TEST_F(LayoutsTest, TuneGivesTwoThirdsToThePlotsWithGainsAndStepBesideThem) {
         expectWhole(QLatin1String(name));
 }
 
+TEST_F(LayoutsTest, AHigherWindowGivesWhatItGainsToThePlots) {
+    const int before = dock("scopeDock")->height();
+    window->resize(1456, 1300);
+    settle();
+    EXPECT_GE(dock("scopeDock")->height(), before + 250);
+    for (const char* name : {"goButton", "holdForwardButton", "applyGainsButton", "moveByForwardButton"})
+        expectWhole(QLatin1String(name));
+    window->resize(1456, 952);
+    settle();
+    EXPECT_NEAR(dock("scopeDock")->height(), before, 2);
+}
+
 TEST_F(LayoutsTest, EachComesBackAsItWasLeft) {
     dock("messagesDock")->close();
     strike(Qt::Key_2, Qt::ControlModifier);

@@ -130,7 +130,7 @@ TEST_F(Scope, OnlyWhatIsCommandedIsDashed) {
 /// With a sample or two in every pixel, as with few: a line that goes up three pixels in each stays as smooth
 /// as it is straight. In every row the middle of what is coloured is where the line crosses it.
 TEST_F(Scope, ASteepLineIsSmoothHoweverManySamplesThereAre) {
-    window->resize(1500, 1100);
+    window->resize(1500, 952);  // so high that the line is as steep as that
     ScopeSetup setup;
     setup.strips[0] = {{std::nullopt, ScopeSignal::Position}};
     find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);

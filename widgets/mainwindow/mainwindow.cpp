@@ -186,7 +186,8 @@ void MainWindow::connectParts() {
     connect(m_panel, &ModulePanel::holdRequested, this, &MainWindow::holdRequested);
     connect(m_panel, &ModulePanel::holdReleased, this, &MainWindow::holdReleased);
     connect(&m_preparing, &QTimer::timeout, this, &MainWindow::preparePage);
-    connect(m_panel, &ModulePanel::pageChanged, this, &MainWindow::makeRoomForMotions, Qt::QueuedConnection);
+    connect(
+        m_panel, &ModulePanel::pageChanged, this, [this] { makeRoomForMotions(0); }, Qt::QueuedConnection);
     connect(m_panel, &ModulePanel::settingsEdited, this, &MainWindow::axisEdited);
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,

@@ -218,7 +218,7 @@ private:
     void addMotionDocks(QDockWidget& scope, QDockWidget& messages);
     void showAllAxes();
     void makeRoomForSimulator();
-    void makeRoomForMotions();
+    void makeRoomForMotions(int higher);
     void restoreLayout();
     void saveLayout();
     void showSafetyOnce();

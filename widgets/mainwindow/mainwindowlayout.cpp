@@ -193,21 +193,22 @@ void MainWindow::makeRoomForSimulator() {
     resizeDocks({chain, m_simulator}, {both - wanted, wanted}, Qt::Vertical);
 }
 
-/// Where the window is low, the scope gives way to what moves the motor, as far as it can still be read; it
-/// gets back what it gave where there is room again.
-void MainWindow::makeRoomForMotions() {
+/// Where the window is low, the scope gives way to what moves the motor, as far as it can still be read. What
+/// a window gains that has become higher, and what it gave before, is the scope's as far as nothing else
+/// needs it.
+void MainWindow::makeRoomForMotions(int higher) {
     layout()->activate();
     const ModulePage* page = m_panel->page();
     if (page == nullptr || !m_scopeDock->isVisible() ||
         dockWidgetArea(m_scopeDock) != Qt::BottomDockWidgetArea)
         return;
     const int least = fontMetrics().height() * kLowestScope;
-    const int most = m_scopeDock->height() + m_scopeGave;
+    const int most = m_scopeDock->height() + m_scopeGave + qMax(0, higher);
     const int wanted =
         qBound(qMin(least, m_scopeDock->height()), m_scopeDock->height() + page->spareHeight(), most);
     if (wanted == m_scopeDock->height())
         return;
-    m_scopeGave += m_scopeDock->height() - wanted;
+    m_scopeGave = qMax(0, m_scopeGave + m_scopeDock->height() - wanted);
     resizeDocks({m_scopeDock}, {wanted}, Qt::Vertical);
 }
 
@@ -217,7 +218,9 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     if (const int before = event->oldSize().width(); before > 0 && before != width())
         QMetaObject::invokeMethod(
             this, [this, wider = width() - before] { keepColumn(wider); }, Qt::QueuedConnection);
-    QMetaObject::invokeMethod(this, &MainWindow::makeRoomForMotions, Qt::QueuedConnection);
+    const int higher = event->oldSize().height() > 0 ? height() - event->oldSize().height() : 0;
+    QMetaObject::invokeMethod(
+        this, [this, higher] { makeRoomForMotions(higher); }, Qt::QueuedConnection);
 }
 
 void MainWindow::restoreLayout() {
