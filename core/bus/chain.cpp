@@ -160,15 +160,26 @@ std::vector<Order> Chain::stops() const {
     return stops;
 }
 
+std::vector<Order> Chain::lastOrders() const {
+    std::vector<Order> orders;
+    for (Order& stop : stops()) {
+        // With gains that let it swing a stop alone would not bring it to rest.
+        if (const auto& trial = at(stop.module).trial)
+            orders.push_back({stop.module, ServoCommand(trial->net.back)});
+        orders.push_back(std::move(stop));
+    }
+    return orders;
+}
+
 std::vector<std::uint8_t> Chain::stopBurst() const {
     std::vector<std::uint8_t> burst;
     if (m_readOnly)
         return burst;
     const std::size_t pause = nullsForTurnaround(byteTimeAtBaud(m_rate));
-    for (const Order& stop : stops()) {
+    for (const Order& order : lastOrders()) {
         if (burst.empty())
             burst.assign(kNullCount, 0);
-        const PacketBytes packet = toPacket({belief(stop.module).info().address, payloadOf(stop.command)});
+        const PacketBytes packet = toPacket({belief(order.module).info().address, payloadOf(order.command)});
         burst.insert(burst.end(), packet.begin(), packet.end());
         // Nobody waits between the packets any more, so nulls must: a packet that comes before the one before
         // it was carried out takes its place (DS-V 4.1).

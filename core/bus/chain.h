@@ -14,6 +14,7 @@
 #include "bus/pollschedule.h"
 #include "bus/stoptarget.h"
 #include "bus/task.h"
+#include "bus/trialwatch.h"
 #include "bus/trust.h"
 
 namespace nmc::bus {
@@ -25,6 +26,24 @@ struct UnacknowledgedStop {
     StopCause cause;
     TimePoint due{};     ///< of the next question; at once at first
     unsigned looks = 0;  ///< at a motor that went on moving
+};
+
+/// Gains that are being tried on one module. TrialTask sees to them.
+struct Trial {
+    enum class Phase : std::uint8_t { Sending, Watching, Returning };
+
+    Trial(OperationId operation, const servo::SetGain& gains, const GainTrial& what)
+        : id(operation), tried(gains), net(what), watch(gains, what) {}
+
+    OperationId id;
+    servo::SetGain tried;
+    GainTrial net;
+    TrialWatch watch;
+    Phase phase = Phase::Sending;
+    TimePoint due{};  ///< of the next thing to do; at once at first
+    std::optional<TrialEnd> end{};
+    Outcome outcome = Outcome::Cancelled;  ///< once it is over
+    bool told = false;                     ///< once true, stays so: its OperationFinished came
 };
 
 /// The chain that was found last: its modules, and all that is believed of each. Kept while another one is
@@ -49,6 +68,7 @@ public:
         OwnMotion ownMotion;
         Health health;
         std::optional<UnacknowledgedStop> owed{};
+        std::optional<Trial> trial{};
         /// Since then there is a command that nobody has answered, and it may have been carried out.
         std::optional<TimePoint> unanswered{};
     };
@@ -119,7 +139,9 @@ public:
 
     /// What would have to be told to whom for nothing to move any more.
     [[nodiscard]] std::vector<Order> stops() const;
-    /// The same as bytes that need no answer, nulls first; empty when nothing is on, or it is read-only.
+    /// The same for somebody who will not be there any more to take gains back that are being tried.
+    [[nodiscard]] std::vector<Order> lastOrders() const;
+    /// These as bytes that need no answer, nulls first; empty when nothing is on, or it is read-only.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
     /// Packets with these stops, one to a whole group where that is the same, and the pauses after them.
     [[nodiscard]] Line::Script stopScript(const std::vector<Order>& stops) const;

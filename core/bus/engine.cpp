@@ -24,6 +24,15 @@ namespace {
     return stopped;
 }
 
+/// The modules of which it asks something else than other gains.
+[[nodiscard]] std::vector<ModuleIndex> usedBy(const Operation& operation) {
+    std::vector<ModuleIndex> used;
+    for (const Order& order : operation.orders)
+        if (!is<servo::SetGain>(order.command))
+            used.push_back(order.module);
+    return used;
+}
+
 }  // namespace
 
 Engine::Engine(EngineConfig config) : m_config(config), m_line(config.adapterLatency, config.margin) {}
@@ -74,12 +83,27 @@ void Engine::submit(Operation operation, TimePoint now) {
     const OperationFinished refused = rejected(operation, refusal());
     if (operation.path && accepting())
         return beginPath(operation, now);
+    if (operation.trial && accepting())
+        return beginTrial(operation, now);
     const std::vector<ModuleIndex> stopped = stoppedBy(operation);
+    const std::vector<ModuleIndex> used = usedBy(operation);
     if (!accepting() || !m_operations.submit(std::move(operation))) {
         m_events.emplace_back(refused);
         return;
     }
     leavePath(stopped);
+    m_trials.leave(used);
+    proceed(now);
+}
+
+void Engine::beginTrial(const Operation& operation, TimePoint now) {
+    if (!m_trials.begin(operation))
+        m_events.emplace_back(rejected(operation, Outcome::Forbidden));
+    proceed(now);
+}
+
+void Engine::keepTrial(ModuleIndex module, TimePoint now) {
+    m_trials.keep(module);
     proceed(now);
 }
 
@@ -110,6 +134,7 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
     if (m_operations.cancelFor(members))
         dropOperation();
     leavePath(members);
+    m_trials.leave(members);
     for (const ModuleIndex module : members) {
         if (m_hold.holds(module))
             m_hold.clear();
@@ -161,6 +186,7 @@ void Engine::hold(const HoldToMove& hold, TimePoint now) {
         return m_hold.refuse(hold);
     if (m_operations.swings(hold.module) && m_operations.cancelFor({hold.module}))
         dropOperation();
+    m_trials.leave({hold.module});
     m_hold.hold(hold, now);
     proceed(now);
 }
@@ -250,6 +276,7 @@ std::optional<TimePoint> Engine::nextDeadline() const {
     if (m_line.idle()) {
         consider(m_unacknowledged.due());
         if (m_connected) {
+            consider(m_trials.due());
             consider(m_path.due());
             consider(m_operations.due());
             consider(m_polls.due());
@@ -261,7 +288,7 @@ std::optional<TimePoint> Engine::nextDeadline() const {
 std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
     bool changed = std::exchange(m_burstBaud, stopBurstBaud()) != stopBurstBaud() && !m_chain.empty();
     decltype(m_burstStops) stops;
-    for (Order& order : m_chain.stops())
+    for (Order& order : m_chain.lastOrders())
         stops.emplace_back(m_chain.belief(order.module).info().address, std::move(order.command));
     changed = std::exchange(m_burstStops, stops) != stops || changed;
     return changed ? std::optional(stopBurst()) : std::nullopt;
@@ -293,7 +320,12 @@ bool Engine::dispatch(TimePoint now) {
         ((taken = taken == Turn::Nobody ? take(tasks, now) : taken), ...);
         return taken;
     };
-    Turn taken = turn(m_wayBack, m_stop);
+    Turn taken = turn(m_wayBack);
+    // A servo that swings is not seen at rest before it has its gains back.
+    if (taken == Turn::Nobody && m_stop.told() && m_connected)
+        taken = turn(m_trials);
+    if (taken == Turn::Nobody)
+        taken = turn(m_stop);
     if (taken == Turn::Nobody)
         taken = repeat(true, now);
     if (taken == Turn::Nobody)
@@ -303,7 +335,7 @@ bool Engine::dispatch(TimePoint now) {
     if (taken == Turn::Nobody)
         taken = repeat(false, now);
     if (taken == Turn::Nobody && live)
-        taken = turn(m_search, m_rate, m_readdress, m_hold, m_path, m_operations, m_polls);
+        taken = turn(m_search, m_rate, m_readdress, m_trials, m_hold, m_path, m_operations, m_polls);
     takeFindings(now);
     return taken == Turn::Taken;
 }
@@ -356,8 +388,11 @@ void Engine::send(Work work, TimePoint now) {
 
 void Engine::takeFindings(TimePoint now) {
     stopPath();
-    if (m_search.takeGivesAddresses())
+    m_trials.noteLosses();
+    if (m_search.takeGivesAddresses()) {
+        m_trials.forgetAll();
         m_chain.forgetStates();
+    }
     if (auto ended = m_search.takeEnded())
         onSearchEnded(std::move(*ended), now);
     const Recovery::Findings findings = m_recovery.takeFindings();
@@ -445,6 +480,8 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
                 takeHeard(info.index, answer.end);
     // What is owed to a module that was found where it was is still owed; one that was reset is off.
     if (found.attached)
+        m_trials.rejoin(before);
+    if (found.attached)
         for (const Chain::Module& module : before.modules())
             for (const ModuleInfo& info : found.modules)
                 if (module.owed && info.address == module.belief.info().address)
@@ -513,8 +550,10 @@ void Engine::goQuiet(TimePoint now) {
         m_stop.begin(now);
 }
 
-/// Nothing that was asked for is begun any more, and a motor that is held is owed its stop.
+/// Nothing that was asked for is begun any more, a motor that is held is owed its stop, and gains that are
+/// being tried go back.
 void Engine::dropWork() {
+    m_trials.leaveAll();
     m_operations.cancel();
     m_path.cancel();
     m_hold.release();

@@ -23,6 +23,7 @@
 #include "bus/restartsearch.h"
 #include "bus/searchtask.h"
 #include "bus/stoptask.h"
+#include "bus/trialtask.h"
 #include "bus/types.h"
 #include "bus/unacknowledgedstops.h"
 
@@ -56,6 +57,9 @@ public:
 
     /// Queues an operation behind those before it. It ends in exactly one OperationFinished.
     void submit(Operation operation, TimePoint now);
+
+    /// Gains that are being tried on that module (Operation::trial) stay; too late they do not.
+    void keepTrial(ModuleIndex module, TimePoint now);
 
     /// The same for groups; ends in exactly one GroupFinished. A command to a group is sent once, and what
     /// came of it is what each member shows; only if all groups are known.
@@ -155,6 +159,7 @@ private:
     void begin(Discovery::Start start, TimePoint now);
     [[nodiscard]] GroupFinished stopGroup(const GroupOperation& operation, const GroupCommand& command);
     void beginPath(const Operation& operation, TimePoint now);
+    void beginTrial(const Operation& operation, TimePoint now);
     /// These are told to stop: a path that one of them is on is over.
     void leavePath(const std::vector<ModuleIndex>& stopped);
     /// Whoever is on a path that has ended early is owed a stop.
@@ -230,6 +235,7 @@ private:
     RateTask m_rate{m_config, m_chain, m_events};
     WayBack m_wayBack{m_rate, m_chain, m_stop, m_recovery, m_line};
     ReaddressTask m_readdress{m_config, m_chain, m_restartSearch, m_line, m_events};
+    TrialTask m_trials{m_chain, m_events};
     HoldTask m_hold{m_config, m_chain, m_events};
     OperationTask m_operations{m_chain, m_line, m_events};
     PathTask m_path{m_chain, m_line, m_events};

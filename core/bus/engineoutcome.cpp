@@ -145,10 +145,14 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
         module.belief.onStatus(*trusted, end.latched);
     if (ask.command)
         module.belief.onExecuted(*ask.command);
+    if (ask.command && is<servo::SetGain>(*ask.command) && work.task != &m_trials)
+        m_trials.forget(*ask.module);
     if (work.task != nullptr)
         work.task->onAnswer(ask, end);
     if (trusted)
         m_path.onReport(*ask.module, end);
+    if (trusted)
+        m_trials.onReport(*ask.module, *trusted, end.latched);
     if (ask.reported)
         m_events.emplace_back(CommandExecuted{*ask.module, end.latched, *ask.command, end.late,
                                               m_chain.takeUnanswered(*ask.module, end.latched)});

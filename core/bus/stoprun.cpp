@@ -52,6 +52,12 @@ StopTarget* StopRun::next(TimePoint now) {
     return &first->stop;
 }
 
+bool StopRun::told() const {
+    return std::none_of(m_targets.begin(), m_targets.end(), [](const Target& target) {
+        return target.open() && (target.stop.stopUnacknowledged() || target.stop.unknown());
+    });
+}
+
 void StopRun::onReply(StopTarget& asked, const ReplyEnd& end, const Belief& belief, TimePoint now) {
     asked.onReply(end, belief, now);
     const auto target =

@@ -34,6 +34,10 @@ void StopTask::onSearchOver(TimePoint now) {
     m_blindDue = false;
 }
 
+bool StopTask::told() const {
+    return m_run && !m_blindDue && m_run->told();
+}
+
 std::vector<Order> StopTask::blindStops() const {
     return m_run ? m_run->blindStops(m_chain) : std::vector<Order>{};
 }

@@ -65,6 +65,17 @@ struct SineRecord {
     std::vector<SinePoint> polls;    ///< positions from between the commands
 };
 
+/// Where a servo holds still while gains are tried on it, and what it goes back to (trialtask.h).
+struct GainTrial {
+    servo::SetGain back;     ///< those from before
+    std::int32_t stood = 0;  ///< counts
+    double reach = 0.0;      ///< counts that it may go away from there
+    Duration lasts{};
+};
+
+/// What became of gains that were tried: all but Kept were taken back.
+enum class TrialEnd : std::uint8_t { Kept, TimeOver, Swings, Saturates, TooFar, WentOff };
+
 /// What one click asks for: orders that run in order, each after the one before was answered without the
 /// communication-error bit. The first failure ends it, so "load, check, start" never starts on a doubt.
 struct Operation {
@@ -77,6 +88,8 @@ struct Operation {
     /// starts the path and keeps the buffers filled beside whatever else it does (pathtask.h). A stop of any
     /// of its axes ends it for all, as Cancelled. One path at a time.
     std::shared_ptr<const PathPlan> path{};
+    /// The only order is a Set Gain, to be tried.
+    std::optional<GainTrial> trial{};
 };
 
 /// The group that a module listens to besides its own address (DS-V 4.1). The leader answers for all.
@@ -245,9 +258,10 @@ struct ConnectFailed {
 struct OperationFinished {
     OperationId id;
     Outcome outcome;
-    ModuleIndex module;            ///< of the order that ended it
-    std::uint8_t commandByte = 0;  ///< of that order
-    SineRecord sine{};             ///< of Operation::sine
+    ModuleIndex module;               ///< of the order that ended it
+    std::uint8_t commandByte = 0;     ///< of that order
+    SineRecord sine{};                ///< of Operation::sine
+    std::optional<TrialEnd> trial{};  ///< of Operation::trial, with Done
 };
 
 enum class MemberOutcome : std::uint8_t {

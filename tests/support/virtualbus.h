@@ -107,8 +107,12 @@ public:
     }
     bus::OperationId submit(std::vector<bus::Order> steps, const std::optional<bus::Sine>& sine = {},
                             std::shared_ptr<const bus::PathPlan> path = {}) {
+        return submit({{}, std::move(steps), sine, std::move(path)});
+    }
+    bus::OperationId submit(bus::Operation operation) {
         const bus::OperationId id(++m_lastId);
-        engine.submit({id, std::move(steps), sine, std::move(path)}, now);
+        operation.id = id;
+        engine.submit(std::move(operation), now);
         pump();
         return id;
     }

@@ -64,6 +64,7 @@ public:
     void search(RequestBox::Search how) { m_channel.requests.search(how); }
     void watch(std::vector<ModuleIndex> modules) { m_channel.requests.watch(std::move(modules)); }
     void focus(std::optional<ModuleIndex> module) { m_channel.requests.focus(module); }
+    void keepTrial(ModuleIndex module) { m_channel.requests.keepTrial(module); }
     void setStopOutputs(std::vector<bus::StopOutputs> outputs) {
         m_channel.requests.setStopOutputs(std::move(outputs));
     }

@@ -103,6 +103,8 @@ void BusSession::takeRequests(TimePoint now) {
         m_engine.release(now);
     if (taken.search)
         search(*taken.search, now);
+    for (const ModuleIndex module : taken.kept)
+        m_engine.keepTrial(module, now);
     for (BusRequest& request : taken.requests)
         take(request, now);
     if (taken.watched)

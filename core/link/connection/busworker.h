@@ -45,6 +45,8 @@ public:
     void watch(std::vector<ModuleIndex> modules) { m_loop.watch(std::move(modules)); }
     /// One module as fast as the wire carries, for 5 s at most; nothing: no longer (Engine::focus).
     void focus(std::optional<ModuleIndex> module) { m_loop.focus(module); }
+    /// Gains that are being tried on it stay (Engine::keepTrial).
+    void keepTrial(ModuleIndex module) { m_loop.keepTrial(module); }
     /// Which outputs of PIC-I/O modules a stop of all takes low, by module (Engine::setStopOutputs).
     void setStopOutputs(std::vector<bus::StopOutputs> outputs) { m_loop.setStopOutputs(std::move(outputs)); }
     /// Ends in exactly one bus::OperationFinished: Cancelled at once when too much waits already, or when

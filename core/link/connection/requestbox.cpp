@@ -30,6 +30,10 @@ void RequestBox::watch(std::vector<ModuleIndex> modules) {
     change([&modules](Taken& waiting) { waiting.watched = std::move(modules); });
 }
 
+void RequestBox::keepTrial(ModuleIndex module) {
+    change([module](Taken& waiting) { waiting.kept.push_back(module); });
+}
+
 void RequestBox::focus(std::optional<ModuleIndex> module) {
     change([module](Taken& waiting) { waiting.focused = module; });
 }

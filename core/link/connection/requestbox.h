@@ -34,6 +34,7 @@ public:
         bool released = false;
         std::optional<Search> search;
         std::vector<BusRequest> requests;
+        std::vector<ModuleIndex> kept;  ///< Engine::keepTrial
         std::optional<std::vector<ModuleIndex>> watched;
         std::optional<std::vector<bus::StopOutputs>> stopOutputs;
         std::optional<std::optional<ModuleIndex>> focused;
@@ -48,6 +49,7 @@ public:
     void search(Search how);
     void watch(std::vector<ModuleIndex> modules);
     void focus(std::optional<ModuleIndex> module);
+    void keepTrial(ModuleIndex module);
     void setStopOutputs(std::vector<bus::StopOutputs> outputs);
     void hold(const bus::HoldToMove& hold);
     void release();
