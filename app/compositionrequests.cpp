@@ -42,7 +42,7 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     if (module == nullptr)
         return;
     if (std::holds_alternative<intent::KeepGains>(intent))
-        return m_procedures.keep(index);
+        return m_worker.keepTrial(index);
     if (const auto* gains = std::get_if<intent::ApplyGains>(&intent);
         gains != nullptr && plan(intent, *module) && m_procedures.take(index, gains->gains))
         return m_machine.noteSent(index, intent);
@@ -144,7 +144,8 @@ bus::OperationId Composition::submit(Procedure::Send send) {
             moved.push_back(order.module);
     if (!moved.empty())
         m_motionMarker.asked(id, moved);
-    m_worker.submit({id, std::move(send.orders), send.sine, std::move(send.path)});
+    send.id = id;
+    m_worker.submit(std::move(send));
     return id;
 }
 

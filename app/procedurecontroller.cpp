@@ -63,14 +63,6 @@ void ProcedureController::cancelAll() {
     advance();
 }
 
-void ProcedureController::keep(ModuleIndex module) {
-    const auto found = m_runs.find(module);
-    if (found == m_runs.end())
-        return;
-    found->second.procedure->keep();
-    advance();
-}
-
 bool ProcedureController::take(ModuleIndex module, const servo::SetGain& gains) {
     const auto found = m_runs.find(module);
     return found != m_runs.end() && found->second.procedure->take(gains);
@@ -174,7 +166,7 @@ bool ProcedureController::finished(const bus::OperationFinished& finished) {
     for (auto& [module, run] : m_runs)
         if (run.operation == finished.id) {
             run.operation.reset();
-            run.procedure->onFinished(finished.outcome, finished.sine);
+            run.procedure->onFinished(finished.outcome, finished.sine, finished.trial);
             return true;
         }
     return false;

@@ -85,7 +85,7 @@ public:
         Procedure::Next next = procedure->next(module(), bus.now);
         stages.insert(procedure->report().stage);
         if (auto* send = std::get_if<Procedure::Send>(&next))
-            m_operation = bus.submit(std::move(send->orders), send->sine, std::move(send->path));
+            m_operation = bus.submit(std::move(*send));
         return !std::holds_alternative<Procedure::End>(next);
     }
     ProcedureReport run(const Intent& intent, double seconds = 120.0) {
@@ -184,7 +184,7 @@ private:
     void told(const bus::OperationFinished& finished) {
         if (m_operation == finished.id) {
             m_operation.reset();
-            procedure->onFinished(finished.outcome, finished.sine);
+            procedure->onFinished(finished.outcome, finished.sine, finished.trial);
         }
     }
     template <typename Other>

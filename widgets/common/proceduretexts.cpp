@@ -78,6 +78,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
         case ProcedureFailure::NotStill:
         case ProcedureFailure::Unstable:
         case ProcedureFailure::Swings:
+        case ProcedureFailure::Saturates:
         case ProcedureFailure::StoppedShort:
         case ProcedureFailure::NotStarted:
         case ProcedureFailure::UnderRun:
@@ -140,6 +141,7 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::ReadingsDiffer:
         case ProcedureFailure::NotAtHome:
         case ProcedureFailure::Swings:
+        case ProcedureFailure::Saturates:
         case ProcedureFailure::StoppedShort:
         case ProcedureFailure::NotStarted:
         case ProcedureFailure::UnderRun:
@@ -154,6 +156,9 @@ Words tryFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::Swings:
             return {Texts::tr("%1 is back to its previous gains: it began to oscillate.").arg(who),
                     Texts::tr("Lower Kp and Ki, or raise Kd, then try again.")};
+        case ProcedureFailure::Saturates:
+            return {Texts::tr("%1 is back to its previous gains: its output reached the limit OL.").arg(who),
+                    Texts::tr("It oscillates, or was pushed. Lower Kp, or raise Kd, then try again.")};
         case ProcedureFailure::TravelLimit:
             return {Texts::tr("%1 is back to its previous gains: it left its position.").arg(who),
                     Texts::tr("These gains do not hold its load, or something else turned it.")};
@@ -224,6 +229,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::Unstable:
         case ProcedureFailure::NotAtHome:
         case ProcedureFailure::Swings:
+        case ProcedureFailure::Saturates:
         case ProcedureFailure::StoppedShort:
         case ProcedureFailure::NotStarted:
         case ProcedureFailure::UnderRun:
@@ -385,6 +391,8 @@ QString procedureFailure(ProcedureFailure failure) {
                 "A limit switch, overheating or the E-stop input ended the move. The motor is at rest.");
         case ProcedureFailure::Swings:
             return Texts::tr("The motor began to oscillate. The previous gains are restored.");
+        case ProcedureFailure::Saturates:
+            return Texts::tr("The output reached its limit. The previous gains are restored.");
         case ProcedureFailure::NotAtHome:
             return Texts::tr(
                 "It rests too far from home to set the position to 0. Raise Ki and IL on the Gains page.");

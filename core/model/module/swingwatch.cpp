@@ -112,13 +112,6 @@ void SwingWatch::look(TimePoint time, std::int32_t position) {
     m_swing = lookInto();
 }
 
-int SwingWatch::turnsAbout(std::int32_t centre, double gate) const {
-    std::vector<double> off;
-    for (const Reading& one : m_readings)
-        off.push_back(static_cast<double>(countsBetween(centre, one.position)));
-    return turns(off, gate);
-}
-
 std::optional<SwingWatch::Swing> SwingWatch::lookInto() const {
     if (std::ssize(m_readings) < kFewestReadings)
         return std::nullopt;

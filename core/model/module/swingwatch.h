@@ -29,9 +29,6 @@ public:
     void forget();
     /// Kept as it was for a while: it is looked into a few times a second.
     [[nodiscard]] const std::optional<Swing>& swing() const { return m_swing; }
-    /// How often it has gone over from one side of `centre` to the other within the last second, by at least
-    /// `gate` counts to either side: one less than there were half cycles.
-    [[nodiscard]] int turnsAbout(std::int32_t centre, double gate) const;
 
 private:
     struct Reading {

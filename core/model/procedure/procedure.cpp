@@ -37,9 +37,10 @@ Procedure::Next Procedure::next(const ModuleState& module, TimePoint now) {
     return rest;
 }
 
-void Procedure::onFinished(bus::Outcome outcome, bus::SineRecord sine) {
+void Procedure::onFinished(bus::Outcome outcome, bus::SineRecord sine, std::optional<bus::TrialEnd> trial) {
     m_inFlight = false;
     m_swung = std::move(sine);
+    m_tried = trial;
     if (outcome == bus::Outcome::Cancelled)
         m_mayRun = false;  // whoever did that has stopped the motor, or switched it off
     if (m_end || outcome == bus::Outcome::Done)
@@ -61,22 +62,26 @@ void Procedure::cancel() {
         m_end = ProcedureStage::Cancelled;
 }
 
-Procedure::Next Procedure::send(std::vector<bus::Order> orders) {
+Procedure::Next Procedure::start(Send operation, bool lasts) {
     m_inFlight = true;
-    m_lasts = false;
-    return Send{std::move(orders)};
+    m_lasts = lasts;
+    return operation;
+}
+
+Procedure::Next Procedure::send(std::vector<bus::Order> orders) {
+    return start({.id = {}, .orders = std::move(orders)}, false);
 }
 
 Procedure::Next Procedure::swing(bus::Order centre, const bus::Sine& sine) {
-    m_inFlight = true;
-    m_lasts = true;
-    return Send{{std::move(centre)}, sine};
+    return start({.id = {}, .orders = {std::move(centre)}, .sine = sine}, true);
 }
 
 Procedure::Next Procedure::follow(std::vector<bus::Order> starts, std::shared_ptr<const bus::PathPlan> path) {
-    m_inFlight = true;
-    m_lasts = true;
-    return Send{std::move(starts), {}, std::move(path)};
+    return start({.id = {}, .orders = std::move(starts), .path = std::move(path)}, true);
+}
+
+Procedure::Next Procedure::tryOut(bus::Order gains, const bus::GainTrial& trial) {
+    return start({.id = {}, .orders = {std::move(gains)}, .trial = trial}, true);
 }
 
 Procedure::Next Procedure::finish() {

@@ -70,6 +70,7 @@ enum class ProcedureFailure : std::uint8_t {
     StoppedShort,  ///< the chip has ended the move by itself: a limit switch, heat, the E-stop input
     NotAtHome,     ///< it comes to rest too far from home for that to become zero
     Swings,        ///< at rest, with gains that were being tried
+    Saturates,     ///< the same: its output limit is reached
     NotStarted,    ///< not every axis of the path
     UnderRun,      ///< the path buffer ran dry before the end
     OffPath,       ///< the command position was not where the points lead
@@ -110,11 +111,7 @@ public:
     /// Nothing for now; an operation to be submitted, whose end comes by onFinished() before next() is asked
     /// again; or the end, after which it is asked no more.
     struct Wait {};
-    struct Send {
-        std::vector<bus::Order> orders;
-        std::optional<bus::Sine> sine{};  ///< as in bus::Operation
-        std::shared_ptr<const bus::PathPlan> path{};
-    };
+    using Send = bus::Operation;  ///< its id is for whoever submits it
     struct End {};
     using Next = std::variant<Wait, Send, End>;
 
@@ -124,16 +121,14 @@ public:
 
     /// After every news of the module, and at least ten times a second.
     [[nodiscard]] Next next(const ModuleState& module, TimePoint now);
-    /// `sine`: as in bus::OperationFinished.
-    void onFinished(bus::Outcome outcome, bus::SineRecord sine = {});
-    /// What is in flight is a sine or a path, and next() may have something to send that ends it.
+    /// `sine`, `trial`: as in bus::OperationFinished.
+    void onFinished(bus::Outcome outcome, bus::SineRecord sine = {}, std::optional<bus::TrialEnd> trial = {});
+    /// What is in flight is a sine, a path or a trial, and next() may have something to send that ends it.
     [[nodiscard]] bool interruptible() const { return m_inFlight && m_lasts; }
     /// An exchange with this module went wrong, or the link's health is not good any more.
     void onLinkSuspect();
     /// Nothing more is wanted of it; the next() after this may still send a stop.
     void cancel();
-    /// What it tries is to stay; of the other kinds nothing is tried.
-    virtual void keep() {}
     /// Other gains, from its next edge on. False: it has no use for them.
     [[nodiscard]] virtual bool take(const servo::SetGain& /*gains*/) { return false; }
     [[nodiscard]] const ProcedureReport& report() const { return m_report; }
@@ -150,7 +145,7 @@ protected:
         return End{};
     }
 
-    /// While a sine or a path is in flight: fail() ends it.
+    /// While a sine, a path or a trial is in flight: fail() ends it.
     virtual void whileItLasts(const ModuleState& /*module*/) {}
 
     [[nodiscard]] Next send(std::vector<bus::Order> orders);
@@ -158,8 +153,10 @@ protected:
     [[nodiscard]] Next swing(bus::Order centre, const bus::Sine& sine);
     /// `starts`: as bus::Operation::path wants them.
     [[nodiscard]] Next follow(std::vector<bus::Order> starts, std::shared_ptr<const bus::PathPlan> path);
-    /// What came of the last one.
+    [[nodiscard]] Next tryOut(bus::Order gains, const bus::GainTrial& trial);
+    /// What came of the last sine, and of the last trial.
     [[nodiscard]] const bus::SineRecord& swung() const { return m_swung; }
+    [[nodiscard]] std::optional<bus::TrialEnd> tried() const { return m_tried; }
     /// The goal is reached.
     [[nodiscard]] Next finish();
     /// It ends for that reason; next() gives up at once. The first reason counts.
@@ -170,11 +167,13 @@ protected:
     bool m_mayRun = false;
 
 private:
+    [[nodiscard]] Next start(Send operation, bool lasts);
     [[nodiscard]] bool ends() const { return m_end || m_report.over(); }
 
     bool m_inFlight = false;
     bool m_lasts = false;  ///< what is in flight
     bus::SineRecord m_swung;
+    std::optional<bus::TrialEnd> m_tried;
     bool m_lastWordSent = false;
     std::optional<ProcedureStage> m_end;  ///< Failed or Cancelled, once all has been said
 };

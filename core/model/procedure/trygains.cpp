@@ -2,69 +2,91 @@
 #include "model/procedure/trygains.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <tuple>
 
 #include "model/intent/gainsplan.h"
 
 namespace nmc {
 
 namespace {
-/// Counts to either side of where it stood, from which on a swing counts: samples miss the peaks of one of 8.
-/// A good servo that creeps by a few, for friction and Ki, does not come by from both sides.
-constexpr double kGate = 6.0;
-constexpr int kTurns = 2;  ///< three half cycles
 /// Of EL: a servo that is that far off is on its way to trip.
-constexpr int kOfErrorLimit = 2;
+constexpr double kOfErrorLimit = 0.5;
+constexpr double kOfOutputLimit = 0.25;
+/// PWM counts beyond what holds the load.
+constexpr double kToSpare = 32;
+
+/// PWM counts that hold the load at most, by the gains that hold it now; all where that is not known.
+double holding(const ModuleState& module) {
+    const servo::SetGain& gains = *module.gains;
+    const auto goal = module.goal();
+    if (!goal)
+        return gains.ol;
+    const auto error = static_cast<double>(std::abs(countsBetween(*module.latest->position, *goal)));
+    return (gains.kp * error + 1.0 * gains.ki * gains.il) / 256;
+}
 }  // namespace
 
 TryGainsRun::TryGainsRun(const intent::TryGains& wanted, const ModuleState& module)
     : Procedure(module.info.index, ProcedureKind::TryGains),
       m_wanted(gainsFor(module, wanted.gains)),
       m_before(*module.gains),
-      m_seconds(wanted.seconds),
-      m_stood(*module.latest->position) {}
+      m_seconds(wanted.seconds) {}
 
-TryGainsRun::Next TryGainsRun::proceed(const ModuleState& module, TimePoint now) {
+TryGainsRun::Next TryGainsRun::proceed(const ModuleState& module, TimePoint /*now*/) {
+    if (m_kept)
+        return finish();
+    if (m_report.stage == ProcedureStage::Trying)
+        return conclude(tried().value_or(bus::TrialEnd::TimeOver));
     if (module.silent)
         return fail(ProcedureFailure::ModuleUnresponsive);
     if (!module.servoOn())
         return fail(ProcedureFailure::WentOff);
-    if (m_report.stage == ProcedureStage::Preparing) {
-        if (module.latestTime - module.motionCommandedAt < SwingWatch::kCalm)
-            return Wait{};  // the net would not see it yet
-        m_report.stage = ProcedureStage::Trying;
-        return send(set(m_wanted));
+    if (module.latestTime - module.motionCommandedAt < SwingWatch::kCalm)
+        return Wait{};  // what the last motion leaves behind would be taken for a swing
+    m_report.stage = ProcedureStage::Trying;
+    servo::SetGain tried = m_wanted;
+    tried.ol = static_cast<std::uint8_t>(std::min<double>(
+        m_wanted.ol, std::max(kOfOutputLimit * m_wanted.ol, std::ceil(holding(module) + kToSpare))));
+    return tryOut(set(tried), {.back = m_before,
+                               .stood = *module.latest->position,
+                               .reach = kOfErrorLimit * std::min(m_before.el, m_wanted.el),
+                               .lasts = fromSeconds(m_seconds)});
+}
+
+void TryGainsRun::whileItLasts(const ModuleState& module) {
+    if (module.silent)
+        std::ignore = fail(ProcedureFailure::ModuleUnresponsive);
+}
+
+TryGainsRun::Next TryGainsRun::conclude(bus::TrialEnd end) {
+    switch (end) {
+        case bus::TrialEnd::Kept:
+            m_kept = m_report.kept = true;
+            return send({set(m_wanted)});
+        case bus::TrialEnd::TimeOver:
+            return finish();
+        case bus::TrialEnd::Swings:
+            return fail(ProcedureFailure::Swings);
+        case bus::TrialEnd::Saturates:
+            return fail(ProcedureFailure::Saturates);
+        case bus::TrialEnd::TooFar:
+            return fail(ProcedureFailure::TravelLimit);
+        case bus::TrialEnd::WentOff:
+            return fail(ProcedureFailure::WentOff);
     }
-    return m_report.stage == ProcedureStage::Trying ? watch(module, now) : finish();
+    return finish();
 }
 
-TryGainsRun::Next TryGainsRun::watch(const ModuleState& module, TimePoint now) {
-    if (!m_until)
-        m_until = now + fromSeconds(m_seconds);
-    if (m_report.kept)
-        return finish();
-    if (module.swing.turnsAbout(m_stood, kGate) >= kTurns)
-        return fail(ProcedureFailure::Swings);
-    if (goneTooFar(module))
-        return fail(ProcedureFailure::TravelLimit);
-    if (now < *m_until)
-        return Wait{};
-    m_report.stage = ProcedureStage::Stopping;
-    return send(set(m_before));
-}
-
-bool TryGainsRun::goneTooFar(const ModuleState& module) const {
-    return std::abs(countsBetween(m_stood, *module.latest->position)) >
-           std::min(m_before.el, m_wanted.el) / kOfErrorLimit;
-}
-
+/// Where the trial has ended by itself they are back already.
 std::vector<bus::Order> TryGainsRun::lastWord(const ModuleState& /*module*/) const {
     const bool sent = m_report.stage == ProcedureStage::Trying;
-    return sent && !m_report.kept ? set(m_before) : std::vector<bus::Order>{};
+    return sent && !tried() ? std::vector{set(m_before)} : std::vector<bus::Order>{};
 }
 
-std::vector<bus::Order> TryGainsRun::set(const servo::SetGain& gains) const {
-    return {{m_report.module, ServoCommand(gains)}};
+bus::Order TryGainsRun::set(const servo::SetGain& gains) const {
+    return {m_report.module, ServoCommand(gains)};
 }
 
 }  // namespace nmc
