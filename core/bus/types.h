@@ -187,7 +187,7 @@ struct Sample {
     StatusReport report;
     /// Its reply came so much later than wire, tick, the adapter's known latency and kPromptWithin explain.
     /// Whether the command or the reply was held up cannot be known: it was latched up to so much later than
-    /// `time`.
+    /// half a tick and kPromptWithin behind `time`. Negative: it came before that, and so was it latched.
     Duration late{};
     /// The status byte as it came; `report` withholds what permits until another reply confirms it.
     std::optional<std::uint8_t> heard{};

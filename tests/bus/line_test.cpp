@@ -118,7 +118,10 @@ TEST(Line, TellsHowMuchLaterAReplyCameThanIsExplained) {
             line.onBytes(fromHex("19 00 00 00 00 00 00 19 "), TimePoint(1s) + prompt + known + late);
             const auto end = endOf(line);
             ASSERT_TRUE(end);
-            EXPECT_EQ(end->late, std::max(late, Duration{}));
+            // What came before the end of that was latched before it, and not before half a tick; only an
+            // adapter that is known to keep bytes back explains that another one is late.
+            const Duration early = known > Duration{} ? Duration{} : Duration(-512us);
+            EXPECT_EQ(end->late, std::max(late, early));
         }
     }
 }

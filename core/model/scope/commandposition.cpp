@@ -18,6 +18,15 @@ constexpr int kShowsAfter = 2;
 /// What a motor that moves while it is switched on goes on at most, in ticks of its travel.
 constexpr double kRampTicks = 8;
 
+[[nodiscard]] TimePoint showsFrom(const bus::CommandExecuted& executed, Duration tick) {
+    return executed.time + std::max(Duration{}, executed.late) + kShowsAfter * tick;
+}
+
+/// `likely` for a reply that tells nothing of when it was latched.
+[[nodiscard]] Moments within(TimePoint earliest, TimePoint likely, TimePoint latest, Duration early) {
+    return {earliest - early, std::min(likely, earliest + (latest - earliest) / 2), latest};
+}
+
 }  // namespace
 
 void CommandPosition::apply(const bus::CommandExecuted& executed) {
@@ -102,13 +111,14 @@ std::optional<CommandEstimate> CommandPosition::at(TimePoint time, Duration late
 }
 
 Moments CommandPosition::shown(TimePoint time, Duration late, Duration early) const {
-    const TimePoint likely = time + kServoTick / 2;
-    return {likely - m_tick / 2 - early, likely, likely + m_tick / 2 + bus::kPromptWithin + late};
+    const TimePoint middle = time + kServoTick / 2;
+    return within(middle - m_tick / 2, middle, middle + m_tick / 2 + bus::kPromptWithin + late, early);
 }
 
 Moments CommandPosition::begun(const bus::CommandExecuted& executed) const {
     const TimePoint last = executed.time + kServoTick / 2;
-    return {last - m_tick - executed.early, last - m_tick / 2, last + bus::kPromptWithin + executed.late};
+    return within(last - m_tick, last - m_tick / 2, last + bus::kPromptWithin + executed.late,
+                  executed.early);
 }
 
 // ---- Commands ----
@@ -141,7 +151,7 @@ void CommandPosition::startAs(const bus::CommandExecuted& executed) {
     explain(executed);
     m_commanded = executed.time;
     m_repeated = executed.early > Duration{};
-    m_effective = executed.time + executed.late + kShowsAfter * m_tick;
+    m_effective = showsFrom(executed, m_tick);
     if (!m_loaded.servo)
         return switchedOff();
     m_servoOn = true;
@@ -183,7 +193,7 @@ void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecu
     explain(executed);
     m_commanded = executed.time;
     m_repeated = executed.early > Duration{};
-    m_effective = executed.time + executed.late + kShowsAfter * m_tick;
+    m_effective = showsFrom(executed, m_tick);
     m_velocity = 0.0;  // the chip zeroes its velocity parameter (protocol.md 2)
     const bool wasOn = std::exchange(m_servoOn, true);
     switch (stop.manner) {
@@ -226,15 +236,14 @@ void CommandPosition::arm(const servo::SetHoming& homing, const bus::CommandExec
                               : homing.stopAbruptly ? StopManner::Abruptly
                                                     : StopManner::Smoothly;
     if (homing.motorOff || homing.stopAbruptly || homing.stopSmoothly)
-        m_homing =
-            HomingStop{manner, executed.time + executed.late + kShowsAfter * kServoTick, shown(executed)};
+        m_homing = HomingStop{manner, showsFrom(executed, kServoTick), shown(executed)};
 }
 
 void CommandPosition::setServoRate(std::uint8_t divisor, const bus::CommandExecuted& executed) {
     const Duration old = m_tick;
     const Moments before = begun(executed);
     m_tick = kServoTick * divisor;
-    m_effective = std::max(m_effective, executed.time + executed.late + kShowsAfter * m_tick);
+    m_effective = std::max(m_effective, showsFrom(executed, m_tick));
     // The chip counts per tick, so a longer tick runs the same profile more slowly from here on. Where servo
     // ticks are longer than others, setting the gains may begin one anew.
     if (m_envelope && (m_tick != old || divisor > 1))
