@@ -16,6 +16,7 @@
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/mainwindow/monitorplace.h"
 #include "widgets/mainwindow/settingskeys.h"
+#include "widgets/messages/banner.h"
 #include "widgets/messages/messagepanel.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepage.h"
@@ -38,7 +39,7 @@ constexpr int kPathsWidth = 52;
 constexpr int kSequencesWidth = 62;
 constexpr int kSequencesHeight = 24;
 constexpr int kLowestScope = 12;
-constexpr int kColumn = 22;  ///< beside the plots
+constexpr int kColumn = 21;  ///< beside the plots
 }  // namespace
 
 QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
@@ -298,6 +299,7 @@ void MainWindow::keepColumn(int wider) {
 void MainWindow::showLayout(Layouts::Kind kind) {
     const bool tune = kind == Layouts::Kind::Tune;
     m_simulator->setWanted(m_settings.value(simulatorOpen(kind), !tune).toBool());
+    m_banner->setCompact(tune);
     if (tune) {
         m_panel->setFoot(m_response->page().lendForm());
     } else {

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/common/accessibility.h"
 #include "widgets/common/elidedlabel.h"
@@ -28,6 +29,8 @@ bool asksForSomething(const Message& message) {
 
 Banner::Banner(QWidget* parent)
     : QFrame(parent),
+      m_first(new QHBoxLayout),
+      m_second(new QHBoxLayout),
       m_glyph(new GlyphLabel(this)),
       m_headline(new ElidedLabel(1, this)),
       m_body(new ElidedLabel(1, this)),
@@ -53,29 +56,42 @@ Banner::Banner(QWidget* parent)
     connect(m_dismiss, &QToolButton::clicked, this, [this] { endMessage(m_shown); });
 
     const int unit = look::gridUnit(this);
-    auto* first = new QHBoxLayout;
-    first->setSpacing(unit);
-    first->addWidget(m_glyph);
-    first->addWidget(m_headline, 1);
-    first->addWidget(m_all);
-    first->addWidget(m_dismiss);
-    auto* second = new QHBoxLayout;
-    second->setSpacing(unit);
-    second->addWidget(m_body, 1);
+    m_first->setSpacing(unit);
+    m_first->addWidget(m_glyph);
+    m_first->addWidget(m_headline, 1);
+    m_first->addWidget(m_all);
+    m_first->addWidget(m_dismiss);
+    m_second->setSpacing(unit);
+    m_second->addWidget(m_body, 1);
     m_actions->setSpacing(unit);
-    second->addLayout(m_actions);
+    m_second->addLayout(m_actions);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit * 2, unit / 2, unit, unit / 2);
     layout->setSpacing(0);
-    layout->addLayout(first, 1);
-    layout->addLayout(second, 1);
+    layout->addLayout(m_first, 1);
+    layout->addLayout(m_second, 1);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     look::keepRoom(this);
     hide();
 }
 
+void Banner::setCompact(bool compact) {
+    if (std::exchange(m_compact, compact) == compact)
+        return;
+    QHBoxLayout& from = compact ? *m_second : *m_first;
+    QHBoxLayout& to = compact ? *m_first : *m_second;
+    const int place = compact ? m_first->indexOf(m_headline) + 1 : 0;
+    from.removeWidget(m_body);
+    from.removeItem(m_actions);
+    m_actions->setParent(nullptr);
+    to.insertWidget(place, m_body, compact ? 2 : 1);
+    to.insertLayout(place + 1, m_actions);
+    updateGeometry();
+}
+
 QSize Banner::sizeHint() const {
-    return {0, m_all->sizeHint().height() * 2 + look::gridUnit(this)};
+    const int lines = m_compact ? 1 : 2;
+    return {0, m_all->sizeHint().height() * lines + look::gridUnit(this)};
 }
 
 void Banner::showMessage(const Message& message) {

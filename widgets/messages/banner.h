@@ -7,7 +7,7 @@
 
 #include "widgets/common/message.h"
 
-class QBoxLayout;
+class QHBoxLayout;
 class QPushButton;
 class QToolButton;
 
@@ -35,6 +35,9 @@ public:
     /// How long an event is news; 10 min. For what is shown from now on.
     void setNewsLife(std::chrono::milliseconds life) { m_newsLife = life; }
 
+    /// One line high instead of two, where the window is for something else. While nothing is pressed.
+    void setCompact(bool compact);
+
     /// That of its place, whatever it says.
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
@@ -61,10 +64,13 @@ private:
     unsigned m_count = 0;
     std::chrono::milliseconds m_newsLife = std::chrono::minutes(10);
     QString m_shown;
+    bool m_compact = false;
+    QHBoxLayout* m_first;   ///< line
+    QHBoxLayout* m_second;  ///< empty when compact
     GlyphLabel* m_glyph;
     ElidedLabel* m_headline;
     ElidedLabel* m_body;
-    QBoxLayout* m_actions;
+    QHBoxLayout* m_actions;
     QPushButton* m_all;
     QToolButton* m_dismiss;
 };
