@@ -39,6 +39,7 @@ Procedure::Next Procedure::next(const ModuleState& module, TimePoint now) {
 
 void Procedure::onFinished(bus::Outcome outcome, bus::SineRecord sine) {
     m_inFlight = false;
+    m_outcome = outcome;
     m_swung = std::move(sine);
     if (outcome == bus::Outcome::Cancelled)
         m_mayRun = false;  // whoever did that has stopped the motor, or switched it off

@@ -160,6 +160,8 @@ protected:
     [[nodiscard]] Next follow(std::vector<bus::Order> starts, std::shared_ptr<const bus::PathPlan> path);
     /// What came of the last one.
     [[nodiscard]] const bus::SineRecord& swung() const { return m_swung; }
+    /// Of what was sent last.
+    [[nodiscard]] std::optional<bus::Outcome> outcome() const { return m_outcome; }
     /// The goal is reached.
     [[nodiscard]] Next finish();
     /// It ends for that reason; next() gives up at once. The first reason counts.
@@ -175,6 +177,7 @@ private:
     bool m_inFlight = false;
     bool m_lasts = false;  ///< what is in flight
     bus::SineRecord m_swung;
+    std::optional<bus::Outcome> m_outcome;
     bool m_lastWordSent = false;
     std::optional<ProcedureStage> m_end;  ///< Failed or Cancelled, once all has been said
 };

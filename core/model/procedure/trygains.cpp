@@ -15,6 +15,8 @@ constexpr double kGate = 6.0;
 constexpr int kTurns = 2;  ///< three half cycles
 /// Of EL: a servo that is that far off is on its way to trip.
 constexpr int kOfErrorLimit = 2;
+/// A link that has gone bad may be good again by then.
+constexpr Duration kBackWithin = std::chrono::seconds(3);
 }  // namespace
 
 TryGainsRun::TryGainsRun(const intent::TryGains& wanted, const ModuleState& module)
@@ -59,8 +61,20 @@ bool TryGainsRun::goneTooFar(const ModuleState& module) const {
 }
 
 std::vector<bus::Order> TryGainsRun::lastWord(const ModuleState& /*module*/) const {
-    const bool sent = m_report.stage == ProcedureStage::Trying;
-    return sent && !m_report.kept ? set(m_before) : std::vector<bus::Order>{};
+    return mayBeInForce() ? set(m_before) : std::vector<bus::Order>{};
+}
+
+/// Until the module has confirmed those from before, or has others by now; one that has restarted has none.
+TryGainsRun::Next TryGainsRun::afterLastWord(const ModuleState& module, TimePoint now) {
+    m_backSince = m_backSince.value_or(now);
+    const bool others = module.awaited || (module.gains != m_before && module.gains != m_wanted);
+    if (!mayBeInForce() || outcome() == bus::Outcome::Done || others || now - *m_backSince > kBackWithin)
+        return End{};
+    return send(set(m_before));
+}
+
+bool TryGainsRun::mayBeInForce() const {
+    return m_report.stage != ProcedureStage::Preparing && !m_report.kept;
 }
 
 std::vector<bus::Order> TryGainsRun::set(const servo::SetGain& gains) const {

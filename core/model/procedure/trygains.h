@@ -21,6 +21,9 @@ public:
 private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const override;
+    [[nodiscard]] Next afterLastWord(const ModuleState& module, TimePoint now) override;
+    /// The gains that are tried.
+    [[nodiscard]] bool mayBeInForce() const;
     [[nodiscard]] Next watch(const ModuleState& module, TimePoint now);
     [[nodiscard]] bool goneTooFar(const ModuleState& module) const;
     [[nodiscard]] std::vector<bus::Order> set(const servo::SetGain& gains) const;
@@ -30,6 +33,7 @@ private:
     double m_seconds;
     std::int32_t m_stood;              ///< counts, when the try began
     std::optional<TimePoint> m_until;  ///< once they are in force
+    std::optional<TimePoint> m_backSince;
 };
 
 }  // namespace nmc
