@@ -12,11 +12,13 @@ namespace nmc {
 
 /// What the positions tell of that frequency: command and position are each fitted by cosine, sine, mean and
 /// drift (least squares), without the first period, which the motor takes to get used to it. The command is a
-/// staircase; the chip sees each of its steps one servo tick after it was latched, `tick` seconds. Nothing
-/// for fewer than kFewestPoints positions. Pure.
+/// staircase; the chip sees each of its steps one servo tick after it was latched, `tick` seconds. What was
+/// not told for half a period does not count. Nothing for fewer than kFewestPoints positions, or where the
+/// line was silent for that long and kSilence. Pure.
 [[nodiscard]] std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, double hertz,
                                                              double tick);
 inline constexpr std::size_t kFewestPoints = 12;
+inline constexpr double kSilence = 0.1;  ///< s
 
 /// What the line carried; 0 for fewer than two.
 [[nodiscard]] double commandsPerSecond(std::span<const bus::SinePoint> commands);
