@@ -126,6 +126,14 @@ std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, do
                           std::sqrt(std::max(0.0, unlike))};
 }
 
+double doubtOfWholePwm(const FrequencyPoint& point, const servo::SetGain& gains, double amplitude) {
+    const double tick = toSeconds(kServoTick) * std::max<int>(gains.sr, 1);
+    const Complex change = 1.0 - std::polar(1.0, -2 * std::numbers::pi * point.hertz * tick);
+    const Complex filter = 1.0 * gains.kp + 1.0 * gains.kd * change + gains.ki / 256.0 / change;
+    const double lost = 2 / std::numbers::pi / (std::abs(filter) / 256 * amplitude);
+    return std::abs(point.closed) * (lost < 1 ? std::min(1.0, lost / (1 - lost)) : 1.0) / 2;
+}
+
 double commandsPerSecond(std::span<const bus::SinePoint> commands) {
     if (commands.size() < 2)
         return 0.0;

@@ -7,6 +7,7 @@
 
 #include "bus/types.h"
 #include "model/frequency/frequencypoint.h"
+#include "protocol/servocommands.h"
 
 namespace nmc {
 
@@ -19,6 +20,12 @@ namespace nmc {
                                                              double tick);
 inline constexpr std::size_t kFewestPoints = 12;
 inline constexpr double kSilence = 0.1;  ///< s
+
+/// What `doubt` has besides, as one standard deviation, for a command of that amplitude: PWM values are whole
+/// (DS-V 4.3), and what the filter cuts off of them, half a count on average, is like dry friction. Its
+/// fundamental is 2/pi PWM counts of what the filter makes of the amplitude.
+[[nodiscard]] double doubtOfWholePwm(const FrequencyPoint& point, const servo::SetGain& gains,
+                                     double amplitude);
 
 /// What the line carried; 0 for fewer than two.
 [[nodiscard]] double commandsPerSecond(std::span<const bus::SinePoint> commands);

@@ -60,7 +60,7 @@ FrequencyRun::Next FrequencyRun::swingNext(const ModuleState& module) {
 
 FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now*/) {
     const double hertz = m_frequencies[m_report.round - 1];
-    const auto point = measureFrequency(swung(), hertz, m_tick);
+    auto point = measureFrequency(swung(), hertz, m_tick);
     if (!point) {  // the line, or this machine, was silent for a moment
         if (++m_missed > kMisses)
             return fail(ProcedureFailure::LinkSuspect);
@@ -68,6 +68,7 @@ FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now
         return swingNext(module);
     }
     m_missed = 0;
+    point->doubt = std::hypot(point->doubt, doubtOfWholePwm(*point, *module.gains, m_wanted.amplitude));
     if (!follows(*point))
         return fail(ProcedureFailure::NotFollowing);
     m_report.frequencies.push_back(*point);
@@ -77,12 +78,13 @@ FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now
     return swingNext(module);
 }
 
-/// What fades away from frequency to frequency is a response.
+/// What fades away from frequency to frequency is a response; the first has to be known to a half.
 bool FrequencyRun::follows(const FrequencyPoint& point) const {
     const auto swing = [this](const FrequencyPoint& of) { return std::abs(of.closed) * m_wanted.amplitude; };
     const bool swung = m_report.frequencies.empty() || swing(m_report.frequencies.back()) >= kSwings;
     const bool stands = swing(point) < kStands;
-    return !(stands && swung) && point.missed <= std::max(kRough, kNoSine * swing(point));
+    const bool unsure = m_report.frequencies.empty() && point.doubt > std::abs(point.closed) / 4;
+    return !(stands && swung) && !unsure && point.missed <= std::max(kRough, kNoSine * swing(point));
 }
 
 bool FrequencyRun::goneTooFar(const ModuleState& module) const {
