@@ -99,6 +99,8 @@ Composition::Composition(QSettings& settings, PortController::Places places, con
     connect(&m_figuresTimer, &QTimer::timeout, this, [this] {
         if (!m_worker.isOpen())
             return m_window.showTime(monotonicNow());
+        if (!m_tested.empty())
+            shareBus();
         const LinkFigures figures = m_store.pullFigures(monotonicNow());
         m_window.showFigures(figures);
         if (m_store.link().phase == LinkPhase::Connected)

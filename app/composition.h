@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -109,8 +110,10 @@ private:
     void showSequence(const SequenceReport& report);
     /// Before a stop of all motors, or an end of the connection that stops them.
     void endMotions();
-    /// Gives the module the bus while it is watched.
+    /// Gives the module the bus while it is tested.
     void focusOn(const ProcedureReport& report);
+    /// Again and again, since the bus takes a focus back that nobody renews.
+    void shareBus();
     /// Gives the window the run when it is over.
     void followResponse(const ProcedureReport& report);
     void keepRun(const ModuleState& module, const ResponseTaken& taken);
@@ -203,6 +206,7 @@ private:
     std::vector<bus::StopOutputs> m_stopOutputs;    ///< as the worker was told last
     std::vector<ModuleIndex> m_watched;             ///< what the worker polls most: panel and scope show it
     std::optional<QString> m_lostPort;              ///< where motors' states became unknown
+    std::set<ModuleIndex> m_tested;                 ///< by procedures that run (isTest)
     std::map<ModuleIndex, ResponseTaken> m_edges;   ///< of the square waves that run, the last of each
     std::map<ModuleIndex, TimePoint> m_axisToldAt;  ///< the last time that watchAxes() told it something
     bool m_quitWhenClosed = false;

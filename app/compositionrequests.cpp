@@ -149,13 +149,22 @@ bus::OperationId Composition::submit(Procedure::Send send) {
     return id;
 }
 
-/// While another motor moves it is watched as closely as ever, and this one has fewer samples.
 void Composition::focusOn(const ProcedureReport& report) {
+    if (report.over())
+        m_tested.erase(report.module);
+    else
+        m_tested.insert(report.module);
+    shareBus();
+}
+
+/// While another motor moves or is tested it is watched as closely as ever, and this one has fewer samples.
+void Composition::shareBus() {
     const std::vector<ModuleState>& modules = m_store.link().modules;
-    const bool othersMove = std::any_of(modules.begin(), modules.end(), [&report](const ModuleState& other) {
-        return other.info.index != report.module && other.moving();
-    });
-    m_worker.focus(report.over() || othersMove ? std::nullopt : std::optional(report.module));
+    const bool alone = m_tested.size() == 1 &&
+                       std::none_of(modules.begin(), modules.end(), [this](const ModuleState& other) {
+                           return m_tested.count(other.info.index) == 0 && other.moving();
+                       });
+    m_worker.focus(alone ? std::optional(*m_tested.begin()) : std::nullopt);
 }
 
 void Composition::followResponse(const ProcedureReport& report) {

@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/procedurecontroller.h"
 
-#include <algorithm>
-#include <functional>
-
 #include "base/overloaded.h"
 #include "link/clock.h"
 #include "model/intent/rights.h"
+#include "model/procedure/procedures.h"
 
 namespace nmc {
 
 namespace {
 
 constexpr int kIntervalMs = 50;
-
-/// After a stop by somebody else: what neither moves nor switches anything on.
-void keepWhatIsHarmless(std::vector<bus::Order>& orders) {
-    const auto harmless = [](const bus::Order& step) {
-        const auto* servo = std::get_if<ServoCommand>(&step.command);
-        const auto* stepper = std::get_if<StepperCommand>(&step.command);
-        const auto* stop = servo != nullptr ? std::get_if<servo::StopMotor>(servo) : nullptr;
-        return (stop != nullptr && stop->manner == servo::StopManner::MotorOff && !stop->amplifierEnable) ||
-               (servo != nullptr && std::holds_alternative<servo::SetHoming>(*servo)) ||
-               (servo != nullptr && std::holds_alternative<servo::SetGain>(*servo)) ||
-               (stepper != nullptr && std::holds_alternative<stepper::SetHoming>(*stepper));
-    };
-    orders.erase(std::remove_if(orders.begin(), orders.end(), std::not_fn(harmless)), orders.end());
-}
 
 }  // namespace
 

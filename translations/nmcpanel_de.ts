@@ -4502,6 +4502,34 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
             <numerusform>Den Modulen %1 kann kein Stoppbefehl gegeben werden</numerusform>
         </translation>
     </message>
+    <message>
+        <source>If it moved the wrong way, run the direction check on the Axis page.</source>
+        <translation>Wenn er sich falsch herum bewegte, die Richtungsprüfung auf der Seite Achse ausführen.</translation>
+    </message>
+    <message>
+        <source>The position error was too large, or motor power failed. Check for a jam, raise EL or make the test smaller, then enable the motor.</source>
+        <translation>Der Positionsfehler war zu groß, oder die Motorversorgung fiel aus. Auf eine Blockade prüfen, EL erhöhen oder die Prüfung verkleinern, dann den Motor einschalten.</translation>
+    </message>
+    <message>
+        <source>Check the link, then start the test again.</source>
+        <translation>Die Verbindung prüfen, dann die Prüfung erneut starten.</translation>
+    </message>
+    <message>
+        <source>Usually noise on the cable. Start the test again.</source>
+        <translation>Meist Störungen auf dem Kabel. Die Prüfung erneut starten.</translation>
+    </message>
+    <message>
+        <source>%1 did not complete its step: its limit stop ended it.</source>
+        <translation>%1 hat den Sprung nicht beendet: Der Endschalter-Stopp hat ihn abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Its limit stop ended the test.</source>
+        <translation>Der Endschalter-Stopp hat die Prüfung abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
+        <translation>Der Motor folgte der Sinusschwingung nicht und bekam einen Haltebefehl. Auf eine Blockade, einen Anschlag, eine rutschende Kupplung oder fehlende Motorversorgung prüfen, oder eine andere Amplitude nehmen.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

@@ -4502,6 +4502,34 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
             <numerusform>No se puede ordenar parar a los módulos %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>If it moved the wrong way, run the direction check on the Axis page.</source>
+        <translation>Si se movió en sentido contrario, haga la prueba de sentido en la página Eje.</translation>
+    </message>
+    <message>
+        <source>The position error was too large, or motor power failed. Check for a jam, raise EL or make the test smaller, then enable the motor.</source>
+        <translation>El error de posición era demasiado grande o falló la alimentación del motor. Compruebe si hay un atasco, aumente EL o reduzca la prueba y después habilite el motor.</translation>
+    </message>
+    <message>
+        <source>Check the link, then start the test again.</source>
+        <translation>Compruebe el enlace y vuelva a iniciar la prueba.</translation>
+    </message>
+    <message>
+        <source>Usually noise on the cable. Start the test again.</source>
+        <translation>Suele deberse a ruido en el cable. Vuelva a iniciar la prueba.</translation>
+    </message>
+    <message>
+        <source>%1 did not complete its step: its limit stop ended it.</source>
+        <translation>%1 no completó su escalón: lo terminó su parada por límite.</translation>
+    </message>
+    <message>
+        <source>Its limit stop ended the test.</source>
+        <translation>Su parada por límite terminó la prueba.</translation>
+    </message>
+    <message>
+        <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
+        <translation>El motor no siguió la onda senoidal, y se le ordenó mantener la posición. Compruebe si hay un atasco, un tope mecánico, un acoplamiento que patina o falta la alimentación del motor, o use otra amplitud.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

@@ -1766,7 +1766,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.</source>
-        <translation>Le module a redémarré : son moteur est coupé ; sa position, ses gains et son adresse sont perdus. Réattribuez son adresse si le programme le propose, ou redémarrez le réseau.</translation>
+        <translation>Le module a redémarré&#xa0;: son moteur est coupé&#x202f;; sa position, ses gains et son adresse sont perdus. Réattribuez son adresse si le programme le propose, ou redémarrez le réseau.</translation>
     </message>
     <message>
         <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
@@ -4365,7 +4365,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The I/O settings of %1 are unknown: another program set them. Apply them first on the Amplifier or Limits and I/O page.</source>
-        <translation>Les réglages d’E/S de %1 sont inconnus : un autre programme les a définis. Appliquez-les d’abord sur la page Amplificateur ou Fins de course et E/S.</translation>
+        <translation>Les réglages d’E/S de %1 sont inconnus&#xa0;: un autre programme les a définis. Appliquez-les d’abord sur la page Amplificateur ou Fins de course et E/S.</translation>
     </message>
     <message>
         <source>%1 takes step and direction pulses. Switch that off on its page Amplifier first.</source>
@@ -4501,6 +4501,34 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
             <numerusform>Le module %1 ne peut pas recevoir d’ordre d’arrêt</numerusform>
             <numerusform>Les modules %1 ne peuvent pas recevoir d’ordre d’arrêt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>If it moved the wrong way, run the direction check on the Axis page.</source>
+        <translation>S’il a bougé dans le mauvais sens, faites le contrôle de sens sur la page Axe.</translation>
+    </message>
+    <message>
+        <source>The position error was too large, or motor power failed. Check for a jam, raise EL or make the test smaller, then enable the motor.</source>
+        <translation>L’erreur de position était trop grande, ou l’alimentation moteur a fait défaut. Vérifiez l’absence de blocage, augmentez EL ou réduisez l’essai, puis activez le moteur.</translation>
+    </message>
+    <message>
+        <source>Check the link, then start the test again.</source>
+        <translation>Vérifiez la liaison, puis relancez l’essai.</translation>
+    </message>
+    <message>
+        <source>Usually noise on the cable. Start the test again.</source>
+        <translation>Cause habituelle&#xa0;: parasites sur le câble. Relancez l’essai.</translation>
+    </message>
+    <message>
+        <source>%1 did not complete its step: its limit stop ended it.</source>
+        <translation>%1 n’a pas achevé son échelon&#xa0;: son arrêt sur fin de course l’a interrompu.</translation>
+    </message>
+    <message>
+        <source>Its limit stop ended the test.</source>
+        <translation>Son arrêt sur fin de course a interrompu l’essai.</translation>
+    </message>
+    <message>
+        <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
+        <translation>Le moteur n’a pas suivi la sinusoïde et a reçu l’ordre de maintien. Vérifiez s’il y a un blocage, une butée mécanique, un accouplement qui glisse ou une alimentation moteur absente, ou utilisez une autre amplitude.</translation>
     </message>
 </context>
 <context>
@@ -6976,7 +7004,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL may not stop its motor: use the hardware stop.</source>
-        <translation>Le programme ne prend pas en charge ce type et cette version (pris en charge : PIC-SERVO v1 à v5 et v10, PIC-STEP v1, PIC-I/O v1) ; il n’affiche donc que l’état du module. TOUT ARRÊTER n’arrête peut-être pas son moteur : utilisez l’arrêt matériel.</translation>
+        <translation>Le programme ne prend pas en charge ce type et cette version (pris en charge&#xa0;: PIC-SERVO v1 à v5 et v10, PIC-STEP v1, PIC-I/O v1)&#x202f;; il n’affiche donc que l’état du module. TOUT ARRÊTER n’arrête peut-être pas son moteur&#xa0;: utilisez l’arrêt matériel.</translation>
     </message>
 </context>
 <context>

@@ -4490,6 +4490,34 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
             <numerusform>モジュール%1には停止を指令できません</numerusform>
         </translation>
     </message>
+    <message>
+        <source>If it moved the wrong way, run the direction check on the Axis page.</source>
+        <translation>逆方向に動いた場合は、「軸」ページで方向チェックを行ってください。</translation>
+    </message>
+    <message>
+        <source>The position error was too large, or motor power failed. Check for a jam, raise EL or make the test smaller, then enable the motor.</source>
+        <translation>位置偏差が大きすぎたか、モーター電源が失われました。引っ掛かりがないか確認し、ELを上げるかテストを小さくしてから、モーターをオンにしてください。</translation>
+    </message>
+    <message>
+        <source>Check the link, then start the test again.</source>
+        <translation>通信を確認して、もう一度テストを開始してください。</translation>
+    </message>
+    <message>
+        <source>Usually noise on the cable. Start the test again.</source>
+        <translation>多くの場合、ケーブルのノイズです。もう一度テストを開始してください。</translation>
+    </message>
+    <message>
+        <source>%1 did not complete its step: its limit stop ended it.</source>
+        <translation>%1のステップは完了しませんでした。リミット停止が作動しました。</translation>
+    </message>
+    <message>
+        <source>Its limit stop ended the test.</source>
+        <translation>リミット停止がテストを終了しました。</translation>
+    </message>
+    <message>
+        <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
+        <translation>モーターが正弦波に追従しなかったため、保持を指令しました。引っ掛かり、メカストッパー、カップリングの滑り、モーター電源を確認するか、別の振幅を使用してください。</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

@@ -53,7 +53,7 @@ void CommandLane::beginStep(TimePoint now) {
 std::optional<TimePoint> CommandLane::due() const {
     if (empty())
         return std::nullopt;
-    return m_sine && !m_begun && !sineOver() ? m_sine->due() : TimePoint{};
+    return m_sine && !m_begun && !sineOver() && !endedByChip() ? m_sine->due() : TimePoint{};
 }
 
 std::optional<Event> CommandLane::accepted(const ReplyEnd& end) {

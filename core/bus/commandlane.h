@@ -38,13 +38,15 @@ public:
 
     /// The operation to carry out now is a sine.
     [[nodiscard]] bool swings() const { return m_sine.has_value(); }
-    /// A poll told of a position of that module.
-    void notePosition(ModuleIndex module, TimePoint latched, std::int32_t counts) {
+    /// A poll of that module was answered.
+    void notePoll(ModuleIndex module, const ReplyEnd& end) {
         if (m_sine && order().module == module)
-            m_sine->notePosition(latched, counts);
+            m_sine->notePoll(end);
     }
     /// The operation to carry out now is a sine, and something else is asked for.
     [[nodiscard]] bool sineOver() const { return m_sine && m_waiting.size() > 1; }
+    /// It is a sine, and its chip goes on no more.
+    [[nodiscard]] bool endedByChip() const { return m_sine && m_sine->endedByChip(); }
     /// When there is something to do; at once, but between two steps of a sine.
     [[nodiscard]] std::optional<TimePoint> due() const;
     /// The order was accepted: on to the next. The event of the end when it was the last. `end`: of its

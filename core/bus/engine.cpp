@@ -248,9 +248,10 @@ void Engine::setStopOutputs(const std::vector<StopOutputs>& outputs) {
 }
 
 void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {
-    m_chain.schedule().unfocus();
     if (module && settled() && !m_path.active())  // which needs them all in sight
         m_chain.schedule().focus(*module, now);
+    else
+        m_chain.schedule().unfocus();
 }
 
 void Engine::onBytes(ByteSpan bytes, TimePoint now) {

@@ -158,8 +158,8 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
                                               m_chain.takeUnanswered(*ask.module, end.latched)});
     if (ask.request.payload.code == CommandCode::SetAddress)
         m_events.emplace_back(GroupChanged{*ask.module, module.belief.info().group});
-    if (trusted && trusted->position && ask.purpose == Purpose::Poll)
-        m_operations.notePosition(*ask.module, end.latched, *trusted->position);
+    if (trusted && ask.purpose == Purpose::Poll)
+        m_operations.notePoll(*ask.module, end);
     if (trusted)
         publish(*ask.module, end, *trusted);
 }

@@ -41,8 +41,9 @@ bool OperationTask::cancelFor(const std::vector<ModuleIndex>& modules) {
 Next OperationTask::next(TimePoint now) {
     if (m_verification)
         return verifyStep();
-    if (m_commands.sineOver()) {
-        m_events.emplace_back(m_commands.failed(Outcome::Cancelled));
+    if (m_commands.sineOver() || m_commands.endedByChip()) {
+        const Outcome outcome = m_commands.sineOver() ? Outcome::Cancelled : Outcome::Forbidden;
+        m_events.emplace_back(m_commands.failed(outcome));
         return Again{};
     }
     if (m_commands.group() != nullptr)

@@ -27,10 +27,8 @@ public:
     void cancel();
     /// The same of those that are for one of these modules, or for a group. True when one was under way.
     bool cancelFor(const std::vector<ModuleIndex>& modules);
-    /// A poll told of a position of that module.
-    void notePosition(ModuleIndex module, TimePoint latched, std::int32_t counts) {
-        m_commands.notePosition(module, latched, counts);
-    }
+    /// A poll of that module was answered.
+    void notePoll(ModuleIndex module, const ReplyEnd& end) { m_commands.notePoll(module, end); }
     /// A sine is under way.
     [[nodiscard]] bool swings() const { return m_commands.swings(); }
     /// With it.

@@ -15,8 +15,10 @@ void PollSchedule::watch(const std::vector<ModuleIndex>& modules) {
 }
 
 void PollSchedule::focus(ModuleIndex index, TimePoint now) {
+    const TimePoint othersAsked = m_focus ? m_focus->othersAsked : now;
+    m_focus.reset();
     if (index.value() < m_modules.size() && !silent(index))
-        m_focus = Focus{index.value(), now + kFocus, now};
+        m_focus = Focus{index.value(), now + kFocus, othersAsked};
 }
 
 PollSchedule::Turn PollSchedule::take(std::size_t index, TimePoint now) {

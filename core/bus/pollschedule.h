@@ -44,8 +44,8 @@ public:
     /// Those that somebody looks at; the others only need to be kept in sight. None: all alike.
     void watch(const std::vector<ModuleIndex>& modules);
 
-    /// From `now` on this module takes every turn but those that keep the others in sight; silent ones are
-    /// not asked. Ends after kFocus, or when the module falls silent.
+    /// From `now` on this module takes every turn but those that keep the others in sight, however often that
+    /// is asked for; silent ones are not asked. Ends after kFocus, or when the module falls silent.
     void focus(ModuleIndex module, TimePoint now);
     void unfocus() { m_focus.reset(); }
 

@@ -20,7 +20,28 @@ ModuleCommand SineRun::commandAt(TimePoint now) {
     return ServoCommand(m_command);
 }
 
+void SineRun::notePoll(const ReplyEnd& end) {
+    look(end.report);
+    if (end.report.position)
+        m_record.polls.push_back({end.latched, *end.report.position});
+}
+
+/// A single report is enough to stop, as everywhere (link.md 2.4). The answer to the first command may have
+/// been put together before that took effect.
+void SineRun::look(const StatusReport& report) {
+    const servo::StatusByte status = report.servoStatus();
+    if (!m_first) {
+        m_first = status;
+        return;
+    }
+    const bool off = report.aux && !servo::AuxByte{*report.aux}.servoOn();
+    const bool tripped = status.positionError() && !m_first->positionError();
+    const bool stopped = !status.homeInProgress() && m_first->homeInProgress();
+    m_endedByChip = m_endedByChip || off || !status.powerOn() || tripped || stopped;
+}
+
 void SineRun::note(const ReplyEnd& end) {
+    look(end.report);
     m_record.commands.push_back({end.latched, m_command.here.value()});
     if (end.report.position)
         m_record.answers.push_back({end.latched, *end.report.position});

@@ -26,19 +26,26 @@ public:
     [[nodiscard]] TimePoint due() const { return m_due; }
     /// It has lasted long enough.
     [[nodiscard]] bool over(TimePoint now) const { return m_began && now - *m_began >= m_sine.lasts; }
+    /// The chip has let go or stopped by itself: its servo is off, it has tripped, or a stop that it was told
+    /// to watch for has come (Set Homing Mode). One more Stop Here would switch it on, or move it on.
+    [[nodiscard]] bool endedByChip() const { return m_endedByChip; }
     /// The command was carried out; `end`: of its exchange.
     void note(const ReplyEnd& end);
-    /// A poll told of a position.
-    void notePosition(TimePoint latched, std::int32_t counts) { m_record.polls.push_back({latched, counts}); }
+    /// A poll from between two commands.
+    void notePoll(const ReplyEnd& end);
     [[nodiscard]] SineRecord takeRecord() { return std::exchange(m_record, {}); }
 
 private:
+    void look(const StatusReport& report);
+
     Sine m_sine;
     servo::StopMotor m_command;
     std::int32_t m_centre;
     std::optional<TimePoint> m_began;
     TimePoint m_due{};
     SineRecord m_record;
+    std::optional<servo::StatusByte> m_first;  ///< with the first command
+    bool m_endedByChip = false;
 };
 
 }  // namespace nmc::bus

@@ -15,6 +15,7 @@
 #include "base/time.h"
 #include "protocol/moduletype.h"
 #include "sim/fault.h"
+#include "sim/motorplant.h"
 #include "sim/snapshot.h"
 #include "sim/statistics.h"
 #include "sim/violations.h"
@@ -31,6 +32,7 @@ struct ChainOptions {
     /// The sheets are silent on whether a module that was awake goes deaf when its ADDR_IN rises again.
     bool deafWhenAddressInputRises = false;
     bool enableFaults = false;  ///< control lines may inject faults
+    MotorParameters motor{};    ///< of each PIC-SERVO
     /// Told the ground truth in the very tick in which a module has carried out a command and latched the
     /// status of its answer. Must not call the chain.
     std::function<void(ModuleIndex, const ModuleSnapshot&)> onExecuted{};

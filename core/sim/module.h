@@ -8,6 +8,7 @@
 #include "base/time.h"
 #include "protocol/baud.h"
 #include "protocol/moduletype.h"
+#include "sim/motorplant.h"
 #include "sim/receiver.h"
 #include "sim/snapshot.h"
 #include "sim/statistics.h"
@@ -43,6 +44,7 @@ struct ModuleOptions {
     Duration resetDeadTime{};  ///< deaf for so long after power-up and Hard Reset
     bool unpaced = false;      ///< replies take no wire time
     bool deafWhenAddressInputRises = false;
+    MotorParameters motor{};  ///< of a PIC-SERVO
 };
 
 /// What every NMC chip has, whatever it drives: UART and receive buffer, address and group, the daisy-chained

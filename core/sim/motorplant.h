@@ -19,6 +19,7 @@ struct MotorParameters {
     double coulombNm = 0.004;              ///< dry friction; also what holds the shaft at rest
     double loadNm = 0.0;                   ///< external torque; positive pulls the shaft backwards
     double countsPerTurn = 2000.0;         ///< encoder edges per turn
+    std::int64_t playCounts = 0;           ///< that the shaft turns before the encoder turns with it
     double adCountsPerAmpere = 255.0 / 5;  ///< current sense: 1 V per ampere, 255 = 5 V
     int amplifierDeadbandPwm = 0;          ///< PWM counts without any output
     double travelMinCounts = -std::numeric_limits<double>::infinity();  ///< hard stops, in shaft counts

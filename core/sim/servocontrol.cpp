@@ -23,6 +23,7 @@ std::string_view toText(ServoMode mode) {
 void ServoLoop::reset() {
     ServoLoop fresh(m_version);
     fresh.m_plant = m_plant;
+    fresh.m_encoderShaft = m_encoderShaft;
     // The counter starts from 0 wherever the shaft stands.
     fresh.m_encoder = m_encoder;
     fresh.m_encoder.reset();

@@ -15,7 +15,8 @@ void ServoLoop::run(std::uint64_t ticks) {
 
 void ServoLoop::tick() {
     m_plant.advanceTick(static_cast<double>(m_pwm) / pwmSteps(), m_ampEnabled && isPowered());
-    m_encoder.read(m_plant.shaft());
+    m_encoderShaft = std::clamp(m_encoderShaft, m_plant.shaft() - motor().playCounts, m_plant.shaft());
+    m_encoder.read(m_encoderShaft);
     m_tripped = false;
     limitCurrent();
     if (undervoltage() && (m_servoOn || m_magnitude != 0))

@@ -109,6 +109,8 @@ public:
 
     /// The value must be in the range that Input states.
     void set(Input input, std::optional<double> value);
+    /// In place of the usual one.
+    void setMotor(const MotorParameters& motor) { m_plant.setParameters(motor); }
     /// Something holds the shaft where it is.
     void holdShaft(bool held);
     /// The encoder's channels are exchanged.
@@ -156,6 +158,7 @@ private:
 
     std::uint8_t m_version;
     MotorPlant m_plant;
+    std::int64_t m_encoderShaft = 0;  ///< counts, behind the shaft by at most the play
     Encoder m_encoder;
     Profile m_profile;
     Path m_path;

@@ -12,7 +12,9 @@ class ServoModule final : public Module {
 public:
     ServoModule(ModuleIdentity identity, std::uint8_t index, const ModuleOptions& options,
                 ViolationLog& violations)
-        : Module(identity, index, options, violations), m_loop(identity.version) {}
+        : Module(identity, index, options, violations), m_loop(identity.version) {
+        m_loop.setMotor(options.motor);
+    }
 
     void set(Input input, std::optional<double> value, unsigned) override { m_loop.set(input, value); }
     [[nodiscard]] ModuleSnapshot snapshot(TimePoint now) const override;

@@ -57,7 +57,13 @@ protected:
         EXPECT_LE(std::abs(value - truth), std::max(part * truth, 2 * doubt))
             << word.toStdString() << ' ' << value << " ± " << doubt << ", truly " << truth;
     }
-    NmcsimProcess sim{u"servo"_s};
+    /// There is no run to find a motor in, and nothing is suggested.
+    void expectNothingFound() {
+        EXPECT_EQ(panel.window().findChild<QTableWidget*>(u"responseRunTable"_s)->rowCount(), 0);
+        EXPECT_FALSE(panel.window().findChild<QAbstractButton*>(u"identifyButton"_s)->isEnabled());
+        EXPECT_TRUE(text("suggestedGains").isEmpty());
+    }
+    NmcsimProcess sim{u"servo"_s, {u"--enable-faults"_s}};
     IntentPanel panel;
 };
 
@@ -145,6 +151,51 @@ TEST_F(Tuning, AShaftThatIsHeldGivesNoModel) {
     EXPECT_TRUE(panel.waitFor([&] { return text("motorModel").startsWith(u"The shaft did not move."_s); }))
         << text("motorModel").toStdString();
     EXPECT_TRUE(text("suggestedGains").isEmpty());
+}
+
+TEST_F(Tuning, AHardStopInTheWayGivesNoModel) {
+    ASSERT_NO_FATAL_FAILURE(hold());
+    (void)sim.control(u"set 1 travel_max 30"_s);
+    ASSERT_NO_FATAL_FAILURE(step());
+    ASSERT_NO_FATAL_FAILURE(panel.click("identifyButton"));
+    EXPECT_TRUE(panel.waitFor([&] {
+        return text("motorModel").startsWith(u"The model does not fit the step."_s);
+    })) << text("motorModel").toStdString();
+    EXPECT_TRUE(text("suggestedGains").isEmpty());
+}
+
+/// Which of them sees it first, the chip, the bus or the test, is a matter of milliseconds.
+TEST_F(Tuning, AReversedEncoderEndsWithTheMotorOffAndNoModel) {
+    ASSERT_NO_FATAL_FAILURE(hold());
+    (void)sim.control(u"fault module 1 reverse"_s);
+    ASSERT_NO_FATAL_FAILURE(panel.click("responseButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.module().servoOn(); }));
+    EXPECT_TRUE(panel.waitFor([&] {
+        return panel.count(u"its motor switched itself off and is free to turn"_s) +
+                   panel.count(u"was switched off and is free to turn: it kept oscillating"_s) +
+                   panel.count(u"told to stop"_s) >
+               0;
+    }));
+    ASSERT_TRUE(panel.answersFor(1.0));
+    EXPECT_FALSE(sim.state(1)[u"servo_on"_s].toBool());
+    expectNothingFound();
+}
+
+TEST_F(Tuning, MotorPowerThatIsLostEndsTheStepWithoutAModel) {
+    ASSERT_NO_FATAL_FAILURE(hold());
+    auto* field = panel.window().findChild<QLineEdit*>(u"responseRecordField"_s);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, u"3"_s);
+    ASSERT_NO_FATAL_FAILURE(panel.click("responseButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return sim.state(1)[u"position"_s].toInt() > 50; }));
+    (void)sim.control(u"set 1 power 0"_s);
+    EXPECT_TRUE(panel.waitFor(
+        [&] { return panel.count(u"did not complete its step: its motor switched itself off"_s) == 1; }));
+    (void)sim.control(u"set 1 power 1"_s);
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_FALSE(sim.state(1)[u"servo_on"_s].toBool());
+    expectNothingFound();
 }
 
 }  // namespace

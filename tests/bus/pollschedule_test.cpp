@@ -86,6 +86,20 @@ TEST(PollScheduleFocus, AsksTheOthersOnceASecondAndNeverTwiceInARow) {
     EXPECT_GE(polls[0], 2'000 - 31 * 5) << "of 2000";
 }
 
+/// As a square wave does with each edge.
+TEST(PollScheduleFocus, LeavesTheOthersTheirTurnsHoweverOftenItIsRenewed) {
+    PollSchedule schedule(3);
+    std::vector<int> polls(3);
+    for (TimePoint now{}; now < TimePoint(9s); now += 10ms) {
+        if (now.time_since_epoch() % 50ms == Duration{})
+            schedule.focus(kFirst, now);
+        ++polls[schedule.next(now)->module.value()];
+    }
+    EXPECT_GE(polls[1], 9) << "once in 0.9 s";
+    EXPECT_GE(polls[2], 9);
+    EXPECT_GE(polls[0], 900 - 2 * 11);
+}
+
 TEST(PollScheduleFocus, AlternatesTwoLayoutsOfWhichNoneIsFull) {
     PollSchedule schedule(1);
     schedule.focus(kFirst, TimePoint{});

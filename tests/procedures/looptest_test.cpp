@@ -326,6 +326,32 @@ TEST_F(Sines, CountAsMotionForWhomeverWatchesOverThePanel) {
     expectCalm();
 }
 
+/// One more Stop Here would switch it on again.
+TEST_F(Sines, EndWhenTheChipLetsGo) {
+    ASSERT_TRUE(hold());
+    swing();
+    bench.bus.runFor(200ms);
+    ASSERT_FALSE(bench.bus.outcomeOf(id));
+    bench.set(sim::Input::Power, 0.0);
+    bench.bus.runFor(50ms);
+    EXPECT_EQ(bench.bus.outcomeOf(id), bus::Outcome::Forbidden);
+    bench.set(sim::Input::Power, 1.0);
+    bench.bus.runFor(1s);
+    EXPECT_FALSE(bench.truth().servoOn);
+}
+
+/// Its direction wires exchanged, it runs away until the position error trips.
+TEST_F(Sines, EndWithATrip) {
+    ASSERT_TRUE(hold());
+    swing();
+    bench.bus.runFor(200ms);
+    bench.fault(sim::FaultKind::Reverse);
+    bench.bus.runFor(1s);
+    EXPECT_EQ(bench.bus.outcomeOf(id), bus::Outcome::Forbidden);
+    bench.bus.runFor(1s);
+    EXPECT_FALSE(bench.truth().servoOn);
+}
+
 TEST_F(Sines, EndWhenTheMotorIsHeldToMove) {
     ASSERT_TRUE(hold());
     swing();

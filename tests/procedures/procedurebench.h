@@ -68,8 +68,19 @@ public:
 
     void begin(const Intent& intent) {
         take();
+        m_overtaken = m_stopping = false;
         procedure = procedureFor(intent, module());
         ASSERT_NE(procedure, nullptr);
+    }
+    /// STOP ALL and Motor off, as the user asks for them while the procedure runs.
+    void stopAll() {
+        m_stopping = true;
+        bus.engine.stopAll(bus.now);
+        overtake();
+    }
+    void switchOff() {
+        bus.submit(*plan(intent::MotorOff{}, module()));
+        overtake();
     }
     /// One turn of the controller; false when the procedure is over.
     bool turn() {
@@ -82,10 +93,19 @@ public:
         take();
         if (onTurn)
             onTurn(*procedure);
+        if (m_stopping)
+            return true;
         Procedure::Next next = procedure->next(module(), bus.now);
         stages.insert(procedure->report().stage);
-        if (auto* send = std::get_if<Procedure::Send>(&next))
-            m_operation = bus.submit(std::move(*send));
+        if (auto* send = std::get_if<Procedure::Send>(&next)) {
+            if (m_overtaken)
+                keepWhatIsHarmless(send->orders);
+            if (send->orders.empty())
+                procedure->onFinished(bus::Outcome::Done);
+            else
+                m_operation = bus.submit(std::move(*send));
+        }
+        shareBus();
         return !std::holds_alternative<Procedure::End>(next);
     }
     ProcedureReport run(const Intent& intent, double seconds = 120.0) {
@@ -159,6 +179,20 @@ private:
             fastest = std::max(fastest, std::abs(now.commandVelocity));
     }
 
+    void overtake() {
+        procedure->cancel();
+        m_overtaken = true;
+    }
+    /// With each change of its report, and each second.
+    void shareBus() {
+        const ProcedureReport& report = procedure->report();
+        if (!isTest(report.kind) || (report == m_shared && bus.now - m_sharedAt < std::chrono::seconds(1)))
+            return;
+        m_shared = report;
+        m_sharedAt = bus.now;
+        bus.engine.focus(report.over() ? std::nullopt : std::optional(report.module), bus.now);
+    }
+
     void told(const bus::ChainFound& found) {
         modules.clear();
         for (const bus::ModuleInfo& info : found.modules) {
@@ -181,6 +215,17 @@ private:
         if (procedure && health.health != bus::LinkHealth::Good)
             procedure->onLinkSuspect();
     }
+    void told(const bus::ModuleRestarted& restarted) {
+        modules.at(restarted.module.value()).silent = true;
+        modules.at(restarted.module.value()).restarted();
+        if (procedure)
+            procedure->onLinkSuspect();
+    }
+    void told(const bus::StopFinished&) {
+        m_stopping = false;
+        if (procedure)
+            overtake();
+    }
     void told(const bus::OperationFinished& finished) {
         if (m_operation == finished.id) {
             m_operation.reset();
@@ -193,6 +238,10 @@ private:
     std::vector<Switch> m_switches;
     std::size_t m_taken = 0;
     std::optional<bus::OperationId> m_operation;
+    bool m_overtaken = false;
+    bool m_stopping = false;
+    std::optional<ProcedureReport> m_shared;  ///< of the one that had the bus last
+    TimePoint m_sharedAt;
 };
 
 /// A servo with gains that hold, switched on.

@@ -97,6 +97,22 @@ TEST_F(TriedGains, AreTakenBackAtAStop) {
     EXPECT_TRUE(hasGains(kGood));
 }
 
+/// No command arrives from shortly before the time is over on, for longer than a command is repeated.
+TEST_F(TriedGains, AreTakenBackBehindADeafLine) {
+    ASSERT_TRUE(hold());
+    bench.begin(intent::TryGains{kOther, 1.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    for (int i = 0; i < 50; ++i)
+        ASSERT_TRUE(bench.turn());
+    ASSERT_EQ(bench.truth().gains.kp, kOther.kp);
+    sim::FaultSpec deaf;
+    deaf.kind = sim::FaultKind::MuteTx;
+    deaf.lasts = 1'500ms;
+    ASSERT_TRUE(bench.bus.chain.inject(deaf, bench.bus.now));
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Failed);
+    EXPECT_EQ(bench.truth().gains.kp, kGood.kp);
+}
+
 TEST_F(TriedGains, AreTakenBackWhenTheServoGoesOff) {
     ASSERT_TRUE(hold());
     servo::SetGain weak = kGood;

@@ -2,6 +2,8 @@
 // The closed loop (DS-V 4.2, 4.3) and its figures.
 #include "sim/servoloop.h"
 
+#include <cmath>
+
 #include "tests/sim/hostwire.h"
 
 namespace nmc::sim::test {
@@ -46,6 +48,30 @@ TEST(Encoder, LosesEdgesBeyond500000PerSecond) {
     EXPECT_EQ(e.position(), 256);
     e.read(1100);
     EXPECT_EQ(e.position(), 356);
+}
+
+TEST(ServoLoop, TurnsItsEncoderBehindThePlay) {
+    MotorParameters motor;
+    motor.playCounts = 30;
+    ServoLoop loop(4);
+    loop.setMotor(motor);
+    loop.reset();
+    loop.setAmplifier(true);
+    Trajectory drive;
+    drive.control = Trajectory::kPwm;
+    drive.pwm = 100;
+    loop.load(drive);
+    loop.start();
+    loop.run(400);
+    const double farthest = loop.snapshot().shaftCounts;
+    ASSERT_GT(farthest, 1'000);
+    EXPECT_EQ(loop.position(), static_cast<std::int32_t>(farthest) - 30);
+    drive.control = Trajectory::kPwm | Trajectory::kReverse;
+    loop.load(drive);
+    loop.start();
+    loop.run(2'000);
+    ASSERT_LT(loop.snapshot().shaftCounts, farthest - 1'000);
+    EXPECT_EQ(loop.position(), static_cast<std::int32_t>(std::floor(loop.snapshot().shaftCounts)));
 }
 
 TEST(Encoder, SaysWhenThe32BitCounterWraps) {

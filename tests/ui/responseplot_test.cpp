@@ -2,6 +2,7 @@
 #include "widgets/response/responseplot.h"
 
 #include <QPainter>
+#include <QRegularExpression>
 #include <QWheelEvent>
 
 #include "responserecords.h"
@@ -202,20 +203,32 @@ TEST(ResponseWords, NoMoreDigitsThanTheDoubtLeavesAMeaning) {
     EXPECT_EQ(texts::plusMinus({-0.01, 0.5}, u"counts"_s), u"0.0 ± 0.5 counts"_s) << "no minus zero";
 }
 
-TEST(ResponseTextsOf, EveryEndOfAStepHasItsSentences) {
-    for (const ProcedureFailure failure :
-         {ProcedureFailure::TravelLimit, ProcedureFailure::Unstable, ProcedureFailure::NotStill,
-          ProcedureFailure::WentOff, ProcedureFailure::ModuleUnresponsive, ProcedureFailure::LinkSuspect,
-          ProcedureFailure::Refused}) {
-        ProcedureReport report;
-        report.kind = ProcedureKind::StepResponse;
-        report.stage = ProcedureStage::Failed;
-        report.failure = failure;
-        const auto message = texts::procedureEnded(report, {});
-        ASSERT_TRUE(message);
-        EXPECT_TRUE(message->headline.startsWith(u"Module 1 "_s)) << message->headline.toStdString();
-        EXPECT_FALSE(message->body.isEmpty());
-    }
+TEST(ResponseTextsOf, EveryEndOfATestSaysWhatToDo) {
+    using enum ProcedureFailure;
+    const std::vector loop{TravelLimit,        Unstable,    NotStill, WentOff,
+                           ModuleUnresponsive, LinkSuspect, Refused,  StoppedShort};
+    std::vector sines = loop;
+    sines.push_back(NotFollowing);
+    const std::pair<ProcedureKind, std::vector<ProcedureFailure>> kinds[] = {
+        {ProcedureKind::StepResponse, loop},
+        {ProcedureKind::SquareWave, loop},
+        {ProcedureKind::FrequencyResponse, sines},
+        {ProcedureKind::TryGains, {Swings, TravelLimit, WentOff, ModuleUnresponsive, LinkSuspect, Refused}}};
+    static const QRegularExpression remedy(
+        u"\\b(Check|Lower|Use|Move|Step|Start|Try|These gains do not hold|Motor off ends it|lower|use|switch the motor off)\\b"_s);
+    for (const auto& [kind, failures] : kinds)
+        for (const ProcedureFailure failure : failures) {
+            ProcedureReport report;
+            report.kind = kind;
+            report.stage = ProcedureStage::Failed;
+            report.failure = failure;
+            const auto message = texts::procedureEnded(report, {});
+            ASSERT_TRUE(message);
+            EXPECT_TRUE(message->headline.contains(u"Module 1"_s)) << message->headline.toStdString();
+            EXPECT_TRUE(message->body.contains(remedy))
+                << static_cast<int>(kind) << ' ' << static_cast<int>(failure) << ": "
+                << message->body.toStdString();
+        }
     ProcedureReport done;
     done.kind = ProcedureKind::StepResponse;
     done.stage = ProcedureStage::Done;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the table of texts has to say of procedures: homing, moves by N, changes of a motion, step responses.
+// What the table of texts has to say of procedures: homing, moves by N, changes of a motion, direction
+// checks.
 #include <QDir>
 #include <cstdlib>
 
+#include "widgets/common/looptesttexts.h"
 #include "widgets/common/pathtexts.h"
 #include "widgets/common/textparts.h"
 #include "widgets/common/unitwords.h"
@@ -12,18 +14,6 @@ namespace nmc::texts {
 using namespace Qt::StringLiterals;
 
 namespace {
-
-struct Words {
-    QString headline;
-    QString body;
-    Severity severity = Severity::Attention;
-};
-
-/// The motor is free to turn, or nobody knows what it does.
-bool freeOrUnknown(ProcedureFailure failure) {
-    using enum ProcedureFailure;
-    return failure == WentOff || failure == Unstable || failure == ModuleUnresponsive;
-}
 
 /// `who`: "Module 1".
 Words homingFailed(const ProcedureReport& report, const QString& who, const AxisScale& scale) {
@@ -83,6 +73,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
         case ProcedureFailure::NotStarted:
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
+        case ProcedureFailure::NotFollowing:
             return {};  // of others
         case ProcedureFailure::NotAtHome:
             return {
@@ -90,107 +81,6 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
                 Texts::tr(
                     "Friction holds it %1 off home, too far to set the position to 0. Raise Ki and IL on the Gains page, or clear \"Set position to 0\" on the Homing page. The tolerance follows from the unit on the Axis page.")
                     .arg(position(scale, std::abs(report.offHome)))};
-    }
-    return {};
-}
-
-Words responseFailed(ProcedureFailure failure, const QString& who) {
-    switch (failure) {
-        case ProcedureFailure::TravelLimit:
-            return {
-                Texts::tr("%1 holds again: it moved the wrong way, or more than twice the step.").arg(who),
-                Texts::tr(
-                    "The servo oscillates, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.")};
-        case ProcedureFailure::Unstable:
-            return {
-                Texts::tr("%1 was switched off and is free to turn: it kept oscillating after its step.")
-                    .arg(who),
-                Texts::tr(
-                    "The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply them, then enable it."),
-                Severity::Fault};
-        case ProcedureFailure::NotStill:
-            return {
-                Texts::tr("%1 does not come to rest; its servo stays on.").arg(who),
-                Texts::tr(
-                    "It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd; Motor off ends it at once.")};
-        case ProcedureFailure::WentOff:
-            return {
-                Texts::tr("%1 did not complete its step: its motor switched itself off and is free to turn.")
-                    .arg(who),
-                Texts::tr(
-                    "The position error was too large, or motor power failed. Check for a jam, raise EL or shorten the step, then enable the motor."),
-                Severity::Fault};
-        case ProcedureFailure::ModuleUnresponsive:
-            return {
-                Texts::tr("%1 does not answer, so its step was not recorded. Motor state unknown.").arg(who),
-                Texts::tr("It was told to hold. Use the hardware stop if it moves."), Severity::Fault};
-        case ProcedureFailure::LinkSuspect:
-            return {Texts::tr("%1 was told to hold, and its step was not recorded: the link was unreliable.")
-                        .arg(who),
-                    Texts::tr("Check the link, then step again.")};
-        case ProcedureFailure::Refused:
-            return {
-                Texts::tr(
-                    "%1 was told to hold, and its step was not recorded: a command failed, or its answer was lost.")
-                    .arg(who),
-                Texts::tr("Usually noise on the cable. Step again.")};
-        case ProcedureFailure::SwitchActive:
-        case ProcedureFailure::NotFound:
-        case ProcedureFailure::TimeLimit:
-        case ProcedureFailure::SoftLimit:
-        case ProcedureFailure::ReadingsDiffer:
-        case ProcedureFailure::NotAtHome:
-        case ProcedureFailure::Swings:
-        case ProcedureFailure::Saturates:
-        case ProcedureFailure::StoppedShort:
-        case ProcedureFailure::NotStarted:
-        case ProcedureFailure::UnderRun:
-        case ProcedureFailure::OffPath:
-            return {};  // of others
-    }
-    return {};
-}
-
-Words tryFailed(ProcedureFailure failure, const QString& who) {
-    switch (failure) {
-        case ProcedureFailure::Swings:
-            return {Texts::tr("%1 is back to its previous gains: it began to oscillate.").arg(who),
-                    Texts::tr("Lower Kp and Ki, or raise Kd, then try again.")};
-        case ProcedureFailure::Saturates:
-            return {Texts::tr("%1 is back to its previous gains: its output reached the limit OL.").arg(who),
-                    Texts::tr("It oscillates, or was pushed. Lower Kp, or raise Kd, then try again.")};
-        case ProcedureFailure::TravelLimit:
-            return {Texts::tr("%1 is back to its previous gains: it left its position.").arg(who),
-                    Texts::tr("These gains do not hold its load, or something else turned it.")};
-        case ProcedureFailure::WentOff:
-            return {Texts::tr("%1 switched itself off while gains were tried, and is free to turn.").arg(who),
-                    Texts::tr("Its previous gains were sent again. Check for a jam, then enable it."),
-                    Severity::Fault};
-        case ProcedureFailure::ModuleUnresponsive:
-            return {Texts::tr("%1 does not answer while gains are tried. Motor state unknown.").arg(who),
-                    Texts::tr("Its previous gains were sent. Use the hardware stop if it moves."),
-                    Severity::Fault};
-        case ProcedureFailure::LinkSuspect:
-            return {Texts::tr("The previous gains of %1 were sent again: the link was unreliable.").arg(who),
-                    Texts::tr("Check the link, then try again.")};
-        case ProcedureFailure::Refused:
-            return {Texts::tr(
-                        "The previous gains of %1 were sent again: a command failed, or its answer was lost.")
-                        .arg(who),
-                    Texts::tr("Usually noise on the cable. Try again.")};
-        case ProcedureFailure::SwitchActive:
-        case ProcedureFailure::NotFound:
-        case ProcedureFailure::TimeLimit:
-        case ProcedureFailure::SoftLimit:
-        case ProcedureFailure::ReadingsDiffer:
-        case ProcedureFailure::NotStill:
-        case ProcedureFailure::Unstable:
-        case ProcedureFailure::NotAtHome:
-        case ProcedureFailure::StoppedShort:
-        case ProcedureFailure::NotStarted:
-        case ProcedureFailure::UnderRun:
-        case ProcedureFailure::OffPath:
-            return {};  // of others
     }
     return {};
 }
@@ -234,6 +124,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::NotStarted:
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
+        case ProcedureFailure::NotFollowing:
             return {};  // of other kinds
     }
     return {};
@@ -303,13 +194,8 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         Words words;
         if (report.kind == ProcedureKind::Homing)
             words = homingFailed(report, who, scale);
-        else if (report.kind == ProcedureKind::StepResponse)
-            words = responseFailed(*report.failure, who);
-        else if (report.kind == ProcedureKind::SquareWave || report.kind == ProcedureKind::FrequencyResponse)
-            words = {Texts::tr("%1: its loop test ended early.").arg(who), loopTestFailure(*report.failure),
-                     freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
-        else if (report.kind == ProcedureKind::TryGains)
-            words = tryFailed(*report.failure, who);
+        else if (isTest(report.kind))
+            words = testFailed(report, who);
         else if (report.kind == ProcedureKind::DirectionCheck)
             words = directionFailed(*report.failure, who);
         else if (report.kind == ProcedureKind::FollowPath)
@@ -341,13 +227,6 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         message.body = Texts::tr("It rests %1 off home; its position is 0 there.")
                            .arg(position(scale, std::abs(report.offHome)));
     return message;
-}
-
-QString loopTestFailure(ProcedureFailure failure) {
-    if (failure != ProcedureFailure::TravelLimit)
-        return procedureFailure(failure);
-    return Texts::tr(
-        "The motor moved farther than the test allows, and was told to hold. Check for a load that pulls it, or use lower gains.");
 }
 
 QString procedureStage(const ProcedureReport& report) {
@@ -402,6 +281,9 @@ QString procedureFailure(ProcedureFailure failure) {
             return Texts::tr("The path points did not arrive in time, so the motor stopped at the last one.");
         case ProcedureFailure::OffPath:
             return Texts::tr("The command position left the path. The motor was told to stop.");
+        case ProcedureFailure::NotFollowing:
+            return Texts::tr(
+                "The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.");
     }
     return {};
 }

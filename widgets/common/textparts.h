@@ -28,6 +28,17 @@ class Texts {
 }
 /// The key of a message about one module.
 [[nodiscard]] QString ofModule(const QString& what, ModuleIndex module);
+/// Of a message.
+struct Words {
+    QString headline;
+    QString body;
+    Severity severity = Severity::Attention;
+};
+/// The motor is free to turn, or nobody knows what it does.
+[[nodiscard]] constexpr bool freeOrUnknown(ProcedureFailure failure) {
+    using enum ProcedureFailure;
+    return failure == WentOff || failure == Unstable || failure == ModuleUnresponsive;
+}
 /// What is known of the motors when the link is not.
 [[nodiscard]] QString movingSentence(const std::vector<ModuleIndex>& moving);
 

@@ -111,7 +111,7 @@ namespace texts {
 [[nodiscard]] QString procedureStage(const ProcedureReport& report);
 /// Why it ended, one sentence.
 [[nodiscard]] QString procedureFailure(ProcedureFailure failure);
-/// The same of a square wave or a frequency response.
+/// The same of a step, a square wave or a frequency response, with what to do.
 [[nodiscard]] QString loopTestFailure(ProcedureFailure failure);
 /// What a direction check has found, and what to do about it; plain text.
 [[nodiscard]] QString directionFound(const DirectionFound& found);

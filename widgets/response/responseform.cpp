@@ -171,7 +171,7 @@ void ResponseForm::refresh() {
     const bool runs = m_report && !m_report->over();
     const bool failed = reason.isEmpty() && m_report && m_report->failure;
     look::setText(m_state, runs     ? texts::procedureStage(*m_report)
-                           : failed ? texts::procedureFailure(*m_report->failure)
+                           : failed ? texts::loopTestFailure(*m_report->failure)
                                     : reason);
 }
 

@@ -24,6 +24,7 @@ struct Reading {
 struct Fit {
     Complex phasor;
     double doubt = 0.0;
+    double missed = 0.0;  ///< rms
 };
 
 /// a cos + b sin + c + d t: the phasor is a - ib, and its doubt one standard deviation, where `samples` of
@@ -41,9 +42,11 @@ struct Fit {
     const Eigen::LDLT<Eigen::Matrix4d> normal(basis.transpose() * basis);
     const Eigen::Vector4d found = normal.solve(basis.transpose() * values);
     const double free = std::max(1.0, static_cast<double>(samples) - 4);
-    const double missed = (values - basis * found).squaredNorm() / free;
-    const Eigen::Matrix4d covariance = normal.solve(Eigen::Matrix4d::Identity()) * missed;
-    return {{found[0], -found[1]}, std::sqrt(std::max(covariance(0, 0), covariance(1, 1)))};
+    const double missed = (values - basis * found).squaredNorm();
+    const Eigen::Matrix4d covariance = normal.solve(Eigen::Matrix4d::Identity()) * missed / free;
+    return {{found[0], -found[1]},
+            std::sqrt(std::max(covariance(0, 0), covariance(1, 1))),
+            std::sqrt(missed / static_cast<double>(rows))};
 }
 
 /// What a servo sees that looks at the command once a tick.
@@ -60,12 +63,15 @@ struct Fit {
 }
 
 /// Once a tick as well, on straight lines between what was told. The samples by themselves lie always at the
-/// same places of the command's steps, and would make the motor as early or late as these are.
+/// same places of the command's steps, and would make the motor as early or late as these are. What was not
+/// told for half a period is not known.
 [[nodiscard]] std::vector<Reading> positionsOf(const std::vector<Reading>& told, double since, double tick) {
     std::vector<Reading> readings;
     for (std::size_t i = 0; i + 1 < told.size(); ++i) {
         const Reading& from = told[i];
         const Reading& to = told[i + 1];
+        if (to.seconds - from.seconds > since / 2)
+            continue;
         const double slope = (to.value - from.value) / (to.seconds - from.seconds);
         for (double t = from.seconds; t < to.seconds; t += tick)
             if (t >= since)
@@ -103,6 +109,9 @@ std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, do
     const std::vector<Reading> samples = told(record);
     if (samples.size() < kFewestPoints)
         return std::nullopt;
+    for (std::size_t i = 1; i < samples.size(); ++i)
+        if (samples[i].seconds - samples[i - 1].seconds > std::max(kSilence, since / 2))
+            return std::nullopt;
     const std::vector<Reading> commands = commandsOf(record, since, tick);
     const std::vector<Reading> positions = positionsOf(samples, since, tick);
     if (positions.size() < kFewestPoints || commands.size() < kFewestPoints)
@@ -112,7 +121,17 @@ std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, do
     const double size = std::abs(command.phasor);
     if (size <= 0)
         return std::nullopt;
-    return FrequencyPoint{hertz, position.phasor / command.phasor, position.doubt / size};
+    const double unlike = position.missed * position.missed - command.missed * command.missed;
+    return FrequencyPoint{hertz, position.phasor / command.phasor, position.doubt / size,
+                          std::sqrt(std::max(0.0, unlike))};
+}
+
+double doubtOfWholePwm(const FrequencyPoint& point, const servo::SetGain& gains, double amplitude) {
+    const double tick = toSeconds(kServoTick) * std::max<int>(gains.sr, 1);
+    const Complex change = 1.0 - std::polar(1.0, -2 * std::numbers::pi * point.hertz * tick);
+    const Complex filter = 1.0 * gains.kp + 1.0 * gains.kd * change + gains.ki / 256.0 / change;
+    const double lost = 2 / std::numbers::pi / (std::abs(filter) / 256 * amplitude);
+    return std::abs(point.closed) * (lost < 1 ? std::min(1.0, lost / (1 - lost)) : 1.0) / 2;
 }
 
 double commandsPerSecond(std::span<const bus::SinePoint> commands) {

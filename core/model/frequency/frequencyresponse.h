@@ -7,16 +7,25 @@
 
 #include "bus/types.h"
 #include "model/frequency/frequencypoint.h"
+#include "protocol/servocommands.h"
 
 namespace nmc {
 
 /// What the positions tell of that frequency: command and position are each fitted by cosine, sine, mean and
 /// drift (least squares), without the first period, which the motor takes to get used to it. The command is a
-/// staircase; the chip sees each of its steps one servo tick after it was latched, `tick` seconds. Nothing
-/// for fewer than kFewestPoints positions. Pure.
+/// staircase; the chip sees each of its steps one servo tick after it was latched, `tick` seconds. What was
+/// not told for half a period does not count. Nothing for fewer than kFewestPoints positions, or where the
+/// line was silent for that long and kSilence. Pure.
 [[nodiscard]] std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, double hertz,
                                                              double tick);
 inline constexpr std::size_t kFewestPoints = 12;
+inline constexpr double kSilence = 0.1;  ///< s
+
+/// What `doubt` has besides, as one standard deviation, for a command of that amplitude: PWM values are whole
+/// (DS-V 4.3), and what the filter cuts off of them, half a count on average, is like dry friction. Its
+/// fundamental is 2/pi PWM counts of what the filter makes of the amplitude.
+[[nodiscard]] double doubtOfWholePwm(const FrequencyPoint& point, const servo::SetGain& gains,
+                                     double amplitude);
 
 /// What the line carried; 0 for fewer than two.
 [[nodiscard]] double commandsPerSecond(std::span<const bus::SinePoint> commands);

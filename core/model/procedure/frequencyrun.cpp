@@ -16,8 +16,19 @@ constexpr double kPerDecade = 12.0;
 /// Of each frequency; the longer counts. The first period is for the motor to get used to it.
 constexpr double kPeriods = 5.0;
 constexpr double kShortest = 1.0;  ///< s
+/// In a row; then it is the line.
+constexpr int kMisses = 3;
 /// Of its amplitude, to either side: the highest resonance that is still measured.
 constexpr std::int64_t kTooFar = 4;
+/// Counts, of amplitude: a shaft that swings by less stands.
+constexpr double kStands = 0.5;
+/// As above: from one frequency to the next no motor falls from this to standing.
+constexpr double kSwings = 4.0;
+/// Of its amplitude, rms, that is no sine: a triangle, which a motor at its full PWM makes, has 0.086, a sine
+/// that is cut off half-way to one side 0.138.
+constexpr double kNoSine = 0.12;
+/// Counts, rms: friction and encoder make that of any small swing.
+constexpr double kRough = 2.0;
 
 }  // namespace
 
@@ -49,14 +60,31 @@ FrequencyRun::Next FrequencyRun::swingNext(const ModuleState& module) {
 
 FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now*/) {
     const double hertz = m_frequencies[m_report.round - 1];
-    const auto point = measureFrequency(swung(), hertz, m_tick);
-    if (!point)
-        return fail(ProcedureFailure::LinkSuspect);
+    auto point = measureFrequency(swung(), hertz, m_tick);
+    if (!point) {  // the line, or this machine, was silent for a moment
+        if (++m_missed > kMisses)
+            return fail(ProcedureFailure::LinkSuspect);
+        --m_report.round;
+        return swingNext(module);
+    }
+    m_missed = 0;
+    point->doubt = std::hypot(point->doubt, doubtOfWholePwm(*point, *module.gains, m_wanted.amplitude));
+    if (!follows(*point))
+        return fail(ProcedureFailure::NotFollowing);
     m_report.frequencies.push_back(*point);
     const bool last = m_report.round == m_frequencies.size();
     if (last || m_frequencies[m_report.round] * kCommandsPerPeriod > commandsPerSecond(swung().commands))
         return conclude(module, from());
     return swingNext(module);
+}
+
+/// What fades away from frequency to frequency is a response; the first has to be known to a half.
+bool FrequencyRun::follows(const FrequencyPoint& point) const {
+    const auto swing = [this](const FrequencyPoint& of) { return std::abs(of.closed) * m_wanted.amplitude; };
+    const bool swung = m_report.frequencies.empty() || swing(m_report.frequencies.back()) >= kSwings;
+    const bool stands = swing(point) < kStands;
+    const bool unsure = m_report.frequencies.empty() && point.doubt > std::abs(point.closed) / 4;
+    return !(stands && swung) && !unsure && point.missed <= std::max(kRough, kNoSine * swing(point));
 }
 
 bool FrequencyRun::goneTooFar(const ModuleState& module) const {

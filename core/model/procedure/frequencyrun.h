@@ -11,7 +11,7 @@ namespace nmc {
 /// How the loop of a PIC-SERVO follows sines of the command position, from slow to fast, and where the
 /// position is after each (DS-V 4.3; bus::Sine). Ends before the frequency that the line is too slow for: one
 /// of which it carries fewer than kCommandsPerPeriod commands. A motor that swings by several amplitudes has
-/// gone too far.
+/// gone too far; one that stays where it is, or does something else than swing, has no response.
 class FrequencyRun : public LoopTest {
 public:
     static constexpr double kCommandsPerPeriod = 4.0;
@@ -23,11 +23,14 @@ private:
     [[nodiscard]] Next begin(const ModuleState& module) override;
     [[nodiscard]] Next goOn(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] bool goneTooFar(const ModuleState& module) const override;
+    [[nodiscard]] std::int32_t span() const override { return 2 * m_wanted.amplitude; }
     [[nodiscard]] Next swingNext(const ModuleState& module);
+    [[nodiscard]] bool follows(const FrequencyPoint& point) const;
 
     intent::FrequencyResponse m_wanted;
     std::vector<double> m_frequencies;  ///< Hz, ascending
     double m_tick = 0.0;                ///< s
+    int m_missed = 0;                   ///< how often the present one was not heard
 };
 
 }  // namespace nmc

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/looptest.h"
 
+#include <cstdlib>
 #include <tuple>
 #include <utility>
 
@@ -26,9 +27,11 @@ LoopTest::Next LoopTest::proceed(const ModuleState& module, TimePoint now) {
     return m_report.stage == ProcedureStage::Moving ? goOn(module, now) : settle(module, now);
 }
 
-std::optional<ProcedureFailure> LoopTest::trouble(const ModuleState& module) {
+std::optional<ProcedureFailure> LoopTest::trouble(const ModuleState& module) const {
     if (module.silent)
         return ProcedureFailure::ModuleUnresponsive;
+    if (m_limited && module.homing.state() == HomeWatch::State::Tripped)
+        return ProcedureFailure::StoppedShort;
     return module.servoOn() ? std::nullopt : std::optional(ProcedureFailure::WentOff);
 }
 
@@ -49,6 +52,7 @@ LoopTest::Next LoopTest::prepare(const ModuleState& module, TimePoint now) {
         return fail(ProcedureFailure::Refused);
     m_stood = *module.latest->position;
     m_from = *module.goal();
+    m_limited = module.homing.state() == HomeWatch::State::Armed && module.homing.stops();
     Next next = begin(module);
     if (!std::holds_alternative<Send>(next))
         return next;
@@ -84,6 +88,8 @@ std::optional<LoopTest::Next> LoopTest::record(const ModuleState& module, TimePo
         cancel();
         return Wait{};
     }
+    if (module.goal() != taken.goal)  // an SC that minds its limits
+        return fail(ProcedureFailure::StoppedShort);
     if (goneTooFar(module))
         return fail(ProcedureFailure::TravelLimit);
     return toSeconds(now - taken.at) < taken.record ? std::optional(Next(Wait{})) : std::nullopt;
@@ -94,8 +100,16 @@ LoopTest::Next LoopTest::settle(const ModuleState& module, TimePoint now) {
         return finish();
     if (now - *m_since <= kStillWithin)
         return Wait{};
+    if (swingsFar(module))
+        return fail(ProcedureFailure::TravelLimit);
     m_mayRun = false;  // it has been told
     return fail(ProcedureFailure::NotStill);
+}
+
+/// By more than a fine encoder and an integral make a servo hunt.
+bool LoopTest::swingsFar(const ModuleState& module) const {
+    const auto& swing = module.swing.swing();
+    return swing && swing->amplitude > std::abs(span()) / 4.0;
 }
 
 std::vector<bus::Order> LoopTest::lastWord(const ModuleState& module) const {
@@ -103,9 +117,13 @@ std::vector<bus::Order> LoopTest::lastWord(const ModuleState& module) const {
     return m_mayRun && module.servoOn() ? hold(module) : std::vector<bus::Order>{};
 }
 
-/// What a hold does not calm the servo itself keeps going.
+/// Why a chip has ended a sine shows only now. What a hold does not calm the servo itself keeps going.
 LoopTest::Next LoopTest::afterLastWord(const ModuleState& module, TimePoint now) {
-    if (!m_mayRun || !module.servoOn() || m_report.failure != ProcedureFailure::TravelLimit)
+    if (m_report.failure == ProcedureFailure::Refused)
+        m_report.failure = trouble(module).value_or(ProcedureFailure::Refused);
+    const bool wild = m_report.failure == ProcedureFailure::TravelLimit ||
+                      m_report.failure == ProcedureFailure::NotFollowing;
+    if (!m_mayRun || !module.servoOn() || !wild)
         return End{};
     if (!std::exchange(m_calming, true))
         m_since.reset();

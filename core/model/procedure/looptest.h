@@ -15,8 +15,9 @@ namespace nmc {
 /// motion brings along itself), and a Stop Here where it is to stay, so that this is held to the count;
 /// version 1 has no Stop Here.
 ///
-/// A motor that goes too far is told to hold; if that does not calm it the servo itself keeps it going, and
-/// is switched off. Any stop ends it. Wants the bus's focus while it runs.
+/// A motor that goes too far, or swings far when it is over, is told to hold; if that does not calm it the
+/// servo itself keeps it going, and is switched off. Any stop ends it, the chip's own too. Wants the bus's
+/// focus while it runs.
 class LoopTest : public Procedure {
 protected:
     LoopTest(ProcedureKind kind, const ModuleState& module) : Procedure(module.info.index, kind) {}
@@ -29,6 +30,8 @@ protected:
     [[nodiscard]] virtual Next goOn(const ModuleState& module, TimePoint now) = 0;
     /// Farther than the test allows.
     [[nodiscard]] virtual bool goneTooFar(const ModuleState& module) const = 0;
+    /// Counts, from one end of what is commanded to the other.
+    [[nodiscard]] virtual std::int32_t span() const = 0;
 
     /// Counts, that the servo held when it began.
     [[nodiscard]] std::int32_t from() const { return m_from; }
@@ -54,12 +57,14 @@ private:
     [[nodiscard]] Next settle(const ModuleState& module, TimePoint now);
     [[nodiscard]] std::vector<bus::Order> hold(const ModuleState& module) const;
     [[nodiscard]] bool stands(const ModuleState& module, TimePoint now);
+    [[nodiscard]] bool swingsFar(const ModuleState& module) const;
 
     /// Of a module that cannot be tested any more.
-    [[nodiscard]] static std::optional<ProcedureFailure> trouble(const ModuleState& module);
+    [[nodiscard]] std::optional<ProcedureFailure> trouble(const ModuleState& module) const;
 
     std::int32_t m_from = 0;
     std::int32_t m_stood = 0;
+    bool m_limited = false;  ///< the chip was told to stop by itself, and watched when it began
     bool m_calming = false;
     std::optional<TimePoint> m_since;  ///< when it was first looked at for standing still
     Standstill m_standstill;

@@ -74,6 +74,7 @@ enum class ProcedureFailure : std::uint8_t {
     NotStarted,    ///< not every axis of the path
     UnderRun,      ///< the path buffer ran dry before the end
     OffPath,       ///< the command position was not where the points lead
+    NotFollowing,  ///< its position stays, or goes another way than a sine of the command
 };
 
 /// What the window shows of a procedure.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/procedures.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "model/intent/backlash.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/stepperplan.h"
@@ -75,6 +78,19 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
                    ? nullptr
                    : std::make_unique<ChangeMotion>(module.info.index, change->motion);
     return nullptr;
+}
+
+void keepWhatIsHarmless(std::vector<bus::Order>& orders) {
+    const auto harmless = [](const bus::Order& step) {
+        const auto* servo = std::get_if<ServoCommand>(&step.command);
+        const auto* stepper = std::get_if<StepperCommand>(&step.command);
+        const auto* stop = servo != nullptr ? std::get_if<servo::StopMotor>(servo) : nullptr;
+        return (stop != nullptr && stop->manner == servo::StopManner::MotorOff && !stop->amplifierEnable) ||
+               (servo != nullptr && std::holds_alternative<servo::SetHoming>(*servo)) ||
+               (servo != nullptr && std::holds_alternative<servo::SetGain>(*servo)) ||
+               (stepper != nullptr && std::holds_alternative<stepper::SetHoming>(*stepper));
+    };
+    orders.erase(std::remove_if(orders.begin(), orders.end(), std::not_fn(harmless)), orders.end());
 }
 
 }  // namespace nmc

@@ -23,6 +23,7 @@ private:
     [[nodiscard]] Next goOn(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] Next edge(const ModuleState& module);
     [[nodiscard]] bool goneTooFar(const ModuleState& module) const override;
+    [[nodiscard]] std::int32_t span() const override { return m_wanted.counts; }
 
     intent::SquareWave m_wanted;
     unsigned m_edges = 0;   ///< those that were commanded

@@ -21,6 +21,7 @@ private:
     [[nodiscard]] Next begin(const ModuleState& module) override;
     [[nodiscard]] Next goOn(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] bool goneTooFar(const ModuleState& module) const override;
+    [[nodiscard]] std::int32_t span() const override { return m_wanted.counts; }
 
     intent::StepResponse m_wanted;
     ResponseTaken m_taken;
