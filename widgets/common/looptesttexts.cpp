@@ -101,6 +101,7 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::ReadingsDiffer:
         case ProcedureFailure::NotAtHome:
         case ProcedureFailure::Swings:
+        case ProcedureFailure::Saturates:
         case ProcedureFailure::NotStarted:
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
