@@ -4187,10 +4187,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Seite ist auf dem Weg zum Drucker.</translation>
     </message>
     <message>
-        <source>This computer&apos;s default printer is used.</source>
-        <translation>Sie ging an den Standarddrucker dieses Rechners.</translation>
-    </message>
-    <message>
         <source>The program %1, which sends pages to the printer, is not installed.</source>
         <translation>Das Programm %1, das Seiten an den Drucker gibt, ist nicht installiert.</translation>
     </message>
@@ -4501,6 +4497,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
             <numerusform>Modul %1 kann kein Stoppbefehl gegeben werden</numerusform>
             <numerusform>Den Modulen %1 kann kein Stoppbefehl gegeben werden</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Looking for printers…</source>
+        <translation>Drucker werden gesucht…</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Add one in the system&apos;s printer settings, or save the page as a PDF file.</source>
+        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. In den Druckereinstellungen des Systems einen hinzufügen, oder die Seite als PDF-Datei speichern.</translation>
+    </message>
+    <message>
+        <source>Printer: %1</source>
+        <translation>Drucker: %1</translation>
     </message>
 </context>
 <context>
@@ -10080,6 +10088,77 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::PrintDialog</name>
+    <message>
+        <source>&amp;Print</source>
+        <translation>&amp;Drucken</translation>
+    </message>
+    <message>
+        <source>Save as P&amp;DF…</source>
+        <translation>Als &amp;PDF speichern…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Exemplare</translation>
+    </message>
+    <message>
+        <source>Printers</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Als PDF speichern…</translation>
+    </message>
+    <message>
+        <source>Saves the page as a file that any computer can print.</source>
+        <translation>Speichert die Seite als Datei, die jeder Rechner drucken kann.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>P&amp;rinter</source>
+        <translation>D&amp;rucker</translation>
+    </message>
+    <message>
+        <source>C&amp;opies</source>
+        <translation>&amp;Exemplare</translation>
+    </message>
+    <message>
+        <source>The printer to use; it is proposed again the next time.</source>
+        <translation>Der Drucker; er wird beim nächsten Mal wieder vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>Sends the page to this printer.</source>
+        <translation>Schickt die Seite an diesen Drucker.</translation>
+    </message>
+    <message>
+        <source>Save the page</source>
+        <translation>Seite speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>page</source>
+        <translation>Seite</translation>
+    </message>
+</context>
+<context>
     <name>nmc::PwmBox</name>
     <message>
         <source>Drive reverse</source>
@@ -10786,12 +10865,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sprung</translation>
     </message>
     <message>
-        <source>P&amp;rint</source>
-        <translation>&amp;Drucken</translation>
+        <source>P&amp;rint…</source>
+        <translation>&amp;Drucken…</translation>
     </message>
     <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Druckt das sichtbare Diagramm auf dem Standarddrucker dieses Rechners.</translation>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Druckt das sichtbare Diagramm auf einem Drucker dieses Rechners.</translation>
     </message>
 </context>
 <context>
@@ -11057,12 +11136,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Das sichtbare Diagramm auf einer Seite zum Drucken oder für einen Bericht.</translation>
     </message>
     <message>
-        <source>P&amp;rint</source>
-        <translation>&amp;Drucken</translation>
+        <source>P&amp;rint…</source>
+        <translation>&amp;Drucken…</translation>
     </message>
     <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Druckt das sichtbare Diagramm auf dem Standarddrucker dieses Rechners.</translation>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Druckt das sichtbare Diagramm auf einem Drucker dieses Rechners.</translation>
     </message>
 </context>
 <context>

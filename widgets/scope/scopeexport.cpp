@@ -122,8 +122,8 @@ ScopeExport::ScopeExport(QWidget* panel) : QObject(panel), m_panel(panel), m_men
     m_menu->addSeparator();
     addAction(Kind::Clipboard, u"scopeCopyAction"_s, tr("&Copy picture"),
               tr("Copies the visible plot to the clipboard, with its samples if these are few."));
-    addAction(Kind::Printer, u"scopePrintAction"_s, tr("P&rint"),
-              tr("Prints the visible plot on this computer's default printer."));
+    addAction(Kind::Printer, u"scopePrintAction"_s, tr("P&rint…"),
+              tr("Prints the visible plot on one of this computer's printers."));
 }
 
 void ScopeExport::addAction(Kind kind, const QString& objectName, const QString& text,
