@@ -187,7 +187,7 @@ private:
     MachineController m_machine;
     FlightController m_flight{m_window, m_store};
     RecordingController m_recordings;
-    Printing m_printing{m_window};
+    Printing m_printing{m_window, m_settings};
     MessageController m_messages{m_window, m_store, m_procedures, m_flight, m_recordings};
     MotionMarker m_motionMarker;
     DayLog m_log;

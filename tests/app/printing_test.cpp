@@ -1,38 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page from the scope to the system's printer, with the whole program; the print system is a script.
+// A page from the scope to a printer, with the whole program; the print system is two scripts.
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QDialog>
 #include <QFile>
+#include <QFileDialog>
+#include <QSignalSpy>
 
 #include "panel.h"
+#include "tests/support/choosefile.h"
 
 namespace nmc {
 namespace {
 
 using namespace testing_support;
+using namespace Qt::StringLiterals;
 
 class PrintingProgram : public testing::Test {
 protected:
     PrintingProgram() {
         qputenv("PATH", directory.path().toLocal8Bit() + ":" + path);
+        install("lp", "echo \"$@\" > " + place(u"asked"_s) + "; cat > " + place(u"page.pdf"_s));
+        installPrinters("office\\nlab\\nplotter\\n", "system default destination: lab");
         panel.start();
-        panel.connectTo(QStringLiteral("simulator=servo"));
+        panel.connectTo(u"simulator=servo"_s);
         EXPECT_TRUE(panel.waitFor([&] { return panel.module().activity() != Activity::Unknown; }));
     }
     ~PrintingProgram() override { qputenv("PATH", path); }
 
+    [[nodiscard]] QByteArray place(const QString& file) { return directory.filePath(file).toLocal8Bit(); }
     /// A program of this name that does what the script says.
-    void install(const QByteArray& script) {
-        QFile file(directory.filePath(QStringLiteral("lp")));
+    void install(const char* program, const QByteArray& script) {
+        QFile file(directory.filePath(QLatin1StringView(program)));
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write("#!/bin/sh\n" + script + "\n");
         file.close();
-        ASSERT_TRUE(file.setPermissions(QFile::ReadOwner | QFile::ExeOwner));
+        ASSERT_TRUE(file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
     }
-    void print() { panel.window().findChild<QAction*>(QStringLiteral("scopePrintAction"))->trigger(); }
+    void installPrinters(const QByteArray& names, const QByteArray& standard) {
+        install("lpstat", "case $1 in -e) printf '" + names + "';; -d) echo '" + standard + "';; esac");
+    }
+    void print() { panel.window().findChild<QAction*>(u"scopePrintAction"_s)->trigger(); }
+    /// The dialog, when everything that there is to say of printers has been said.
+    bool asked() {
+        return panel.waitFor(
+            [&] { return open() && !find<QLabel>(u"printState"_s)->text().startsWith(u"Looking"_s); });
+    }
+    bool open() {
+        auto* dialog = panel.window().findChild<QDialog*>(u"printDialog"_s);
+        return dialog != nullptr && dialog->isVisible();
+    }
+    template <typename T>
+    T* find(const QString& name) {
+        auto* dialog = panel.window().findChild<QDialog*>(u"printDialog"_s);
+        return dialog != nullptr ? dialog->findChild<T*>(name) : nullptr;
+    }
+    void click(const QString& button) {
+        ASSERT_TRUE(find<QPushButton>(button)->isEnabled());
+        QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton);
+    }
+    [[nodiscard]] QStringList printers() {
+        QStringList names;
+        for (int i = 0; i < find<QComboBox>(u"printerBox"_s)->count(); ++i)
+            names << find<QComboBox>(u"printerBox"_s)->itemText(i);
+        return names;
+    }
+    [[nodiscard]] QString chosen() { return find<QComboBox>(u"printerBox"_s)->currentText(); }
     bool told(const char* words) {
-        return panel.waitFor([&] { return panel.count(QLatin1String(words)) > 0; });
+        return panel.waitFor([&] { return panel.count(QLatin1StringView(words)) > 0; });
+    }
+    [[nodiscard]] QByteArray contentOf(const QString& name) {
+        QFile file(directory.filePath(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
 
     const QByteArray path = qgetenv("PATH");
@@ -40,42 +80,166 @@ protected:
     IntentPanel panel;
 };
 
-TEST_F(PrintingProgram, ThePrinterGetsThePage) {
-    const QString page = directory.filePath(QStringLiteral("page.pdf"));
-    install("cat > " + page.toLocal8Bit());
+TEST_F(PrintingProgram, TheSystemsOwnPrinterIsProposedAndGetsThePage) {
     print();
+    ASSERT_TRUE(asked());
+    EXPECT_EQ(printers(), (QStringList{u"office"_s, u"lab"_s, u"plotter"_s}));
+    EXPECT_EQ(chosen(), u"lab"_s);
+    click(u"printButton"_s);
+    EXPECT_FALSE(open());
     ASSERT_TRUE(told("The page was sent to the printer."));
-    QFile file(page);
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    const QByteArray content = file.readAll();
+    EXPECT_EQ(contentOf(u"asked"_s), "-d lab -n 1 -t NMC Panel\n");
+    const QByteArray content = contentOf(u"page.pdf"_s);
     EXPECT_TRUE(content.startsWith("%PDF-"));
     EXPECT_TRUE(content.trimmed().endsWith("%%EOF"));
 }
 
-TEST_F(PrintingProgram, AStepPlotIsPrintedAsWell) {
-    const QString page = directory.filePath(QStringLiteral("page.pdf"));
-    install("cat > " + page.toLocal8Bit());
-    panel.window().findChild<QAction*>(QStringLiteral("responseDockAction"))->trigger();
-    ASSERT_TRUE(panel.waitFor([&] {
-        return panel.window().findChild<QAction*>(QStringLiteral("responsePrintAction")) != nullptr;
-    }));
-    panel.window().findChild<QAction*>(QStringLiteral("responsePrintAction"))->trigger();
+TEST_F(PrintingProgram, AnotherPrinterIsChosenWithMoreCopiesAndProposedTheNextTime) {
+    print();
+    ASSERT_TRUE(asked());
+    QTest::keyClick(find<QComboBox>(u"printerBox"_s), Qt::Key_End);
+    auto* copies = find<QLineEdit>(u"copiesField"_s);
+    copies->setFocus();
+    copies->selectAll();
+    QTest::keyClicks(copies, u"12"_s);
+    QTest::keyClick(copies, Qt::Key_Return);
     ASSERT_TRUE(told("The page was sent to the printer."));
-    QFile file(page);
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    EXPECT_TRUE(file.readAll().startsWith("%PDF-"));
+    EXPECT_EQ(contentOf(u"asked"_s), "-d plotter -n 12 -t NMC Panel\n");
+    print();
+    ASSERT_TRUE(asked());
+    EXPECT_EQ(chosen(), u"plotter"_s);
+    EXPECT_EQ(find<QLineEdit>(u"copiesField"_s)->text(), u"1"_s) << "nobody wants twelve again unasked";
+    click(u"printCancelButton"_s);
+    installPrinters("office\\nlab\\n", "system default destination: lab");
+    print();
+    ASSERT_TRUE(asked());
+    EXPECT_EQ(chosen(), u"lab"_s) << "the other one is not there any more";
+}
+
+TEST_F(PrintingProgram, MoreCopiesThanThereCanBePrintNothing) {
+    print();
+    ASSERT_TRUE(asked());
+    auto* copies = find<QLineEdit>(u"copiesField"_s);
+    copies->setFocus();
+    copies->selectAll();
+    QTest::keyClicks(copies, u"100"_s);
+    EXPECT_FALSE(find<QPushButton>(u"printButton"_s)->isEnabled());
+    EXPECT_TRUE(find<QPushButton>(u"printButton"_s)->toolTip().contains(u"99"_s));
+    QTest::keyClick(copies, Qt::Key_Return);
+    EXPECT_TRUE(open());
+}
+
+TEST_F(PrintingProgram, CancelPrintsNothing) {
+    print();
+    ASSERT_TRUE(asked());
+    click(u"printCancelButton"_s);
+    EXPECT_FALSE(open());
+    EXPECT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.count(u"The page"_s), 0);
+    EXPECT_FALSE(QFile::exists(directory.filePath(u"asked"_s)));
+}
+
+TEST_F(PrintingProgram, AnotherPageTakesThePlaceOfTheOneThatIsAskedAbout) {
+    print();
+    ASSERT_TRUE(asked());
+    QTest::keyClick(find<QComboBox>(u"printerBox"_s), Qt::Key_End);
+    print();
+    EXPECT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.window().findChildren<QDialog*>(u"printDialog"_s).size(), 1);
+    EXPECT_EQ(chosen(), u"plotter"_s) << "what was chosen stays";
+    click(u"printButton"_s);
+    ASSERT_TRUE(told("The page was sent to the printer."));
+    EXPECT_EQ(contentOf(u"asked"_s), "-d plotter -n 1 -t NMC Panel\n");
+}
+
+TEST_F(PrintingProgram, TheOnlyPrinterIsShown) {
+    installPrinters("office\\n", "no system default destination");
+    print();
+    ASSERT_TRUE(asked());
+    EXPECT_EQ(printers(), QStringList{u"office"_s});
+    EXPECT_EQ(chosen(), u"office"_s);
+}
+
+TEST_F(PrintingProgram, AStepPlotIsPrintedAsWell) {
+    panel.window().findChild<QAction*>(u"responseDockAction"_s)->trigger();
+    ASSERT_TRUE(panel.waitFor(
+        [&] { return panel.window().findChild<QAction*>(u"responsePrintAction"_s) != nullptr; }));
+    panel.window().findChild<QAction*>(u"responsePrintAction"_s)->trigger();
+    ASSERT_TRUE(asked());
+    click(u"printButton"_s);
+    ASSERT_TRUE(told("The page was sent to the printer."));
+    EXPECT_TRUE(contentOf(u"page.pdf"_s).startsWith("%PDF-"));
+}
+
+TEST_F(PrintingProgram, WithoutAPrinterItSaysWhatToDoAndSavesThePage) {
+    installPrinters("", "no system default destination");
+    print();
+    ASSERT_TRUE(asked());
+    EXPECT_TRUE(
+        find<QLabel>(u"printState"_s)->text().startsWith(u"No printer is set up on this computer."_s));
+    EXPECT_FALSE(find<QPushButton>(u"printButton"_s)->isEnabled());
+    click(u"printSaveButton"_s);
+    auto* file = find<QFileDialog>(u"printPdfDialog"_s);
+    ASSERT_NE(file, nullptr);
+    chooseFile(*file, directory.filePath(u"saved.pdf"_s));
+    EXPECT_TRUE(panel.waitFor([&] { return contentOf(u"saved.pdf"_s).trimmed().endsWith("%%EOF"); }));
+    EXPECT_FALSE(open());
+    EXPECT_FALSE(QFile::exists(directory.filePath(u"asked"_s)));
+}
+
+TEST_F(PrintingProgram, WithoutAPrintSystemItSaysTheSame) {
+    qputenv("PATH", place({}));
+    ASSERT_TRUE(QFile::remove(directory.filePath(u"lpstat"_s)));
+    print();
+    ASSERT_TRUE(asked());
+    EXPECT_TRUE(
+        find<QLabel>(u"printState"_s)->text().startsWith(u"No printer is set up on this computer."_s));
+}
+
+TEST_F(PrintingProgram, PrintersThatAreNeverNamedHoldNothingUp) {
+    install("lpstat", "exec sleep 60");
+    print();
+    ASSERT_TRUE(panel.waitFor([&] { return open(); }));
+    EXPECT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(find<QLabel>(u"printState"_s)->text(), u"Looking for printers…"_s);
+    EXPECT_FALSE(find<QPushButton>(u"printButton"_s)->isEnabled());
+    EXPECT_TRUE(find<QPushButton>(u"printSaveButton"_s)->isEnabled());
+    QSignalSpy stops(&panel.window(), &MainWindow::stopAllRequested);
+    panel.pressStopAll();
+    EXPECT_EQ(stops.size(), 1);
+    QTest::keyClick(find<QLineEdit>(u"copiesField"_s), Qt::Key_Escape);
+    EXPECT_EQ(stops.size(), 2);
+    EXPECT_FALSE(open());
+    print();
+    ASSERT_TRUE(panel.waitFor([&] { return open(); }));
+    panel.window().close();
+    EXPECT_FALSE(panel.window().isVisible());
+}
+
+/// The one of the system is known before the others are found.
+TEST_F(PrintingProgram, TheSystemsOwnPrinterNeedNotWaitForTheOthers) {
+    install("lpstat", "case $1 in -e) exec sleep 60;; -d) echo 'system default destination: lab';; esac");
+    print();
+    ASSERT_TRUE(panel.waitFor([&] { return open() && chosen() == u"lab"_s; }));
+    click(u"printButton"_s);
+    ASSERT_TRUE(told("The page was sent to the printer."));
+    EXPECT_EQ(contentOf(u"asked"_s), "-d lab -n 1 -t NMC Panel\n");
 }
 
 TEST_F(PrintingProgram, APrintSystemThatDoesNotAnswerHoldsNothingUp) {
-    install("exec sleep 60");
+    install("lp", "exec sleep 60");
     print();
+    ASSERT_TRUE(asked());
+    click(u"printButton"_s);
     EXPECT_TRUE(panel.answersFor(0.5));
-    EXPECT_EQ(panel.count(QLatin1String("The page")), 0);
+    EXPECT_EQ(panel.count(u"The page"_s), 0);
 }
 
 TEST_F(PrintingProgram, WhatThePrintSystemRefusesIsSaid) {
-    install("echo 'no default destination' >&2; exit 1");
+    install("lp", "echo 'lab is not accepting jobs' >&2; exit 1");
     print();
+    ASSERT_TRUE(asked());
+    click(u"printButton"_s);
     EXPECT_TRUE(told("Could not print the page."));
 }
 

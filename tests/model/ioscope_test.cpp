@@ -184,8 +184,8 @@ TEST(IoScope, AWideRecordingHasTheMachinesNamesAndUnits) {
     const std::string text = wideRecordingOf(header(), history);
     EXPECT_EQ(text,
               "time_s,module1_Box/AD1_V,module1_Box/Pressure_bar,module1_Box/AD3_V,module1_Box/count,"
-              "module1_Box/pins_IO3_Door\n"
-              "0.500000000,5,0,7.5,4294967294,2565\n");
+              "module1_Box/count_rate_per_s,module1_Box/pins_IO3_Door\n"
+              "0.500000000,5,0,7.5,4294967294,,2565\n");
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <sstream>
+
 #include "recordings.h"
 
 namespace nmc {
@@ -30,9 +33,10 @@ using testing_support::recordingHeader;
 
 const std::string kNames =
     "time_s,module1_Left_arm/position_mm,module1_Left_arm/velocity_mm_per_s,module1_Left_arm/command_mm,"
-    "module1_Left_arm/error_mm,module1_Left_arm/analog_A,module1_Left_arm/status,module2/position_steps,"
-    "module2/velocity_steps_per_s,module2/command_steps,module2/error_steps,module2/analog_V,module2/"
-    "status\n";
+    "module1_Left_arm/error_mm,module1_Left_arm/analog_A,module1_Left_arm/acceleration_mm_per_s2,"
+    "module1_Left_arm/pwm_calculated,module1_Left_arm/status,"
+    "module2/position_steps,module2/velocity_steps_per_s,module2/command_steps,module2/error_steps,"
+    "module2/analog_V,module2/acceleration_steps_per_s2,module2/status\n";
 
 TEST(WideRecording, HasARowForEachReply) {
     History history(3);
@@ -43,9 +47,9 @@ TEST(WideRecording, HasARowForEachReply) {
     history.append(ModuleIndex(1), sampleAt(11ms, 100));
     history.append(ModuleIndex(0), sampleAt(12ms, 5));
     EXPECT_EQ(wideRecordingOf(header(), history), kNames +
-                                                      "0.010000000,1.5,-2.5,2,0.5,0.5,9,,,,,,\n"
-                                                      "0.011000000,,,,,,,100,,,,4,9\n"
-                                                      "0.012000000,2.5,,,,0.5,9,,,,,,\n")
+                                                      "0.010000000,1.5,-2.5,2,0.5,0.5,,,9,,,,,,,\n"
+                                                      "0.011000000,,,,,,,,,100,,,,4,,9\n"
+                                                      "0.012000000,2.5,,,,0.5,,,9,,,,,,,\n")
         << "a module without samples has no columns";
 }
 
@@ -57,15 +61,16 @@ TEST(WideRecording, IsEvenWhereAnIntervalIsAskedFor) {
     history.append(ModuleIndex(0), sampleAt(17ms, 60));
     history.append(ModuleIndex(1), sampleAt(12ms, 100));
     // 10 counts a millisecond: after 10 ms 5 counts, so 2.5 mm; nothing across the gap from 12.5 to 15.5 ms.
-    EXPECT_EQ(wideRecordingOf(header(), history, Duration(1ms)), kNames +
-                                                                     "0.010000000,2.5,,,,0.5,9,,,,,,\n"
-                                                                     "0.011000000,7.5,,,,0.5,9,,,,,,\n"
-                                                                     "0.012000000,12.5,,,,0.5,9,100,,,,4,9\n"
-                                                                     "0.013000000,,,,,,,,,,,,\n"
-                                                                     "0.014000000,,,,,,,,,,,,\n"
-                                                                     "0.015000000,,,,,,,,,,,,\n"
-                                                                     "0.016000000,30,,,,0.5,9,,,,,,\n"
-                                                                     "0.017000000,30,,,,0.5,9,,,,,,\n");
+    EXPECT_EQ(wideRecordingOf(header(), history, Duration(1ms)),
+              kNames +
+                  "0.010000000,2.5,,,,0.5,,,9,,,,,,,\n"
+                  "0.011000000,7.5,,,,0.5,,,9,,,,,,,\n"
+                  "0.012000000,12.5,,,,0.5,,,9,100,,,,4,,9\n"
+                  "0.013000000,,,,,,,,,,,,,,,\n"
+                  "0.014000000,,,,,,,,,,,,,,,\n"
+                  "0.015000000,,,,,,,,,,,,,,,\n"
+                  "0.016000000,30,,,,0.5,,,9,,,,,,,\n"
+                  "0.017000000,30,,,,0.5,,,9,,,,,,,\n");
 }
 
 TEST(WideRecording, CountsItsTimesAsTheLongFormDoes) {
@@ -87,10 +92,165 @@ TEST(WideRecording, ItsNamesTearNoTable) {
     head.modules[0].unit = {UnitKind::Own, 2, "µm/2"};
     const std::string wide = wideRecordingOf(head, history);
     EXPECT_TRUE(wide.starts_with("time_s,module1_X__left_right_/position_µm_2,")) << wide;
-    EXPECT_EQ(std::count(wide.begin(), wide.end(), ','), 12);
+    EXPECT_EQ(std::count(wide.begin(), wide.end(), ','), 16);
     head.modules[0].name = "Module 1 \"X axis\"";
     EXPECT_TRUE(wideRecordingOf(head, history).starts_with("time_s,Module_1_X_axis/position_µm_2,"));
     EXPECT_EQ(std::count(wide.begin(), wide.end(), '\n'), 2);
+}
+
+// ---- what no sample has ----
+
+/// Samples of one module every 2 ms, from 0 on, of which `fill` says what they have.
+[[nodiscard]] History everyTwoMs(int count, const std::function<void(int, ScopeSample&)>& fill,
+                                 const std::optional<servo::SetGain>& gains = {}, int gainsFrom = 0) {
+    History history(1);
+    history.noteGains({ModuleIndex(0), TimePoint(2ms * gainsFrom), gains});
+    for (int i = 0; i < count; ++i) {
+        ScopeSample sample = sampleAt(2ms * i, 0);
+        sample.aux = 0x04;  // servo on
+        fill(i, sample);
+        history.append(ModuleIndex(0), sample);
+    }
+    return history;
+}
+
+/// The cells of a column, row by row; none if there is no such column.
+[[nodiscard]] std::vector<std::string> column(const std::string& table, const std::string& name) {
+    std::vector<std::string> found;
+    std::optional<std::size_t> place;
+    std::istringstream lines(table);
+    for (std::string line; std::getline(lines, line);) {
+        std::vector<std::string> cells(1);
+        for (const char c : line)
+            c == ',' ? cells.emplace_back() : cells.back() += c;
+        if (place)
+            found.push_back(cells.at(*place));
+        else if (const auto here = std::find(cells.begin(), cells.end(), name); here != cells.end())
+            place = static_cast<std::size_t>(here - cells.begin());
+        else
+            break;
+    }
+    return found;
+}
+
+const std::string kAcceleration = "module1_Left_arm/acceleration_mm_per_s2";
+const std::string kPwm = "module1_Left_arm/pwm_calculated";
+
+/// i^3 counts of half a millimetre after i times 2 ms: 3 i / (2 ms)^2. Of the parabola over 40 ms the first
+/// and the last 20 ms have none.
+TEST(WideRecording, HasTheAccelerationAtEachReply) {
+    const History history = everyTwoMs(60, [](int i, ScopeSample& sample) { sample.position = i * i * i; });
+    const auto cells = column(wideRecordingOf(header(), history), kAcceleration);
+    ASSERT_EQ(cells.size(), 60U);
+    for (int i = 0; i < 60; ++i) {
+        const std::string& cell = cells[static_cast<std::size_t>(i)];
+        ASSERT_EQ(cell.empty(), i < 10 || i >= 50) << i;
+        if (!cell.empty()) {
+            EXPECT_NEAR(std::stod(cell), 750'000.0 * i, 10) << i;
+        }
+    }
+}
+
+/// Half way between two replies it is the mean of theirs.
+TEST(WideRecording, HasTheAccelerationAtEvenTimes) {
+    const History history = everyTwoMs(60, [](int i, ScopeSample& sample) { sample.position = i * i * i; });
+    const auto cells = column(wideRecordingOf(header(), history, Duration(1ms)), kAcceleration);
+    ASSERT_EQ(cells.size(), 119U);
+    for (int ms = 0; ms < 119; ++ms) {
+        const std::string& cell = cells[static_cast<std::size_t>(ms)];
+        ASSERT_EQ(cell.empty(), ms < 20 || ms > 98) << ms;
+        if (!cell.empty()) {
+            EXPECT_NEAR(std::stod(cell), 375'000.0 * ms, 10) << ms;
+        }
+    }
+}
+
+/// i^2 counts every 2.75 ms: 40 ms are in 16 samples, and the middle of these is between two.
+TEST(WideRecording, HasTheAccelerationThatLiesBetweenTwoReplies) {
+    History history(1);
+    for (int i = 0; i < 60; ++i)
+        history.append(ModuleIndex(0), sampleAt(2750us * i, i * i));
+    const double expected = 2 / (0.00275 * 0.00275) / 2;  // mm/s^2
+    const auto cells = column(wideRecordingOf(header(), history), kAcceleration);
+    ASSERT_EQ(cells.size(), 60U);
+    EXPECT_EQ(cells[7], "") << "the first value is half an interval later";
+    for (std::size_t i = 8; i < 52; ++i)
+        EXPECT_NEAR(std::stod(cells[i]), expected, 0.1) << i;
+    EXPECT_EQ(cells[52], "");
+}
+
+/// Kp * error / 256 of -30 counts is -60; the last waits for the next reply.
+TEST(WideRecording, HasThePwmWhileTheGainsAreKnown) {
+    const servo::SetGain gains{512, 0, 0, 0, 255, 0, 16'000, 1, std::uint8_t{0}};
+    const auto standing = [](int, ScopeSample& sample) {
+        sample.error = sample.errorLow = sample.errorHigh = -30;
+    };
+    const History history = everyTwoMs(30, standing, gains, 20);
+    const std::string sparse = wideRecordingOf(header(), history);
+    std::vector<std::string> expected(30);
+    std::fill(expected.begin() + 20, expected.begin() + 29, "-60");
+    EXPECT_EQ(column(sparse, kPwm), expected);
+    const std::string even = wideRecordingOf(header(), history, Duration(1ms));
+    expected.assign(59, "");
+    std::fill(expected.begin() + 40, expected.begin() + 57, "-60");
+    EXPECT_EQ(column(even, kPwm), expected);
+}
+
+/// 20 counts over 1000 ms / 0.512 ms are more than the IL of 100 lets stand: 100 from then on, as long as the
+/// error stays 0. Of the samples that are written alone nobody could tell.
+TEST(WideRecording, MakesThePwmOfWhatWasBeforeToo) {
+    const servo::SetGain gains{0, 0, 256, 100, 255, 0, 16'000, 1, std::uint8_t{0}};
+    const History history = everyTwoMs(
+        1'000,
+        [](int i, ScopeSample& sample) {
+            sample.error = sample.errorLow = sample.errorHigh = i < 500 ? 20.0F : 0.0F;
+        },
+        gains);
+    const std::string table =
+        wideRecordingOf(header(), history, Duration::zero(), TimePoint(1500ms), TimePoint(1600ms));
+    EXPECT_EQ(column(table, kPwm), std::vector<std::string>(51, "100"));
+    EXPECT_EQ(column(table, "time_s").front(), "1.500000000");
+}
+
+/// 3 counts every 2 ms, from the first 100 ms on.
+TEST(WideRecording, HasTheCountRateOfAPicIo) {
+    const History history = everyTwoMs(100, [](int i, ScopeSample& sample) {
+        sample.io = sample.counted = true;
+        sample.setCounter(static_cast<std::uint32_t>(3 * i));
+    });
+    RecordingHeader head = header();
+    head.modules[0].identity = {ModuleType::Io, 1};
+    for (const Duration interval : {Duration::zero(), Duration(2ms)}) {
+        const std::string table = wideRecordingOf(head, history, interval);
+        std::vector<std::string> expected(100);
+        std::fill(expected.begin() + 50, expected.end(), "1500");
+        EXPECT_EQ(column(table, "module1_Left_arm/count_rate_per_s"), expected);
+        EXPECT_TRUE(column(table, kAcceleration).empty()) << "it has no motor";
+        EXPECT_TRUE(column(table, kPwm).empty());
+    }
+}
+
+TEST(WideRecording, HasNoPwmOfAStepper) {
+    History history(2);
+    history.append(ModuleIndex(1), sampleAt(0ms, 0));
+    const std::string table = wideRecordingOf(header(), history);
+    EXPECT_NE(table.find("module2/acceleration_steps_per_s2"), std::string::npos);
+    EXPECT_EQ(table.find("pwm"), std::string::npos);
+}
+
+/// More than a trace of the scope keeps one by one.
+TEST(WideRecording, LosesNothingOfALongHistory) {
+    constexpr int kCount = 250'000;
+    const servo::SetGain gains{256, 0, 0, 0, 255, 0, 16'000, 1, std::uint8_t{0}};
+    const History history = everyTwoMs(
+        kCount, [](int, ScopeSample& sample) { sample.error = sample.errorLow = sample.errorHigh = 7; },
+        gains);
+    const std::string table = wideRecordingOf(header(), history);
+    std::vector<std::string> expected(kCount, "7");
+    expected.back() = "";
+    EXPECT_EQ(column(table, kPwm), expected);
+    const auto accelerations = column(table, kAcceleration);
+    EXPECT_EQ(std::count(accelerations.begin(), accelerations.end(), "0"), kCount - 20);
 }
 
 TEST(WideRecording, OfNothingIsTheTimeAlone) {

@@ -14,6 +14,7 @@
 #include <QTabWidget>
 
 #include "inlanguage.h"
+#include "widgets/common/printdialog.h"
 #include "widgets/machine/machinemenu.h"
 #include "windowtest.h"
 
@@ -247,6 +248,7 @@ TEST_P(Mnemonics, DoNotCollideWithinADialog) {
                                   u"manualAction"_s, u"reportProblemAction"_s, u"restartNetworkAction"_s})
         window->findChild<QAction*>(action)->trigger();
     window->machineMenu().showDifferences(u"mill.json"_s, {});
+    (new PrintDialog({}, window.get()))->show();
     int seen = 0;
     for (const QDialog* dialog : window->findChildren<QDialog*>()) {
         QHash<QString, QString> owners;

@@ -96,6 +96,11 @@ TEST_F(ScopeFilesTest, CsvHasAColumnForEachSignalWhereThatIsChosen) {
     EXPECT_TRUE(sparse[0].contains(u",Module_2/position_counts,"_s));
     ASSERT_EQ(sparse.size(), 1 + 202 + 1) << "101 replies of each from 20 to 30 s";
     EXPECT_TRUE(sparse[1].startsWith(u"20.000000000,200,"_s)) << sparse[1].toStdString();
+    const qsizetype acceleration = sparse[0].split(u',').indexOf(u"Module_1/acceleration_counts_per_s2"_s);
+    ASSERT_GT(acceleration, 0);
+    const QString first = sparse[1].split(u',')[acceleration];
+    EXPECT_FALSE(first.isEmpty()) << "it is made of the samples before these, too";
+    EXPECT_NEAR(first.toDouble(), 0, 1e-6) << "10 counts/s all the time";
     const QStringList even = QString::fromStdString(exported(u"Csv"_s, made, 29.5, 2)).split(u'\n');
     EXPECT_EQ(even[0], sparse[0]);
     ASSERT_EQ(even.size(), 1 + 10'001 + 1);

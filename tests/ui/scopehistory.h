@@ -29,6 +29,9 @@ public:
         sample.position = position;
         m_history.append(ModuleIndex(static_cast<std::uint8_t>(module)), sample);
     }
+    void noteGains(double seconds, const servo::SetGain& gains) {
+        m_history.noteGains({ModuleIndex(0), at(seconds), gains});
+    }
     const History& history() {
         flush();
         return m_history;

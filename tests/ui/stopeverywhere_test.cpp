@@ -14,6 +14,7 @@
 #include <QTimer>
 #include <functional>
 
+#include "widgets/common/printdialog.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/panels/holdbutton.h"
 #include "widgets/scope/scopefiles.h"
@@ -133,6 +134,8 @@ const std::array kWindows{
     Opened{"OpeningARecording", "openRecordingDialog",
            [](StopEverywhere& t) { t.window->scopeFiles().openAction()->trigger(); }},
     Opened{"Signals", "scopeSignalsDialog", [](StopEverywhere& t) { t.trigger(u"scopeSignalsAction"_s); }},
+    Opened{"Printing", "printDialog",
+           [](StopEverywhere& t) { (new PrintDialog({}, t.window.get()))->show(); }},
     Opened{"AFloatingDock", "messagesDock",
            [](StopEverywhere& t) {
                auto* dock = t.find<QDockWidget>(u"messagesDock"_s);

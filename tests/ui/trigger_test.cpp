@@ -38,6 +38,14 @@ protected:
                 window->showHistory(made.history(), HandMadeHistory::at(t));
         }
     }
+    void pick(const QString& box, const QString& item) {
+        auto* combo = find<QComboBox>(box);
+        combo->setFocus();
+        QTest::keyClick(combo, Qt::Key_Home);
+        while (combo->currentText() != item && combo->currentIndex() + 1 < combo->count())
+            QTest::keyClick(combo, Qt::Key_Down);
+        ASSERT_EQ(combo->currentText(), item);
+    }
     ScopeStrips& strips() { return *find<ScopeStrips>(u"scopeStrips"_s); }
     QString state() { return text(u"triggerStateLabel"_s); }
     [[nodiscard]] bool paused() { return find<ScopePanel>(u"scopePanel"_s)->paused(); }
@@ -190,6 +198,69 @@ TEST_F(Trigger, OffersTheSignalsOfTheOtherModules) {
     EXPECT_GE(sources->findText(u"Module 2: velocity"_s), 0);
     EXPECT_GE(sources->findText(u"Module 2: move_done"_s), 0);
     EXPECT_EQ(sources->findText(u"Module 1: position"_s), -1) << "it is the selected one";
+}
+
+/// Moves off at 3 s with 20 000 counts/s^2. Of the parabola over five samples half of it is seen when it
+/// does.
+void speedsUp(double t, ScopeSample& sample) {
+    const auto hundredths = std::lround((t - 3) * 100);
+    sample.position = t < 3 ? 0 : static_cast<std::int32_t>(hundredths * hundredths);
+}
+
+TEST_F(Trigger, WaitsForAnAccelerationInTheAxisUnit) {
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Millimetres, 100.0, {}};
+    window->showMachine(machine);
+    pick(u"triggerSourceBox"_s, u"acceleration"_s);
+    const QList<QLabel*> labels = find(u"triggerBar"_s)->findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->isVisible() && label->text() == u"mm/s²"_s;
+    }));
+    type(u"triggerLevelField"_s, u"100"_s);
+    pick(u"triggerModeBox"_s, u"Single"_s);
+    run(2.0, speedsUp);
+    click(u"triggerArmButton"_s);
+    EXPECT_EQ(state(), u"waiting"_s);
+    run(3.8, speedsUp);
+    EXPECT_TRUE(state().endsWith(u"more samples to come"_s)) << state().toStdString();
+    run(6.0, speedsUp);
+    expectShown(3.0 - 0.2, 3.0 + 0.8);
+}
+
+/// 20 counts for 1 s are 39 062 in the sum over ticks of 0.512 ms, of which IL leaves 100 times 256: a PWM of
+/// 100 that stays, and would be 0 of the samples since the trigger was set.
+TEST_F(Trigger, WaitsForThePwmThatThePlotShows) {
+    made.noteGains(0, {0, 0, 256, 100, 255, 0, 16'000, 1, std::uint8_t{0}});
+    const auto pushed = [](double t, ScopeSample& sample) {
+        sample.aux = 0x04;  // servo on
+        sample.error = sample.errorLow = sample.errorHigh = t > 0.995 && t < 1.995 ? 20.0F : 0.0F;
+    };
+    run(3.0, pushed);
+    pick(u"triggerSourceBox"_s, u"PWM, calculated"_s);
+    type(u"triggerLevelField"_s, u"99"_s);
+    pick(u"triggerConditionBox"_s, u"is above"_s);
+    pick(u"triggerModeBox"_s, u"Single"_s);
+    run(5.0, pushed);
+    expectShown(3.0 - 0.2, 3.0 + 0.8);
+}
+
+TEST_F(Trigger, OffersWhatIsMadeOfSamplesOnlyWhereItCanBe) {
+    const auto* sources = find<QComboBox>(u"triggerSourceBox"_s);
+    EXPECT_GE(sources->findText(u"acceleration"_s), 0);
+    EXPECT_GE(sources->findText(u"PWM, calculated"_s), 0);
+    EXPECT_GE(sources->findText(u"Module 2: acceleration"_s), 0);
+    EXPECT_EQ(sources->findText(u"count rate"_s), -1);
+    const auto show = [this](ModuleType type) {
+        ModuleState module = Servo{}.state();
+        module.info.identity = {type, 1};
+        window->showLink(connectedTo({module}));
+    };
+    show(ModuleType::Stepper);
+    EXPECT_GE(sources->findText(u"acceleration"_s), 0);
+    EXPECT_EQ(sources->findText(u"PWM, calculated"_s), -1) << "it follows its steps";
+    show(ModuleType::Io);
+    EXPECT_GE(sources->findText(u"count rate"_s), 0);
+    EXPECT_EQ(sources->findText(u"acceleration"_s), -1);
 }
 
 }  // namespace

@@ -21,10 +21,19 @@ Message notPrintedBecause(const QString& cause, const QString& details) {
 
 }  // namespace
 
-Message sentToPrinter() {
+QString lookingForPrinters() {
+    return Texts::tr("Looking for printers…");
+}
+
+QString noPrinter() {
+    return Texts::tr(
+        "No printer is set up on this computer. Add one in the system's printer settings, or save the page as a PDF file.");
+}
+
+Message sentToPrinter(const QString& printer) {
     return {.key = kKey,
             .headline = Texts::tr("The page was sent to the printer."),
-            .body = Texts::tr("This computer's default printer is used.")};
+            .body = Texts::tr("Printer: %1").arg(printer)};
 }
 
 Message noPrinting(const QString& command) {

@@ -6,7 +6,10 @@
 /// What the table of texts has to say of printing.
 namespace nmc::texts {
 
-[[nodiscard]] Message sentToPrinter();
+[[nodiscard]] QString lookingForPrinters();
+/// There is none.
+[[nodiscard]] QString noPrinter();
+[[nodiscard]] Message sentToPrinter(const QString& printer);
 /// `command`: what hands pages to the printer; it is not installed.
 [[nodiscard]] Message noPrinting(const QString& command);
 /// `details`: what it said.

@@ -15,6 +15,7 @@ inline const QString kLastBaud = QStringLiteral("connection/baud");
 inline const QString kSimulatorOpen = QStringLiteral("simulator/open");
 inline const QString kSafetyRead = QStringLiteral("safety/understood");
 inline const QString kColours = QStringLiteral("window/colours");
+inline const QString kPrinter = QStringLiteral("print/printer");
 inline const QString kSounds = QStringLiteral("sounds");
 inline const QString kOperatorMode = QStringLiteral("operator/locked");
 inline const QString kOperatorSalt = QStringLiteral("operator/salt");

@@ -90,8 +90,8 @@ void ResponseView::buildMenu() {
     add(u"responsePdfAction"_s, tr("P&age (PDF)…"),
         tr("The visible plot on a page for printing or a report."), [this] { choose(Kind::Pdf); });
     m_menu->addSeparator();
-    add(u"responsePrintAction"_s, tr("P&rint"),
-        tr("Prints the visible plot on this computer's default printer."),
+    add(u"responsePrintAction"_s, tr("P&rint…"),
+        tr("Prints the visible plot on one of this computer's printers."),
         [this] { emit printRequested(pdfOf(picture())); });
     add(u"responseCopyAction"_s, tr("&Copy picture"), tr("Copies the visible plot to the clipboard."),
         [this] { copy(); });

@@ -31,8 +31,11 @@ class Scope {
     Q_DECLARE_TR_FUNCTIONS(Scope)
 };
 
+enum Form { Long, Sparse, Even };
+
 struct Seen {
-    std::shared_ptr<const History> history;
+    std::shared_ptr<const History> history;  ///< in a wide form all: signals are made of what was before
+    TimePoint from, to;
     std::optional<TimePoint> coarserBefore;
 };
 
@@ -47,19 +50,19 @@ std::optional<TimePoint> coarserBefore(const History& history, TimePoint left) {
     return latest;
 }
 
-Seen seenOf(const ScopeStrips& strips, const History& history) {
+Seen seenOf(const ScopeStrips& strips, const History& history, int form = Long) {
     const TimePoint zero = history.zero().value_or(TimePoint{});
     const TimePoint left = zero + fromSeconds(strips.time().left());
-    return {std::make_shared<const History>(history.cut(left, zero + fromSeconds(strips.time().right()))),
+    const TimePoint right = zero + fromSeconds(strips.time().right());
+    return {std::make_shared<const History>(form == Long ? history.cut(left, right) : history), left, right,
             coarserBefore(history, left)};
 }
 
-/// In the order of the forms below.
+/// In the order of the forms.
 QStringList csvForms() {
     return {Scope::tr("One row per reply (*.csv)"), Scope::tr("One column per signal (*.csv)"),
             Scope::tr("One column per signal, every millisecond (*.csv)")};
 }
-enum Form { Long, Sparse, Even };
 
 /// Only the long form can be opened here again.
 FileContent contentOf(const Seen& seen, const std::vector<ScopeModule>& modules, const ScopeOrigin& origin,
@@ -69,7 +72,7 @@ FileContent contentOf(const Seen& seen, const std::vector<ScopeModule>& modules,
                                                    seen.history->zero().value_or(TimePoint{}), origin.zero);
     if (form != Long)
         return [seen, header, interval = form == Even ? kInterval : Duration::zero()] {
-            return wideRecordingOf(header, *seen.history, interval);
+            return wideRecordingOf(header, *seen.history, interval, seen.from, seen.to);
         };
     return [seen, header] {
         std::string text = recordingOf(header, *seen.history);
@@ -119,8 +122,8 @@ ScopeExport::ScopeExport(QWidget* panel) : QObject(panel), m_panel(panel), m_men
     m_menu->addSeparator();
     addAction(Kind::Clipboard, u"scopeCopyAction"_s, tr("&Copy picture"),
               tr("Copies the visible plot to the clipboard, with its samples if these are few."));
-    addAction(Kind::Printer, u"scopePrintAction"_s, tr("P&rint"),
-              tr("Prints the visible plot on this computer's default printer."));
+    addAction(Kind::Printer, u"scopePrintAction"_s, tr("P&rint…"),
+              tr("Prints the visible plot on one of this computer's printers."));
 }
 
 void ScopeExport::addAction(Kind kind, const QString& objectName, const QString& text,
@@ -169,8 +172,8 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, const ScopeO
                                       [&strips](QPainter& painter) { strips.renderTo(painter); });
     switch (wanted.kind) {
         case Kind::Csv:
-            emit saveRequested(wanted.path,
-                               contentOf(seenOf(strips, history), strips.modules(), origin, wanted.form));
+            emit saveRequested(wanted.path, contentOf(seenOf(strips, history, wanted.form), strips.modules(),
+                                                      origin, wanted.form));
             break;
         case Kind::Png:
             emit saveRequested(wanted.path,

@@ -171,8 +171,9 @@ void TriggerBar::addSources(const std::optional<ModuleIndex>& module, const Scop
         m_source->addItem(module ? tr("%1: %2").arg(of.name, name) : name);
     };
     for (std::size_t i = 0; i < kScopeSignals; ++i) {
-        // It looks at samples.
-        if (const auto signal = static_cast<ScopeSignal>(i); !isDerived(signal) && of.has(signal))
+        // What is made needs what it is made of.
+        const auto signal = static_cast<ScopeSignal>(i);
+        if (isDerived(signal) ? of.reports(signal) : of.has(signal))
             add({module, signal}, texts::signalName(signal, of));
     }
     for (const ScopeBit& bit : laneBits(of.identity.type))

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "model/scope/derivedsignals.h"
+
 namespace nmc {
 
 using namespace Qt::StringLiterals;
@@ -25,7 +27,7 @@ void TriggerControl::setWindow(double seconds) {
         return;
     m_window = seconds;
     if (m_trigger.state() == ScopeTrigger::State::Armed) {
-        takeWindow();
+        m_trigger.setWindow(m_window);
         m_trigger.arm(m_now);
     }
 }
@@ -47,26 +49,25 @@ void TriggerControl::apply() {
     if (wanted) {
         wanted->window = m_window;
         m_trigger.set(*wanted);
+        feedAnew(*wanted);
         return arm();
     }
     m_trigger.disarm();
     emit restarted();
 }
 
-void TriggerControl::arm() {
-    m_completeSince.reset();
-    takeWindow();
-    m_trigger.arm(m_now);
-    emit restarted();
+/// What is made of samples is the same as in the plot only if it is made of all of them.
+void TriggerControl::feedAnew(const TriggerSettings& settings) {
+    const auto* signal = std::get_if<ScopeSignal>(&settings.source);
+    if (signal != nullptr && isDerived(*signal) && settings.module.value() < m_fed.size())
+        m_fed[settings.module.value()] = 0;
 }
 
-/// As long as what is seen by now.
-void TriggerControl::takeWindow() {
-    TriggerSettings settings = m_trigger.settings();
-    if (settings.window == m_window)
-        return;
-    settings.window = m_window;
-    m_trigger.set(settings);
+void TriggerControl::arm() {
+    m_completeSince.reset();
+    m_trigger.setWindow(m_window);  // as long as what is seen by now
+    m_trigger.arm(m_now);
+    emit restarted();
 }
 
 void TriggerControl::follow(const History& history, TimePoint now, const QDateTime& zero) {
@@ -77,7 +78,7 @@ void TriggerControl::follow(const History& history, TimePoint now, const QDateTi
     if (m_completeSince && now - *m_completeSince >= kShown) {
         m_completeSince.reset();
         if (m_trigger.settings().mode == TriggerSettings::Mode::Normal) {
-            takeWindow();
+            m_trigger.setWindow(m_window);
             m_trigger.arm(now);
         }
     }
@@ -93,8 +94,9 @@ void TriggerControl::feed(const History& history) {
     for (std::size_t i = 0; i < m_fed.size(); ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
         const ModuleHistory& module = *history.module(index);
-        module.visitSince(m_fed[i], [&](const ScopeSample& sample) { m_trigger.feed(index, sample); });
-        m_fed[i] = module.count();
+        m_fed[i] = module.visitSince(
+            m_fed[i], [&](const ScopeSample& sample) { m_trigger.feed(index, sample, history.gains()); },
+            DerivedSignals::kAtOnce);
     }
 }
 

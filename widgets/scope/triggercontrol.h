@@ -42,7 +42,7 @@ private:
 
     void apply();
     void arm();
-    void takeWindow();
+    void feedAnew(const TriggerSettings& settings);
     void feed(const History& history);
     void showState(const QDateTime& zero, TimePoint historyZero);
 

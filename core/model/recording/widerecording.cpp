@@ -2,21 +2,25 @@
 #include "model/recording/widerecording.h"
 
 #include <algorithm>
-#include <array>
-#include <span>
 #include <vector>
 
 #include "model/recording/numbertext.h"
 #include "model/recording/timetext.h"
+#include "model/scope/signalmaker.h"
 
 namespace nmc {
 
 namespace {
 
-constexpr std::array kMotorSignals{ScopeSignal::Position, ScopeSignal::Velocity, ScopeSignal::Command,
-                                   ScopeSignal::Error, ScopeSignal::Analog};
-constexpr std::array kIoSignals{ScopeSignal::Analog, ScopeSignal::Analog2, ScopeSignal::Analog3,
-                                ScopeSignal::Counter};
+[[nodiscard]] std::vector<ScopeSignal> signalsOf(ModuleType type) {
+    using enum ScopeSignal;
+    if (type == ModuleType::Io)
+        return {Analog, Analog2, Analog3, Counter, CountRate};
+    std::vector<ScopeSignal> motor{Position, Velocity, Command, Error, Analog, Acceleration};
+    if (type == ModuleType::Servo)
+        motor.push_back(Pwm);
+    return motor;
+}
 
 /// Part of a column's name: no separator, no quote, no blank, and no slash, which makes a tree.
 [[nodiscard]] std::string wordOf(std::string_view text) {
@@ -51,8 +55,13 @@ constexpr std::array kIoSignals{ScopeSignal::Analog, ScopeSignal::Analog2, Scope
 
 class WideModule {
 public:
-    WideModule(const RecordingModule& module, const ModuleHistory& history)
-        : m_module(module), m_history(history) {}
+    /// `seen` are the rows; signals are made of all of `history`.
+    WideModule(const RecordingModule& module, const ModuleHistory& seen, const History& history)
+        : m_module(module), m_history(seen) {
+        for (const ScopeSignal signal : m_signals)
+            if (isDerived(signal))
+                m_made.push_back(made(signal, history));
+    }
 
     [[nodiscard]] const ModuleHistory& history() const { return m_history; }
 
@@ -69,12 +78,16 @@ public:
         const std::string unit = unitOf(m_module);
         out += prefix + "position_" + unit + prefix + "velocity_" + unit + "_per_s" + prefix + "command_" +
                unit + prefix + "error_" + unit + prefix + "analog_" + wordOf(m_module.analog.unit) + prefix +
-               "status";
+               "acceleration_" + unit + "_per_s2";
+        if (m_signals.back() == ScopeSignal::Pwm)
+            out += prefix + "pwm_calculated";
+        out += prefix + "status";
     }
     void appendEmpty(std::string& out) const { out.append(m_signals.size() + 1, ','); }
     void append(std::string& out, const ScopeSample& sample) const {
         for (const ScopeSignal signal : m_signals)
-            appendCell(out, signal, valueOf(sample, signal));
+            appendCell(out, signal,
+                       isDerived(signal) ? madeAt(sample.time, signal) : valueOf(sample, signal));
         appendStatus(out, sample);
     }
     void appendAt(std::string& out, TimePoint time) const {
@@ -89,14 +102,33 @@ public:
             const auto to = valueOf(*after, signal);
             const bool whole = m_io || signal == ScopeSignal::Analog;
             appendCell(out, signal,
-                       whole        ? from
-                       : from && to ? std::optional(*from + share * (*to - *from))
-                                    : std::nullopt);
+                       isDerived(signal) ? madeAt(time, signal)
+                       : whole           ? from
+                       : from && to      ? std::optional(*from + share * (*to - *from))
+                                         : std::nullopt);
         }
         appendStatus(out, *before);
     }
 
 private:
+    struct Made {
+        ScopeSignal signal;
+        ModuleHistory values{};
+    };
+    [[nodiscard]] Made made(ScopeSignal signal, const History& history) const {
+        Made made{signal};
+        SignalMaker maker({m_module.index, signal});
+        history.module(m_module.index)->visitSince(0, [&](const ScopeSample& sample) {
+            if (const auto value = maker.take(sample, history.gains()))
+                made.values.append(*value);
+        });
+        return made;
+    }
+    [[nodiscard]] std::optional<double> madeAt(TimePoint time, ScopeSignal signal) const {
+        const auto found = std::find_if(m_made.begin(), m_made.end(),
+                                        [signal](const Made& made) { return made.signal == signal; });
+        return found->values.valueAt(time, ScopeSignal::Error);
+    }
     /// As they are called on this machine; the pins are bits of one number, IO1 is 1.
     void appendIoNames(std::string& out, const std::string& prefix) const {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -104,7 +136,7 @@ private:
             const std::string name = input.name.empty() ? "AD" + textOf(i + 1) : wordOf(input.name);
             out += prefix + name + '_' + wordOf(input.scale.unit);
         }
-        out += prefix + "count" + prefix + "pins";
+        out += prefix + "count" + prefix + "count_rate_per_s" + prefix + "pins";
         for (std::size_t i = 0; i < m_module.pins.pins.size(); ++i)
             if (const std::string& name = m_module.pins.pins[i].name; !name.empty())
                 out += "_IO" + textOf(i + 1) + '_' + wordOf(name);
@@ -119,7 +151,8 @@ private:
                 input ? PinSettings::of(m_module.pins.analog, *input).scale : AnalogScale{1, 0, {}};
             return appendNumber(out, scale.atZero + *value * scale.perCount);
         }
-        const double perUnit = m_module.unit.kind == UnitKind::Native ? 1.0 : m_module.unit.countsPerUnit;
+        const bool bare = m_module.unit.kind == UnitKind::Native || signal == ScopeSignal::Pwm;
+        const double perUnit = bare ? 1.0 : m_module.unit.countsPerUnit;
         appendNumber(out, signal == ScopeSignal::Analog
                               ? m_module.analog.atZero + *value * m_module.analog.perCount
                               : *value / perUnit);
@@ -132,8 +165,8 @@ private:
     RecordingModule m_module;
     const ModuleHistory& m_history;
     bool m_io = m_module.identity.type == ModuleType::Io;
-    std::span<const ScopeSignal> m_signals =
-        m_io ? std::span<const ScopeSignal>(kIoSignals) : std::span<const ScopeSignal>(kMotorSignals);
+    std::vector<ScopeSignal> m_signals = signalsOf(m_module.identity.type);
+    std::vector<Made> m_made;
 };
 
 void appendSparse(std::string& out, const std::vector<WideModule>& modules, TimePoint zero) {
@@ -180,17 +213,19 @@ void appendEven(std::string& out, const std::vector<WideModule>& modules, TimePo
 
 }  // namespace
 
-std::string wideRecordingOf(const RecordingHeader& header, const History& history, Duration interval) {
+std::string wideRecordingOf(const RecordingHeader& header, const History& history, Duration interval,
+                            TimePoint from, TimePoint to) {
+    const History seen = history.cut(from, to);
     std::vector<WideModule> modules;
-    for (std::size_t i = 0; i < history.modules(); ++i) {
+    for (std::size_t i = 0; i < seen.modules(); ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
-        const ModuleHistory& samples = *history.module(index);
-        if (!samples.keptSince())
+        const ModuleHistory& samples = *seen.module(index);
+        if (samples.empty())
             continue;
         const auto told = std::find_if(header.modules.begin(), header.modules.end(),
                                        [&](const RecordingModule& module) { return module.index == index; });
         modules.emplace_back(told != header.modules.end() ? *told : RecordingModule{index, {}, {}, {}, {}},
-                             samples);
+                             samples, history);
     }
     std::string out = "time_s";
     for (const WideModule& module : modules)

@@ -2,75 +2,34 @@
 #include "model/scope/derivedsignals.h"
 
 #include <algorithm>
-#include <variant>
-
-#include "model/scope/countrate.h"
-#include "model/scope/measuredacceleration.h"
-#include "model/scope/pwmoutput.h"
 
 namespace nmc {
 
-/// Its values are kept as calculated errors are, because these have bounds.
 class DerivedSignals::Track {
 public:
-    explicit Track(const ModuleSignal& of) : m_of(of) { forget(); }
+    explicit Track(const ModuleSignal& of) : m_maker(of), m_values(1, kBudget) {}
 
-    [[nodiscard]] const ModuleSignal& of() const { return m_of; }
+    [[nodiscard]] const ModuleSignal& of() const { return m_maker.of(); }
     [[nodiscard]] const ModuleHistory& values() const { return *m_values.module(ModuleIndex(0)); }
 
-    void forget() {
-        m_values = History(1, kBudget);
-        m_taken = 0;
-        m_gainsTaken = 0;
-        m_gains.reset();
-        if (m_of.signal == ScopeSignal::Pwm)
-            m_maker = PwmOutput();
-        else if (m_of.signal == ScopeSignal::CountRate)
-            m_maker = CountRate();
-        else
-            m_maker = MeasuredAcceleration();
-    }
-
     bool follow(const History& history) {
-        const ModuleHistory* samples = history.module(m_of.module);
+        const ModuleHistory* samples = history.module(of().module);
         if (samples == nullptr)
             return true;
         m_taken = samples->visitSince(
-            m_taken, [&](const ScopeSample& sample) { take(sample, history.gains()); }, kAtOnce);
+            m_taken,
+            [&](const ScopeSample& sample) {
+                if (const auto value = m_maker.take(sample, history.gains()))
+                    m_values.append(ModuleIndex(0), *value);
+            },
+            kAtOnce);
         return m_taken == samples->count();
     }
 
 private:
-    void take(const ScopeSample& sample, const std::vector<GainsChange>& gains) {
-        for (; m_gainsTaken < gains.size() && gains[m_gainsTaken].time <= sample.time; ++m_gainsTaken)
-            if (gains[m_gainsTaken].module == m_of.module)
-                m_gains = gains[m_gainsTaken].gains;
-        if (auto* pwm = std::get_if<PwmOutput>(&m_maker)) {
-            if (const auto made = pwm->take(sample, m_gains))
-                keep(made->time, made->likely, made->low, made->high, made->gapBefore);
-        } else if (auto* rate = std::get_if<CountRate>(&m_maker)) {
-            if (const auto made = rate->take(sample))
-                keep(made->time, made->value, made->value, made->value, made->gapBefore);
-        } else if (const auto made = std::get<MeasuredAcceleration>(m_maker).take(sample)) {
-            keep(made->time, made->value, made->value, made->value, made->gapBefore);
-        }
-    }
-    void keep(TimePoint time, double value, double low, double high, bool gapBefore) {
-        ScopeSample made;
-        made.time = time;
-        made.error = static_cast<float>(value);
-        made.errorLow = static_cast<float>(low);
-        made.errorHigh = static_cast<float>(high);
-        made.gapBefore = gapBefore;
-        m_values.append(ModuleIndex(0), made);
-    }
-
-    ModuleSignal m_of;
+    SignalMaker m_maker;
     History m_values;
     std::uint64_t m_taken = 0;
-    std::size_t m_gainsTaken = 0;
-    std::optional<servo::SetGain> m_gains;
-    std::variant<MeasuredAcceleration, PwmOutput, CountRate> m_maker;
 };
 
 DerivedSignals::DerivedSignals() = default;
@@ -100,7 +59,7 @@ bool DerivedSignals::follow(const History& history) {
 
 void DerivedSignals::forget() {
     for (const auto& track : m_tracks)
-        track->forget();
+        *track = Track(track->of());
 }
 
 DerivedSignals::Source DerivedSignals::source(const History& history, const ModuleSignal& of) const {

@@ -5,16 +5,9 @@
 #include <vector>
 
 #include "model/scope/history.h"
-#include "model/scope/scopesignal.h"
+#include "model/scope/signalmaker.h"
 
 namespace nmc {
-
-/// A signal of a module.
-struct ModuleSignal {
-    ModuleIndex module;
-    ScopeSignal signal = ScopeSignal::Position;
-    bool operator==(const ModuleSignal&) const = default;
-};
 
 /// The signals that no sample has, made from samples for as long as they are wanted, each with a pyramid of
 /// its own, so that drawing them costs what drawing any other costs. What nobody looks at costs nothing. One

@@ -24,7 +24,12 @@ bool wraps(const std::variant<ScopeSignal, ScopeBit>& source) {
 
 void ScopeTrigger::set(const TriggerSettings& settings) {
     m_settings = settings;
-    m_last.reset();
+    startAnew();
+    disarm();
+}
+
+void ScopeTrigger::setWindow(double seconds) {
+    m_settings.window = seconds;
     disarm();
 }
 
@@ -46,28 +51,55 @@ void ScopeTrigger::disarm() {
 
 void ScopeTrigger::forgetSamples() {
     m_samplesSince.reset();
-    m_last.reset();
+    startAnew();
 }
 
-ScopeTrigger::State ScopeTrigger::feed(ModuleIndex module, const ScopeSample& sample) {
+void ScopeTrigger::startAnew() {
+    m_last.reset();
+    m_maker.reset();
+    if (const auto* signal = std::get_if<ScopeSignal>(&m_settings.source); signal && isDerived(*signal))
+        m_maker.emplace(ModuleSignal{m_settings.module, *signal});
+}
+
+ScopeTrigger::State ScopeTrigger::feed(ModuleIndex module, const ScopeSample& sample,
+                                       const std::vector<GainsChange>& gains) {
     if (!m_samplesSince)
         m_samplesSince = sample.time;
     if (module != m_settings.module)
         return m_state;
-    if (sample.gapBefore)
+    if (!m_maker)
+        look(sample);
+    else if (const auto made = m_maker->take(sample, gains))
+        look(*made);
+    if (m_state == State::Fired && reachesTheEnd(sample))
+        m_state = State::Complete;
+    return m_state;
+}
+
+void ScopeTrigger::look(const ScopeSample& value) {
+    if (value.gapBefore)
         m_last.reset();
-    const std::optional<Value> now = watched(sample);
+    const std::optional<Value> now = watched(value);
     if (m_state == State::Armed && now) {
         const auto met = conditionMet(*now);
         if (met && *met >= m_armedAt && *met - before() >= *m_samplesSince) {
             m_state = State::Fired;
             m_firedAt = met;
+            m_behind = 0;
         }
     }
     m_last = now;
-    if (m_state == State::Fired && sample.time >= picture()->to)
-        m_state = State::Complete;
-    return m_state;
+}
+
+/// A made value is late, and does not come at all where it is not known: then it is waited for as long as one
+/// could be.
+bool ScopeTrigger::reachesTheEnd(const ScopeSample& sample) {
+    const TimePoint end = picture()->to;
+    if (sample.time < end)
+        return false;
+    if (!m_maker || (m_last && m_last->time >= end))
+        return true;
+    return ++m_behind > SignalMaker::kSamplesBehind && sample.time - end > SignalMaker::kTimeBehind;
 }
 
 std::optional<ScopeTrigger::Picture> ScopeTrigger::picture() const {
@@ -80,7 +112,9 @@ std::optional<ScopeTrigger::Picture> ScopeTrigger::picture() const {
 std::optional<ScopeTrigger::Value> ScopeTrigger::watched(const ScopeSample& sample) const {
     if (const auto* bit = std::get_if<ScopeBit>(&m_settings.source))
         return Value{sample.time, isSet(sample, *bit) ? 1.0 : 0.0};
-    const auto value = valueOf(sample, std::get<ScopeSignal>(m_settings.source));
+    // What is made has the form of an error.
+    const auto value =
+        valueOf(sample, m_maker ? ScopeSignal::Error : std::get<ScopeSignal>(m_settings.source));
     if (!value)
         return std::nullopt;
     return Value{sample.time, *value};

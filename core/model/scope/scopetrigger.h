@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "base/strong.h"
 #include "base/time.h"
-#include "model/scope/scopesignal.h"
+#include "model/scope/signalmaker.h"
 
 namespace nmc {
 
@@ -27,7 +28,7 @@ struct TriggerSettings {
     ModuleIndex module;
     std::variant<ScopeSignal, ScopeBit> source = ScopeSignal::Position;
     Condition condition = Condition::Rising;
-    double level = 0.0;  ///< in the unit of valueOf(); not of a bit
+    double level = 0.0;  ///< in the unit of valueOf(), or as it is made; not of a bit
     Mode mode = Mode::Single;
     double preTrigger = 0.2;  ///< share of the window before the trigger, 0..1
     double window = 1.0;      ///< s; taken as 1 us to 10 days
@@ -42,12 +43,14 @@ public:
     enum class State : std::uint8_t {
         Off,
         Armed,     ///< waits for the condition, and until there are samples for all that comes before it
-        Fired,     ///< waits for the module's samples for the rest of the picture
+        Fired,     ///< waits for the rest of the picture: the module's samples, or what is made of them
         Complete,  ///< the picture is there
     };
 
-    /// Switches it off.
+    /// Switches it off. Of a derived signal nothing is known then: its module's samples begin anew.
     void set(const TriggerSettings& settings);
+    /// Of the next picture, for which it is to be armed again: switches it off.
+    void setWindow(double seconds);
     [[nodiscard]] const TriggerSettings& settings() const { return m_settings; }
 
     /// From now on. What was before may be in the picture, but does not trigger.
@@ -58,8 +61,9 @@ public:
     /// The samples so far are not in the history any more: none of them comes before a trigger.
     void forgetSamples();
 
-    /// Every sample of every module, in the order of arrival, in any state.
-    State feed(ModuleIndex module, const ScopeSample& sample);
+    /// Every sample of every module, in the order of arrival, in any state; `gains` are those of their
+    /// history.
+    State feed(ModuleIndex module, const ScopeSample& sample, const std::vector<GainsChange>& gains = {});
 
     [[nodiscard]] State state() const { return m_state; }
     /// Of Fired and Complete. An edge of a line is where the straight line between two samples crosses the
@@ -78,9 +82,12 @@ private:
         TimePoint time;
         double value = 0.0;
     };
+    void startAnew();
+    void look(const ScopeSample& value);
     [[nodiscard]] std::optional<Value> watched(const ScopeSample& sample) const;
     [[nodiscard]] std::optional<TimePoint> conditionMet(const Value& now) const;
     [[nodiscard]] std::optional<TimePoint> crossing(const Value& now) const;
+    [[nodiscard]] bool reachesTheEnd(const ScopeSample& sample);
     [[nodiscard]] double level() const;
     [[nodiscard]] Duration before() const;
     [[nodiscard]] Duration window() const;
@@ -91,6 +98,8 @@ private:
     std::optional<TimePoint> m_firedAt;
     std::optional<TimePoint> m_samplesSince;  ///< of any module
     std::optional<Value> m_last;              ///< of the watched module, if nothing is missing behind it
+    std::optional<SignalMaker> m_maker;       ///< of a derived signal
+    std::size_t m_behind = 0;                 ///< samples behind the picture while a made value is missing
 };
 
 }  // namespace nmc

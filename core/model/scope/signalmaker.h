@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "base/strong.h"
+#include "model/scope/countrate.h"
+#include "model/scope/gainschange.h"
+#include "model/scope/measuredacceleration.h"
+#include "model/scope/pwmoutput.h"
+#include "model/scope/scopesignal.h"
+
+namespace nmc {
+
+/// A signal of a module.
+struct ModuleSignal {
+    ModuleIndex module;
+    ScopeSignal signal = ScopeSignal::Position;
+    bool operator==(const ModuleSignal&) const = default;
+};
+
+/// Makes the values of a signal that no sample has, of the samples of its module as they come. Pure.
+class SignalMaker {
+public:
+    /// A value is of a moment before the sample that completes it: no more than so many samples before, or
+    /// than this time if that is longer.
+    static constexpr std::size_t kSamplesBehind = MeasuredAcceleration::kFewest;
+    static constexpr Duration kTimeBehind = MeasuredAcceleration::kTime;
+
+    /// Of a derived signal.
+    explicit SignalMaker(const ModuleSignal& of);
+
+    [[nodiscard]] const ModuleSignal& of() const { return m_of; }
+    /// In the order of time; `gains` are all that are known of, always of the same history. The value has the
+    /// form of a calculated error, because that has bounds. Nothing: not yet, or not known.
+    [[nodiscard]] std::optional<ScopeSample> take(const ScopeSample& sample,
+                                                  const std::vector<GainsChange>& gains);
+
+private:
+    ModuleSignal m_of;
+    std::size_t m_gainsTaken = 0;
+    std::optional<servo::SetGain> m_gains;
+    std::variant<MeasuredAcceleration, PwmOutput, CountRate> m_maker;
+};
+
+}  // namespace nmc

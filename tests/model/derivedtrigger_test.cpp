@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A trigger on what no sample has: acceleration, PWM, count rate.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <vector>
+
+#include "model/scope/scopetrigger.h"
+
+namespace nmc {
+namespace {
+
+using Condition = TriggerSettings::Condition;
+using State = ScopeTrigger::State;
+
+constexpr ModuleIndex kModule{1};
+constexpr std::uint8_t kServoOn = 0x04;
+
+TimePoint at(double milliseconds) {
+    return TimePoint(fromSeconds(milliseconds / 1e3));
+}
+
+/// A sample of a servo that is on every 2 ms, from 0 on, of which `fill` says what it has.
+class DerivedTrigger : public testing::Test {
+protected:
+    /// 20 ms before the trigger, 80 ms behind it.
+    void watch(ScopeSignal signal, Condition condition, double level) {
+        trigger.set({.module = kModule,
+                     .source = signal,
+                     .condition = condition,
+                     .level = level,
+                     .preTrigger = 0.2,
+                     .window = 0.1});
+        trigger.arm(at(0));
+    }
+    void setGains(double milliseconds, const std::optional<servo::SetGain>& set) {
+        gains.push_back({kModule, at(milliseconds), set});
+    }
+    /// Up to sample number `last`.
+    State run(int last, const std::function<void(int, ScopeSample&)>& fill) {
+        for (; next <= last; ++next) {
+            ScopeSample sample;
+            sample.time = at(next * 2);
+            sample.aux = kServoOn;
+            fill(next, sample);
+            trigger.feed(kModule, sample, gains);
+        }
+        return trigger.state();
+    }
+    void expectFiredAt(double milliseconds) {
+        ASSERT_TRUE(trigger.firedAt().has_value());
+        EXPECT_NEAR(toSeconds(*trigger.firedAt() - at(milliseconds)), 0, 1e-6);
+    }
+
+    ScopeTrigger trigger;
+    std::vector<GainsChange> gains;
+    int next = 0;
+};
+
+/// Proportional gain alone: PWM is kp * error / 256 (DS-V 4.3).
+servo::SetGain proportional(std::uint16_t kp) {
+    return {kp, 0, 0, 0, 255, 0, 16'000, 1, std::uint8_t{0}};
+}
+std::function<void(int, ScopeSample&)> errorOf(const std::function<float(int)>& error) {
+    return
+        [error](int i, ScopeSample& sample) { sample.error = sample.errorLow = sample.errorHigh = error(i); };
+}
+
+// ---- acceleration ----
+
+/// 2 / (2 ms)^2 = 500 000 counts/s^2.
+void parabola(int i, ScopeSample& sample) {
+    sample.position = i * i;
+}
+/// 6 i / (2 ms)^2: it rises by 1 500 000 counts/s^2 with every sample.
+void thirdPower(int i, ScopeSample& sample) {
+    sample.position = i * i * i;
+}
+
+TEST_F(DerivedTrigger, AConstantAccelerationIsAboveWhatIsLessAndNotAboveWhatIsMore) {
+    watch(ScopeSignal::Acceleration, Condition::Above, 500'001);
+    EXPECT_EQ(run(100, parabola), State::Armed);
+    trigger.set({.module = kModule,
+                 .source = ScopeSignal::Acceleration,
+                 .condition = Condition::Above,
+                 .level = 499'999});
+    trigger.arm(at(0));
+    EXPECT_EQ(run(200, parabola), State::Fired);
+}
+
+/// Fed up to 82 ms it is known up to 62 ms.
+TEST_F(DerivedTrigger, AnAccelerationCrossesTheLevelWhenItDidAndNotWhenItIsKnown) {
+    watch(ScopeSignal::Acceleration, Condition::Rising, 30.5 * 1'500'000);
+    EXPECT_EQ(run(40, thirdPower), State::Armed);
+    EXPECT_EQ(run(41, thirdPower), State::Fired);
+    expectFiredAt(61);
+}
+
+TEST_F(DerivedTrigger, ThePictureIsCompleteWhenTheAccelerationIsKnownToItsEnd) {
+    watch(ScopeSignal::Acceleration, Condition::Rising, 30.5 * 1'500'000);
+    // From 41 to 141 ms; the value of 142 ms takes the samples up to 162 ms.
+    EXPECT_EQ(run(80, thirdPower), State::Fired);
+    EXPECT_EQ(run(81, thirdPower), State::Complete);
+    EXPECT_NEAR(toSeconds(trigger.picture()->from - at(41)), 0, 1e-6);
+    EXPECT_NEAR(toSeconds(trigger.picture()->to - at(141)), 0, 1e-6);
+}
+
+/// Its sample came after arming, it itself was before.
+TEST_F(DerivedTrigger, AValueFromBeforeArmingDoesNotTrigger) {
+    watch(ScopeSignal::Acceleration, Condition::Above, 499'999);
+    trigger.disarm();
+    run(25, parabola);
+    trigger.arm(at(50));
+    EXPECT_EQ(run(34, parabola), State::Armed) << "known up to 48 ms";
+    EXPECT_EQ(run(35, parabola), State::Fired);
+    expectFiredAt(50);
+}
+
+TEST_F(DerivedTrigger, NoEdgeOfAnAccelerationLiesInAGap) {
+    const auto startsToMove = [](bool gap) {
+        return [gap](int i, ScopeSample& sample) {
+            sample.position = i < 50 ? 0 : (i - 50) * (i - 50);
+            sample.gapBefore = gap && i == 50;
+        };
+    };
+    watch(ScopeSignal::Acceleration, Condition::Rising, 250'000);
+    EXPECT_EQ(run(200, startsToMove(true)), State::Armed) << "0 before, 500 000 behind";
+    next = 0;
+    watch(ScopeSignal::Acceleration, Condition::Rising, 250'000);
+    EXPECT_EQ(run(200, startsToMove(false)), State::Complete);
+    // The parabola over 21 samples of a start in their middle has half of the acceleration.
+    expectFiredAt(100);
+}
+
+TEST_F(DerivedTrigger, APictureThatTheAccelerationDoesNotReachTheEndOfIsCompleteAllTheSame) {
+    const auto gapAtTheEnd = [](int i, ScopeSample& sample) {
+        thirdPower(i, sample);
+        sample.gapBefore = i == 71;
+    };
+    watch(ScopeSignal::Acceleration, Condition::Rising, 30.5 * 1'500'000);
+    // It ends at 141 ms; the gap lies from 140 to 142 ms, and the first value behind it is of 162 ms.
+    EXPECT_EQ(run(71, gapAtTheEnd), State::Fired);
+    EXPECT_EQ(run(91, gapAtTheEnd), State::Complete);
+}
+
+// ---- PWM ----
+
+TEST_F(DerivedTrigger, APwmCrossesTheLevelBetweenTwoSamples) {
+    setGains(0, proportional(512));
+    watch(ScopeSignal::Pwm, Condition::Rising, 40);
+    const auto error = errorOf([](int i) { return i < 50 ? 10.0F : 30.0F; });  // 20 and 60
+    EXPECT_EQ(run(50, error), State::Armed) << "the value of a sample takes the next one";
+    EXPECT_EQ(run(51, error), State::Fired);
+    expectFiredAt(99);
+    // To 179 ms; the value of 180 ms takes the sample of 182 ms.
+    EXPECT_EQ(run(90, error), State::Fired);
+    EXPECT_EQ(run(91, error), State::Complete);
+}
+
+TEST_F(DerivedTrigger, WithoutGainsThereIsNoPwmAndNoTrigger) {
+    const auto error = errorOf([](int i) { return i < 50 ? -100.0F : 100.0F; });
+    for (const Condition condition :
+         {Condition::Rising, Condition::Falling, Condition::Above, Condition::Below}) {
+        next = 0;
+        watch(ScopeSignal::Pwm, condition, 0);
+        EXPECT_EQ(run(200, error), State::Armed) << static_cast<int>(condition);
+    }
+}
+
+TEST_F(DerivedTrigger, APwmThatBecomesKnownIsNoEdge) {
+    setGains(201, proportional(256));
+    const auto error = errorOf([](int i) { return i < 150 ? 100.0F : i < 160 ? 0.0F : 100.0F; });
+    watch(ScopeSignal::Pwm, Condition::Rising, 50);
+    EXPECT_EQ(run(158, error), State::Armed) << "100 at once";
+    EXPECT_EQ(run(161, error), State::Fired);
+    expectFiredAt(319);
+}
+
+TEST_F(DerivedTrigger, OtherGainsMoveThePwmWhileItWaits) {
+    setGains(0, proportional(256));
+    setGains(100, proportional(1'024));
+    const auto standing = errorOf([](int) { return 10.0F; });
+    watch(ScopeSignal::Pwm, Condition::Rising, 25);
+    EXPECT_EQ(run(50, standing), State::Armed) << "10";
+    EXPECT_EQ(run(51, standing), State::Fired) << "40";
+    expectFiredAt(99);
+}
+
+TEST_F(DerivedTrigger, GainsOfAnotherModuleDoNot) {
+    setGains(0, proportional(256));
+    gains.push_back({ModuleIndex(0), at(100), proportional(1'024)});
+    watch(ScopeSignal::Pwm, Condition::Rising, 25);
+    EXPECT_EQ(run(200, errorOf([](int) { return 10.0F; })), State::Armed);
+}
+
+TEST_F(DerivedTrigger, GainsThatAreForgottenWhileItWaitsAreNoEdge) {
+    setGains(0, proportional(256));
+    setGains(100, std::nullopt);
+    const auto error = errorOf([](int i) { return i < 50 ? 100.0F : -100.0F; });
+    watch(ScopeSignal::Pwm, Condition::Below, 0);
+    EXPECT_EQ(run(200, error), State::Armed);
+}
+
+/// It is switched off 20 ms behind the trigger.
+TEST_F(DerivedTrigger, APictureInWhichThePwmEndsIsCompleteAllTheSame) {
+    setGains(0, proportional(512));
+    watch(ScopeSignal::Pwm, Condition::Rising, 40);
+    const auto error = [](int i, ScopeSample& sample) {
+        sample.error = sample.errorLow = sample.errorHigh = i < 50 ? 10.0F : 30.0F;
+        sample.aux = i < 60 ? kServoOn : 0;
+    };
+    EXPECT_EQ(run(90, error), State::Fired) << "180 ms: the end is reached, but a value might come";
+    EXPECT_EQ(run(120, error), State::Complete);
+    expectFiredAt(99);
+}
+
+TEST_F(DerivedTrigger, NormalModeTakesTheNextEdge) {
+    setGains(0, proportional(256));
+    const auto square = errorOf([](int i) { return i % 100 < 50 ? 0.0F : 100.0F; });
+    watch(ScopeSignal::Pwm, Condition::Rising, 50);
+    TriggerSettings settings = trigger.settings();
+    settings.mode = TriggerSettings::Mode::Normal;
+    trigger.set(settings);
+    trigger.arm(at(0));
+    ASSERT_EQ(run(100, square), State::Complete);
+    expectFiredAt(99);
+    trigger.rearm(at(200));
+    EXPECT_EQ(run(150, square), State::Armed);
+    EXPECT_EQ(run(151, square), State::Fired);
+    expectFiredAt(299);
+}
+
+// ---- count rate ----
+
+/// It stands until 200 ms, then counts once in a millisecond: its rate over the last 100 ms rises by 20
+/// counts/s with every sample.
+TEST_F(DerivedTrigger, ACountRateReachesTheLevel) {
+    const auto counts = [](int i, ScopeSample& sample) {
+        sample.io = sample.counted = true;
+        sample.setCounter(i < 100 ? 7 : 7 + static_cast<std::uint32_t>(2 * (i - 100)));
+    };
+    watch(ScopeSignal::CountRate, Condition::Rising, 450);
+    EXPECT_EQ(run(122, counts), State::Armed);
+    EXPECT_EQ(run(123, counts), State::Fired) << "440 at 244 ms, 460 at 246 ms";
+    expectFiredAt(245);
+    EXPECT_EQ(run(162, counts), State::Fired);
+    EXPECT_EQ(run(163, counts), State::Complete) << "up to 325 ms";
+}
+
+// ---- what it was made of ----
+
+TEST_F(DerivedTrigger, AnotherWindowKeepsWhatIsKnown) {
+    watch(ScopeSignal::Acceleration, Condition::Above, 499'999);
+    run(30, parabola);
+    trigger.setWindow(0.05);
+    EXPECT_EQ(trigger.state(), State::Off);
+    trigger.arm(at(0));
+    EXPECT_EQ(run(31, parabola), State::Fired) << "20 samples are enough";
+    EXPECT_EQ(trigger.picture()->to - trigger.picture()->from, std::chrono::milliseconds(50));
+}
+
+TEST_F(DerivedTrigger, OtherDataIsNotJoinedOnTo) {
+    watch(ScopeSignal::Acceleration, Condition::Above, 0);
+    const auto standing = [](int, ScopeSample& sample) { sample.position = 1'000'000; };
+    run(30, [](int, ScopeSample&) {});
+    trigger.forgetSamples();
+    EXPECT_EQ(run(100, standing), State::Armed) << "nothing moved";
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/printdialog.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "widgets/common/look.h"
+#include "widgets/common/numberfield.h"
+#include "widgets/common/printtexts.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int kMostCopies = 99;
+constexpr int kTextWidth = 20;  ///< lines of text
+}  // namespace
+
+PrintDialog::PrintDialog(const QString& last, QWidget* window)
+    : QDialog(window),
+      m_chosen(last),
+      m_printer(new QComboBox(this)),
+      m_copies(new NumberField(0, this)),
+      m_state(new QLabel(this)),
+      m_print(new QPushButton(tr("&Print"), this)),
+      m_save(new QPushButton(tr("Save as P&DF…"), this)) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Print"));
+    look::name(this, u"printDialog"_s, windowTitle());
+    look::name(m_printer, u"printerBox"_s, tr("Printer"));
+    look::name(m_copies, u"copiesField"_s, tr("Copies"));
+    look::nameText(m_state, u"printState"_s, tr("Printers"));
+    look::name(m_print, u"printButton"_s, tr("Print"));
+    look::name(m_save, u"printSaveButton"_s, tr("Save as PDF…"));
+    m_copies->setRange(1, kMostCopies);
+    m_copies->setDigits(3);
+    m_copies->setWords(tr("Copies"), {});
+    m_copies->showValue(1);
+    m_state->setTextFormat(Qt::PlainText);
+    m_state->setWordWrap(true);
+    m_state->setMinimumWidth(fontMetrics().height() * kTextWidth);
+    m_print->setDefault(true);
+    m_save->setAutoDefault(false);
+    m_save->setToolTip(tr("Saves the page as a file that any computer can print."));
+    connect(m_printer, &QComboBox::activated, this, [this] { m_chosen = m_printer->currentText(); });
+    connect(m_copies, &NumberField::edited, this, &PrintDialog::showPossible);
+    connect(m_print, &QPushButton::clicked, this, &PrintDialog::print);
+    connect(m_save, &QPushButton::clicked, this, &PrintDialog::savePdf);
+    layOut();
+    showPrinters({}, {}, false);
+}
+
+void PrintDialog::layOut() {
+    const int unit = look::gridUnit(this);
+    auto* cancel = new QPushButton(tr("&Cancel"), this);
+    look::name(cancel, u"printCancelButton"_s, tr("Cancel"));
+    cancel->setAutoDefault(false);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    auto* form = new QFormLayout;
+    form->addRow(tr("P&rinter"), m_printer);
+    form->addRow(tr("C&opies"), m_copies);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    for (QPushButton* button : {m_print, m_save, cancel})
+        buttons->addWidget(button);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(unit * 2, unit * 2, unit * 2, unit * 2);
+    layout->setSpacing(unit);
+    layout->addLayout(form);
+    layout->addWidget(m_state);
+    layout->addLayout(buttons);
+}
+
+void PrintDialog::showPrinters(const QStringList& printers, const QString& standard, bool all) {
+    m_printer->clear();
+    m_printer->addItems(printers);
+    const int chosen = m_printer->findText(m_chosen);
+    m_printer->setCurrentIndex(
+        qMax(chosen >= 0 ? chosen : m_printer->findText(standard), printers.empty() ? -1 : 0));
+    look::setText(m_state, !all               ? texts::lookingForPrinters()
+                           : printers.empty() ? texts::noPrinter()
+                                              : QString());
+    showPossible();
+}
+
+void PrintDialog::showPossible() {
+    look::setPossible(m_printer, m_printer->count() == 0 ? m_state->text() : QString(),
+                      tr("The printer to use; it is proposed again the next time."));
+    look::setPossible(m_print, m_printer->count() == 0 ? m_state->text() : m_copies->problemText(),
+                      tr("Sends the page to this printer."));
+}
+
+void PrintDialog::print() {
+    emit printRequested(m_pdf, m_printer->currentText(), static_cast<int>(m_copies->value().value_or(1)));
+    accept();
+}
+
+void PrintDialog::savePdf() {
+    QFileDialog* dialog =
+        newFileDialog(this, u"printPdfDialog"_s, tr("Save the page"), {tr("PDF (*.pdf)")}, {});
+    if (dialog == nullptr)
+        return;
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(u"pdf"_s);
+    dialog->selectFile(tr("page"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        emit saveRequested(path, [content = m_pdf.toStdString()] { return content; });
+        accept();
+    });
+    dialog->show();
+}
+
+}  // namespace nmc
