@@ -82,7 +82,7 @@ struct Operation {
     OperationId id;
     std::vector<Order> orders;
     /// The only order is a Stop Here, and the centre of this: sent again and again, up to 200 times a second,
-    /// with polls between. Whatever else is asked for ends it, as Cancelled; a chip that lets go, as Forbidden.
+    /// with polls between. What else is asked for ends it, as Cancelled; a chip that lets go, as Forbidden.
     std::optional<Sine> sine{};
     /// The orders are Add Path Points without points, one to each of its axes: the engine lays the points,
     /// starts the path and keeps the buffers filled beside whatever else it does (pathtask.h). A stop of any
