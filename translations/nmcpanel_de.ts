@@ -4187,10 +4187,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Seite ist auf dem Weg zum Drucker.</translation>
     </message>
     <message>
-        <source>This computer&apos;s default printer is used.</source>
-        <translation>Sie ging an den Standarddrucker dieses Rechners.</translation>
-    </message>
-    <message>
         <source>The program %1, which sends pages to the printer, is not installed.</source>
         <translation>Das Programm %1, das Seiten an den Drucker gibt, ist nicht installiert.</translation>
     </message>
@@ -4529,6 +4525,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
         <translation>Der Motor folgte der Sinusschwingung nicht und bekam einen Haltebefehl. Auf eine Blockade, einen Anschlag, eine rutschende Kupplung oder fehlende Motorversorgung prüfen, oder eine andere Amplitude nehmen.</translation>
+    </message>
+    <message>
+        <source>%1 is back to its previous gains: its output reached the limit OL.</source>
+        <translation>%1 hat wieder die vorigen Verstärkungen: Die Stellgröße hat die Grenze OL erreicht.</translation>
+    </message>
+    <message>
+        <source>It oscillates, or was pushed. Lower Kp, or raise Kd, then try again.</source>
+        <translation>Der Motor schwingt oder wurde angestoßen. Kp senken oder Kd erhöhen, dann erneut probieren.</translation>
+    </message>
+    <message>
+        <source>Looking for printers…</source>
+        <translation>Drucker werden gesucht…</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Add one in the system&apos;s printer settings, or save the page as a PDF file.</source>
+        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. In den Druckereinstellungen des Systems einen hinzufügen, oder die Seite als PDF-Datei speichern.</translation>
+    </message>
+    <message>
+        <source>Printer: %1</source>
+        <translation>Drucker: %1</translation>
+    </message>
+    <message>
+        <source>The output reached its limit. The previous gains are restored.</source>
+        <translation>Die Stellgröße hat ihre Grenze erreicht. Die vorigen Verstärkungen gelten wieder.</translation>
     </message>
 </context>
 <context>
@@ -10108,6 +10128,77 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::PrintDialog</name>
+    <message>
+        <source>&amp;Print</source>
+        <translation>&amp;Drucken</translation>
+    </message>
+    <message>
+        <source>Save as P&amp;DF…</source>
+        <translation>Als &amp;PDF speichern…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Exemplare</translation>
+    </message>
+    <message>
+        <source>Printers</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Als PDF speichern…</translation>
+    </message>
+    <message>
+        <source>Saves the page as a file that any computer can print.</source>
+        <translation>Speichert die Seite als Datei, die jeder Rechner drucken kann.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>P&amp;rinter</source>
+        <translation>D&amp;rucker</translation>
+    </message>
+    <message>
+        <source>C&amp;opies</source>
+        <translation>&amp;Exemplare</translation>
+    </message>
+    <message>
+        <source>The printer to use; it is proposed again the next time.</source>
+        <translation>Der Drucker; er wird beim nächsten Mal wieder vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>Sends the page to this printer.</source>
+        <translation>Schickt die Seite an diesen Drucker.</translation>
+    </message>
+    <message>
+        <source>Save the page</source>
+        <translation>Seite speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>page</source>
+        <translation>Seite</translation>
+    </message>
+</context>
+<context>
     <name>nmc::PwmBox</name>
     <message>
         <source>Drive reverse</source>
@@ -10814,12 +10905,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sprung</translation>
     </message>
     <message>
-        <source>P&amp;rint</source>
-        <translation>&amp;Drucken</translation>
+        <source>P&amp;rint…</source>
+        <translation>&amp;Drucken…</translation>
     </message>
     <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Druckt das sichtbare Diagramm auf dem Standarddrucker dieses Rechners.</translation>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Druckt das sichtbare Diagramm auf einem Drucker dieses Rechners.</translation>
     </message>
 </context>
 <context>
@@ -11085,12 +11176,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Das sichtbare Diagramm auf einer Seite zum Drucken oder für einen Bericht.</translation>
     </message>
     <message>
-        <source>P&amp;rint</source>
-        <translation>&amp;Drucken</translation>
+        <source>P&amp;rint…</source>
+        <translation>&amp;Drucken…</translation>
     </message>
     <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Druckt das sichtbare Diagramm auf dem Standarddrucker dieses Rechners.</translation>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Druckt das sichtbare Diagramm auf einem Drucker dieses Rechners.</translation>
     </message>
 </context>
 <context>

@@ -4187,10 +4187,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>La página se envió a la impresora.</translation>
     </message>
     <message>
-        <source>This computer&apos;s default printer is used.</source>
-        <translation>Se usa la impresora predeterminada de este equipo.</translation>
-    </message>
-    <message>
         <source>The program %1, which sends pages to the printer, is not installed.</source>
         <translation>El programa %1, que envía páginas a la impresora, no está instalado.</translation>
     </message>
@@ -4529,6 +4525,30 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
         <translation>El motor no siguió la onda senoidal, y se le ordenó mantener la posición. Compruebe si hay un atasco, un tope mecánico, un acoplamiento que patina o falta la alimentación del motor, o use otra amplitud.</translation>
+    </message>
+    <message>
+        <source>%1 is back to its previous gains: its output reached the limit OL.</source>
+        <translation>%1 vuelve a sus ganancias anteriores: la salida alcanzó el límite OL.</translation>
+    </message>
+    <message>
+        <source>It oscillates, or was pushed. Lower Kp, or raise Kd, then try again.</source>
+        <translation>Oscila o recibió un empujón. Baje Kp o suba Kd y vuelva a probar.</translation>
+    </message>
+    <message>
+        <source>Looking for printers…</source>
+        <translation>Buscando impresoras…</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Add one in the system&apos;s printer settings, or save the page as a PDF file.</source>
+        <translation>No hay ninguna impresora configurada en este equipo. Añada una en los ajustes de impresoras del sistema o guarde la página como archivo PDF.</translation>
+    </message>
+    <message>
+        <source>Printer: %1</source>
+        <translation>Impresora: %1</translation>
+    </message>
+    <message>
+        <source>The output reached its limit. The previous gains are restored.</source>
+        <translation>La salida alcanzó su límite. Se han restablecido las ganancias anteriores.</translation>
     </message>
 </context>
 <context>
@@ -10108,6 +10128,77 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
+    <name>nmc::PrintDialog</name>
+    <message>
+        <source>&amp;Print</source>
+        <translation>Im&amp;primir</translation>
+    </message>
+    <message>
+        <source>Save as P&amp;DF…</source>
+        <translation>Guardar como P&amp;DF…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Imprimir</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Impresora</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Copias</translation>
+    </message>
+    <message>
+        <source>Printers</source>
+        <translation>Impresoras</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Guardar como PDF…</translation>
+    </message>
+    <message>
+        <source>Saves the page as a file that any computer can print.</source>
+        <translation>Guarda la página en un archivo que cualquier equipo puede imprimir.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>P&amp;rinter</source>
+        <translation>Imp&amp;resora</translation>
+    </message>
+    <message>
+        <source>C&amp;opies</source>
+        <translation>C&amp;opias</translation>
+    </message>
+    <message>
+        <source>The printer to use; it is proposed again the next time.</source>
+        <translation>La impresora que se usará; se propondrá de nuevo la próxima vez.</translation>
+    </message>
+    <message>
+        <source>Sends the page to this printer.</source>
+        <translation>Envía la página a esta impresora.</translation>
+    </message>
+    <message>
+        <source>Save the page</source>
+        <translation>Guardar la página</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>page</source>
+        <translation>página</translation>
+    </message>
+</context>
+<context>
     <name>nmc::PwmBox</name>
     <message>
         <source>Drive reverse</source>
@@ -10814,12 +10905,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>escalón</translation>
     </message>
     <message>
-        <source>P&amp;rint</source>
-        <translation>Imp&amp;rimir</translation>
+        <source>P&amp;rint…</source>
+        <translation>Imp&amp;rimir…</translation>
     </message>
     <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Imprime la gráfica visible en la impresora predeterminada de este equipo.</translation>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Imprime la gráfica visible en una de las impresoras de este equipo.</translation>
     </message>
 </context>
 <context>
@@ -11085,12 +11176,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>La gráfica visible en una página para imprimir o para un informe.</translation>
     </message>
     <message>
-        <source>P&amp;rint</source>
-        <translation>Imp&amp;rimir</translation>
+        <source>P&amp;rint…</source>
+        <translation>Imp&amp;rimir…</translation>
     </message>
     <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Imprime la gráfica visible en la impresora predeterminada de este equipo.</translation>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Imprime la gráfica visible en una de las impresoras de este equipo.</translation>
     </message>
 </context>
 <context>

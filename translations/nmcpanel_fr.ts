@@ -4187,10 +4187,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>La page a été envoyée à l’imprimante.</translation>
     </message>
     <message>
-        <source>This computer&apos;s default printer is used.</source>
-        <translation>L’imprimante par défaut de cet ordinateur est utilisée.</translation>
-    </message>
-    <message>
         <source>The program %1, which sends pages to the printer, is not installed.</source>
         <translation>Le programme %1, qui envoie les pages à l’imprimante, n’est pas installé.</translation>
     </message>
@@ -4529,6 +4525,30 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
         <translation>Le moteur n’a pas suivi la sinusoïde et a reçu l’ordre de maintien. Vérifiez s’il y a un blocage, une butée mécanique, un accouplement qui glisse ou une alimentation moteur absente, ou utilisez une autre amplitude.</translation>
+    </message>
+    <message>
+        <source>%1 is back to its previous gains: its output reached the limit OL.</source>
+        <translation>%1 a retrouvé ses gains précédents&#xa0;: sa sortie a atteint la limite OL.</translation>
+    </message>
+    <message>
+        <source>It oscillates, or was pushed. Lower Kp, or raise Kd, then try again.</source>
+        <translation>Il oscille ou a été poussé. Baissez Kp ou augmentez Kd, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>Looking for printers…</source>
+        <translation>Recherche d’imprimantes…</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Add one in the system&apos;s printer settings, or save the page as a PDF file.</source>
+        <translation>Aucune imprimante n’est configurée sur cet ordinateur. Ajoutez-en une dans les réglages d’imprimantes du système, ou enregistrez la page en fichier PDF.</translation>
+    </message>
+    <message>
+        <source>Printer: %1</source>
+        <translation>Imprimante&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The output reached its limit. The previous gains are restored.</source>
+        <translation>La sortie a atteint sa limite. Les gains précédents sont rétablis.</translation>
     </message>
 </context>
 <context>
@@ -10108,6 +10128,77 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
+    <name>nmc::PrintDialog</name>
+    <message>
+        <source>&amp;Print</source>
+        <translation>Im&amp;primer</translation>
+    </message>
+    <message>
+        <source>Save as P&amp;DF…</source>
+        <translation>Enregistrer en P&amp;DF…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Imprimer</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Imprimante</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Exemplaires</translation>
+    </message>
+    <message>
+        <source>Printers</source>
+        <translation>Imprimantes</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Enregistrer en PDF…</translation>
+    </message>
+    <message>
+        <source>Saves the page as a file that any computer can print.</source>
+        <translation>Enregistre la page dans un fichier que tout ordinateur peut imprimer.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>P&amp;rinter</source>
+        <translation>Imp&amp;rimante</translation>
+    </message>
+    <message>
+        <source>C&amp;opies</source>
+        <translation>&amp;Exemplaires</translation>
+    </message>
+    <message>
+        <source>The printer to use; it is proposed again the next time.</source>
+        <translation>L’imprimante à utiliser&#xa0;; elle sera proposée de nouveau la prochaine fois.</translation>
+    </message>
+    <message>
+        <source>Sends the page to this printer.</source>
+        <translation>Envoie la page à cette imprimante.</translation>
+    </message>
+    <message>
+        <source>Save the page</source>
+        <translation>Enregistrer la page</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>page</source>
+        <translation>page</translation>
+    </message>
+</context>
+<context>
     <name>nmc::PwmBox</name>
     <message>
         <source>Drive reverse</source>
@@ -10814,12 +10905,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>échelon</translation>
     </message>
     <message>
-        <source>P&amp;rint</source>
-        <translation>Imp&amp;rimer</translation>
+        <source>P&amp;rint…</source>
+        <translation>Imp&amp;rimer…</translation>
     </message>
     <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Imprime le graphique visible sur l’imprimante par défaut de cet ordinateur.</translation>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Imprime le graphique visible sur l’une des imprimantes de cet ordinateur.</translation>
     </message>
 </context>
 <context>
@@ -11085,12 +11176,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Le graphique visible sur une page à imprimer ou pour un rapport.</translation>
     </message>
     <message>
-        <source>P&amp;rint</source>
-        <translation>Imp&amp;rimer</translation>
+        <source>P&amp;rint…</source>
+        <translation>Imp&amp;rimer…</translation>
     </message>
     <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>Imprime le graphique visible sur l’imprimante par défaut de cet ordinateur.</translation>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Imprime le graphique visible sur l’une des imprimantes de cet ordinateur.</translation>
     </message>
 </context>
 <context>

@@ -4176,10 +4176,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>ページをプリンターに送りました。</translation>
     </message>
     <message>
-        <source>This computer&apos;s default printer is used.</source>
-        <translation>このコンピューターの既定のプリンターを使用します。</translation>
-    </message>
-    <message>
         <source>The program %1, which sends pages to the printer, is not installed.</source>
         <translation>ページをプリンターに送るプログラム%1がインストールされていません。</translation>
     </message>
@@ -4517,6 +4513,30 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
         <translation>モーターが正弦波に追従しなかったため、保持を指令しました。引っ掛かり、メカストッパー、カップリングの滑り、モーター電源を確認するか、別の振幅を使用してください。</translation>
+    </message>
+    <message>
+        <source>%1 is back to its previous gains: its output reached the limit OL.</source>
+        <translation>%1は以前のゲインに戻りました。出力が制限値OLに達しました。</translation>
+    </message>
+    <message>
+        <source>It oscillates, or was pushed. Lower Kp, or raise Kd, then try again.</source>
+        <translation>振動したか、外力を受けました。Kpを下げるかKdを上げてから、もう一度試してください。</translation>
+    </message>
+    <message>
+        <source>Looking for printers…</source>
+        <translation>プリンターを探しています…</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Add one in the system&apos;s printer settings, or save the page as a PDF file.</source>
+        <translation>このコンピューターにはプリンターが設定されていません。システムのプリンター設定で追加するか、ページをPDFファイルとして保存してください。</translation>
+    </message>
+    <message>
+        <source>Printer: %1</source>
+        <translation>プリンター: %1</translation>
+    </message>
+    <message>
+        <source>The output reached its limit. The previous gains are restored.</source>
+        <translation>出力が制限値に達しました。以前のゲインに戻しました。</translation>
     </message>
 </context>
 <context>
@@ -10094,6 +10114,77 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
+    <name>nmc::PrintDialog</name>
+    <message>
+        <source>&amp;Print</source>
+        <translation>印刷(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Save as P&amp;DF…</source>
+        <translation>PDFとして保存(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>印刷</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>プリンター</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>部数</translation>
+    </message>
+    <message>
+        <source>Printers</source>
+        <translation>プリンター</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>PDFとして保存…</translation>
+    </message>
+    <message>
+        <source>Saves the page as a file that any computer can print.</source>
+        <translation>どのコンピューターでも印刷できるファイルとしてページを保存します。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>P&amp;rinter</source>
+        <translation>プリンター(&amp;R)</translation>
+    </message>
+    <message>
+        <source>C&amp;opies</source>
+        <translation>部数(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The printer to use; it is proposed again the next time.</source>
+        <translation>使用するプリンター。次回もこのプリンターが選択されます。</translation>
+    </message>
+    <message>
+        <source>Sends the page to this printer.</source>
+        <translation>このプリンターにページを送ります。</translation>
+    </message>
+    <message>
+        <source>Save the page</source>
+        <translation>ページの保存</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>page</source>
+        <translation>page</translation>
+    </message>
+</context>
+<context>
     <name>nmc::PwmBox</name>
     <message>
         <source>Drive reverse</source>
@@ -10800,12 +10891,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ステップ応答</translation>
     </message>
     <message>
-        <source>P&amp;rint</source>
-        <translation>印刷(&amp;R)</translation>
+        <source>P&amp;rint…</source>
+        <translation>印刷(&amp;R)…</translation>
     </message>
     <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>表示中のグラフを、このコンピューターの既定のプリンターで印刷します。</translation>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>表示中のグラフを、このコンピューターのプリンターで印刷します。</translation>
     </message>
 </context>
 <context>
@@ -11070,12 +11161,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>表示中のグラフを、印刷やレポート用の1ページにします。</translation>
     </message>
     <message>
-        <source>P&amp;rint</source>
-        <translation>印刷(&amp;R)</translation>
+        <source>P&amp;rint…</source>
+        <translation>印刷(&amp;R)…</translation>
     </message>
     <message>
-        <source>Prints the visible plot on this computer&apos;s default printer.</source>
-        <translation>表示中のグラフを、このコンピューターの既定のプリンターで印刷します。</translation>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>表示中のグラフを、このコンピューターのプリンターで印刷します。</translation>
     </message>
 </context>
 <context>

@@ -213,7 +213,8 @@ TEST(ResponseTextsOf, EveryEndOfATestSaysWhatToDo) {
         {ProcedureKind::StepResponse, loop},
         {ProcedureKind::SquareWave, loop},
         {ProcedureKind::FrequencyResponse, sines},
-        {ProcedureKind::TryGains, {Swings, TravelLimit, WentOff, ModuleUnresponsive, LinkSuspect, Refused}}};
+        {ProcedureKind::TryGains,
+         {Swings, Saturates, TravelLimit, WentOff, ModuleUnresponsive, LinkSuspect, Refused}}};
     static const QRegularExpression remedy(
         u"\\b(Check|Lower|Use|Move|Step|Start|Try|These gains do not hold|Motor off ends it|lower|use|switch the motor off)\\b"_s);
     for (const auto& [kind, failures] : kinds)
