@@ -14,7 +14,7 @@ namespace nmc {
 class ResponseDock;
 
 /// Finds motors and suggests gains beside the GUI thread: the one takes some tenths of a second, the other
-/// some hundredths with every move of a slider. GUI thread.
+/// up to as much with every move of a slider. GUI thread.
 class TuningController : public QObject {
     Q_OBJECT
 

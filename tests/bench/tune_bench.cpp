@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unknown motors: found from three steps each, given gains, and these tried on the motor (issue 16, C).
-//   tune_bench [MOTORS]
+//   tune_bench [MOTORS [SEED [ONLY]]]    ONLY: the number of one motor
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -47,17 +47,31 @@ void printShares(const char* what, std::vector<double> values, const char* unit)
                 at(0.95), at(0.99), values.back(), unit);
 }
 
+/// It calms down from where it is switched on, and again after a step.
+[[nodiscard]] bool isStable(const sim::MotorParameters& motor, const servo::SetGain& gains, std::int32_t step,
+                            std::uint64_t seed) {
+    TunedServo servo(motor, gains, seed);
+    if (!comesToRest(servo))
+        return false;
+    (void)servo.step(step, kRecord);
+    return comesToRest(servo);
+}
+
+/// Nothing also for a shaft that did not stand where its step began.
 [[nodiscard]] std::optional<double> settlingOf(const sim::MotorParameters& motor, const servo::SetGain& gains,
                                                std::int32_t step, std::uint64_t seed) {
     TunedServo servo(motor, gains, seed);
     servo.wait(0.3);
+    if (std::abs(servo.position()) > std::max(1.0, step * kFirstBand / 100))
+        return std::nullopt;
     const ResponseRecord run = servo.step(step, kRecord);
     if (!run.metrics.settling)
         return std::nullopt;
     return run.metrics.settling->value;
 }
 
-/// The fastest of all Kp, Kd and SR on a grid whose noise is no more than was allowed; integral as suggested.
+/// The fastest of all Kp, Kd and SR on a grid whose noise is no more than was allowed and that are stable;
+/// integral as suggested.
 [[nodiscard]] double bestSettling(const sim::MotorParameters& motor, const servo::SetGain& suggested,
                                   std::int32_t step, std::uint64_t seed) {
     double best = kRecord;
@@ -72,20 +86,12 @@ void printShares(const char* what, std::vector<double> values, const char* unit)
             gains.kd = static_cast<std::uint16_t>(kd);
             for (double kp = 20; kp < 32'767; kp *= 1.25) {
                 gains.kp = static_cast<std::uint16_t>(kp);
-                best = std::min(best, settlingOf(motor, gains, step, seed).value_or(kRecord));
+                const double settled = settlingOf(motor, gains, step, seed).value_or(kRecord);
+                if (settled < best && isStable(motor, gains, step, seed))
+                    best = settled;
             }
         }
     return best;
-}
-
-/// It calms down from where it is switched on, and again after a step.
-[[nodiscard]] bool isStable(const sim::MotorParameters& motor, const servo::SetGain& gains, std::int32_t step,
-                            std::uint64_t seed) {
-    TunedServo servo(motor, gains, seed);
-    if (!comesToRest(servo))
-        return false;
-    (void)servo.step(step, kRecord);
-    return comesToRest(servo);
 }
 
 /// Within `part` of the truth, or within two of the stated standard deviations.
@@ -98,13 +104,16 @@ void printShares(const char* what, std::vector<double> values, const char* unit)
 
 int main(int argc, char** argv) {
     const int motors = argc > 1 ? std::atoi(argv[1]) : 300;
-    sim::Random random(16);
+    sim::Random random(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 16);
+    const int only = argc > 3 ? std::atoi(argv[3]) : -1;
     Tally identified, gain, tau, friction, gainSure, tauSure, frictionSure, suggested, stable, fast,
         overshoot;
     std::vector<double> identifySeconds, suggestSeconds, ratios, gainOff, tauOff, overshootOff;
     for (int i = 0; i < motors; ++i) {
         const sim::MotorParameters motor = unknownMotor(random);
         const std::uint64_t seed = random.next();
+        if (only >= 0 && i != only)
+            continue;
         const MotorConstants truth = physics(motor);
         const std::vector<ResponseRecord> runs = stepsOf(motor, seed);
         double began = processorSeconds();

@@ -77,6 +77,21 @@ TEST(Identify, TakesTheServoRateAndTheDeadbandIntoAccount) {
     EXPECT_TRUE(isNear(found->motor.friction, 1.230, 0.25)) << found->motor.friction.value;
 }
 
+/// Friction and load are 9.9 and -4.8 PWM counts; the integral of the first gains carries 80 x 50 / 256
+/// = 15.6.
+TEST(Identify, FindsFrictionAndLoadThatAnIntegralCanHardlyCarry) {
+    sim::MotorParameters motor;
+    motor.inertiaKgM2 = 1.07e-4;
+    motor.coulombNm = 0.0321;
+    motor.loadNm = 0.0155;
+    motor.countsPerTurn = 586;
+    const auto found = identify(stepsOf(motor, 11));
+    ASSERT_TRUE(found);
+    const MotorConstants truth = physics(motor);
+    EXPECT_TRUE(isNear(found->motor.friction, truth.friction, 0.25)) << found->motor.friction.value;
+    EXPECT_TRUE(isNear(found->motor.load, truth.load, 0.25)) << found->motor.load.value;
+}
+
 class UnknownMotors : public testing::TestWithParam<std::uint64_t> {};
 
 /// Ten motors each; the figures of three hundred are scripts/bench tune's.

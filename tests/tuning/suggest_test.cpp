@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/unknownmotor.h"
@@ -14,6 +15,7 @@ namespace {
 using namespace testing_support;
 
 constexpr servo::SetGain kNow{100, 1'000, 80, 50, 200, 33, 4'000, 1, std::uint8_t{5}};
+constexpr servo::SetGain kAtFullOutput{100, 1'000, 80, 50, 255, 0, 4'000, 1, std::uint8_t{0}};
 
 [[nodiscard]] MotorModel modelOf(const MotorConstants& motor) {
     return {{motor.gain, 0}, {motor.timeConstant, 0}, {motor.friction, 0}, {motor.load, 0}, {motor.delay, 0}};
@@ -101,6 +103,83 @@ TEST(Suggest, LowersTheServoRateForALargeInertiaAndACoarseEncoder) {
 TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {
     // Even Kp 1 is 1e9 / 256 / 0.01 = 3.9e8: wn = 20 000 rad/s, ten times the servo rate.
     EXPECT_FALSE(suggest(modelOf({1e9, 0.01, 1, 0, 0.5e-3}), {}, kNow, 200));
+}
+
+/// The simulator's motor with these constants; physics() the other way round.
+[[nodiscard]] sim::MotorParameters plantOf(const MotorConstants& motor) {
+    sim::MotorParameters p;
+    const MotorConstants before = physics(p);
+    const double nmPerPwm = p.coulombNm / before.friction;
+    p.countsPerTurn *= motor.gain / before.gain;
+    p.inertiaKgM2 *= motor.timeConstant / before.timeConstant;
+    p.coulombNm = motor.friction * nmPerPwm;
+    p.loadNm = -motor.load * nmPerPwm;
+    return p;
+}
+
+/// Twice what a loop of second order takes to 2 % that is as fast as noise permits: 4 / (zeta wn), with
+/// 2 zeta wn = 1 / tau + noise / T.
+[[nodiscard]] double twiceTheTextbook(const MotorConstants& motor) {
+    return 2 * 8 / (1 / motor.timeConstant + kMaxNoise / 512e-6);
+}
+
+[[nodiscard]] double settlingOf(const MotorConstants& motor, const servo::SetGain& gains, std::int32_t step) {
+    TunedServo servo(plantOf(motor), gains, 5);
+    servo.wait(2.0);
+    return servo.step(step, 0.6).metrics.settling.value_or(Measured{0.6, 0}).value;
+}
+
+/// What the integral carried before the step is anything that friction lets it be.
+TEST(SuggestOnTheMotor, SettlesWhicheverWayFrictionHeldTheLoad) {
+    for (const double load : {-4.8, 4.8}) {
+        const MotorConstants motor{1'025, 0.0135, 3.0, load, 0.55e-3};
+        const auto gains = suggest(modelOf(motor), {}, kAtFullOutput, 260);
+        ASSERT_TRUE(gains);
+        for (const int step : {260, -260})
+            EXPECT_LT(settlingOf(motor, *gains, step), twiceTheTextbook(motor)) << load << ' ' << step;
+    }
+}
+
+TEST(SuggestOnTheMotor, IsNoSlowerForALoadThatIsNotKnown) {
+    const MotorConstants motor{583, 0.0088, 0.8, 0, 0.55e-3};
+    MotorModel model = modelOf(motor);
+    model.load = {-4.4, 10.4};
+    const auto gains = suggest(model, {}, kAtFullOutput, 147);
+    ASSERT_TRUE(gains);
+    EXPECT_LT(settlingOf(motor, *gains, 147), twiceTheTextbook(motor));
+}
+
+/// It may still come nearer, but does not go away again.
+TEST(SuggestOnTheMotor, DoesNotHuntAroundItsGoal) {
+    const MotorConstants motor{2'658, 0.0079, 0.9, 6.9, 0.55e-3};
+    const auto gains = suggest(modelOf(motor), {}, kAtFullOutput, 674);
+    ASSERT_TRUE(gains);
+    TunedServo servo(plantOf(motor), *gains, 5);
+    servo.wait(0.3);
+    (void)servo.step(674, 1.0);
+    std::int32_t nearest = 674;
+    for (int i = 0; i < 400; ++i) {
+        servo.wait(0.01);
+        const std::int32_t error = std::abs(servo.command() - servo.position());
+        nearest = std::min(nearest, error);
+        EXPECT_LE(error, nearest + 1);
+    }
+}
+
+/// Ki (I / 256) / 256 by one I of 256 count ticks, Kp e / 256 by one count.
+TEST(Suggest, PushesByOneStepOfTheIntegralNoMoreThanByOneCount) {
+    for (const double friction : {0.5, 4.0, 12.0})
+        for (const double tau : {0.008, 0.05, 0.5}) {
+            const auto gains = suggest(modelOf({800, tau, friction, 5, 0.55e-3}), {}, kNow, 200);
+            ASSERT_TRUE(gains);
+            EXPECT_LE(gains->ki, gains->kp) << friction << ' ' << tau;
+        }
+}
+
+TEST(Suggest, HasGainsForEveryStiffnessWhereFrictionIsLarge) {
+    for (const double stiffness : {0.0, 0.3, 1.0})
+        EXPECT_TRUE(suggest(modelOf({800, 0.012, 8, 3, 0.55e-3}), {stiffness, 0.5, 1.0}, kNow, 200))
+            << stiffness;
 }
 
 class SuggestedGains : public testing::TestWithParam<std::uint64_t> {};

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -290,14 +291,14 @@ struct Found {
     return {x, cost};
 }
 
-/// From the coarse grid of motors that anyone would have, the best few.
-[[nodiscard]] Found solve(const Fit& fit) {
+/// From the coarse grid of motors that anyone would have, with these frictions, the best few.
+[[nodiscard]] Found solve(const Fit& fit, std::span<const double> frictions) {
     constexpr double kMinPush = 30.0, kMaxPush = 3e6, kPushStep = 1.5;
     constexpr double kMinTau = 2e-3, kMaxTau = 2.0, kTauStep = 2.2;
     constexpr std::size_t kTried = 5;
     std::vector<Solution> starts;
     for (double tau = kMinTau; tau < kMaxTau; tau *= kTauStep)
-        for (const double friction : {0.1, 1.0, 6.0}) {
+        for (const double friction : frictions) {
             Solution best;
             for (double push = kMinPush; push < kMaxPush; push *= kPushStep) {
                 VectorXd x = fit.likely();
@@ -460,16 +461,24 @@ tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecor
     if (std::any_of(records.begin(), records.end(), swings))
         return tl::unexpected(IdentifyFailure::Oscillates);
 
-    const Fit fit(records);
-    const Found solution = solve(fit);
-    Identified found = identified(fit, records, solution);
-    // A motor is not quite the model: half a thousandth of its way more than what encoder and times explain.
-    constexpr double kFarAbove = 1.7;
-    constexpr double kOfTheStep = 5e-4;
     double longest = 0.0;
     for (const Record& record : records)
         longest = std::max(longest, std::abs(record.step()));
-    if (found.missed > kFarAbove * found.expected + kOfTheStep * longest)
+    const auto isExplained = [longest](const Identified& found) {
+        // A motor is not quite the model: half a thousandth of its way more than what encoder and times
+        // explain.
+        constexpr double kFarAbove = 1.7;
+        constexpr double kOfTheStep = 5e-4;
+        return found.missed <= kFarAbove * found.expected + kOfTheStep * longest;
+    };
+    constexpr std::array kFrictions = {0.1, 1.0, 6.0};
+    // Friction and load that are more than an integral can carry together have valleys beside the right one.
+    constexpr std::array kMuchFriction = {3.0, 6.0, 12.0, 20.0};
+    const Fit fit(records);
+    Identified found = identified(fit, records, solve(fit, kFrictions));
+    if (!isExplained(found))
+        found = identified(fit, records, solve(fit, kMuchFriction));
+    if (!isExplained(found))
         return tl::unexpected(IdentifyFailure::NotExplained);
     constexpr double kClear = 0.5;
     if (found.motor.gain.doubt > kClear * found.motor.gain.value)

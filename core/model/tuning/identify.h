@@ -60,8 +60,8 @@ inline constexpr std::size_t kMaxRuns = 5;
 /// by up to half a tick. Found for each run as well, and forgotten: when the command jumped (a tick after it
 /// was latched, or SR of them), the part of a count at which the shaft stood, and what the integral held.
 ///
-/// The shaft stood before each step. Runs beyond kMaxRuns are not looked at. Pure; some tenths of a second:
-/// for a background job.
+/// The shaft stood before each step. Runs beyond kMaxRuns are not looked at. Pure; some tenths of a second,
+/// twice where the first search explains nothing: for a background job.
 [[nodiscard]] tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecord> runs);
 
 }  // namespace nmc

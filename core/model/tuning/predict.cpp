@@ -82,19 +82,19 @@ struct TickOfMotor {
     return next.eigenvalues().cwiseAbs().maxCoeff() < 1;
 }
 
-/// In the middle of a count, held by the integral, and by the error as far as that cannot.
-[[nodiscard]] LoopStart atRest(const MotorConstants& motor, const servo::SetGain& gains, double command) {
+}  // namespace
+
+LoopStart standing(const MotorConstants& motor, const servo::SetGain& gains, double command, double held) {
     LoopStart start{command + 0.5, command, 0.0};
     if (gains.ki > 0)
-        start.integral = std::clamp(-motor.load * 256 / gains.ki, -1.0 * gains.il, 1.0 * gains.il);
+        start.integral = std::clamp((held * motor.friction - motor.load) * 256 / gains.ki, -1.0 * gains.il,
+                                    1.0 * gains.il);
     const double left = -motor.load - start.integral * gains.ki / 256;
     const double byError = std::max(0.0, std::abs(left) - motor.friction);
     if (gains.kp > 0)
         start.position -= std::copysign(std::ceil(byError * 256 / gains.kp), left);
     return start;
 }
-
-}  // namespace
 
 Complex openLoopAt(const MotorConstants& motor, const servo::SetGain& gains, double hertz) {
     const double tick = servoTickOf(gains);
@@ -145,18 +145,11 @@ ResponseRecord reckonStep(const MotorConstants& motor, const servo::SetGain& gai
                           std::int32_t goal, double record, double bandPercent) {
     ResponseRecord run;
     run.taken = {{}, from, goal, record, ResponseMethod::Profile, gains};
-    Loop loop(motor, gains, atRest(motor, gains, from), goal, Rounding::Chip);
+    Loop loop(motor, gains, standing(motor, gains, from, 0.0), goal, Rounding::Chip);
     for (double t = 0; t <= record; t += loop.tick())
         run.points.push_back({t, loop.reading(loop.at(t).position)});
     setBand(run, bandPercent);
     return run;
-}
-
-double largestError(const ResponseRecord& run) {
-    double largest = 0.0;
-    for (const ResponsePoint& point : run.points)
-        largest = std::max(largest, std::abs(run.taken.goal - point.position));
-    return largest;
 }
 
 Prediction predict(const MotorConstants& motor, const servo::SetGain& gains, std::int32_t from,

@@ -24,6 +24,11 @@ struct LoopMargins {
 
 [[nodiscard]] LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains);
 
+/// In the middle of a count, held by the integral, and by an error as far as that cannot. `held`: where in
+/// the range that friction leaves it the integral is, -1..1.
+[[nodiscard]] LoopStart standing(const MotorConstants& motor, const servo::SetGain& gains, double command,
+                                 double held);
+
 /// A step of the command from `from` to `goal`, counts, which differ, as if it had been measured: points once
 /// a servo tick from the step on, as the encoder would tell, and what they are judged by; of no module and no
 /// time. The shaft stood, its load carried by the integral, and by an error as far as that cannot. `record`:
@@ -31,9 +36,6 @@ struct LoopMargins {
 [[nodiscard]] ResponseRecord reckonStep(const MotorConstants& motor, const servo::SetGain& gains,
                                         std::int32_t from, std::int32_t goal, double record,
                                         double bandPercent);
-
-/// Counts; between goal and position at any point of the run.
-[[nodiscard]] double largestError(const ResponseRecord& run);
 
 struct Prediction {
     ResponseRecord run;

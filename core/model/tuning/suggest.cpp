@@ -2,6 +2,7 @@
 #include "model/tuning/suggest.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,7 +16,9 @@ constexpr double kMaxGain = 32'767;  // DS-V 5.2 Set Gain
 constexpr double kMaxErrorLimit = 16'383;
 constexpr double kCutOff = 0.5;           ///< PWM counts that the filter cuts off on average
 constexpr double kSlowestSettling = 5.0;  ///< s
-constexpr double kSlowest = 0.1;          ///< of the fastest natural frequency, for a stiffness of 0
+constexpr double kNever = 2 * kSlowestSettling;
+constexpr double kLeastPart = 0.88;  ///< of the damping that is wished
+constexpr double kSlowest = 0.1;     ///< of the fastest natural frequency, for a stiffness of 0
 
 /// What of the wish does not depend on the stiffness.
 struct Terms {
@@ -52,24 +55,19 @@ struct Terms {
     return found;
 }
 
-/// Ki, IL; or not with this natural frequency.
-[[nodiscard]] bool setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
+/// Ki, IL.
+void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
     constexpr double kFewestSteps = 5;
     gains.ki = 0;
     gains.il = 0;
     if (terms.carried * 256 < gains.kp)
-        return true;
-    // A slow one disturbs least, but must not be what gets the motor out of where friction holds it.
-    constexpr double kBandOfStep = 0.02;
-    constexpr double kSlow = 30;
-    const double held = (terms.motor.friction + terms.carried) * 256 / gains.kp;
-    if (terms.periods > kSlow && held > kBandOfStep * std::abs(terms.step))
-        return false;
+        return;
+    // One step of the integral pushes no more than one count of error does: friction lets a shaft go with a
+    // jump of a count at most, which the integral does not overshoot again and again.
     const double fast = gains.kp * 256 * servoTickOf(gains) * omega / terms.periods;
-    const double ki = std::clamp(std::min(fast, terms.carried * 256 / kFewestSteps), 1.0, kMaxGain);
-    gains.ki = static_cast<std::uint16_t>(std::lround(ki));
+    const double ki = std::min({fast, 1.0 * gains.kp, terms.carried * 256 / kFewestSteps});
+    gains.ki = static_cast<std::uint16_t>(std::lround(std::max(ki, 1.0)));
     gains.il = static_cast<std::uint16_t>(std::min(kMaxGain, std::ceil(terms.carried * 256 / gains.ki)));
-    return true;
 }
 
 [[nodiscard]] std::optional<servo::SetGain> gainsAt(const Terms& terms, double omega) {
@@ -78,56 +76,115 @@ struct Terms {
     if (kp > kMaxGain || kp < 0.5)
         return std::nullopt;
     gains.kp = static_cast<std::uint16_t>(std::lround(kp));
-    if (!setDamping(terms, omega, gains) || !setIntegral(terms, omega, gains))
+    if (!setDamping(terms, omega, gains))
         return std::nullopt;
-    const LoopMargins margins = marginsOf(terms.motor, gains);
-    if (!margins.stable || margins.phaseDegrees < kMinPhaseMargin || margins.gain < kMinGainMargin)
-        return std::nullopt;
+    setIntegral(terms, omega, gains);
     return gains;
 }
 
-/// It calms down: in the last part of the record it does not move by more than a count or two.
-[[nodiscard]] bool isCalm(const ResponseRecord& run) {
-    constexpr double kLastPart = 0.8;
-    double low = run.points.back().position;
-    double high = low;
-    for (const ResponsePoint& point : run.points)
-        if (point.seconds > kLastPart * run.points.back().seconds) {
-            low = std::min(low, point.position);
-            high = std::max(high, point.position);
-        }
-    return high - low <= 2;
+[[nodiscard]] bool hasMargins(const MotorConstants& motor, const servo::SetGain& gains) {
+    const LoopMargins margins = marginsOf(motor, gains);
+    return margins.stable && margins.phaseDegrees >= kMinPhaseMargin && margins.gain >= kMinGainMargin;
 }
 
-/// s, until it stays where it belongs: the longest, for a motor that is a little stronger than was found, and
-/// for one that is a little weaker. Nothing if one does not calm down, or goes far beyond its goal; where
-/// friction keeps it elsewhere, all of the record. Sets EL.
-[[nodiscard]] std::optional<double> settling(const Terms& terms, double omega, servo::SetGain& gains) {
-    constexpr double kBand = 1.4;  // %, so that what is a little otherwise is within the usual 2
+struct Course {
+    double settled = 0.0;  ///< s, until it stays where it belongs; all of the record where it does not
+    double largest = 0.0;  ///< counts, error
+};
+
+/// Of a step that lasts `record`. `held`: counts, where friction may hold the shaft. Nothing if it is outside
+/// of its band after `latest`, goes far beyond its goal, or does not calm down: in the last part it may come
+/// nearer, but does not go farther away again.
+[[nodiscard]] std::optional<Course> courseOf(Loop loop, double step, double record, double latest,
+                                             double held) {
+    constexpr double kBand = 0.014;  // so that what is a little otherwise is within the usual 2 %
+    /// The least damping has less. What has more does so by its integral, and may well swing for good.
+    constexpr double kMaxOvershoot = 0.25;
+    constexpr double kLastPart = 0.8;
+    constexpr double kCalm = 1;  // count
+    const double band = std::floor(std::max(1.0, std::abs(step) * kBand)) + 0.5;
+    const double beyond = kMaxOvershoot * std::abs(step) + held + 0.5;
+    Course course;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (double t = 0; t <= record; t += loop.tick()) {
+        const double error = step - loop.reading(loop.at(t).position);
+        course.largest = std::max(course.largest, std::abs(error));
+        if (std::abs(error) > band)
+            course.settled = t + loop.tick();
+        if (course.settled > latest || (step < 0 ? error : -error) > beyond)
+            return std::nullopt;
+        if (t <= kLastPart * record)
+            continue;
+        nearest = std::min(nearest, std::abs(error));
+        if (std::abs(error) > nearest + kCalm)
+            return std::nullopt;
+    }
+    if (course.settled > kLastPart * record)
+        course.settled = record;
+    return course;
+}
+
+/// s, until it stays where it belongs, on average of what may be otherwise than was found: the motor a little
+/// stronger or weaker, and what friction lets the integral hold before the step. Nothing where that is not
+/// below `most`, or where one course is not good. Sets EL.
+[[nodiscard]] std::optional<double> settling(const Terms& terms, double omega, double most,
+                                             servo::SetGain& gains) {
+    struct Otherwise {
+        double stronger;
+        double held;  ///< as in standing(), along the step
+    };
+    constexpr std::array<Otherwise, 5> kOtherwise = {{{1, 0.5}, {-1, -0.5}, {0, 0}, {0, 1}, {0, -1}}};
     constexpr double kPeriods = 60;
-    /// %; the least damping has less. What has more does so by its integral, and may well swing for good.
-    constexpr double kMaxOvershoot = 25;
     constexpr double kErrorMargin = 1.5;
     constexpr double kMinError = 20;
     const double accelerating = std::sqrt(std::abs(terms.step) * terms.motor.timeConstant /
                                           (terms.motor.gain * std::max<int>(gains.ol, 1)));
     const double record = std::clamp(kPeriods / omega + 5 * accelerating, 0.1, kSlowestSettling);
-    double longest = 0.0;
-    double error = 0.0;
-    for (const double stronger : {-1.0, 0.0, 1.0}) {
+    double left = most * kOtherwise.size();
+    double largest = 0.0;
+    for (const auto& [stronger, held] : kOtherwise) {
         MotorConstants motor = terms.motor;
         motor.gain *= 1 + 0.03 * stronger;
         motor.friction *= 1 - 0.15 * stronger;
-        const ResponseRecord run = reckonStep(motor, gains, 0, terms.step, record, kBand);
-        if (!isCalm(run) || (run.metrics.overshoot && run.metrics.overshoot->value > kMaxOvershoot))
+        const LoopStart start = standing(motor, gains, 0, std::copysign(held, held * terms.step));
+        const auto course = courseOf({motor, gains, start, 1.0 * terms.step, Rounding::Chip}, terms.step,
+                                     record, left, motor.friction * 256 / gains.kp);
+        if (!course)
             return std::nullopt;
-        const auto& settled = run.metrics.settling;
-        longest = std::max(longest, settled ? settled->value : record);
-        error = std::max(error, largestError(run));
+        left -= course->settled;
+        largest = std::max(largest, course->largest);
     }
+    if (left <= 0)
+        return std::nullopt;
     gains.el =
-        static_cast<std::uint16_t>(std::lround(std::min(kMaxErrorLimit, kErrorMargin * error + kMinError)));
-    return longest;
+        static_cast<std::uint16_t>(std::lround(std::min(kMaxErrorLimit, kErrorMargin * largest + kMinError)));
+    return most - left / kOtherwise.size();
+}
+
+struct Candidate {
+    servo::SetGain gains;
+    double settled = 0.0;  ///< s
+};
+
+/// The one of a natural frequency that settles first, with an integral of whatever speed; where no overshoot
+/// leaves the band that may be much earlier, so a little more or less damping is tried too. Of equals the
+/// first. Nothing where none settles before `most`.
+[[nodiscard]] std::optional<Candidate> fastestAt(Terms terms, double omega, double most) {
+    std::optional<Candidate> best;
+    const double wished = terms.zeta;
+    for (const double periods : {30.0, 100.0, 300.0, 10.0, 3.0})
+        for (const double part : {1.0, 0.94, kLeastPart, 1.06, 1.12}) {
+            terms.periods = periods;
+            terms.zeta = wished * part;
+            auto gains = gainsAt(terms, omega);
+            const auto settled = gains ? settling(terms, omega, most, *gains) : std::nullopt;
+            // Margins take longer to find than most courses, so they come last.
+            if (!settled || !hasMargins(terms.motor, *gains))
+                continue;
+            most = *settled;
+            best = {*gains, most};
+        }
+    return best;
 }
 
 }  // namespace
@@ -144,7 +201,7 @@ std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& w
                                       const servo::SetGain& now, std::int32_t step) {
     constexpr double kReserve = 1.1;
     constexpr double kMaxUnsure = 0.1;
-    constexpr double kLadder = 0.94;
+    constexpr double kLadder = 0.96;
     Terms terms;
     terms.motor = motor.constants();
     terms.zeta = kMinDamping + std::clamp(wish.damping, 0.0, 1.0) * (kMaxDamping - kMinDamping);
@@ -156,37 +213,20 @@ std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& w
     terms.step = step;
 
     // From what the noise permits at the highest rate, down to where it is the fastest with this output
-    // limit. Where no overshoot leaves the band it may be much faster, so a little more or less damping is
-    // tried too.
-    const double wished = terms.zeta;
+    // limit; none settles in less than 1 / omega.
     const double noisiest = 1 / terms.motor.timeConstant + terms.noise / toSeconds(kServoTick);
-    Terms best = terms;
     double fastest = 0.0;
-    double least = std::numeric_limits<double>::infinity();
-    for (const double periods : {3.0, 10.0, 30.0, 100.0, 300.0})
-        for (const double zeta : {wished, wished * 0.88, wished * 1.12}) {
-            terms.periods = periods;
-            terms.zeta = zeta;
-            // None settles in less than 1 / omega.
-            for (double omega = noisiest / (2 * zeta); omega * std::min(least, kSlowestSettling) > 1;
-                 omega *= kLadder) {
-                auto gains = gainsAt(terms, omega);
-                const auto settled = gains ? settling(terms, omega, *gains) : std::nullopt;
-                if (!settled || *settled >= least)
-                    continue;
-                fastest = omega;
-                least = *settled;
-                best = terms;
-            }
+    double least = kNever;
+    for (double omega = noisiest / (2 * terms.zeta * kLeastPart);
+         omega * std::min(least, kSlowestSettling) > 1; omega *= kLadder)
+        if (const auto found = fastestAt(terms, omega, least)) {
+            fastest = omega;
+            least = found->settled;
         }
-    if (fastest == 0)
-        return std::nullopt;
     for (double omega = fastest * std::pow(kSlowest, 1 - std::clamp(wish.stiffness, 0.0, 1.0));
-         omega * kSlowestSettling > 1; omega *= kLadder) {
-        auto gains = gainsAt(best, omega);
-        if (gains && settling(best, omega, *gains))
-            return gains;
-    }
+         omega * kSlowestSettling > 1; omega *= kLadder)
+        if (const auto found = fastestAt(terms, omega, kNever))
+            return found->gains;
     return std::nullopt;
 }
 

@@ -35,12 +35,13 @@ struct LoopFigures {
 
 /// Gains for a motor and steps of up to `step` counts (not 0; either direction), from figuresOf() the other
 /// way round. SR is as low as Kd's range and resolution permit. There is an integral only if friction and
-/// load would leave an error of a count, and then its limit is the least that carries them; EL has a margin
-/// above the error that is predicted. `now`: the gains in force; output limit, current limit and deadband
-/// compensation stay as they are.
+/// load would leave an error of a count; then its limit is the least that carries them, and one step of it
+/// pushes no more than a count of error does. EL has a margin above the error that is predicted. `now`: the
+/// gains in force; output limit, current limit and deadband compensation stay as they are.
 ///
-/// What is suggested is stable: by its margins, and as reckoned tick by tick for the step. Nothing where no
-/// gains are. Pure; some tens of milliseconds.
+/// What is suggested is stable: by its margins, and as reckoned tick by tick for the step, also with a motor
+/// that is a little otherwise than was found. Nothing where no gains are. Pure; a tenth of a second, at times
+/// several: for a background job.
 [[nodiscard]] std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& wish,
                                                     const servo::SetGain& now, std::int32_t step);
 
