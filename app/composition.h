@@ -177,11 +177,10 @@ private:
     MainWindow m_window;
     ProcedureController m_procedures{m_store,
                                      [this](Procedure::Send send) { return submit(std::move(send)); }, this};
-    SequenceController m_sequences{m_store, m_procedures,
-                                   [this](std::vector<bus::Order> orders) {
-                                       return submit({std::move(orders), {}, {}});
-                                   },
-                                   this};
+    SequenceController m_sequences{
+        m_store, m_procedures,
+        [this](std::vector<bus::Order> orders) { return submit({.id = {}, .orders = std::move(orders)}); },
+        this};
     PathController m_paths;
     PortController m_ports;
     MachineController m_machine;

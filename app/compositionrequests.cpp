@@ -72,7 +72,7 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
         return m_worker.resetModule(index, save->configuration);
     if (const auto* declare = std::get_if<intent::DeclarePosition>(&intent))
         return m_store.declarePosition(index, declare->right);
-    const bus::OperationId id = submit({std::move(*orders), {}, {}});
+    const bus::OperationId id = submit({.id = {}, .orders = std::move(*orders)});
     m_machine.noteSent(index, intent);
     if (stops)
         m_procedures.overtake(index);
@@ -121,7 +121,7 @@ void Composition::keepArmed(const ModuleState& module) {
     if (!arm || module.awaited || !mayTell(module.info.index))
         return;
     if (auto orders = plan(*arm, asOfPanel(module)))
-        submit({std::move(*orders), {}, {}});
+        submit({.id = {}, .orders = std::move(*orders)});
 }
 
 void Composition::keepWithinTravel(const ModuleState& module) {
