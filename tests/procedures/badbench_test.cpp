@@ -222,7 +222,7 @@ void BadBench::expectReason(const ProcedureReport& report) const {
             EXPECT_EQ(report.stage, ProcedureStage::Done);
             return;
         case Trouble::Unstable:
-            return moves ? failed({TravelLimit, Unstable, WentOff}) : failed({Swings});
+            return moves ? failed({TravelLimit, Unstable, WentOff}) : failed({Swings, Saturates});
         case Trouble::Slips:
             return report.stage == ProcedureStage::Done ? void() : failed({NotStill, NotFollowing, Swings});
         case Trouble::PowerLost:

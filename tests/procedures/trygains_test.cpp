@@ -110,6 +110,7 @@ TEST_F(TriedGains, AreTakenBackBehindADeafLine) {
     deaf.lasts = 1'500ms;
     ASSERT_TRUE(bench.bus.chain.inject(deaf, bench.bus.now));
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Failed);
+    bench.bus.runFor(3s);  // the line is back, and the module has been found again
     EXPECT_EQ(bench.truth().gains.kp, kGood.kp);
 }
 

@@ -10,7 +10,10 @@ namespace nmc {
 
 namespace {
 
-constexpr double kRounding = 1.0;        ///< counts, of the difference of two whole numbers
+/// Counts: the error is one whole number less another. The next whole number to what it changes by on average
+/// is off by so much.
+constexpr double kRounding = 1.0;
+
 constexpr unsigned kOvercurrent = 0x04;  ///< of the status byte, sticky (DS-V 5.3)
 constexpr unsigned kServoOn = 0x04;      ///< of the auxiliary byte
 
@@ -74,14 +77,15 @@ std::optional<PwmOutput::Value> PwmOutput::finished(std::optional<double> change
     const double before = m_last->changeBefore.value_or(changeAfter.value_or(0));
     const double after = changeAfter.value_or(before);
     const double rounding = before == 0 && after == 0 ? 0.0 : kRounding;
+    const double least = std::floor(std::min(before, after)) - rounding;
+    const double most = std::ceil(std::max(before, after)) + rounding;
     const auto output = [&](double error, double change, double sum) {
         return toAmplifier(gains, gains.kp * error + gains.kd * change + gains.ki * std::trunc(sum / 256));
     };
-    Value made{
-        sample.time, output(static_cast<double>(sample.error), (before + after) / 2, m_last->sum.likely),
-        output(static_cast<double>(sample.errorLow), std::min(before, after) - rounding, m_last->sum.low),
-        output(static_cast<double>(sample.errorHigh), std::max(before, after) + rounding, m_last->sum.high),
-        m_gap};
+    Value made{sample.time,
+               output(static_cast<double>(sample.error), (before + after) / 2, m_last->sum.likely),
+               output(std::floor(static_cast<double>(sample.errorLow)), least, m_last->sum.low),
+               output(static_cast<double>(sample.errorHigh), most, m_last->sum.high), m_gap};
     if (gains.cl != 0 && (sample.status & kOvercurrent) != 0) {
         made.low = std::min(made.low, 0.0);
         made.high = std::max(made.high, 0.0);

@@ -12,10 +12,10 @@ namespace nmc {
 /// neither: the control filter of DS-V 4.3 with output limit and deadband compensation. PWM counts,
 /// -255..255.
 ///
-/// The bounds hold what is not known: the error's own band; a count of rounding in its change from tick to
-/// tick, and how that differs before and after the sample; the running sum, which is anything within the
-/// integration limit at first and becomes known where that cuts it off; and with a current limit that has
-/// been exceeded anything down to 0. Pure.
+/// The bounds hold what is not known: the error's own band, which the filter sees rounded down; a count of
+/// rounding in its change from tick to tick, which is a whole number, and how that differs before and after
+/// the sample; the running sum, which is anything within the integration limit at first and becomes known
+/// where that cuts it off; and with a current limit that has been exceeded anything down to 0. Pure.
 class PwmOutput {
 public:
     struct Value {
