@@ -177,6 +177,9 @@ TEST_F(PrintingProgram, WithoutAPrinterItSaysWhatToDoAndSavesThePage) {
     ASSERT_TRUE(asked());
     EXPECT_TRUE(
         find<QLabel>(u"printState"_s)->text().startsWith(u"No printer is set up on this computer."_s));
+    // All of its lines are seen.
+    const auto* state = find<QLabel>(u"printState"_s);
+    EXPECT_GE(state->height(), state->heightForWidth(state->width()));
     EXPECT_FALSE(find<QPushButton>(u"printButton"_s)->isEnabled());
     click(u"printSaveButton"_s);
     auto* file = find<QFileDialog>(u"printPdfDialog"_s);

@@ -174,6 +174,16 @@ TEST_F(LayoutsTest, GainsAreTriedAndKept) {
     window->showProcedure(report);
     settle();
     EXPECT_FALSE(button(u"tryGainsButton"_s)->isEnabled());
+    // The trial has lowered the output limit of the module; that is no edit of anybody's.
+    Servo servo;
+    servo.held = true;
+    ModuleState module = servo.state();
+    module.gains->kp = 101;
+    module.gains->ol = 63;
+    window->showLink(connectedTo({module}));
+    settle();
+    EXPECT_EQ(window->findChild<QLineEdit*>(u"olField"_s)->text(), u"255"_s);
+    EXPECT_FALSE(button(u"revertGainsButton"_s)->isEnabled());
     click(u"keepGainsButton"_s);
     last<intent::KeepGains>();
 }

@@ -120,6 +120,30 @@ TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
     EXPECT_TRUE(tasks.isEmpty());
 }
 
+/// They are there for some seconds, and with less output than anybody asked for.
+TEST_F(ModelPage, GainsThatAreTriedSuggestNoOthers) {
+    find();
+    const auto asked = tasks.count();
+    ProcedureReport report;
+    report.kind = ProcedureKind::TryGains;
+    report.stage = ProcedureStage::Trying;
+    window->showProcedure(report);
+    Servo servo;
+    servo.held = true;
+    std::vector<ModuleState> modules{servo.state(), Servo{.index = 1}.state()};
+    modules.front().gains->ol = 63;
+    window->showLink(connectedTo(modules));
+    settle();
+    EXPECT_EQ(tasks.count(), asked);
+    report.stage = ProcedureStage::Done;
+    window->showProcedure(report);
+    modules.front().gains->kp = 321;  // others have come meanwhile
+    window->showLink(connectedTo(modules));
+    settle();
+    EXPECT_EQ(tasks.count(), asked + 1);
+    EXPECT_EQ(task().now.kp, 321);
+}
+
 TEST_F(ModelPage, AMotorOfTheLastConnectionThatComesLateIsNotShown) {
     window->showResponse(ramp());
     click(u"identifyButton"_s);

@@ -87,6 +87,7 @@ void PrintDialog::showPrinters(const QStringList& printers, const QString& stand
                            : printers.empty() ? texts::noPrinter()
                                               : QString());
     showPossible();
+    adjustSize();  // what it says now may have more lines
 }
 
 void PrintDialog::showPossible() {

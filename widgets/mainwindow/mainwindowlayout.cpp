@@ -39,7 +39,7 @@ constexpr int kPathsWidth = 52;
 constexpr int kSequencesWidth = 62;
 constexpr int kSequencesHeight = 24;
 constexpr int kLowestScope = 12;
-constexpr int kColumn = 21;  ///< beside the plots
+constexpr int kColumn = 20;  ///< beside the plots
 }  // namespace
 
 QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,

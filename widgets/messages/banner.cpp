@@ -84,7 +84,8 @@ void Banner::setCompact(bool compact) {
     from.removeWidget(m_body);
     from.removeItem(m_actions);
     m_actions->setParent(nullptr);
-    to.insertWidget(place, m_body, compact ? 2 : 1);
+    to.insertWidget(place, m_body, 1);
+    m_first->setStretchFactor(m_headline, compact ? 0 : 1);  // of one line the body gives way first
     to.insertLayout(place + 1, m_actions);
     updateGeometry();
 }

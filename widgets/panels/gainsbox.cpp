@@ -289,7 +289,9 @@ void GainsBox::chooseSense(int sense) {
 
 void GainsBox::showModule() {
     const auto& kept = m_context.settings().gains;
-    const auto& sent = m_context.state().gains;
+    std::optional<servo::SetGain> sent = m_context.state().gains;
+    if (sent && m_tried && tries())
+        sent->ol = m_tried->ol;          // the trial has lowered it, and nobody asked for that
     const bool opened = kept != m_kept;  // another machine file goes before what was typed
     if (opened || sent != m_sent) {
         m_kept = kept;
@@ -438,8 +440,9 @@ bool GainsBox::tries() const {
 }
 
 void GainsBox::tryThem() {
-    if (const auto gains = entered())
-        m_context.ask(intent::TryGains{*gains, kTrySeconds});
+    m_tried = entered();
+    if (m_tried)
+        m_context.ask(intent::TryGains{*m_tried, kTrySeconds});
 }
 
 void GainsBox::refreshTry(const QString& problem) {

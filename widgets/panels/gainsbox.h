@@ -99,6 +99,7 @@ private:
     /// When they were looked at last: the axis's, and those that were sent.
     std::optional<servo::SetGain> m_kept;
     std::optional<servo::SetGain> m_sent;
+    std::optional<servo::SetGain> m_tried;  ///< asked for last, to be tried
 };
 
 }  // namespace nmc

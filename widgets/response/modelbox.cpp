@@ -132,9 +132,13 @@ void ModelBox::forget() {
 
 void ModelBox::showModule(const PanelView& view) {
     const auto servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
-    const bool news = servo != m_servo || view.module.gains != m_gains;
+    const ProcedureReport* running = view.procedure;
+    const bool tries = running != nullptr && running->kind == ProcedureKind::TryGains && !running->over();
+    // Gains that are tried are not there to stay, and their output limit is lowered.
+    const auto gains = tries && servo == m_servo ? m_gains : view.module.gains;
+    const bool news = servo != m_servo || gains != m_gains;
     m_servo = servo;
-    m_gains = view.module.gains;
+    m_gains = gains;
     if (news)
         suggest();
 }
