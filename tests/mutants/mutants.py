@@ -99,7 +99,7 @@ COMMANDS = (
     )),
     Mutant("states-kept-through-new-addresses", "link.md 2.6: one that was reset is off, and stays off", (
         Edit("core/bus/engine.cpp",
-             "    if (m_search.takeGivesAddresses())\n        m_chain.forgetStates();\n", ""),
+             "        m_chain.forgetStates();\n", ""),
     )),
     Mutant("load-and-start-in-one", "link.md 1: a trapezoidal move is never started by the command that loads it", (
         Edit("core/bus/gate.cpp",

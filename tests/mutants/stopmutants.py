@@ -12,7 +12,7 @@ STOPPING = (
              "Line::Script{Line::Pause{kAfterNulls}, DiscardInput{}};"),
     )),
     Mutant("stop-behind-the-quarantine", "link.md 2.6: a stop goes past everything", (
-        Edit("core/bus/engine.cpp", "turn(m_wayBack, m_stop);", "turn(m_wayBack, m_recovery, m_stop);"),
+        Edit("core/bus/engine.cpp", "taken = turn(m_stop);", "taken = turn(m_recovery, m_stop);"),
     )),
     Mutant("stop-behind-a-reply", "link.md 2.6: a stop may pre-empt a reply in flight", (
         Edit("core/bus/engine.cpp",
@@ -23,6 +23,9 @@ STOPPING = (
         Edit("core/bus/engine.cpp",
              "    m_path.drop();  // all are stopped\n    dropWork();\n",
              "    m_path.drop();  // all are stopped\n"),
+    )),
+    Mutant("tried-gains-left-at-a-stop", "trialtask.h: they go back before anything else is asked", (
+        Edit("core/bus/engine.cpp", "    m_trials.leaveAll();\n", ""),
     )),
     Mutant("abrupt-stop-of-a-servo-that-is-off", "link.md 2.6: it would switch the servo on", (
         Edit("core/bus/stoptarget.cpp",

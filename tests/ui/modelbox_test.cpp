@@ -135,10 +135,13 @@ TEST_F(ModelPage, GainsThatAreTriedSuggestNoOthers) {
     window->showLink(connectedTo(modules));
     settle();
     EXPECT_EQ(tasks.count(), asked);
-    report.stage = ProcedureStage::Done;
-    window->showProcedure(report);
+    modules.front().gains = someGains();
     modules.front().gains->kp = 321;  // others have come meanwhile
     window->showLink(connectedTo(modules));
+    settle();
+    EXPECT_EQ(tasks.count(), asked);
+    report.stage = ProcedureStage::Done;
+    window->showProcedure(report);
     settle();
     EXPECT_EQ(tasks.count(), asked + 1);
     EXPECT_EQ(task().now.kp, 321);
