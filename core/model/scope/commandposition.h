@@ -18,10 +18,11 @@ namespace nmc {
 ///
 /// Time: the chip carries a command out, and latches a status, at the end of a maximum-rate tick t (DS-V
 /// 4.1), which is T - t/2 .. T + t/2 for the T that the bus reports, or later by as much as kPromptWithin and
-/// `late`; where its reply came before the end of that, the end is earlier (a negative `late`). Its profile makes a step every servo tick S = SR x t, of unknown phase. With n steps before a
-/// command, the curve that matches the steps begins at n x S, which is the command's moment or up to S - t
-/// before it; with N steps before a status, the curve is where the steps are at (N + 1/2) x S (DS-V 4.4). So
-/// a change begins T + t/2 - S .. T + t/2, and a status shows T + t/2 - S/2 .. T + t/2 + S/2.
+/// `late`; where its reply came before the end of that, the end is earlier (a negative `late`). Its profile
+/// makes a step every servo tick S = SR x t, of unknown phase. With n steps before a command, the curve that
+/// matches the steps begins at n x S, which is the command's moment or up to S - t before it; with N steps
+/// before a status, the curve is where the steps are at (N + 1/2) x S (DS-V 4.4). So a change begins T + t/2
+/// - S .. T + t/2, and a status shows T + t/2 - S/2 .. T + t/2 + S/2.
 ///
 /// Fed in the order of the bus: of one exchange first the command, then the sample.
 class CommandPosition {
