@@ -41,8 +41,10 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     const ModuleState* module = m_store.module(index);
     if (module == nullptr)
         return;
-    if (std::holds_alternative<intent::KeepGains>(intent))
+    if (std::holds_alternative<intent::KeepGains>(intent)) {
+        m_procedures.keep(index);
         return m_worker.keepTrial(index);
+    }
     if (const auto* gains = std::get_if<intent::ApplyGains>(&intent);
         gains != nullptr && plan(intent, *module) && m_procedures.take(index, gains->gains))
         return m_machine.noteSent(index, intent);

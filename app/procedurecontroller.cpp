@@ -47,6 +47,11 @@ void ProcedureController::cancelAll() {
     advance();
 }
 
+void ProcedureController::keep(ModuleIndex module) {
+    if (const auto found = m_runs.find(module); found != m_runs.end())
+        found->second.procedure->keep();
+}
+
 bool ProcedureController::take(ModuleIndex module, const servo::SetGain& gains) {
     const auto found = m_runs.find(module);
     return found != m_runs.end() && found->second.procedure->take(gains);

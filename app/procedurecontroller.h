@@ -35,6 +35,8 @@ public:
     /// The user wants something else of the module, or nothing: its procedure stops the motor, and ends.
     void cancel(ModuleIndex module);
     void cancelAll();
+    /// What is being tried with it is to stay: the bus is asked for that now.
+    void keep(ModuleIndex module);
     /// Other gains for the procedure that runs with it. False: it has no use for them.
     [[nodiscard]] bool take(ModuleIndex module, const servo::SetGain& gains);
     /// The motor has been stopped or switched off by somebody else.

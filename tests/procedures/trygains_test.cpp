@@ -85,6 +85,44 @@ TEST_F(TriedGains, StayWhenTheyAreKept) {
     EXPECT_TRUE(hasGains(kOther));
 }
 
+/// Before the panel has heard that they are.
+TEST_F(TriedGains, StayWhenTheyAreKeptAndSomethingElseIsAskedForAtOnce) {
+    ASSERT_TRUE(hold());
+    bench.begin(intent::TryGains{kOther, 10.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    ASSERT_TRUE(bench.turn());
+    bench.procedure->keep();
+    bench.bus.engine.keepTrial(ModuleIndex(0), bench.bus.now);
+    bench.procedure->cancel();
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
+    EXPECT_TRUE(hasGains(kOther));
+}
+
+TEST_F(TriedGains, StayWhenSomethingElseIsAskedForWhileAllOfOlIsSent) {
+    ASSERT_TRUE(hold());
+    bench.begin(intent::TryGains{kOther, 10.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    ASSERT_TRUE(bench.turn());
+    bench.procedure->keep();
+    bench.bus.engine.keepTrial(ModuleIndex(0), bench.bus.now);
+    ASSERT_TRUE(bench.turn());  // it hears of that, and sends
+    bench.procedure->cancel();
+    (void)bench.goOn();
+    EXPECT_TRUE(hasGains(kOther));
+}
+
+TEST_F(TriedGains, TooLateToKeepTheyAreThoseFromBefore) {
+    ASSERT_TRUE(hold());
+    bench.begin(intent::TryGains{kOther, 0.2});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    bench.bus.runFor(300ms);  // the time is over, and the panel has not heard of it
+    bench.procedure->keep();
+    bench.bus.engine.keepTrial(ModuleIndex(0), bench.bus.now);
+    bench.procedure->cancel();
+    (void)bench.goOn();
+    EXPECT_TRUE(hasGains(kGood));
+}
+
 TEST_F(TriedGains, AreTakenBackAtAStop) {
     ASSERT_TRUE(hold());
     bench.begin(intent::TryGains{kOther, 10.0});

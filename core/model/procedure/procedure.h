@@ -130,6 +130,8 @@ public:
     void onLinkSuspect();
     /// Nothing more is wanted of it; the next() after this may still send a stop.
     void cancel();
+    /// The bus has been asked to keep what it tries (Engine::keepTrial); of the other kinds nothing is tried.
+    virtual void keep() {}
     /// Other gains, from its next edge on. False: it has no use for them.
     [[nodiscard]] virtual bool take(const servo::SetGain& /*gains*/) { return false; }
     [[nodiscard]] const ProcedureReport& report() const { return m_report; }
@@ -155,6 +157,8 @@ protected:
     /// `starts`: as bus::Operation::path wants them.
     [[nodiscard]] Next follow(std::vector<bus::Order> starts, std::shared_ptr<const bus::PathPlan> path);
     [[nodiscard]] Next tryOut(bus::Order gains, const bus::GainTrial& trial);
+    /// What is in flight ends by itself, and only then anything else is sent.
+    void awaitEnd() { m_lasts = false; }
     /// What came of the last sine, and of the last trial.
     [[nodiscard]] const bus::SineRecord& swung() const { return m_swung; }
     [[nodiscard]] std::optional<bus::TrialEnd> tried() const { return m_tried; }

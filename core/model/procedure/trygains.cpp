@@ -79,8 +79,11 @@ TryGainsRun::Next TryGainsRun::conclude(bus::TrialEnd end) {
     return finish();
 }
 
-/// Where the trial has ended by itself they are back already.
+/// Where the trial has ended by itself they are back already. Kept, and then something else was asked for: it
+/// was with a lower output limit.
 std::vector<bus::Order> TryGainsRun::lastWord(const ModuleState& /*module*/) const {
+    if (m_kept || tried() == bus::TrialEnd::Kept)
+        return {set(m_wanted)};
     const bool sent = m_report.stage == ProcedureStage::Trying;
     return sent && !tried() ? std::vector{set(m_before)} : std::vector<bus::Order>{};
 }

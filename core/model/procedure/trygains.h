@@ -18,6 +18,8 @@ public:
     /// `wanted` is possible now.
     TryGainsRun(const intent::TryGains& wanted, const ModuleState& module);
 
+    void keep() override { awaitEnd(); }
+
 private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
     void whileItLasts(const ModuleState& module) override;
