@@ -480,13 +480,13 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
             if (info.address == seen[answer.module.value()].address)
                 takeHeard(info.index, answer.end);
     // What is owed to a module that was found where it was is still owed; one that was reset is off.
-    if (found.attached)
-        m_trials.rejoin(before);
-    if (found.attached)
-        for (const Chain::Module& module : before.modules())
-            for (const ModuleInfo& info : found.modules)
-                if (module.owed && info.address == module.belief.info().address)
-                    m_chain.owe(info.index, module.owed->cause);
+    if (!found.attached)
+        return;
+    m_trials.rejoin(before);
+    for (const Chain::Module& module : before.modules())
+        for (const ModuleInfo& info : found.modules)
+            if (module.owed && info.address == module.belief.info().address)
+                m_chain.owe(info.index, module.owed->cause);
 }
 
 /// One of the answers that the search has had of it.

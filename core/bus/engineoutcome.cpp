@@ -149,10 +149,10 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
         m_trials.forget(*ask.module);
     if (work.task != nullptr)
         work.task->onAnswer(ask, end);
-    if (trusted)
+    if (trusted) {
         m_path.onReport(*ask.module, end);
-    if (trusted)
         m_trials.onReport(*ask.module, *trusted, end.latched);
+    }
     if (ask.reported)
         m_events.emplace_back(CommandExecuted{*ask.module, end.latched, *ask.command, end.late,
                                               m_chain.takeUnanswered(*ask.module, end.latched)});

@@ -165,8 +165,8 @@ OWING = (
     )),
     Mutant("owed-stop-dropped-with-its-chain", "issue 13, 3: whoever is found where it was is owed it still", (
         Edit("core/bus/engine.cpp",
-             "    if (found.attached)\n        for (const Chain::Module& module : before",
-             "    if (false)\n        for (const Chain::Module& module : before"),
+             "            if (module.owed && info.address == module",
+             "            if (false && module.owed && info.address == module"),
     )),
     Mutant("owed-stop-over-when-answered", "issue 13, 3: ended by a confirmation only", (
         Edit("core/bus/unacknowledgedstops.cpp",
