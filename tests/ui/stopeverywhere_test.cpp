@@ -331,6 +331,32 @@ TEST_F(Standing, SaysWhatIsSoNow) {
     EXPECT_EQ(stops.size(), 1);
 }
 
+// What was started a moment ago stands still until its first answer.
+TEST_F(Standing, IsAskedWhileAProcedureRunsThatMovesAMotor) {
+    atRest(*this);
+    QSignalSpy disconnects(window.get(), &MainWindow::disconnectRequested);
+    ProcedureReport report{.module = ModuleIndex(0), .kind = ProcedureKind::FollowPath};
+    window->showProcedure(report);
+    click(u"disconnectButton"_s);
+    ASSERT_NE(question(u"disconnectDialog"_s), nullptr);
+    EXPECT_EQ(text(u"closeText"_s), u"1 motor is moving. It will be stopped before the port closes."_s);
+    click(u"stayButton"_s);
+    EXPECT_EQ(disconnects.size(), 0);
+
+    report.stage = ProcedureStage::Done;
+    window->showProcedure(report);
+    click(u"disconnectButton"_s);
+    EXPECT_EQ(disconnects.size(), 1);
+}
+
+TEST_F(Standing, GainsOnTrialMoveNothing) {
+    atRest(*this);
+    QSignalSpy disconnects(window.get(), &MainWindow::disconnectRequested);
+    window->showProcedure({.module = ModuleIndex(0), .kind = ProcedureKind::TryGains});
+    click(u"disconnectButton"_s);
+    EXPECT_EQ(disconnects.size(), 1);
+}
+
 TEST_F(Standing, IsWithdrawnWhenThePortIsGoneOrAnother) {
     QSignalSpy restarts(window.get(), &MainWindow::restartNetworkRequested);
     LinkState other = connectedTo({Servo{}.state()});

@@ -98,8 +98,16 @@ bool Session::anyHolds() const {
 int Session::movingMotors() const {
     if (!isOpen())
         return 0;
-    return static_cast<int>(std::count_if(m_link.modules.begin(), m_link.modules.end(),
-                                          [](const ModuleState& module) { return module.moving(); }));
+    return static_cast<int>(std::count_if(
+        m_link.modules.begin(), m_link.modules.end(),
+        [this](const ModuleState& module) { return module.moving() || procedureMoves(module.info.index); }));
+}
+
+/// It may have sent what sets the motor going already, and nobody has seen it yet.
+bool Session::procedureMoves(ModuleIndex module) const {
+    const auto found = m_procedures.find(module);
+    return found != m_procedures.end() && !found->second.over() &&
+           found->second.kind != ProcedureKind::TryGains;
 }
 
 std::function<QString()> Session::whileOpen(QString (*text)(int movingMotors)) const {

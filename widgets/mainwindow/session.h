@@ -44,6 +44,7 @@ public:
     /// What the scope knows of them.
     [[nodiscard]] std::vector<ScopeModule> scopeModules() const;
     [[nodiscard]] bool anyHolds() const;
+    /// Those that are seen to move, and those that a procedure moves, or is about to.
     [[nodiscard]] int movingMotors() const;
     /// A connection that only looks leaves them as they are.
     [[nodiscard]] bool leavingStopsMotors() const { return !m_link.readOnly && movingMotors() > 0; }
@@ -65,6 +66,7 @@ signals:
 private:
     [[nodiscard]] std::optional<double> ageOf(const ModuleState& module) const;
     [[nodiscard]] std::vector<bool> liveModules() const;
+    [[nodiscard]] bool procedureMoves(ModuleIndex module) const;
 
     LinkState m_link;          ///< as it may be shown
     std::vector<bool> m_live;  ///< of its modules, as they were told of last
