@@ -137,8 +137,14 @@ public:
     }
     /// The first module has answered for so much longer: what was on its way to it has come.
     bool answersFor(double seconds) {
-        const TimePoint until = module().latestTime + fromSeconds(seconds);
-        return waitFor([&] { return module().latestTime >= until; });
+        const ModuleState* first = m_composition.store().module(ModuleIndex(0));
+        if (first == nullptr)
+            return false;
+        const TimePoint until = first->latestTime + fromSeconds(seconds);
+        return waitFor([&] {
+            const ModuleState* now = m_composition.store().module(ModuleIndex(0));
+            return now != nullptr && now->latestTime >= until;
+        });
     }
     /// As if the control of the first module that asks for it had been used.
     void ask(const Intent& intent) { emit window().intentRequested(ModuleIndex(0), intent); }
