@@ -326,7 +326,7 @@ ReplyEnd Line::endOf(const Pending& pending, ReplyResult result, TimePoint now) 
     end.result = result;
     end.bytes = pending.received;
     end.latched = std::min(pending.left + kServoTick / 2, now);
-    end.latchedBy = std::max(end.latched, now - m_timing.bytes(pending.received.size()));
+    end.latchedBy = std::max(end.latched, now - m_timing.shortest(pending.received.size()));
     // Against the latest that a prompt reply stands for. An adapter explains what is later, and not less.
     const Duration late = end.latchedBy - pending.left - kServoTick - kPromptWithin;
     end.late = late < Duration{} ? late : std::max(Duration{}, late - m_timing.knownAdapter());

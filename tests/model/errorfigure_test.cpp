@@ -35,6 +35,7 @@ struct Line {
     double lostCommands = 0;  ///< share of the commands
     double lostBytes = 0;     ///< share of the bytes to the host
     double wrongBytes = 0;
+    Duration adapterDelay{};
 };
 
 void PrintTo(const Line& line, std::ostream* os) {
@@ -44,6 +45,7 @@ void PrintTo(const Line& line, std::ostream* os) {
 class ErrorFigure : public testing::TestWithParam<Line> {
 protected:
     ErrorFigure() : m_bus(test::servos(1), bus::EngineConfig{GetParam().baud}, options()) {
+        m_bus.adapterDelay = GetParam().adapterDelay;
         m_bus.losesReply = [this](ByteSpan command) {
             if (command[2] == 0x05 && happens(GetParam().lostStarts))  // Start Motion
                 m_lostUntil = m_bus.now + 80ms;
@@ -107,9 +109,10 @@ protected:
 
     std::size_t m_samples = 0;
     std::size_t m_known = 0;
-    std::size_t m_outside = 0;  ///< by more than a count
-    double m_farthest = 0;      ///< outside
-    double m_largest = 0;       ///< shown, of the error or its band
+    std::size_t m_outside = 0;    ///< by more than a count
+    std::size_t m_misplaced = 0;  ///< latched at another time than bus::Sample says
+    double m_farthest = 0;        ///< outside
+    double m_largest = 0;         ///< shown, of the error or its band
     TimePoint m_worst{};
 
 private:
@@ -185,6 +188,9 @@ private:
         if (!shown || !latch || !latch->servoOn)
             return;
         ++m_samples;
+        const TimePoint first = sample.time - kServoTick / 2;
+        const TimePoint last = sample.time + kServoTick / 2 + bus::kPromptWithin + sample.late;
+        m_misplaced += latch->time < first || latch->time > last ? 1U : 0U;
         if (!shown->errorKnown())
             return;
         ++m_known;
@@ -222,6 +228,7 @@ TEST_P(ErrorFigure, IsWithinItsBand) {
         100.0 * static_cast<double>(m_outside) / static_cast<double>(m_samples), m_farthest,
         toSeconds(m_worst.time_since_epoch()));
     EXPECT_LE(static_cast<double>(m_outside), 0.0001 * static_cast<double>(m_samples));
+    EXPECT_EQ(m_misplaced, 0U);
     EXPECT_LE(m_farthest, kErrorLimit);
     EXPECT_LE(m_largest, kErrorLimit);
     // Nothing that is never shown is ever wrong.
@@ -236,7 +243,9 @@ INSTANTIATE_TEST_SUITE_P(, ErrorFigure,
                                          Line{"FastLostCommands", 115'200, 0, 0.003},
                                          Line{"SlowLostCommands", 19'200, 0, 0.003},
                                          Line{"FastDamaged", 115'200, 0, 0, 0.0005, 0.0005},
-                                         Line{"SlowDamaged", 19'200, 0, 0, 0.0005, 0.0005}),
+                                         Line{"SlowDamaged", 19'200, 0, 0, 0.0005, 0.0005},
+                                         Line{"FastAdapter", 115'200, 0, 0, 0, 0, 1ms},
+                                         Line{"SlowAdapter", 19'200, 0, 0, 0, 0, 1ms}),
                          [](const auto& given) { return std::string(given.param.name); });
 
 }  // namespace
