@@ -45,8 +45,9 @@ std::optional<PwmOutput::Value> PwmOutput::take(const ScopeSample& sample,
     }
     if (m_last && !sample.gapBefore && sample.time > m_last->sample.time) {
         const double ticks = toSeconds(sample.time - m_last->sample.time) / servoTick(*gains);
-        const double change =
-            (static_cast<double>(sample.error) - static_cast<double>(m_last->sample.error)) / ticks;
+        const Change change{
+            (static_cast<double>(sample.error) - static_cast<double>(m_last->sample.error)) / ticks,
+            sample.error == m_last->sample.error && sample.position == m_last->sample.position};
         const auto made = finished(change);
         m_last = Known{sample, *gains, advanced(*m_last, sample, ticks), change};
         return made;
@@ -69,14 +70,16 @@ PwmOutput::Range PwmOutput::advanced(const Known& before, const ScopeSample& to,
             add(before.sum.high, before.sample.errorHigh, to.errorHigh)};
 }
 
-std::optional<PwmOutput::Value> PwmOutput::finished(std::optional<double> changeAfter) {
+std::optional<PwmOutput::Value> PwmOutput::finished(std::optional<Change> changeAfter) {
     if (!m_last || !(m_last->changeBefore || changeAfter))
         return std::nullopt;
     const ScopeSample& sample = m_last->sample;
     const servo::SetGain& gains = m_last->gains;
-    const double before = m_last->changeBefore.value_or(changeAfter.value_or(0));
-    const double after = changeAfter.value_or(before);
-    const double rounding = before == 0 && after == 0 ? 0.0 : kRounding;
+    const Change either = changeAfter ? *changeAfter : *m_last->changeBefore;
+    const double before = m_last->changeBefore.value_or(either).perTick;
+    const double after = either.perTick;
+    const bool still = m_last->changeBefore.value_or(either).none && either.none;
+    const double rounding = still ? 0.0 : kRounding;
     const double least = std::floor(std::min(before, after)) - rounding;
     const double most = std::ceil(std::max(before, after)) + rounding;
     const auto output = [&](double error, double change, double sum) {

@@ -35,14 +35,19 @@ private:
     struct Range {
         double low = 0, likely = 0, high = 0;
     };
+    /// Of the error, from one sample to the next.
+    struct Change {
+        double perTick = 0;  ///< counts
+        bool none = false;   ///< in no tick between them: neither error nor shaft have moved
+    };
     struct Known {
         ScopeSample sample;
         servo::SetGain gains;
-        Range sum;                             ///< running sum of the error
-        std::optional<double> changeBefore{};  ///< of the error in a tick, counts
+        Range sum;  ///< running sum of the error
+        std::optional<Change> changeBefore{};
     };
     [[nodiscard]] static Range advanced(const Known& before, const ScopeSample& to, double ticks);
-    [[nodiscard]] std::optional<Value> finished(std::optional<double> changeAfter);
+    [[nodiscard]] std::optional<Value> finished(std::optional<Change> changeAfter);
 
     std::optional<Known> m_last;
     bool m_gap = true;  ///< before the next value
