@@ -38,11 +38,11 @@ void CommandEnvelope::Curve::moveStart(Duration later) {
     start += later;
 }
 
-ProfileCurve::Range CommandEnvelope::range(Side side, const Moments& when) const {
-    const Curve& curve = m_curves[side];
+ProfileCurve::Range CommandEnvelope::range(const Curve& curve, const Moments& when) const {
     const double earliest = curve.seconds(when.earliest);
     const double latest = curve.seconds(when.latest);
-    ProfileCurve::Range range = curve.profile.range(earliest * (1.0 - kClock), latest * (1.0 + kClock));
+    ProfileCurve::Range range =
+        curve.profile.range(earliest * (1.0 - when.apart), latest * (1.0 + when.apart));
     if (earliest < curve.profile.endOf(ProfileCurve::Phase::Last) + m_settling) {
         range.low -= m_steps;
         range.high += m_steps;
@@ -51,8 +51,8 @@ ProfileCurve::Range CommandEnvelope::range(Side side, const Moments& when) const
 }
 
 CommandEstimate CommandEnvelope::at(const Moments& when) const {
-    const double low = range(Low, when).low;
-    const double high = std::max(low, range(High, when).high);
+    const double low = range(m_curves[Low], when).low;
+    const double high = std::max(low, range(m_curves[High], when).high);
     const Curve& likely = m_curves[Likely];
     return {std::clamp(likely.profile.position(likely.seconds(when.likely)), low, high), low, high};
 }
@@ -82,16 +82,14 @@ void CommandEnvelope::moveTo(double goal, double velocity, Pace pace, const Mome
 }
 
 void CommandEnvelope::changeVelocity(double velocity, Pace pace, const Moments& when) {
-    for (const Side side : {Low, Likely, High})
-        changeVelocity(side, velocity, pace, when);
+    m_curves = {changed(Low, velocity, pace, when), changed(Likely, velocity, pace, when),
+                changed(High, velocity, pace, when)};
     m_steps = m_settling = 0.0;
     m_ends = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 }
 
-/// From this moment on, for one side.
-CommandEnvelope::Curve CommandEnvelope::changed(Side side, double velocity, Pace pace,
-                                                TimePoint start) const {
-    const Curve& curve = m_curves[side];
+CommandEnvelope::Curve CommandEnvelope::changed(const Curve& curve, Side side, double velocity, Pace pace,
+                                                TimePoint start, double apart) const {
     const double perSecond = 1.0 / pace.tick;
     const double from = curve.profile.velocity(curve.seconds(start));
     const double change = velocity - from * pace.tick;
@@ -99,7 +97,7 @@ CommandEnvelope::Curve CommandEnvelope::changed(Side side, double velocity, Pace
     if (side == Likely) {
         position = curve.profile.position(curve.seconds(start)) - stepsBehind(change, pace.acceleration);
     } else {
-        const ProfileCurve::Range reached = range(side, {start, start, start});
+        const ProfileCurve::Range reached = range(curve, {start, start, start, apart});
         const double steps = stepHeight(change, pace.acceleration);
         position = side == Low ? reached.low - (change > 0.0 ? steps : 0.0)
                                : reached.high + (change < 0.0 ? steps : 0.0);
@@ -109,27 +107,30 @@ CommandEnvelope::Curve CommandEnvelope::changed(Side side, double velocity, Pace
             start};
 }
 
-void CommandEnvelope::changeVelocity(Side side, double velocity, Pace pace, const Moments& when) {
-    Curve& curve = m_curves[side];
+CommandEnvelope::Curve CommandEnvelope::changed(Side side, double velocity, Pace pace,
+                                                const Moments& when) const {
+    const Curve& curve = m_curves[side];
     if (side != Likely && m_settling > 0.0)
-        return changeTrapezoid(side, velocity, pace, when);
+        return changedTrapezoid(side, velocity, pace, when);
     const bool up = velocity / pace.tick >= curve.profile.goalVelocity();
-    curve = changed(side, velocity, pace, pick(side, up, when));
+    return changed(curve, side, velocity, pace, pick(side, up, when), when.apart);
 }
 
 /// A trapezoid slows down while the change may come, perhaps through the new velocity: then neither the
-/// first moment nor the last leads furthest.
-void CommandEnvelope::changeTrapezoid(Side side, double velocity, Pace pace, const Moments& when) {
+/// first moment nor the last leads furthest. And of three that go to the same goal the last is the fastest.
+CommandEnvelope::Curve CommandEnvelope::changedTrapezoid(Side side, double velocity, Pace pace,
+                                                         const Moments& when) const {
     constexpr int kParts = 16;
     const double sign = side == High ? 1.0 : -1.0;
     std::vector<Curve> curves;
     TimePoint reached = when.latest;
-    for (int i = 0; i <= kParts; ++i) {
-        curves.push_back(
-            changed(side, velocity, pace, when.earliest + (when.latest - when.earliest) * i / kParts));
-        if (const double ramp = curves.back().profile.duration(); std::isfinite(ramp))
-            reached = std::max(reached, curves.back().start + fromSeconds(ramp));
-    }
+    for (int i = 0; i <= kParts; ++i)
+        for (const Curve& curve : m_curves) {
+            curves.push_back(changed(curve, side, velocity, pace,
+                                     when.earliest + (when.latest - when.earliest) * i / kParts, when.apart));
+            if (const double ramp = curves.back().profile.duration(); std::isfinite(ramp))
+                reached = std::max(reached, curves.back().start + fromSeconds(ramp));
+        }
     const auto position = [sign](const Curve& curve, TimePoint time) {
         return sign * curve.profile.position(curve.seconds(time));
     };
@@ -141,7 +142,7 @@ void CommandEnvelope::changeTrapezoid(Side side, double velocity, Pace pace, con
     Curve chosen = furthest(reached);
     const double missing = position(furthest(when.latest), when.latest) - position(chosen, when.latest);
     chosen.profile = chosen.profile.shifted(sign * missing);
-    m_curves[side] = chosen;
+    return chosen;
 }
 
 void CommandEnvelope::makeZero(Pace pace, const Moments& when) {

@@ -6,6 +6,7 @@
 
 #include "base/time.h"
 #include "model/scope/profilecurve.h"
+#include "model/scope/tickclock.h"
 
 namespace nmc {
 
@@ -22,6 +23,8 @@ struct Moments {
     TimePoint earliest;
     TimePoint likely;
     TimePoint latest;
+    /// So fast or slow the clock may be; 0 where the module's ticks were counted.
+    double apart = TickClock::kApart;
 };
 
 /// A command position over time of which each change is known within bounds: three curves, the likely one and
@@ -33,9 +36,6 @@ struct Moments {
 /// said otherwise.
 class CommandEnvelope {
 public:
-    /// How far the module's clock and this machine's may run apart: two crystals of 50 ppm.
-    static constexpr double kClock = 100e-6;
-
     /// A servo tick, and an acceleration in counts per servo tick squared.
     struct Pace {
         double tick = 0;
@@ -73,12 +73,14 @@ private:
     };
     enum Side : std::size_t { Low, Likely, High };
 
-    void changeVelocity(Side side, double velocity, Pace pace, const Moments& when);
-    void changeTrapezoid(Side side, double velocity, Pace pace, const Moments& when);
-    [[nodiscard]] Curve changed(Side side, double velocity, Pace pace, TimePoint start) const;
+    [[nodiscard]] Curve changed(Side side, double velocity, Pace pace, const Moments& when) const;
+    [[nodiscard]] Curve changedTrapezoid(Side side, double velocity, Pace pace, const Moments& when) const;
+    /// One of the three from this moment on, for a side; `apart` as in Moments.
+    [[nodiscard]] Curve changed(const Curve& curve, Side side, double velocity, Pace pace, TimePoint start,
+                                double apart) const;
     /// The moment at which a change that leads up, or not, leads furthest to that side.
     [[nodiscard]] static TimePoint pick(Side side, bool up, const Moments& when);
-    [[nodiscard]] ProfileCurve::Range range(Side side, const Moments& when) const;
+    [[nodiscard]] ProfileCurve::Range range(const Curve& curve, const Moments& when) const;
 
     std::array<Curve, 3> m_curves;
     // Of a trapezoidal move: its steps may be so far off the curve, for so long, and are never beyond its

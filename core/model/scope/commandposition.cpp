@@ -22,9 +22,9 @@ constexpr double kRampTicks = 8;
     return executed.time + std::max(Duration{}, executed.late) + kShowsAfter * tick;
 }
 
-/// `likely` for a reply that tells nothing of when it was latched.
-[[nodiscard]] Moments within(TimePoint earliest, TimePoint likely, TimePoint latest, Duration early) {
-    return {earliest - early, std::min(likely, earliest + (latest - earliest) / 2), latest};
+/// In which a module latched what the bus reports so (bus::Sample).
+[[nodiscard]] TimeWindow windowOf(TimePoint time, Duration late) {
+    return {time - kServoTick / 2, time + kServoTick / 2 + bus::kPromptWithin + late};
 }
 
 }  // namespace
@@ -33,6 +33,7 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;
+    countTicks(executed.time, executed.late, executed.early);
     m_verified = std::exchange(m_unsettled, false);
     std::visit(Overloaded{
                    [&](const servo::LoadTrajectory& trajectory) {
@@ -59,6 +60,7 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
 }
 
 void CommandPosition::apply(const bus::Sample& sample) {
+    countTicks(sample.time, sample.late);
     if (sample.report.aux)
         m_servoOn = servo::AuxByte{*sample.report.aux}.servoOn();
     const servo::StatusByte status{sample.heard.value_or(sample.report.status)};
@@ -84,6 +86,7 @@ void CommandPosition::apply(const bus::Sample& sample) {
 }
 
 void CommandPosition::forget() {
+    m_ticks = {};
     m_envelope.reset();
     m_motion = Motion::None;
     m_awaiting = Awaiting::Nothing;
@@ -110,15 +113,38 @@ std::optional<CommandEstimate> CommandPosition::at(TimePoint time, Duration late
     return m_envelope->at(shown(time, late));
 }
 
+void CommandPosition::countTicks(TimePoint time, Duration late, Duration early) {
+    if (early > Duration{})
+        return;
+    const bool moves = m_envelope && m_motion != Motion::None;
+    const bool counted = m_ticks.counts();
+    m_ticks.learn(windowOf(time, late), !moves);
+    if (moves && counted && !m_ticks.counts())
+        contradicted();
+}
+
+Moments CommandPosition::latched(TimePoint time, Duration late, Duration early) const {
+    const TimeWindow window = windowOf(time, late);
+    const TimePoint first = window.earliest - early;
+    // One of which nothing more is known was most likely prompt, and not repeated.
+    if (const auto ticks = m_ticks.ticksIn(window))
+        return {m_ticks.ticksIn({first, window.latest})->earliest,
+                ticks->earliest + std::min(kServoTick, ticks->latest - ticks->earliest) / 2, ticks->latest,
+                0.0};
+    return {first, window.earliest + std::min(kServoTick, window.latest - window.earliest) / 2,
+            window.latest};
+}
+
 Moments CommandPosition::shown(TimePoint time, Duration late, Duration early) const {
-    const TimePoint middle = time + kServoTick / 2;
-    return within(middle - m_tick / 2, middle, middle + m_tick / 2 + bus::kPromptWithin + late, early);
+    const Moments tick = latched(time, late, early);
+    return {tick.earliest + kServoTick - m_tick / 2, tick.likely + kServoTick / 2, tick.latest + m_tick / 2,
+            tick.apart};
 }
 
 Moments CommandPosition::begun(const bus::CommandExecuted& executed) const {
-    const TimePoint last = executed.time + kServoTick / 2;
-    return within(last - m_tick, last - m_tick / 2, last + bus::kPromptWithin + executed.late,
-                  executed.early);
+    const Moments tick = latched(executed.time, executed.late, executed.early);
+    const Duration longer = m_tick - kServoTick;
+    return {tick.earliest - longer, tick.likely - longer / 2, tick.latest, tick.apart};
 }
 
 // ---- Commands ----
@@ -284,18 +310,21 @@ void CommandPosition::learnHome(const bus::Sample& sample, servo::StatusByte sta
         m_homing->searching = now;
     else
         stopAtHome({m_homing->searching.earliest,
-                    m_homing->searching.likely + (now.likely - m_homing->searching.likely) / 2, now.latest});
+                    m_homing->searching.likely + (now.likely - m_homing->searching.likely) / 2, now.latest,
+                    std::max(m_homing->searching.apart, now.apart)},
+                   sample.time + std::max(Duration{}, sample.late) + kShowsAfter * m_tick);
 }
 
 /// The moment is not known better than from one status to the next.
-void CommandPosition::stopAtHome(const Moments& found) {
+void CommandPosition::stopAtHome(const Moments& found, TimePoint shows) {
     const servo::StopManner manner = std::exchange(m_homing, std::nullopt)->manner;
     if (manner == servo::StopManner::MotorOff)
         return;  // the status says that it is off
     m_velocity = 0.0;
-    m_effective = found.latest + kShowsAfter * m_tick;
+    m_effective = shows;
     if (manner == servo::StopManner::Smoothly)
-        runAt(0.0, {found.earliest - m_tick / 2, found.likely - m_tick / 2, found.latest - m_tick / 2});
+        runAt(0.0, {found.earliest - m_tick / 2, found.likely - m_tick / 2, found.latest - m_tick / 2,
+                    found.apart});
     else
         freeze(found);
 }
@@ -359,7 +388,7 @@ void CommandPosition::learnProgress(const bus::Sample& sample, servo::StatusByte
     // A stop is over: it rests, and what sets it going again is another motion.
     if (m_motion == Motion::Velocity && m_runningVelocity == 0.0 && done) {
         const TimePoint stands = now.latest + kShowsAfter * m_tick;
-        rest(m_envelope->at({stands, stands, stands}));
+        rest(m_envelope->at({stands, stands, stands, now.apart}));
     }
 }
 

@@ -22,7 +22,8 @@ namespace nmc {
 /// makes a step every servo tick S = SR x t, of unknown phase. With n steps before a command, the curve that
 /// matches the steps begins at n x S, which is the command's moment or up to S - t before it; with N steps
 /// before a status, the curve is where the steps are at (N + 1/2) x S (DS-V 4.4). So a change begins T + t/2
-/// - S .. T + t/2, and a status shows T + t/2 - S/2 .. T + t/2 + S/2.
+/// - S .. T + t/2, and a status shows T + t/2 - S/2 .. T + t/2 + S/2. Where it is known which tick it was
+/// (TickClock), t is no part of that, and all moments are by the module's clock.
 ///
 /// Fed in the order of the bus: of one exchange first the command, then the sample.
 class CommandPosition {
@@ -67,7 +68,7 @@ private:
     void zero(const bus::CommandExecuted& executed);
     void arm(const servo::SetHoming& homing, const bus::CommandExecuted& executed);
     void setServoRate(std::uint8_t divisor, const bus::CommandExecuted& executed);
-    void stopAtHome(const Moments& found);
+    void stopAtHome(const Moments& found, TimePoint shows);
     void learnHome(const bus::Sample& sample, servo::StatusByte status);
     void learnHeldPosition(const bus::Sample& sample);
     void learnProgress(const bus::Sample& sample, servo::StatusByte status, servo::AuxByte aux);
@@ -79,6 +80,10 @@ private:
     void rest(const CommandEstimate& held);
     void freeze(const Moments& when);
     void runAt(double velocity, const Moments& when);
+    /// Of everything that the module says it has latched; `early` as in bus::CommandExecuted.
+    void countTicks(TimePoint time, Duration late, Duration early = {});
+    /// The tick in which something was latched.
+    [[nodiscard]] Moments latched(TimePoint time, Duration late, Duration early) const;
     /// When a status was latched, as the curve that matches the steps; `early` as in bus::CommandExecuted.
     [[nodiscard]] Moments shown(TimePoint time, Duration late, Duration early = {}) const;
     [[nodiscard]] Moments shown(const bus::CommandExecuted& executed) const {
@@ -100,6 +105,7 @@ private:
     bool m_verified = false;            ///< that the last command was carried out is what looks have told
     std::optional<bus::Sample> m_look;  ///< the last one of these
     StandingError m_standing;
+    TickClock m_ticks;
     std::optional<servo::SetGain> m_gains;
     std::optional<int> m_errorLimit;
     bool m_servoOn = false;                ///< as commanded or reported, whichever is newer

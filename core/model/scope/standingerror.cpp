@@ -32,8 +32,10 @@ std::optional<CommandEstimate> StandingError::look(TimePoint time, std::int32_t 
     const double reach = std::max(std::abs(low), std::abs(high));
     const double own = std::max(0.0, halfBand(command) - m_before);
     const double farthest = std::max(m_farthest.value_or(0.0), own);
-    // What looks farther off than ever is so; half of the doubt to be safe.
-    const bool usual = m_farthest && std::abs(command.position - position) + own / 2 <= farthest;
+    // What looks farther off than ever is so. And rests of which more was known say nothing of one behind a
+    // motion that could not be followed.
+    const bool usual = m_farthest && own <= 2 * m_own && std::abs(command.position - position) <= farthest;
+    m_own = std::max(m_own, own);
     if (command.low == command.high || !usual) {
         m_farthest = std::max(m_farthest.value_or(0.0), reach);
         return std::nullopt;

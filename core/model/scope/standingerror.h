@@ -29,6 +29,7 @@ private:
     Standstill m_still;
     bool m_told = false;
     double m_before = 0;               ///< half the band where the last motions began
+    double m_own = 0;                  ///< half the band that a motion has left at most
     std::optional<double> m_farthest;  ///< so far off it may have stood
 };
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "model/scope/tickclock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nmc {
+
+namespace {
+
+/// A line that tells less often is not worth counting by: the clocks run apart meanwhile.
+constexpr Duration kSeldom = std::chrono::milliseconds(50);
+
+[[nodiscard]] TimePoint middle(const TimeWindow& window) {
+    return window.earliest + (window.latest - window.earliest) / 2;
+}
+
+[[nodiscard]] std::int64_t wholeTicks(Duration time, bool up) {
+    const std::int64_t whole = time / kServoTick;
+    const Duration rest = time % kServoTick;
+    if (up)
+        return whole + (rest > Duration{} ? 1 : 0);
+    return whole - (rest < Duration{} ? 1 : 0);
+}
+
+}  // namespace
+
+void TickClock::learn(const TimeWindow& latched, bool resting) {
+    if (m_tick && resting) {
+        m_tick->there = middle(m_tick->here);
+        if (latched.latest - m_tick->here.latest > kSeldom)
+            m_tick.reset();
+    }
+    if (!m_tick) {
+        if (resting && latched.latest - latched.earliest < kServoTick)
+            m_tick = {latched, middle(latched)};
+        return;
+    }
+    const auto [first, last] = behind(latched);
+    if (first > last) {
+        m_tick.reset();  // a clock was set, or a time was wrong
+    } else if (first == last) {
+        const TimeWindow here = at(latched.latest);
+        const Duration ticks = first * kServoTick;
+        m_tick->here = {std::max(here.earliest + ticks, latched.earliest),
+                        std::min(here.latest + ticks, latched.latest)};
+        m_tick->there += ticks;
+    }
+}
+
+std::optional<TimeWindow> TickClock::ticksIn(const TimeWindow& latched) const {
+    if (!m_tick)
+        return std::nullopt;
+    const auto [first, last] = behind(latched);
+    if (first > last)
+        return std::nullopt;
+    return TimeWindow{m_tick->there + first * kServoTick, m_tick->there + last * kServoTick};
+}
+
+/// By this machine's clock, as it is known so much later, or earlier.
+TimeWindow TickClock::at(TimePoint time) const {
+    const Duration apart =
+        std::chrono::duration_cast<Duration>(kApart * std::chrono::abs(time - m_tick->here.earliest));
+    return {m_tick->here.earliest - apart, m_tick->here.latest + apart};
+}
+
+/// Ticks behind the one that is known.
+TickClock::Range TickClock::behind(const TimeWindow& latched) const {
+    const TimeWindow here = at(latched.latest);
+    return {wholeTicks(latched.earliest - here.latest, true),
+            wholeTicks(latched.latest - here.earliest, false)};
+}
+
+}  // namespace nmc
