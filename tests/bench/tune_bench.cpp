@@ -17,8 +17,6 @@ namespace {
 using namespace nmc;
 using namespace nmc::testing_support;
 
-constexpr double kRecord = 0.6;
-
 struct Tally {
     int of = 0;
     int good = 0;
@@ -53,31 +51,8 @@ void printShares(const char* what, std::vector<double> values, const char* unit)
     TunedServo servo(motor, gains, seed);
     if (!comesToRest(servo))
         return false;
-    (void)servo.step(step, kRecord);
+    (void)servo.step(step, kMedianRecord);
     return comesToRest(servo);
-}
-
-/// s: the median of five steps to and fro, since where friction stops a shaft is chance, and the best of
-/// thousands on one step is the luckiest. All of the record for a step that did not settle, or did not begin
-/// where it should; and, sooner found, where the median is not below `below`.
-[[nodiscard]] double settlingOf(const sim::MotorParameters& motor, const servo::SetGain& gains,
-                                std::int32_t step, std::uint64_t seed, double below = kRecord) {
-    constexpr std::size_t kSteps = 5;
-    TunedServo servo(motor, gains, seed);
-    servo.wait(0.3);
-    std::vector<double> times;
-    std::size_t late = 0;
-    while (times.size() < kSteps && late <= kSteps / 2) {
-        const int off = std::abs(servo.command() - servo.position());
-        const ResponseRecord run = servo.step(times.size() % 2 == 0 ? step : -step, kRecord);
-        const bool stood = off <= std::max(1.0, step * kFirstBand / 100);
-        times.push_back(stood && run.metrics.settling ? run.metrics.settling->value : kRecord);
-        late += times.back() >= below ? 1U : 0U;
-    }
-    if (late > kSteps / 2)
-        return kRecord;
-    std::nth_element(times.begin(), times.begin() + kSteps / 2, times.end());
-    return times[kSteps / 2];
 }
 
 struct Best {
@@ -89,7 +64,7 @@ struct Best {
 /// integral as suggested.
 [[nodiscard]] Best bestOf(const sim::MotorParameters& motor, const servo::SetGain& suggested,
                           std::int32_t step, std::uint64_t seed) {
-    Best best{kRecord, suggested};
+    Best best{kMedianRecord, suggested};
     for (const std::uint8_t sr : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{4}, std::uint8_t{8}})
         for (double noise = kMaxNoise; noise > 0.03 * kMaxNoise; noise /= 1.3) {
             servo::SetGain gains = suggested;
@@ -101,7 +76,7 @@ struct Best {
             gains.kd = static_cast<std::uint16_t>(kd);
             for (double kp = 20; kp < 32'767; kp *= 1.25) {
                 gains.kp = static_cast<std::uint16_t>(kp);
-                const double settled = settlingOf(motor, gains, step, seed, best.settled);
+                const double settled = medianSettling(motor, gains, step, seed, best.settled);
                 if (settled < best.settled && isStable(motor, gains, step, seed))
                     best = {settled, gains};
             }
@@ -173,12 +148,12 @@ int main(int argc, char** argv) {
         stable.count(calm);
         TunedServo servo(motor, *gains, seed);
         servo.wait(0.3);
-        const ResponseRecord run = servo.step(step, kRecord);
-        const Prediction predicted = predict(model.constants(), *gains, 0, step, kRecord, kFirstBand);
+        const ResponseRecord run = servo.step(step, kMedianRecord);
+        const Prediction predicted = predict(model.constants(), *gains, 0, step, kMedianRecord, kFirstBand);
         const double off = run.metrics.overshoot->value - predicted.run.metrics.overshoot->value;
         overshoot.count(std::abs(off) <= 5);
         overshootOff.push_back(std::abs(off));
-        const double settled = settlingOf(motor, *gains, step, seed);
+        const double settled = medianSettling(motor, *gains, step, seed);
         const Best best = bestOf(motor, *gains, step, seed);
         ratios.push_back(settled / best.settled);
         fast.count(settled <= 1.5 * best.settled);

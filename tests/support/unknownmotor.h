@@ -72,4 +72,30 @@ namespace nmc::testing_support {
     return runs;
 }
 
+inline constexpr double kMedianRecord = 0.6;
+
+/// s: the median of five steps to and fro, since where friction stops a shaft is chance, and the best of
+/// thousands on one step is the luckiest. All of the record for a step that did not settle, or did not begin
+/// where it should; and, sooner found, where the median is not below `below`.
+[[nodiscard]] inline double medianSettling(const sim::MotorParameters& motor, const servo::SetGain& gains,
+                                           std::int32_t step, std::uint64_t seed,
+                                           double below = kMedianRecord) {
+    constexpr std::size_t kSteps = 5;
+    TunedServo servo(motor, gains, seed);
+    servo.wait(0.3);
+    std::vector<double> times;
+    std::size_t late = 0;
+    while (times.size() < kSteps && late <= kSteps / 2) {
+        const int off = std::abs(servo.command() - servo.position());
+        const ResponseRecord run = servo.step(times.size() % 2 == 0 ? step : -step, kMedianRecord);
+        const bool stood = off <= std::max(1.0, step * kFirstBand / 100);
+        times.push_back(stood && run.metrics.settling ? run.metrics.settling->value : kMedianRecord);
+        late += times.back() >= below ? 1U : 0U;
+    }
+    if (late > kSteps / 2)
+        return kMedianRecord;
+    std::nth_element(times.begin(), times.begin() + kSteps / 2, times.end());
+    return times[kSteps / 2];
+}
+
 }  // namespace nmc::testing_support

@@ -182,6 +182,37 @@ TEST(Suggest, HasGainsForEveryStiffnessWhereFrictionIsLarge) {
             << stiffness;
 }
 
+/// One of tune_bench with seed 16: much friction and a coarse encoder, so that it hangs on a count whether a
+/// shaft stops inside its band.
+struct StickingMotor {
+    int number = 0;
+    double fastest = 0.0;  ///< s, by the best gains of an exhaustive search under the same noise limit
+};
+
+class SuggestedForSticking : public testing::TestWithParam<StickingMotor> {};
+
+TEST_P(SuggestedForSticking, SettleWithinOneAndAHalfTimesTheFastest) {
+    sim::Random random(16);
+    sim::MotorParameters motor;
+    std::uint64_t seed = 0;
+    for (int i = 0; i <= GetParam().number; ++i) {
+        motor = unknownMotor(random);
+        seed = random.next();
+    }
+    const auto found = identify(stepsOf(motor, seed));
+    ASSERT_TRUE(found);
+    servo::SetGain now = gainsToTry().front();
+    now.ol = 255;
+    const auto step = static_cast<std::int32_t>(motor.countsPerTurn / 10);
+    const auto gains = suggest(found->motor, {}, now, step);
+    ASSERT_TRUE(gains);
+    EXPECT_LE(medianSettling(motor, *gains, step, seed), 1.5 * GetParam().fastest);
+}
+
+INSTANTIATE_TEST_SUITE_P(, SuggestedForSticking,
+                         testing::Values(StickingMotor{27, 11.3e-3}, StickingMotor{121, 8.9e-3}),
+                         [](const auto& given) { return "Motor" + std::to_string(given.param.number); });
+
 class SuggestedGains : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(SuggestedGains, SettleOnTheMotorThatWasFound) {

@@ -73,7 +73,7 @@ struct LoopStart {
     double integral = 0.0;  ///< the running sum over 256, counts
 };
 
-/// A step of the command position, tick by tick.
+/// Steps of the command position, tick by tick.
 class Loop {
 public:
     /// Ticks; a longer delay counts as this.
@@ -85,6 +85,10 @@ public:
 
     /// The shaft at that time, which is not before one asked for already.
     [[nodiscard]] MotorMotion at(double seconds);
+    /// Another step: the next tick sees it.
+    void goTo(double goal) { m_goal = goal; }
+    /// s
+    [[nodiscard]] double nextTick() const { return m_nextTick; }
     /// Where the encoder says that a shaft is.
     [[nodiscard]] double reading(double position) const;
     /// What the amplifier was last told.

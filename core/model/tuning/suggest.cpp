@@ -92,11 +92,11 @@ struct Course {
     double largest = 0.0;  ///< counts, error
 };
 
-/// Of a step that lasts `record`. `held`: counts, where friction may hold the shaft. Nothing if it is outside
-/// of its band after `latest`, goes far beyond its goal, or does not calm down: in the last part it may come
-/// nearer, but does not go farther away again.
-[[nodiscard]] std::optional<Course> courseOf(Loop loop, double step, double record, double latest,
-                                             double held) {
+/// Of a step to `goal` that lasts `record`. `held`: counts, where friction may hold the shaft. Nothing if it
+/// is outside of its band after `latest`, goes far beyond its goal, or does not calm down: in the last part
+/// it may come nearer, but does not go farther away again.
+[[nodiscard]] std::optional<Course> courseOf(Loop& loop, double step, double goal, double record,
+                                             double latest, double held) {
     constexpr double kBand = 0.014;  // so that what is a little otherwise is within the usual 2 %
     /// The least damping has less. What has more does so by its integral, and may well swing for good.
     constexpr double kMaxOvershoot = 0.25;
@@ -104,10 +104,12 @@ struct Course {
     constexpr double kCalm = 1;  // count
     const double band = std::floor(std::max(1.0, std::abs(step) * kBand)) + 0.5;
     const double beyond = kMaxOvershoot * std::abs(step) + held + 0.5;
-    Course course;
+    Course course{loop.tick(), 0.0};
     double nearest = std::numeric_limits<double>::infinity();
+    const double began = loop.nextTick();
+    loop.goTo(goal);
     for (double t = 0; t <= record; t += loop.tick()) {
-        const double error = step - loop.reading(loop.at(t).position);
+        const double error = goal - loop.reading(loop.at(began + t).position);
         course.largest = std::max(course.largest, std::abs(error));
         if (std::abs(error) > band)
             course.settled = t + loop.tick();
@@ -124,41 +126,44 @@ struct Course {
     return course;
 }
 
-/// s, until it stays where it belongs, on average of what may be otherwise than was found: the motor a little
-/// stronger or weaker, and what friction lets the integral hold before the step. Nothing where that is not
-/// below `most`, or where one course is not good. Sets EL.
+/// s, until it stays where it belongs, in the middle of steps to and fro, each of which begins where friction
+/// let the one before end, with a motor that may be a little stronger or weaker than was found. Nothing where
+/// that is not below `most`, or where one course is not good. Sets EL.
 [[nodiscard]] std::optional<double> settling(const Terms& terms, double omega, double most,
                                              servo::SetGain& gains) {
-    struct Otherwise {
-        double stronger;
-        double held;  ///< as in standing(), along the step
-    };
-    constexpr std::array<Otherwise, 5> kOtherwise = {{{1, 0.5}, {-1, -0.5}, {0, 0}, {0, 1}, {0, -1}}};
+    constexpr std::array<double, 3> kStronger = {0, 1, -1};
+    constexpr std::size_t kSteps = 4;
     constexpr double kPeriods = 60;
     constexpr double kErrorMargin = 1.5;
     constexpr double kMinError = 20;
     const double accelerating = std::sqrt(std::abs(terms.step) * terms.motor.timeConstant /
                                           (terms.motor.gain * std::max<int>(gains.ol, 1)));
     const double record = std::clamp(kPeriods / omega + 5 * accelerating, 0.1, kSlowestSettling);
-    double left = most * kOtherwise.size();
+    // By the geometric mean: what sticks once, just outside of its band, is much later, and little worse.
+    const double soonest = std::log(1 / omega);
+    const auto courses = static_cast<double>(kStronger.size() * kSteps);
+    double left = (std::log(most) - soonest) * courses;
     double largest = 0.0;
-    for (const auto& [stronger, held] : kOtherwise) {
+    for (const double stronger : kStronger) {
         MotorConstants motor = terms.motor;
         motor.gain *= 1 + 0.03 * stronger;
         motor.friction *= 1 - 0.15 * stronger;
-        const LoopStart start = standing(motor, gains, 0, std::copysign(held, held * terms.step));
-        const auto course = courseOf({motor, gains, start, 1.0 * terms.step, Rounding::Chip}, terms.step,
-                                     record, left, motor.friction * 256 / gains.kp);
-        if (!course)
-            return std::nullopt;
-        left -= course->settled;
-        largest = std::max(largest, course->largest);
+        Loop loop(motor, gains, standing(motor, gains, 0, 0), 0, Rounding::Chip);
+        for (std::size_t i = 0; i < kSteps; ++i) {
+            const bool back = i % 2 == 1;
+            const auto course = courseOf(loop, back ? -terms.step : terms.step, back ? 0.0 : terms.step,
+                                         record, std::exp(left + soonest), motor.friction * 256 / gains.kp);
+            if (!course)
+                return std::nullopt;
+            left -= std::log(course->settled) - soonest;
+            largest = std::max(largest, course->largest);
+        }
     }
     if (left <= 0)
         return std::nullopt;
     gains.el =
         static_cast<std::uint16_t>(std::lround(std::min(kMaxErrorLimit, kErrorMargin * largest + kMinError)));
-    return most - left / kOtherwise.size();
+    return most * std::exp(-left / courses);
 }
 
 struct Candidate {

@@ -21,7 +21,7 @@ inline constexpr double kMaxDamping = 1.1;
 /// Counts by which a tick goes on when the encoder tells one count more, by way of Kd.
 inline constexpr double kMaxNoise = 0.3;
 /// What a suggested loop has at least.
-inline constexpr double kMinPhaseMargin = 35.0;  ///< degrees
+inline constexpr double kMinPhaseMargin = 30.0;  ///< degrees
 inline constexpr double kMinGainMargin = 2.0;
 
 struct LoopFigures {
