@@ -78,6 +78,40 @@ TEST(CommandPosition, IsUncertainToOneSideWhenAReplyIsLate) {
     EXPECT_NEAR(late.high, prompt.high + 80, 0.02);
 }
 
+/// A reply that was on its way a quarter of a tick behind the moment for which it was reckoned.
+constexpr Duration kAtOnce = -3 * kServoTick / 4;
+
+// 100 ticks apart, both a quarter of a tick before the reckoned time, or at it, or anything between.
+TEST(CommandPosition, CountsTheTicksBetweenACommandAndAStatus) {
+    CommandPosition command = holdingAt100();
+    bus::CommandExecuted run = executedAt(1, velocityMode(4 << 16, 4 << 16));
+    run.late = kAtOnce;
+    command.apply(run);
+    // The velocity is reached with the first step; an eighth of the acceleration is what steps are off.
+    const CommandEstimate then = *command.at(atSeconds(1 + 100 * kTick), kAtOnce);
+    EXPECT_EQ(then.position, 100 + 4 * 100);
+    EXPECT_EQ(then.high, 100 + 4 * 100);
+    EXPECT_GE(then.low, 100 + 4 * 100 - 4.0 / 8);
+}
+
+TEST(CommandPosition, IsKnownLessWellWhereTheTicksAreNotWhereTheyWereCounted) {
+    CommandPosition command = holdingAt100();
+    bus::CommandExecuted run = executedAt(1, velocityMode(4 << 16, 4 << 16));
+    run.late = kAtOnce;
+    command.apply(run);
+    // The tick of the command was from 0.5 before the reckoned time to 0.25 behind it. 100.3 to 100.4 ticks
+    // behind that there can be none.
+    bus::Sample sample = sampleOf(1 + 100.8 * kTick, kMoveDone | kPower, kServoOn, 400);
+    sample.late = -7 * kServoTick / 5;
+    command.apply(sample);
+    const auto known = command.at(sample.time, sample.late);
+    ASSERT_TRUE(known);
+    // From where it was counted to where it was seen, and a tick more for what the clocks have run apart.
+    EXPECT_LT(known->low, 100 + 4 * (100.3 - 0.25) - 2);
+    EXPECT_GT(known->high, 100 + 4 * (100.4 + 0.5) + 2);
+    EXPECT_LT(known->high - known->low, 4 * 4);
+}
+
 TEST(CommandPosition, AVelocityChangedOnTheFlyStaysContinuous) {
     CommandPosition command = holdingAt100();
     command.apply(

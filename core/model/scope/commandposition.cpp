@@ -119,8 +119,7 @@ void CommandPosition::countTicks(TimePoint time, Duration late, Duration early) 
     const bool moves = m_envelope && m_motion != Motion::None;
     const bool counted = m_ticks.counts();
     m_ticks.learn(windowOf(time, late), !moves);
-    if (moves && counted && !m_ticks.counts())
-        contradicted();
+    m_lostCount = moves && (m_lostCount || (counted && !m_ticks.counts()));
 }
 
 Moments CommandPosition::latched(TimePoint time, Duration late, Duration early) const {
@@ -131,8 +130,10 @@ Moments CommandPosition::latched(TimePoint time, Duration late, Duration early) 
         return {m_ticks.ticksIn({first, window.latest})->earliest,
                 ticks->earliest + std::min(kServoTick, ticks->latest - ticks->earliest) / 2, ticks->latest,
                 0.0};
-    return {first, window.earliest + std::min(kServoTick, window.latest - window.earliest) / 2,
-            window.latest};
+    // The motion began by the module's clock, which may have been that far from this one.
+    const Duration between = m_lostCount ? kServoTick : Duration{};
+    return {first - between, window.earliest + std::min(kServoTick, window.latest - window.earliest) / 2,
+            window.latest + between};
 }
 
 Moments CommandPosition::shown(TimePoint time, Duration late, Duration early) const {

@@ -106,6 +106,7 @@ private:
     std::optional<bus::Sample> m_look;  ///< the last one of these
     StandingError m_standing;
     TickClock m_ticks;
+    bool m_lostCount = false;  ///< of its ticks, in this motion
     std::optional<servo::SetGain> m_gains;
     std::optional<int> m_errorLimit;
     bool m_servoOn = false;                ///< as commanded or reported, whichever is newer
