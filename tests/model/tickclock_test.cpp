@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 constexpr TimePoint kStart = TimePoint(10s);
 
 /// What is told of something that is latched in a tick: from so long before it to so long behind it.
-TimeWindow around(TimePoint tick, Duration before, Duration behind) {
+TickClock::Window around(TimePoint tick, Duration before, Duration behind) {
     return {tick - before, tick + behind};
 }
 TimePoint tickAt(int count) {
@@ -23,7 +23,7 @@ protected:
     void learn(int tick, Duration before, Duration behind, bool resting = false) {
         clock.learn(around(tickAt(tick), before, behind), resting);
     }
-    [[nodiscard]] std::optional<TimeWindow> in(int tick, Duration before, Duration behind) const {
+    [[nodiscard]] std::optional<TickClock::Window> in(int tick, Duration before, Duration behind) const {
         return clock.ticksIn(around(tickAt(tick), before, behind));
     }
     TickClock clock;
@@ -42,7 +42,7 @@ TEST_F(Ticks, AreNotCountedFromTheMiddleOfAMotion) {
 
 TEST_F(Ticks, BetweenTwoCommandsAreKnownThoughTheMomentsAreNot) {
     learn(0, 200us, 90us, true);
-    std::optional<TimeWindow> run;
+    std::optional<TickClock::Window> run;
     for (int tick = 3; tick <= 699; tick += 3) {
         learn(tick, 200us, 90us);
         if (tick == 300)

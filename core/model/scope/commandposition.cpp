@@ -23,7 +23,7 @@ constexpr double kRampTicks = 8;
 }
 
 /// In which a module latched what the bus reports so (bus::Sample).
-[[nodiscard]] TimeWindow windowOf(TimePoint time, Duration late) {
+[[nodiscard]] TickClock::Window windowOf(TimePoint time, Duration late) {
     return {time - kServoTick / 2, time + kServoTick / 2 + bus::kPromptWithin + late};
 }
 
@@ -123,7 +123,7 @@ void CommandPosition::countTicks(TimePoint time, Duration late, Duration early) 
 }
 
 Moments CommandPosition::latched(TimePoint time, Duration late, Duration early) const {
-    const TimeWindow window = windowOf(time, late);
+    const TickClock::Window window = windowOf(time, late);
     const TimePoint first = window.earliest - early;
     // One of which nothing more is known was most likely prompt, and not repeated.
     if (const auto ticks = m_ticks.ticksIn(window))

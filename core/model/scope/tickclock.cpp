@@ -12,7 +12,7 @@ namespace {
 /// A line that tells less often is not worth counting by: the clocks run apart meanwhile.
 constexpr Duration kSeldom = std::chrono::milliseconds(50);
 
-[[nodiscard]] TimePoint middle(const TimeWindow& window) {
+[[nodiscard]] TimePoint middle(const TickClock::Window& window) {
     return window.earliest + (window.latest - window.earliest) / 2;
 }
 
@@ -26,7 +26,7 @@ constexpr Duration kSeldom = std::chrono::milliseconds(50);
 
 }  // namespace
 
-void TickClock::learn(const TimeWindow& latched, bool resting) {
+void TickClock::learn(const Window& latched, bool resting) {
     if (m_tick && resting) {
         m_tick->there = middle(m_tick->here);
         if (latched.latest - m_tick->here.latest > kSeldom)
@@ -41,7 +41,7 @@ void TickClock::learn(const TimeWindow& latched, bool resting) {
     if (first > last) {
         m_tick.reset();  // a clock was set, or a time was wrong
     } else if (first == last) {
-        const TimeWindow here = at(latched.latest);
+        const Window here = at(latched.latest);
         const Duration ticks = first * kServoTick;
         m_tick->here = {std::max(here.earliest + ticks, latched.earliest),
                         std::min(here.latest + ticks, latched.latest)};
@@ -49,25 +49,25 @@ void TickClock::learn(const TimeWindow& latched, bool resting) {
     }
 }
 
-std::optional<TimeWindow> TickClock::ticksIn(const TimeWindow& latched) const {
+std::optional<TickClock::Window> TickClock::ticksIn(const Window& latched) const {
     if (!m_tick)
         return std::nullopt;
     const auto [first, last] = behind(latched);
     if (first > last)
         return std::nullopt;
-    return TimeWindow{m_tick->there + first * kServoTick, m_tick->there + last * kServoTick};
+    return Window{m_tick->there + first * kServoTick, m_tick->there + last * kServoTick};
 }
 
 /// By this machine's clock, as it is known so much later, or earlier.
-TimeWindow TickClock::at(TimePoint time) const {
+TickClock::Window TickClock::at(TimePoint time) const {
     const Duration apart =
         std::chrono::duration_cast<Duration>(kApart * std::chrono::abs(time - m_tick->here.earliest));
     return {m_tick->here.earliest - apart, m_tick->here.latest + apart};
 }
 
 /// Ticks behind the one that is known.
-TickClock::Range TickClock::behind(const TimeWindow& latched) const {
-    const TimeWindow here = at(latched.latest);
+TickClock::Range TickClock::behind(const Window& latched) const {
+    const Window here = at(latched.latest);
     return {wholeTicks(latched.earliest - here.latest, true),
             wholeTicks(latched.latest - here.earliest, false)};
 }
