@@ -281,6 +281,19 @@ TEST_P(RunsAndStops, LeaveTheBandAsNarrowAsOneOfThem) {
     EXPECT_LE(m_widest, 0.1);
 }
 
+/// With a machine that is late by up to a fifth of a tick each way now and then one of two ticks is meant:
+/// one tick of travel, and the two counts that friction lets the shaft stand off here, on either side.
+TEST_P(RunsAndStops, DoNotAddUpOnAMachineThatIsNotPunctual) {
+    std::mt19937_64 random{20'261'124};
+    std::uniform_int_distribution<Duration::rep> late(0, Duration(100us).count());
+    m_rig.bus.holdsBack = [&] {
+        m_rig.bus.adapterDelay = Duration(late(random));
+        return Duration(late(random));
+    };
+    ASSERT_NO_FATAL_FAILURE(run(30));
+    EXPECT_LE(m_widest, 2 * (std::get<1>(GetParam()) + 2) + 0.1);
+}
+
 /// An adapter that keeps bytes back tells too little to count by: one of them, and what friction lets the
 /// shaft stand off.
 TEST_P(RunsAndStops, DoNotAddUpBehindAnAdapter) {
