@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/scope/commandenvelope.h"
+
+#include <gtest/gtest.h>
+
+namespace nmc {
+namespace {
+
+constexpr double kTick = 0.000512;
+
+Moments exactlyAt(double ticks) {
+    const TimePoint time = TimePoint(std::chrono::seconds(1)) + fromSeconds(ticks * kTick);
+    return {time, time, time, 0.0};
+}
+
+/// A move to 1000 from somewhere between -20 and 20, at most at 5 counts per tick, and another velocity while
+/// it slows down: who started farther behind comes later, and is faster then.
+class SlowedDown : public testing::TestWithParam<double> {
+protected:
+    static CommandEnvelope course(const CommandEstimate& start, double velocity) {
+        constexpr double kAcceleration = 0.02;
+        CommandEnvelope course(start);
+        course.moveTo(1'000, 5, {kTick, kAcceleration}, exactlyAt(0));
+        // 250 ticks and 625 counts up and as much down; 1000 counts are 223.6 ticks each.
+        course.changeVelocity(velocity, {kTick, 0.1}, exactlyAt(380));
+        return course;
+    }
+};
+
+TEST_P(SlowedDown, LeavesEveryStartThatThereMayHaveBeenInTheBand) {
+    const CommandEnvelope band = course({0, -20, 20}, GetParam());
+    for (double start = -20; start <= 20; start += 2.5) {
+        const CommandEnvelope one = course({start, start, start}, GetParam());
+        for (double ticks = 380; ticks <= 700; ticks += 10) {
+            const double there = one.at(exactlyAt(ticks)).position;
+            const CommandEstimate known = band.at(exactlyAt(ticks));
+            EXPECT_LE(known.low, there + 0.1) << start << " after " << ticks;
+            EXPECT_GE(known.high, there - 0.1) << start << " after " << ticks;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(CommandEnvelope, SlowedDown, testing::Values(8.0, 1.0, 0.0, -4.0));
+
+}  // namespace
+}  // namespace nmc
