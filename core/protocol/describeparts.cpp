@@ -42,7 +42,7 @@ std::string counted(std::size_t count, std::string_view thing) {
 std::string pinNames(std::uint16_t pins, std::string_view none) {
     Phrases phrases(" ");
     for (unsigned pin = 0; pin < io::kPins; ++pin)
-        phrases.addIf((pins >> pin & 1U) != 0, "IO" + std::to_string(pin + 1));
+        phrases.addIf((unsigned{pins} >> pin & 1U) != 0, "IO" + std::to_string(pin + 1));
     return phrases.empty() ? std::string(none) : phrases.text();
 }
 

@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 Json pinList(std::uint16_t mask) {
     Json pins = Json::array();
     for (unsigned pin = 0; pin < 12; ++pin)
-        pins.push_back((mask >> pin & 1U) != 0);
+        pins.push_back((unsigned{mask} >> pin & 1U) != 0);
     return pins;
 }
 

@@ -319,7 +319,7 @@ TEST(LostAnswers, LeaveAGapAndNoAbsurdError) {
     std::optional<TimePoint> lostSince;
     bool loses = true;
     rig.bus.losesReply = [&](ByteSpan command) {
-        if (loses && command[2] == 0x05)  // Start Motion
+        if (loses && command.size() > 2 && command[2] == 0x05)  // Start Motion
             lostSince = rig.bus.now;
         return lostSince && rig.bus.now - *lostSince < 80ms;
     };

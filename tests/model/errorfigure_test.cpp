@@ -47,7 +47,7 @@ protected:
     ErrorFigure() : m_bus(test::servos(1), bus::EngineConfig{GetParam().baud}, options()) {
         m_bus.adapterDelay = GetParam().adapterDelay;
         m_bus.losesReply = [this](ByteSpan command) {
-            if (command[2] == 0x05 && happens(GetParam().lostStarts))  // Start Motion
+            if (command.size() > 2 && command[2] == 0x05 && happens(GetParam().lostStarts))  // Start Motion
                 m_lostUntil = m_bus.now + 80ms;
             return m_bus.now < m_lostUntil;
         };

@@ -249,7 +249,7 @@ private:
     static std::optional<bool> outputIs(unsigned output, const ModuleState& module) {
         if (module.isStepper()) {
             const auto outputs = module.stepper.outputs();
-            return outputs ? std::optional((*outputs >> (output - 1U) & 1U) != 0) : std::nullopt;
+            return outputs ? std::optional((unsigned{*outputs} >> (output - 1U) & 1U) != 0) : std::nullopt;
         }
         if (module.isIo()) {
             const auto levels = module.latest ? module.pins.levels(*module.latest) : std::nullopt;
