@@ -2,8 +2,7 @@
 #include "model/scope/tickclock.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <ratio>
 
 namespace nmc {
 
@@ -16,13 +15,8 @@ constexpr Duration kSeldom = std::chrono::milliseconds(50);
     return window.earliest + (window.latest - window.earliest) / 2;
 }
 
-[[nodiscard]] std::int64_t wholeTicks(Duration time, bool up) {
-    const std::int64_t whole = time / kServoTick;
-    const Duration rest = time % kServoTick;
-    if (up)
-        return whole + (rest > Duration{} ? 1 : 0);
-    return whole - (rest < Duration{} ? 1 : 0);
-}
+using Ticks = std::chrono::duration<std::int64_t, std::ratio<512, 1'000'000>>;
+static_assert(Ticks(1) == kServoTick);
 
 }  // namespace
 
@@ -68,8 +62,8 @@ TickClock::Window TickClock::at(TimePoint time) const {
 /// Ticks behind the one that is known.
 TickClock::Range TickClock::behind(const Window& latched) const {
     const Window here = at(latched.latest);
-    return {wholeTicks(latched.earliest - here.latest, true),
-            wholeTicks(latched.latest - here.earliest, false)};
+    return {std::chrono::ceil<Ticks>(latched.earliest - here.latest).count(),
+            std::chrono::floor<Ticks>(latched.latest - here.earliest).count()};
 }
 
 }  // namespace nmc
