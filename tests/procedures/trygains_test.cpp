@@ -21,6 +21,17 @@ protected:
     [[nodiscard]] bool hold() {
         return bench.connect() && bench.perform(intent::ApplyGains{kGood}) && bench.perform(intent::Enable{});
     }
+    /// Until they are in force.
+    void tryOther(double seconds) {
+        ASSERT_TRUE(hold());
+        bench.begin(intent::TryGains{kOther, seconds});
+        ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    }
+    /// As the panel asks for it.
+    void keep() {
+        bench.procedure->keep();
+        bench.bus.engine.keepTrial(ModuleIndex(0), bench.bus.now);
+    }
     /// The shaft, from now on.
     void watch() {
         stood = bench.truth().position;
@@ -74,9 +85,7 @@ TEST_F(TriedGains, AreTakenBackWhenTheTimeIsOver) {
 }
 
 TEST_F(TriedGains, StayWhenTheyAreKept) {
-    ASSERT_TRUE(hold());
-    bench.begin(intent::TryGains{kOther, 10.0});
-    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
     ASSERT_TRUE(bench.turn());
     bench.bus.engine.keepTrial(ModuleIndex(0), bench.bus.now);
     const ProcedureReport report = bench.goOn();
@@ -87,24 +96,18 @@ TEST_F(TriedGains, StayWhenTheyAreKept) {
 
 /// Before the panel has heard that they are.
 TEST_F(TriedGains, StayWhenTheyAreKeptAndSomethingElseIsAskedForAtOnce) {
-    ASSERT_TRUE(hold());
-    bench.begin(intent::TryGains{kOther, 10.0});
-    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
     ASSERT_TRUE(bench.turn());
-    bench.procedure->keep();
-    bench.bus.engine.keepTrial(ModuleIndex(0), bench.bus.now);
+    keep();
     bench.procedure->cancel();
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
     EXPECT_TRUE(hasGains(kOther));
 }
 
 TEST_F(TriedGains, StayWhenSomethingElseIsAskedForWhileAllOfOlIsSent) {
-    ASSERT_TRUE(hold());
-    bench.begin(intent::TryGains{kOther, 10.0});
-    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
     ASSERT_TRUE(bench.turn());
-    bench.procedure->keep();
-    bench.bus.engine.keepTrial(ModuleIndex(0), bench.bus.now);
+    keep();
     ASSERT_TRUE(bench.turn());  // it hears of that, and sends
     bench.procedure->cancel();
     (void)bench.goOn();
@@ -112,21 +115,16 @@ TEST_F(TriedGains, StayWhenSomethingElseIsAskedForWhileAllOfOlIsSent) {
 }
 
 TEST_F(TriedGains, TooLateToKeepTheyAreThoseFromBefore) {
-    ASSERT_TRUE(hold());
-    bench.begin(intent::TryGains{kOther, 0.2});
-    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    ASSERT_NO_FATAL_FAILURE(tryOther(0.2));
     bench.bus.runFor(300ms);  // the time is over, and the panel has not heard of it
-    bench.procedure->keep();
-    bench.bus.engine.keepTrial(ModuleIndex(0), bench.bus.now);
+    keep();
     bench.procedure->cancel();
     (void)bench.goOn();
     EXPECT_TRUE(hasGains(kGood));
 }
 
 TEST_F(TriedGains, AreTakenBackAtAStop) {
-    ASSERT_TRUE(hold());
-    bench.begin(intent::TryGains{kOther, 10.0});
-    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
     for (int i = 0; i < 5; ++i)
         ASSERT_TRUE(bench.turn());
     ASSERT_TRUE(hasGains(kOther));
@@ -137,9 +135,7 @@ TEST_F(TriedGains, AreTakenBackAtAStop) {
 
 /// No command arrives from shortly before the time is over on, for longer than a command is repeated.
 TEST_F(TriedGains, AreTakenBackBehindADeafLine) {
-    ASSERT_TRUE(hold());
-    bench.begin(intent::TryGains{kOther, 1.0});
-    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    ASSERT_NO_FATAL_FAILURE(tryOther(1.0));
     for (int i = 0; i < 50; ++i)
         ASSERT_TRUE(bench.turn());
     ASSERT_EQ(bench.truth().gains.kp, kOther.kp);
