@@ -55,7 +55,7 @@ void Chain::forgetStates() {
 Ask Chain::command(Purpose purpose, const Order& order) const {
     const Belief& module = belief(order.module);
     const Payload payload = payloadOf(order.command);
-    const RetryRule rule = retryRule(payload);
+    const RetryRule rule = retryRule(order.command);
     Ask ask;
     ask.purpose = purpose;
     ask.module = order.module;
@@ -108,7 +108,7 @@ void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latc
     module.plausibility.onSent(command, latched);
     module.watch.onSent(command);
     module.ownMotion.onSent(command);
-    if (mayStartMotion(payloadOf(command)))
+    if (mayStartMotion(command))
         module.trust.expectMotion();
     if (endsFocus(command))
         m_schedule.unfocus();

@@ -135,7 +135,8 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
         if (work.before)
             module.belief = *work.before;
         // What waits is not what was asked for.
-        if (ask.request.payload.code == CommandCode::LoadTrajectory)
+        if (ask.command &&
+            (is<servo::LoadTrajectory>(*ask.command) || is<stepper::LoadTrajectory>(*ask.command)))
             module.belief.forgetLoad();
         return;
     }

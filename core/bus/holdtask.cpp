@@ -110,7 +110,7 @@ Next HoldTask::tell(const Order& order) {
     m_chain.at(order.module).owed.reset();  // the operator wants it to move again
     m_toldBefore = m_lane.told();
     Ask ask = m_chain.command(Purpose::Hold, order);
-    if (mayStartMotion(ask.request.payload))
+    if (mayStartMotion(order.command))
         m_lane.onStartSent();
     ask.reported = true;
     // Asked anew instead: what is wanted may have changed by the next time.

@@ -14,7 +14,7 @@ namespace {
 constexpr unsigned kRepeatsAfterLook = 2;
 
 [[nodiscard]] bool isStart(const Ask& ask) {
-    return ask.request.payload.code == CommandCode::StartMotion;
+    return ask.command && is<StartMotion>(*ask.command);
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ Next OperationTask::send() {
     const Order& order = m_commands.order();
     Ask ask = m_chain.command(Purpose::Operation, order);
     auto& owed = m_chain.at(order.module).owed;
-    if (owed && mayStartMotion(ask.request.payload)) {
+    if (owed && mayStartMotion(order.command)) {
         // A motion that strayed has to be seen at rest first.
         if (!ofOperator(owed->cause) || owed->target.stopUnacknowledged()) {
             m_events.emplace_back(m_commands.failed(Outcome::Forbidden));

@@ -170,6 +170,26 @@ TEST(Operations, LookWhetherAResetWasCarriedOut) {
     }
 }
 
+/// Whatever its bits and its code would mean to a motor: 200 has bit 7, which starts a Load Trajectory, and
+/// Set Synch Output has the code of Stop Motor, which goes out five times.
+TEST(Operations, RepeatWhatAPicIoWasToldTwice) {
+    const std::vector<std::pair<IoCommand, std::string>> commands{
+        {io::SetPwm{100, 0}, "AA 01 24 64"},
+        {io::SetPwm{200, 0}, "AA 01 24 C8"},
+        {io::SetOutput{0x0001}, "AA 01 26"},
+        {io::SetDirection{0x0FFE}, "AA 01 20"},
+        {io::SetSynchOutput{0x0001, 0, 0}, "AA 01 47"},
+    };
+    for (const auto& [command, hex] : commands) {
+        SCOPED_TRACE(hex);
+        VirtualBus bus({{ModuleType::Io, 1}});
+        ASSERT_TRUE(bus.connect());
+        bus.losesReply = [h = hex](ByteSpan c) { return has(c, h); };
+        EXPECT_EQ(bus.perform({{ModuleIndex(0), command}}), Outcome::NoAnswer);
+        EXPECT_EQ(bus.sends(hex), 3U);
+    }
+}
+
 TEST(Operations, AreNotRepeatedWhenTheyAreNotIdempotent) {
     const std::vector<std::pair<ModuleCommand, std::string>> commands{
         {ServoCommand(servo::SetHoming{}), "AA 01 19"}, {loadVelocity(0, 0, true).command, "AA 01 94"}};

@@ -14,33 +14,65 @@ using namespace bus;
 // The oracle is the table of link.md 2.3.
 
 TEST(RetryPolicy, RepeatsQuestionsAndIdenticalSettingsTwice) {
-    for (const CommandCode code : {CommandCode::Nop, CommandCode::ReadStatus, CommandCode::DefineStatus,
-                                   CommandCode::SetGain, CommandCode::IoControl}) {
-        EXPECT_EQ(retryRule(code, false).afterSilence, AfterSilence::Repeat);
-        EXPECT_EQ(retryRule(code, false).silentRepeats, 2);
-    }
+    const std::vector<ModuleCommand> commands{
+        ServoCommand(Nop{}),
+        ServoCommand(ReadStatus{}),
+        ServoCommand(DefineStatus{}),
+        gains(0).command,
+        ServoCommand(servo::IoControl{}),
+        ServoCommand(servo::ScIoControl{}),
+        StepperCommand(stepper::SetParameters{}),
+        StepperCommand(stepper::SetOutputs{}),
+        IoCommand(io::SetDirection{}),
+        IoCommand(io::SetOutput{}),
+        IoCommand(io::SetPwm{100, 0}),
+        IoCommand(io::SetPwm{200, 0}),  // bit 7 of its first byte starts a motion in a Load Trajectory
+        IoCommand(io::SetSynchOutput{}),
+    };
+    for (const ModuleCommand& command : commands)
+        EXPECT_EQ(retryRule(command), (RetryRule{AfterSilence::Repeat, 2, 3}))
+            << toHex(payloadOf(command).data);
 }
 
 TEST(RetryPolicy, NeverRepeatsBlindlyWhatCouldActTwice) {
-    for (const CommandCode code :
-         {CommandCode::StartMotion, CommandCode::ResetPosition, CommandCode::SaveAsHome,
-          CommandCode::ClearStickyBits, CommandCode::SetHoming, CommandCode::SetAddress}) {
-        EXPECT_EQ(retryRule(code, false).afterSilence, AfterSilence::GiveUp);
-        EXPECT_EQ(retryRule(code, false).silentRepeats, 0);
-        EXPECT_EQ(retryRule(code, false).refusedAttempts, 3) << "refused is certainly not carried out";
-    }
+    const std::vector<ModuleCommand> commands{
+        ServoCommand(StartMotion{}),
+        ServoCommand(ResetPosition{}),
+        ServoCommand(servo::ResetRelativeToHome{}),
+        ServoCommand(servo::SetPosition{}),
+        ServoCommand(SaveAsHome{}),
+        ServoCommand(servo::ClearStickyBits{}),
+        ServoCommand(servo::SetHoming{}),
+        StepperCommand(stepper::SetHoming{}),
+        ServoCommand(SetAddress{BusAddress(1)}),
+        IoCommand(io::SetTimerMode{}),
+        IoCommand(io::SynchOutput{}),
+        IoCommand(io::SynchInput{}),
+    };
+    for (const ModuleCommand& command : commands)
+        EXPECT_EQ(retryRule(command), (RetryRule{AfterSilence::GiveUp, 0, 3}))
+            << payloadOf(command).commandByte();
 }
 
 TEST(RetryPolicy, RepeatsALoadOnlyWithoutStart) {
-    EXPECT_EQ(retryRule(payloadOf(loadMove(0, 5).command)).silentRepeats, 2);
-    EXPECT_EQ(retryRule(payloadOf(loadVelocity(0, 5, false).command)).silentRepeats, 2);
-    EXPECT_EQ(retryRule(payloadOf(loadVelocity(0, 5, true).command)).silentRepeats, 0);
-    EXPECT_EQ(retryRule(payloadOf(loadPwm(0, 5).command)).silentRepeats, 0);
+    EXPECT_EQ(retryRule(loadMove(0, 5).command).silentRepeats, 2);
+    EXPECT_EQ(retryRule(loadVelocity(0, 5, false).command).silentRepeats, 2);
+    EXPECT_EQ(retryRule(loadVelocity(0, 5, true).command).silentRepeats, 0);
+    EXPECT_EQ(retryRule(loadPwm(0, 5).command).silentRepeats, 0);
 }
 
 TEST(RetryPolicy, RepeatsAStopAtOnce) {
-    EXPECT_EQ(retryRule(CommandCode::StopMotor, false).afterSilence, AfterSilence::RepeatAtOnce);
-    EXPECT_GE(retryRule(CommandCode::StopMotor, false).refusedAttempts, 3);
+    EXPECT_EQ(retryRule(enable(0).command), (RetryRule{AfterSilence::RepeatAtOnce, 4, 10}));
+    EXPECT_EQ(retryRule(StepperCommand(stepper::StopMotor{})),
+              (RetryRule{AfterSilence::RepeatAtOnce, 4, 10}));
+}
+
+TEST(RetryPolicy, OnlyAMotorStartsAMotion) {
+    EXPECT_TRUE(mayStartMotion(loadVelocity(0, 5, true).command));
+    EXPECT_TRUE(mayStartMotion(start(0).command));
+    EXPECT_FALSE(mayStartMotion(loadVelocity(0, 5, false).command));
+    EXPECT_FALSE(mayStartMotion(IoCommand(io::SetPwm{200, 200})));
+    EXPECT_FALSE(mayStartMotion(IoCommand(io::SynchOutput{})));
 }
 
 }  // namespace

@@ -107,9 +107,10 @@ COMMANDS = (
              ""),
     )),
     Mutant("blind-retry-of-start", "link.md 2.3: a start that nobody answered is never repeated", (
-        Edit("core/bus/retrypolicy.h",
-             "        case CommandCode::StartMotion:      // a look at the module decides, see verification.h\n",
-             "        case CommandCode::StartMotion:\n            return {AfterSilence::Repeat, 2};\n"),
+        Edit("core/bus/retrypolicy.cpp",
+             "    RetryRule operator()(const AnyOf<StartMotion, ResetPosition,",
+             "    RetryRule operator()(const StartMotion&) const { return kRepeat; }\n"
+             "    RetryRule operator()(const AnyOf<ResetPosition,"),
     )),
     Mutant("blind-retry-of-a-refused-start", "faults.md F-09: that it was refused is the module's word alone", (
         Edit("core/bus/operationtask.cpp",
