@@ -160,6 +160,14 @@ std::vector<Order> Chain::stops() const {
     return stops;
 }
 
+std::vector<PacketBytes> Chain::outputStops() const {
+    std::vector<PacketBytes> packets;
+    for (const Order& stop : stops())
+        if (std::holds_alternative<IoCommand>(stop.command))
+            packets.push_back(toPacket({belief(stop.module).info().address, payloadOf(stop.command)}));
+    return packets;
+}
+
 std::vector<Order> Chain::lastOrders() const {
     std::vector<Order> orders;
     for (Order& stop : stops()) {

@@ -139,6 +139,8 @@ public:
 
     /// What would have to be told to whom for nothing to move any more.
     [[nodiscard]] std::vector<Order> stops() const;
+    /// Those of them that take outputs low, as they go out.
+    [[nodiscard]] std::vector<PacketBytes> outputStops() const;
     /// The same for somebody who will not be there any more to take gains back that are being tried.
     [[nodiscard]] std::vector<Order> lastOrders() const;
     /// These as bytes that need no answer, nulls first; empty when nothing is on, or it is read-only.

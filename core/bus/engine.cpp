@@ -313,8 +313,10 @@ bool Engine::dispatch(TimePoint now) {
     if (m_line.idle())
         m_recovery.onFree();
     m_stopAsked = m_stopAsked && (m_stop.active() || m_unacknowledged.due());
-    if (m_config.readOnly)
-        m_line.permit(m_stopAsked ? Line::Permit::QuestionsAndStops : Line::Permit::Questions);
+    if (m_config.readOnly && m_stopAsked)
+        m_line.permit(Line::Permit::QuestionsAndStops, m_chain.outputStops());
+    else if (m_config.readOnly)
+        m_line.permit(Line::Permit::Questions);
     const bool live = m_connected || m_search.active();
     const auto turn = [&](auto&... tasks) {
         Turn taken = Turn::Nobody;

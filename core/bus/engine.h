@@ -36,9 +36,10 @@ namespace nmc::bus {
 /// One thread (the bus thread, or a test).
 ///
 /// With EngineConfig::readOnly it looks and changes nothing, for as long as it lives. No Operation, Read
-/// Status and nulls are all that goes out, whatever happens, and Stop Motor once stopAll() was called and
-/// until each module has confirmed. Submit, changeRate, readdress and hold end at once as refused (Forbidden,
-/// NotNow). It stops nobody of its own accord and suspects no motion, since each is somebody else's.
+/// Status and nulls are all that goes out, whatever happens, and what stops a module once stopAll() was
+/// called and until each module has confirmed. Submit, changeRate, readdress and hold end at once as refused
+/// (Forbidden, NotNow). It stops nobody of its own accord and suspects no motion, since each is somebody
+/// else's.
 class Engine {
 public:
     explicit Engine(EngineConfig config);

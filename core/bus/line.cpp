@@ -163,8 +163,11 @@ bool Line::mayLeave(ByteSpan bytes) const {
     if (m_permit == Permit::Everything || !frame)
         return true;  // what is no packet is nulls
     const CommandCode code = frame->payload.code;
-    return code == CommandCode::Nop || code == CommandCode::ReadStatus ||
-           (code == CommandCode::StopMotor && m_permit == Permit::QuestionsAndStops);
+    if (code == CommandCode::Nop || code == CommandCode::ReadStatus)
+        return true;
+    const auto same = [&](const PacketBytes& stop) { return std::ranges::equal(stop, bytes); };
+    return m_permit == Permit::QuestionsAndStops &&
+           (code == CommandCode::StopMotor || std::ranges::any_of(m_permittedStops, same));
 }
 
 void Line::send(ByteSpan bytes, TimePoint now) {

@@ -66,9 +66,14 @@ public:
     enum class Permit : std::uint8_t {
         Everything,
         Questions,         ///< No Operation and Read Status, which change nothing
-        QuestionsAndStops  ///< and Stop Motor
+        QuestionsAndStops  ///< and Stop Motor, and `stops`
     };
-    void permit(Permit what) { m_permit = what; }
+    /// `stops`: packets that stop a module which has no Stop Motor, byte for byte. The codes of a PIC-I/O's
+    /// are those of Set Gain and Load Trajectory on a PIC-SERVO.
+    void permit(Permit what, std::vector<PacketBytes> stops = {}) {
+        m_permit = what;
+        m_permittedStops = std::move(stops);
+    }
 
     /// The line must be ready for these two.
     void begin(const Request& request, TimePoint now);
@@ -151,6 +156,7 @@ private:
 
     LineTiming m_timing;
     Permit m_permit = Permit::Everything;
+    std::vector<PacketBytes> m_permittedStops;  ///< beside Stop Motor
     std::uint32_t m_baud = kPowerUpBaud;
     TimePoint m_free;  ///< when the last byte handed over has left
     std::optional<Done> m_done;

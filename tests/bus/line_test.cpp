@@ -82,6 +82,23 @@ TEST(Line, LetsNothingLeaveThatIsNotPermitted) {
     }
 }
 
+/// AA 01 26 0A 00 31 is Set Output to a PIC-I/O and would be a broken Set Gain to a PIC-SERVO.
+TEST(Line, LetsNoOtherOutputsLeaveThanThoseOfTheStop) {
+    const auto setOutput = [](std::uint16_t outputs) {
+        return toPacket({BusAddress(1), io::SetOutput{outputs}.encode()});
+    };
+    for (const auto permit : {Line::Permit::Questions, Line::Permit::QuestionsAndStops}) {
+        Line line(4ms, 10ms);
+        line.permit(permit, {setOutput(0x000A)});
+        line.run({Line::Packet{setOutput(0x000A)}, Line::Packet{setOutput(0x000B)}}, TimePoint(1s));
+        std::vector<std::string> left;
+        for (const Output& output : line.takeOutput())
+            left.push_back(toHex(std::get<Send>(output).bytes));
+        const bool stops = permit == Line::Permit::QuestionsAndStops;
+        EXPECT_EQ(left, stops ? std::vector<std::string>{"AA 01 26 0A 00 31"} : std::vector<std::string>{});
+    }
+}
+
 TEST(Line, EndsAnExchangeThatIsNotPermittedInSilence) {
     Line line(4ms, 10ms);
     line.permit(Line::Permit::Questions);

@@ -335,6 +335,35 @@ TEST(ReadOnly, StopsWhenItIsAskedToDuringTheLook) {
     }
 }
 
+/// Outputs marked "off at stop" are told by Set Output and Set PWM, which no question is. The rest of the
+/// module stays as others want it.
+TEST(ReadOnly, TakesOutputsLowWhenItIsAskedToStop) {
+    VirtualBus bus({{ModuleType::Servo, 4}, {ModuleType::Io, 1}});
+    ASSERT_TRUE(bus.connect());
+    const auto toIo = [](const IoCommand& command) { return Order{ModuleIndex(1), command}; };
+    ASSERT_EQ(bus.perform(
+                  {toIo(io::SetDirection{0x0FF0}), toIo(io::SetOutput{0x000F}), toIo(io::SetPwm{100, 200})}),
+              Outcome::Done);
+    bus.newHost(readOnly());
+    bus.events.clear();
+    bus.engine.setStopOutputs({{}, {0x0005, 0x03}});
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(1s);
+    const auto truth = [&] { return *bus.chain.snapshot(ModuleIndex(1), bus.now).io; };
+    EXPECT_EQ(truth().outputs, 0x000F) << "nobody has asked";
+    const auto stopped = bus.stopAll();
+    ASSERT_TRUE(stopped.has_value());
+    EXPECT_EQ(stopped->stopped.size(), 2U);
+    EXPECT_EQ(truth().outputs, 0x000A);
+    EXPECT_EQ(truth().pwm, (std::array<std::uint8_t, 2>{0, 0}));
+    EXPECT_EQ(truth().directions, 0x0FF0);
+    const std::size_t sent = bus.sent.size();
+    bus.runFor(20s);
+    EXPECT_EQ(bus.engine.statistics().timeouts, 0U);
+    EXPECT_EQ(bus.sends("AA 02 24", sent) + bus.sends("AA 02 26", sent), 0U) << "once";
+    bus.expectNoViolations();
+}
+
 /// "It was asked for": until each module has confirmed, and no longer.
 TEST(ReadOnly, OwesAStopThatWasNotConfirmed) {
     OnLooker looker;
