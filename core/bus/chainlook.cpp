@@ -11,6 +11,11 @@ namespace {
 constexpr BusAddress kUnaddressed{0};
 constexpr unsigned kFirstAddress = 1;
 constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
+/// Two answers that are lost in a row hide nobody.
+constexpr unsigned kRounds = 3;
+/// At rates where nobody else answers, addresses that hardly a host gives: three rounds of all of them would
+/// take ten seconds of everyone whose chain has no power.
+constexpr unsigned kUnusualRounds = 2;
 /// A search that skips a number, because nobody was heard to take it, goes beyond 32.
 constexpr unsigned kLastAddress = 34;
 
@@ -56,44 +61,58 @@ ChainLook::Next ChainLook::next() {
     return Request{probe.address, Nop{}.encode(), {}, Framing::Open};
 }
 
-/// The probes of the next stage.
+/// The probes of the next round.
 void ChainLook::refill() {
     m_probes.clear();
     m_at = 0;
-    if (!std::exchange(m_begun, true)) {
-        add(kPowerUpBaud, {kUnaddressed});
-        for (const std::uint32_t rate : m_rates)
-            add(rate, m_first);
-        return;
-    }
     switch (m_stage) {
         case Stage::First:
-            if (m_rate)
-                return enterRest();
-            m_stage = m_unaddressed ? Stage::Fresh : Stage::Everywhere;
-            for (const std::uint32_t rate : m_rates)
-                add(rate, m_unaddressed ? missing() : m_rest);
-            return;
-        case Stage::Fresh:
-            if (m_rate)
-                return enterRest();
-            break;
-        case Stage::Rest:
+            if (!m_rate && m_round < kRounds)
+                return refillFirst();
+            if (!m_rate && m_unaddressed)
+                break;
+            enter(m_rate ? Stage::Rest : Stage::Everywhere);
+            return refill();
         case Stage::Everywhere:
+            if (trouble() == ConnectFailure::NobodyAnswers && m_round++ < kUnusualRounds) {
+                for (const std::uint32_t rate : m_rates)
+                    add(rate, m_rest);
+                return;
+            }
             if (trouble())
                 break;
-            m_stage = Stage::Missing;
-            return add(*m_rate, missing());
+            enter(Stage::Missing);
+            return refill();
+        case Stage::Rest:
+            if (m_round++ == 0)
+                return add(*m_rate, m_rest);
+            if (trouble())
+                break;
+            enter(Stage::Missing);
+            return refill();
         case Stage::Missing:
+            if (m_round < kRounds - 1)
+                return refillMissing();
+            break;
         case Stage::Over:
             break;
     }
     m_stage = Stage::Over;
 }
 
-void ChainLook::enterRest() {
-    m_stage = Stage::Rest;
-    add(*m_rate, m_rest);
+/// Beside a module without an address there may be a chain all the same.
+void ChainLook::refillFirst() {
+    ++m_round;
+    addUnaddressed();
+    for (const std::uint32_t rate : m_rates)
+        add(rate, m_unaddressed ? missing() : m_first);
+}
+
+/// Everybody has been asked once by now.
+void ChainLook::refillMissing() {
+    ++m_round;
+    add(*m_rate, missing());
+    addUnaddressed();
 }
 
 /// The usual first ones if nobody was found; two behind the last otherwise, because one of them may be that
@@ -115,11 +134,17 @@ void ChainLook::add(std::uint32_t rate, const std::vector<BusAddress>& addresses
             m_probes.push_back({rate, address});
 }
 
+void ChainLook::addUnaddressed() {
+    if (!m_unaddressed)
+        add(kPowerUpBaud, {kUnaddressed});
+}
+
 void ChainLook::onReply(const ReplyEnd& end) {
     const Probe& probe = m_probes[m_at];
-    if (std::exchange(m_asksIdentity, false)) {
+    if (m_asksIdentity) {
         m_unaddressedIdentity = end.report.identity;
-        ++m_at;
+        m_asksIdentity = !m_unaddressedIdentity && ++m_identityAsks < kRounds;
+        m_at += m_asksIdentity ? 0 : 1;
         return;
     }
     const bool again = std::exchange(m_again, false);
@@ -143,8 +168,8 @@ bool ChainLook::heard(const Probe& probe, const ReplyEnd& end, bool again, bool 
         m_again = !again;  // noise passes, and an echo is known the next time
         if (m_again)
             return false;
-        // Twice where the chain is: two modules answer at once.
-        if (m_rate == probe.rate || !unaddressed)
+        // Twice at an address of the chain: two modules answer at once.
+        if (!unaddressed)
             m_collided.push_back(m_found.size() + m_collided.size());
         else
             ++m_noise;

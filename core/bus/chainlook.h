@@ -17,8 +17,10 @@ namespace nmc::bus {
 /// Operation only: nothing is changed and nothing that moves is disturbed. The first two addresses at every
 /// rate come first, because hardly a host counts otherwise, and the first two of those that are known from
 /// the last time; the others at every rate only if nobody answers there. Where zeros answer, type and version
-/// are asked for. One lost answer hides nobody: where one should be and nobody answers, and before a chain is
-/// taken for a fresh one, all is asked a second time. Says what to do next and is told what came of it. Pure.
+/// are asked for. Two lost answers hide nobody: where one should be and nobody answers, before a chain is
+/// taken for a fresh one and before nobody is there at all, everything is asked three times; addresses that
+/// hardly a host gives, at rates where nobody else is, twice. Says what to do next and is told what came of
+/// it. Pure.
 class ChainLook {
 public:
     /// Address and rate a module wakes up with come first.
@@ -45,8 +47,7 @@ public:
 
 private:
     enum class Stage : std::uint8_t {
-        First,
-        Fresh,       ///< only a module without an address answered: is it beside a chain?
+        First,       ///< where a chain usually is, and a module without an address
         Rest,        ///< at the rate of the chain
         Everywhere,  ///< nobody answered
         Missing,     ///< between those that answered, next to them, and of those that are known
@@ -58,25 +59,29 @@ private:
     };
 
     void refill();
-    void enterRest();
+    void refillFirst();
+    void refillMissing();
     [[nodiscard]] std::vector<BusAddress> missing() const;
     [[nodiscard]] bool heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard);
     void found(const Probe& probe);
     void add(std::uint32_t rate, const std::vector<BusAddress>& addresses);
+    void addUnaddressed();
+    void enter(Stage stage) { m_stage = stage, m_round = 0; }
 
     std::vector<std::uint32_t> m_rates;
     std::vector<BusAddress> m_known;
     std::vector<BusAddress> m_first;  ///< addresses
     std::vector<BusAddress> m_rest;
     Stage m_stage = Stage::First;
+    unsigned m_round = 0;         ///< how often this stage has been asked
     std::vector<Probe> m_probes;  ///< of this stage
     std::size_t m_at = 0;
-    bool m_begun = false;  ///< the first probe has been taken
     std::optional<std::uint32_t> m_hostRate;
     std::optional<std::uint32_t> m_rate;
     std::vector<BusAddress> m_found;
     bool m_unaddressed = false;   ///< once true, stays so for this look
     bool m_asksIdentity = false;  ///< of the module without an address
+    unsigned m_identityAsks = 0;  ///< that were not answered
     std::optional<ModuleIdentity> m_unaddressedIdentity;
     bool m_again = false;       ///< the present probe has been answered with noise before
     bool m_zerosHeard = false;  ///< or with zeros, from a module or from a line that is held low

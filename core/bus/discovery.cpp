@@ -14,8 +14,14 @@ namespace {
 
 constexpr BusAddress kUnaddressed{0x00};
 constexpr unsigned kFirstGroup = 0x80;
-/// So many addresses in a row that nobody takes are the end of the chain.
+/// Beyond it a search that goes on has lost its way.
+constexpr std::uint8_t kLastNumber = 100;
+/// So many addresses in a row that nobody takes are the end of the chain, if the last module of it answers
+/// all the while.
 constexpr unsigned kSetAttempts = 2;
+/// Questions, a tenth of a second apart at least, that a module must leave open before the line is called
+/// disturbed.
+constexpr unsigned kAliveAttempts = 10;
 
 /// Where a chain may have been left; last the rate at which it then wakes up.
 constexpr std::array<std::uint32_t, 4> kRestartRates{115'200, 57'600, 9'600, kPowerUpBaud};
@@ -71,6 +77,7 @@ bool Discovery::resume() {
                 m_phase = Phase::Probe;
             [[fallthrough]];
         case Phase::Probe:
+        case Phase::Alive:
         case Phase::Recheck:
         case Phase::Identify:
             m_resumed = givesAddresses();
@@ -100,6 +107,8 @@ Discovery::Next Discovery::next() {
             return setAddress();
         case Phase::Probe:
             return probe(BusAddress(m_number), m_unheardInRow + 1 < kSetAttempts ? 1 : 0);
+        case Phase::Alive:
+            return stillThere();
         case Phase::Recheck:
             return probe(m_unheard.back(), 0);
         case Phase::Identify:
@@ -163,6 +172,8 @@ void Discovery::onReply(const ReplyEnd& end) {
             return onAddress(end);
         case Phase::Probe:
             return onProbe(end);
+        case Phase::Alive:
+            return onAlive(end);
         case Phase::Recheck:
             return onRecheck(end);
         case Phase::Identify:
@@ -263,6 +274,11 @@ Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
                     Quarantine::Brief);
 }
 
+/// Its answer has the length of those to Set Address, which are right when they are late.
+Ask Discovery::stillThere() const {
+    return question({m_modules.back().address, Nop{}.encode(), {}}, 0, Quarantine::Full);
+}
+
 Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {
     return question({m_modules[m_at].address, payload, {m_modules[m_at].identity, items}}, repeats,
                     Quarantine::Full);
@@ -297,8 +313,28 @@ void Discovery::onProbe(const ReplyEnd& end) {
             return fail(ConnectFailure::Garbled, {indexOf(m_modules.size())});
         case ReplyResult::Unresponsive:
             m_unheard.emplace_back(m_number);
-            return ++m_unheardInRow < kSetAttempts ? enter(Phase::Set) : endOfAddressing();
+            m_aliveInVain = 0;
+            return m_modules.empty() ? onNumberUnheard() : enter(Phase::Alive);
     }
+}
+
+/// Silence tells of the end of the chain only where somebody is heard behind it. While nobody is, the number
+/// may have been taken, and the line is waited for.
+void Discovery::onAlive(const ReplyEnd& end) {
+    const bool heard = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
+    if (!heard && ++m_aliveInVain < kAliveAttempts)
+        return;
+    if (!heard)
+        return fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
+    if (m_aliveInVain > 0)
+        return m_number < kLastNumber ? enter(Phase::Set) : fail(ConnectFailure::Disturbed);
+    onNumberUnheard();
+}
+
+void Discovery::onNumberUnheard() {
+    if (++m_unheardInRow < kSetAttempts)
+        return enter(Phase::Set);
+    endOfAddressing();
 }
 
 /// A module may have taken a number and not been heard of since.
@@ -339,7 +375,9 @@ void Discovery::endOfAddressing() {
 
 void Discovery::endOfChain() {
     if (m_modules.empty())
-        return fail(m_heardNoise ? ConnectFailure::Garbled : ConnectFailure::NobodyAnswers);
+        return fail(m_heardNoise           ? ConnectFailure::Garbled
+                    : m_look.unaddressed() ? ConnectFailure::Disturbed  // one has answered
+                                           : ConnectFailure::NobodyAnswers);
     for (std::size_t i = 0; i < m_modules.size(); ++i)
         m_modules[i].index = indexOf(i);
     m_at = 0;

@@ -64,6 +64,7 @@ private:
         Restart,
         Set,
         Probe,
+        Alive,    ///< nobody took a number: is that the end of the chain, or is the line disturbed?
         Recheck,  ///< numbers that were sent and that nobody has answered at
         Identify,
         ChangeRate,
@@ -79,12 +80,15 @@ private:
     [[nodiscard]] Next changeRate();
     [[nodiscard]] Ask setAddress();
     [[nodiscard]] Ask probe(BusAddress address, std::uint8_t repeats) const;
+    [[nodiscard]] Ask stillThere() const;
     [[nodiscard]] Ask defineItems(StatusItems items) const;
     [[nodiscard]] Ask askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const;
     void onIdentity(const ReplyEnd& end);
     void onLook(const ReplyEnd& end);
     void onAddress(const ReplyEnd& end);
     void onProbe(const ReplyEnd& end);
+    void onAlive(const ReplyEnd& end);
+    void onNumberUnheard();
     void onRecheck(const ReplyEnd& end);
     void found(BusAddress address);
     void endOfAddressing();
@@ -107,6 +111,7 @@ private:
     std::size_t m_at = 0;         ///< module that is being asked
     std::uint8_t m_number = 0;    ///< the address that was sent last; none is ever sent twice
     unsigned m_unheardInRow = 0;  ///< numbers that nobody seems to have heard
+    unsigned m_aliveInVain = 0;   ///< questions in a row that a module which has answered did not
     std::vector<BusAddress> m_unheard;
     bool m_heardNoise = false;  ///< while giving addresses: then nobody found is Garbled
     bool m_resumed = false;     ///< the port has to be taken to the rate of power-up first

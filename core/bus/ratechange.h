@@ -31,7 +31,7 @@ public:
 
     struct Ask {
         Request request;
-        std::uint8_t silentRepeats = 1;
+        std::uint8_t silentRepeats = 2;
     };
     /// It is over. Indices of `chain`.
     struct Ended {

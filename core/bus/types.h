@@ -246,6 +246,7 @@ enum class ConnectFailure : std::uint8_t {
     Collision,    ///< two modules answer at one address
     HeldLow,      ///< nothing but zero bytes: the line is held low
     Echo,         ///< the adapter returns what is sent, and nobody answers behind that
+    Disturbed,    ///< modules that had answered fell silent while addresses were given
     Unaddressed,  ///< modules without addresses, and a read-only connection gives none
 };
 
@@ -478,6 +479,7 @@ struct LinkStatistics {
     std::uint64_t resyncs = 0;
     Duration roundTripSum{};
     Duration roundTripMax{};
+    Duration replyGap{};  ///< the longest pause within a reply that the line was seen to make; 0: none
     Duration wireTime{};  ///< what the answered exchanges take on a perfect line, tick wait included
 
     [[nodiscard]] std::uint64_t errors() const { return timeouts + refused + badChecksum + rejected; }

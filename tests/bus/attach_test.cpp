@@ -185,6 +185,33 @@ TEST(Attach, IsNotMisledByOneLostAnswer) {
         }
 }
 
+/// The answers to two questions in a row to one address, or to two neighbours: at the usual rates, at the
+/// lowest places and at the end of the chain.
+TEST(Attach, IsNotMisledByTwoLostAnswersOfOneModule) {
+    for (const std::size_t modules : {1U, 2U, 4U})
+        for (std::uint8_t address = 0; address <= modules; ++address)
+            for (const int lost : {1, 2}) {
+                SCOPED_TRACE(std::to_string(modules) + " modules, address " + std::to_string(address) + ", " +
+                             std::to_string(lost) + " answers");
+                LeftBehind left(modules, 57'600);
+                VirtualBus& bus = left.bus;
+                if (address == 0)
+                    bus.chain.powerCycle(ModuleIndex(0), bus.now);
+                bus.runFor(100ms);
+                const auto expected = modules - (address == 0 ? 1U : 0U);
+                if (expected == 0)
+                    continue;  // a fresh chain, below
+                bus.losesReply = [n = 0, lost, address](ByteSpan command) mutable {
+                    return command.size() > 2 && command[0] == 0xAA && command[1] == address && n++ < lost;
+                };
+                ASSERT_TRUE(bus.connect());
+                const auto found = *bus.last<ChainFound>();
+                EXPECT_TRUE(found.attached);
+                EXPECT_EQ(found.modules.size(), expected);
+                EXPECT_EQ(found.unaddressed, address == 0);
+            }
+}
+
 TEST(Attach, FindsAddressesThatNoHostCountsUpTo) {
     LeftBehind left(3, 57'600);
     VirtualBus& bus = left.bus;

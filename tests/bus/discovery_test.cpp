@@ -164,6 +164,73 @@ INSTANTIATE_TEST_SUITE_P(Discovery, AddressLost,
                          testing::Values(Loss{true, 0}, Loss{false, 1}, Loss{false, 2}, Loss{false, 3}),
                          testing::PrintToStringParamName());
 
+/// At any place: a chain that has just been switched on is found whole.
+TEST(Discovery, IsNotMisledByTwoLostAnswers) {
+    constexpr std::size_t kModules = 4;
+    EngineConfig config;
+    config.baud = 115'200;
+    for (int first = 0; first < 90; ++first)
+        for (const int apart : {1, 2, 3, 9}) {
+            SCOPED_TRACE(std::to_string(first) + " and " + std::to_string(first + apart));
+            VirtualBus bus(servos(kModules), config);
+            bus.losesReply = [n = -1, first, apart](ByteSpan command) mutable {
+                n += command[0] == 0xAA ? 1 : 0;
+                return n == first || n == first + apart;
+            };
+            ASSERT_TRUE(bus.connect());
+            EXPECT_EQ(bus.last<ChainFound>()->modules.size(), kModules);
+            EXPECT_EQ(bus.last<ChainFound>()->baud, 115'200U);
+        }
+}
+
+/// An adapter, or a computer between, that stands still for a while: what was asked meanwhile gets lost, or
+/// its answers do. The chain is found whole, or somebody says that it was not.
+class LineFrozen : public testing::TestWithParam<bool> {};
+
+TEST_P(LineFrozen, NeverMakesAShorterChain) {
+    constexpr std::size_t kModules = 4;
+    constexpr Duration kFrozen = 313ms;
+    unsigned whole = 0;
+    unsigned begins = 0;
+    for (Duration from{}; from < 2s; from += 11ms, ++begins) {
+        SCOPED_TRACE(toSeconds(from));
+        VirtualBus bus(servos(kModules));
+        const TimePoint begin = bus.now + from;
+        const auto frozen = [&bus, begin] { return bus.now >= begin && bus.now < begin + kFrozen; };
+        if (GetParam())
+            bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+                if (frozen())
+                    command.clear();
+            };
+        else
+            bus.losesReply = [&](ByteSpan) { return frozen(); };
+        if (bus.connect()) {
+            ++whole;
+            EXPECT_EQ(bus.last<ChainFound>()->modules.size(), kModules);
+            continue;
+        }
+        const auto failed = *bus.last<ConnectFailed>();
+        EXPECT_TRUE(failed.reason == ConnectFailure::Disturbed || failed.reason == ConnectFailure::Garbled)
+            << static_cast<int>(failed.reason);
+    }
+    EXPECT_GT(whole, begins * 9 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Discovery, LineFrozen, testing::Bool(),
+                         [](const auto& info) { return info.param ? "CommandsLost" : "AnswersLost"; });
+
+/// It is there, and then it is not: what is known by then is no chain.
+TEST(Discovery, SaysThatTheLineIsDisturbed) {
+    VirtualBus bus(servos(4));
+    bool given = false;
+    bus.losesReply = [&](ByteSpan command) {
+        given = given || has(command, "AA 00 21 03");
+        return given;
+    };
+    EXPECT_FALSE(bus.connect());
+    EXPECT_EQ(bus.last<ConnectFailed>()->reason, ConnectFailure::Disturbed);
+}
+
 /// The communication-error bit says "certainly not carried out"; a flipped bit says so, too.
 TEST(Discovery, GivesAnotherNumberWhenOneIsRefused) {
     ScriptedBus bus(2);

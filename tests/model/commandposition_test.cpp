@@ -135,6 +135,27 @@ TEST(CommandPosition, OnlyTheChangeOfAVelocityLeavesADoubt) {
     EXPECT_NEAR(after.high, before.high, 0.01);
 }
 
+/// A tick may be 0.5 ms or 131 ms long there: how far it has come nobody knows, only where it is to end.
+TEST(CommandPosition, FollowsNoMotionWhileTheServoRateIsUnknown) {
+    CommandPosition command = holdingAt100();
+    command.doubtServoRate();
+    EXPECT_EQ(command.at(atSeconds(0.5)), exactly(100)) << "where it holds does not hang on its ticks";
+    command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));
+    command.apply(executedAt(2, StartMotion{}));
+    EXPECT_FALSE(command.at(atSeconds(2.2)).has_value());
+    command.apply(sampleOf(60, kMoveDone | kPower, kServoOn, 20'100));
+    EXPECT_EQ(command.at(atSeconds(60)), exactly(20'100));
+    command.apply(executedAt(61, velocityMode(8 << 16, 1'024)));
+    EXPECT_FALSE(command.at(atSeconds(61.5)).has_value());
+    command.apply(executedAt(62, stopWith(servo::StopManner::Here)));
+    servo::SetGain gains;
+    gains.sr = 2;
+    gains.el = 4'000;
+    command.apply(executedAt(63, gains));
+    command.apply(executedAt(64, velocityMode(8 << 16, 1'024)));
+    EXPECT_TRUE(command.at(atSeconds(64.5)).has_value()) << "known from now on";
+}
+
 TEST(CommandPosition, AnAbruptStopFreezesItAndASmoothStopRampsDown) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(0, velocityMode(4 << 16, 1'024)));

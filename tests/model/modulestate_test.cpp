@@ -161,6 +161,23 @@ TEST(ModuleState, AServoThatAnotherHostLeftMovingIsMoving) {
     EXPECT_EQ(module.activity(), Activity::Holding);
 }
 
+/// DS-V 4.5: 1 after power-up and reset. It goes with the gains, and nobody can ask for it.
+TEST(ModuleState, TheServoRateIsKnownFromPowerUpUntilAnotherHostMayHaveSetIt) {
+    ModuleState module = servoModule();
+    EXPECT_EQ(module.servoRate, 1);
+    module.attached();
+    EXPECT_FALSE(module.servoRate);
+    servo::SetGain gains;
+    gains.sr = 5;
+    module.apply(executedAt(1.0, gains));
+    EXPECT_EQ(module.servoRate, 5);
+    module.doubtGains();
+    EXPECT_FALSE(module.servoRate);
+    EXPECT_FALSE(module.gains);
+    module.restarted();
+    EXPECT_EQ(module.servoRate, 1);
+}
+
 // ---- what nobody has heard an answer to ----
 
 TEST(ModuleState, AVelocityThatWasStoppedUnheardIsNotBelievedAnyMore) {

@@ -46,6 +46,25 @@ TEST(Travel, CountsFromHomeAndIsInForceWhileHomeIsKnown) {
     EXPECT_EQ(travelForce(module), TravelForce::NotSet);
 }
 
+/// A chain that another program left: 10 mm/s would be sent as if SR were 1.
+TEST(Travel, NothingRunsByUnitsPerSecondWhileTheServoRateIsUnknown) {
+    const Intent run = intent::RunAtVelocity{kOne, kGentle, false};
+    ModuleState module = holdingServo();
+    module.servoRate.reset();
+    EXPECT_TRUE(plan(run, module).has_value()) << "counts per tick are what the chip takes";
+    module.unit = UnitKind::Millimetres;
+    for (const Intent& intent : {run, Intent(to(100)), Intent(intent::LoadMove{to(100)})}) {
+        const auto orders = plan(intent, module);
+        ASSERT_FALSE(orders.has_value());
+        EXPECT_EQ(orders.error(), Refusal::ServoRateUnknown);
+    }
+    EXPECT_EQ(whyNotHome(module), Refusal::ServoRateUnknown);
+    EXPECT_EQ(whyNot(IntentKind::Hold, module), Refusal::ServoRateUnknown);
+    EXPECT_FALSE(whyNot(IntentKind::StopMotion, module));
+    module.servoRate = 5;
+    EXPECT_TRUE(plan(run, module).has_value());
+}
+
 TEST(Travel, IsNotInForceAfterARestart) {
     ModuleState module = limited();
     module.restarted();

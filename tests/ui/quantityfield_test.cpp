@@ -3,6 +3,7 @@
 #include "widgets/common/quantityfield.h"
 
 #include "model/module/servodefaults.h"
+#include "widgets/common/words.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -60,6 +61,31 @@ TEST_F(Quantities, AnArrowKeyIsAsMuchInEveryUnit) {
     EXPECT_EQ(up(AxisScale::servo({UnitKind::Turns, 2'000}, 1)), 100) << "0.05 turns";
     EXPECT_EQ(up(AxisScale::step({UnitKind::Millimetres, 80})), 80) << "1.25 mm are no round number; 1 mm is";
     EXPECT_EQ(up(AxisScale::servo({UnitKind::Degrees, 10}, 1)), 100) << "10 degrees";
+}
+
+/// 10 mm/s is no number of counts per tick while nobody knows how long a tick is.
+TEST_F(Quantities, NothingPerSecondIsShownOrTakenWhileTheServoRateIsUnknown) {
+    QuantityField& field = shown(Kind::Velocity, AxisScale::servo({UnitKind::Millimetres, 100}, 1));
+    field.setNativeRange(servodefaults::kSmallest, 100);
+    field.showNative(0.512);
+    EXPECT_EQ(field.text(), QLocale().toString(10)) << "0.512 / 0.000512 s / 100";
+    field.setScale(AxisScale::servo({UnitKind::Millimetres, 100}, std::nullopt));
+    EXPECT_EQ(field.text(), QString());
+    EXPECT_EQ(field.placeholderText(), u"–"_s);
+    EXPECT_EQ(field.otherView()->text(), u"= 0.512 counts/tick"_s);
+    QTest::keyClicks(&field, u"20"_s);
+    QTest::keyClick(&field, Qt::Key_Up);
+    EXPECT_EQ(field.text(), QString());
+    EXPECT_FALSE(field.native());
+    EXPECT_EQ(field.problemText(), texts::refusal(Refusal::ServoRateUnknown));
+    EXPECT_EQ(field.accessibleDescription(), field.problemText());
+    field.setScale(AxisScale::servo({UnitKind::Millimetres, 100}, 5));
+    EXPECT_EQ(field.text(), QLocale().toString(2)) << "SR 5 makes it a fifth";
+    EXPECT_EQ(field.native(), 0.512);
+    // In the chip's own unit only the other view is unknown.
+    field.setScale(AxisScale::servo({}, std::nullopt));
+    EXPECT_EQ(field.native(), 0.512);
+    EXPECT_EQ(field.otherView()->text(), u"= – counts/s"_s);
 }
 
 TEST_F(Quantities, ARangeThatBeginsAboveZeroDoesNotSayZero) {

@@ -46,9 +46,9 @@ protected:
             case Amount::Position:
                 return std::round(scale().counts(typed));
             case Amount::Velocity:
-                return scale().nativeVelocity(typed);
+                return *scale().nativeVelocity(typed);
             case Amount::Acceleration:
-                return scale().nativeAcceleration(typed);
+                return *scale().nativeAcceleration(typed);
         }
         return typed;
     }

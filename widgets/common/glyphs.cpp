@@ -81,6 +81,8 @@ private:
 void paintMark(MarkPainter mark, Activity activity) {
     switch (activity) {
         case Activity::Unknown:
+        case Activity::MaybeOff:
+        case Activity::MaybeMoving:
             mark.questionMark();
             break;
         case Activity::Restarted:

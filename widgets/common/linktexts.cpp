@@ -54,6 +54,12 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
             m.body = Texts::tr(
                 "The echo is harmless. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the modules' transmit pair is wired to the adapter.");
             break;
+        case bus::ConnectFailure::Disturbed:
+            m.headline = Texts::tr("The line at %1 was disturbed while the modules were given addresses.")
+                             .arg(portName(port));
+            m.body = Texts::tr(
+                "A module that had answered fell silent, so how many there are is not known. No motor was moved. Check the cable and the adapter, then scan again.");
+            break;
         case bus::ConnectFailure::Unaddressed:
             m.headline = Texts::tr("The modules on %1 have no addresses yet.").arg(portName(port));
             m.body = Texts::tr("A read-only connection cannot assign addresses. Connect without read-only.");

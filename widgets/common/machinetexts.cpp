@@ -438,9 +438,9 @@ QString machineValue(const FieldDifference& field, const std::optional<FieldValu
         case Quantity::Distance:
             return position(scale, number);
         case Quantity::Velocity:
-            return readout(scale.velocity(number)) + u' ' + velocityUnitOf(scale);
+            return velocity(scale, number);
         case Quantity::Acceleration:
-            return readout(scale.acceleration(number)) + u' ' + accelerationUnitOf(scale);
+            return acceleration(scale, number);
         case Quantity::Seconds:
             return Texts::tr("%1 s").arg(readout(number));
     }

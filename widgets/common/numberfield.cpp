@@ -76,6 +76,15 @@ void NumberField::setMeaning(const QString& meaning) {
     judge();
 }
 
+void NumberField::setUnavailable(const QString& why) {
+    if (why == m_unavailable)
+        return;
+    m_unavailable = why;
+    setReadOnly(!why.isEmpty());
+    setPlaceholderText(why.isEmpty() ? QString() : u"–"_s);
+    judge();
+}
+
 std::optional<double> NumberField::parse(const QString& text, bool wholeOnly, Problem* problem) {
     const QString trimmed = text.trimmed();
     *problem = trimmed.isEmpty() ? Problem::Empty : Problem::NotANumber;
@@ -162,6 +171,8 @@ QString NumberField::problemText() const {
     switch (m_problem) {
         case Problem::None:
             return {};
+        case Problem::Unavailable:
+            return m_unavailable;
         case Problem::Empty:
             return tr("Enter a value for %1.").arg(quantity) + u" "_s + range();
         case Problem::NotANumber:
@@ -197,12 +208,12 @@ void NumberField::judge() {
     const std::optional<double> number = parse(text(), m_decimals == 0, &problem);
     if (number.has_value() && !isAllowed(*number))
         problem = Problem::OutOfRange;
-    m_problem = problem;
+    m_problem = m_unavailable.isEmpty() ? problem : Problem::Unavailable;
     const QString trouble = problemText();
     const bool show = m_problem != Problem::None && m_problem != Problem::Empty;
     setToolTip(show && !m_meaning.isEmpty() ? trouble + u"\n\n"_s + m_meaning : show ? trouble : m_meaning);
     setAccessibleDescription(show ? trouble : m_meaning);
-    const int mark = show ? fontMetrics().height() : 0;
+    const int mark = show && m_problem != Problem::Unavailable ? fontMetrics().height() : 0;
     if (textMargins().left() != mark)
         setTextMargins(mark, 0, 0, 0);
     update();
@@ -253,7 +264,7 @@ void NumberField::wheelEvent(QWheelEvent* event) {
 
 void NumberField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
-    if (m_problem == Problem::None || m_problem == Problem::Empty)
+    if (m_problem == Problem::None || m_problem == Problem::Unavailable || m_problem == Problem::Empty)
         return;
     QPainter painter(this);
     const int side = qRound(fontMetrics().ascent() * 0.95);

@@ -15,7 +15,15 @@ class NumberField : public QLineEdit {
     Q_OBJECT
 
 public:
-    enum class Problem : std::uint8_t { None, Empty, NotANumber, TwoMarks, NotWhole, OutOfRange };
+    enum class Problem : std::uint8_t {
+        None,
+        Unavailable,
+        Empty,
+        NotANumber,
+        TwoMarks,
+        NotWhole,
+        OutOfRange
+    };
 
     /// `decimals` 0: whole numbers only. Otherwise how many are shown; more may be typed.
     explicit NumberField(int decimals, QWidget* parent = nullptr);
@@ -31,6 +39,10 @@ public:
     void setWords(const QString& quantity, const QString& unit);
     /// What the tool tip says while there is no problem.
     void setMeaning(const QString& meaning);
+
+    /// Why no number can be told or taken now; then there is no value and nothing can be typed. Empty: one
+    /// can.
+    void setUnavailable(const QString& why);
 
     /// Empty while what stands there is not one number within the range.
     [[nodiscard]] std::optional<double> value() const;
@@ -78,6 +90,7 @@ private:
     QString m_quantity;
     QString m_unit;
     QString m_meaning;
+    QString m_unavailable;
     Problem m_problem = Problem::Empty;
 };
 

@@ -21,11 +21,6 @@ AxisScale scaleIn(const std::vector<PathColumn>& axes, const std::string& name) 
     return found != axes.end() ? found->scale : AxisScale();
 }
 
-QString velocity(const AxisScale& scale, double native) {
-    return Texts::tr("%1 %2", "a number and its unit")
-        .arg(readout(scale.velocity(native)), velocityUnitOf(scale));
-}
-
 QString percent(double share) {
     return QString::number(std::lround(share * 100.0));
 }

@@ -8,6 +8,7 @@
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
 
 namespace nmc {
 
@@ -64,6 +65,8 @@ void QuantityField::setScale(const AxisScale& scale) {
         return;
     m_scale = scale;
     refresh();
+    if (!tellable())
+        return NumberField::showNothing();
     // Read again: in the new unit's range the old number may have been none.
     if (m_native)
         showNative(*m_native);
@@ -71,7 +74,8 @@ void QuantityField::setScale(const AxisScale& scale) {
 
 void QuantityField::showNative(double native) {
     m_native = native;
-    showValue(toUser(native));
+    if (tellable())
+        showValue(toUser(native));
     refresh();
 }
 
@@ -93,14 +97,17 @@ void QuantityField::takeText() {
 }
 
 void QuantityField::refresh() {
-    setDecimals(decimalsWanted());
     setWords(m_quantity, unitText());
+    look::setText(m_unit, unitText());
+    setUnavailable(tellable() ? QString() : texts::refusal(Refusal::ServoRateUnknown));
+    const std::optional<double> now = tellable() ? native() : m_native;
+    look::setText(m_other, now ? otherText(*now) : u"–"_s);
+    if (!tellable())
+        return;
+    setDecimals(decimalsWanted());
     setRange(toUser(m_min), toUser(m_max));
     const double finest = std::pow(10.0, -decimals());
     setSingleStep(m_scale.native() ? m_step : std::max(roundBelow(std::abs(toUser(m_step))), finest));
-    look::setText(m_unit, unitText());
-    const std::optional<double> now = native();
-    look::setText(m_other, now ? otherText(*now) : u"–"_s);
 }
 
 double QuantityField::toUser(double native) const {
@@ -108,9 +115,9 @@ double QuantityField::toUser(double native) const {
         case Kind::Position:
             return m_scale.position(native);
         case Kind::Velocity:
-            return m_scale.velocity(native);
+            return *m_scale.velocity(native);
         case Kind::Acceleration:
-            return m_scale.acceleration(native);
+            return *m_scale.acceleration(native);
     }
     return native;
 }
@@ -121,9 +128,9 @@ double QuantityField::toNative(double user) const {
             // The chip knows whole counts.
             return std::round(m_scale.counts(user));
         case Kind::Velocity:
-            return m_scale.nativeVelocity(user);
+            return *m_scale.nativeVelocity(user);
         case Kind::Acceleration:
-            return m_scale.nativeAcceleration(user);
+            return *m_scale.nativeAcceleration(user);
     }
     return user;
 }

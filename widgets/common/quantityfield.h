@@ -24,7 +24,8 @@ public:
     void setNativeRange(double min, double max);
     /// What an arrow key adds: so much in the chip's numbers, in the user's unit the round number below it.
     void setNativeStep(double step);
-    /// Emits nothing. A servo rate that changes keeps the native number: the chip would, too.
+    /// Emits nothing. A servo rate that changes keeps the native number: the chip would, too. While the scale
+    /// is not timed(), a velocity or acceleration shows nothing, has no value and cannot be edited.
     void setScale(const AxisScale& scale);
     [[nodiscard]] const AxisScale& scale() const { return m_scale; }
 
@@ -48,6 +49,8 @@ signals:
 private:
     void takeText();
     void refresh();
+    [[nodiscard]] bool tellable() const { return m_kind == Kind::Position || m_scale.timed(); }
+    /// These two only while it is tellable().
     [[nodiscard]] double toUser(double native) const;
     [[nodiscard]] double toNative(double user) const;
     [[nodiscard]] int decimalsWanted() const;

@@ -80,16 +80,20 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
         .key = ofModule(u"suspect"_s, suspect.module), .module = suspect.module, .severity = Severity::Fault};
     switch (suspect.reason) {
         case bus::MotionSuspect::Reason::WrongWay:
-            m.headline = Texts::tr("Module %1 was told to switch off: it moved the wrong way, to %2 counts.")
-                             .arg(number, position);
+            m.headline =
+                Texts::tr(
+                    "Module %1 was told to switch off: one answer said that it moved the wrong way, to %2 counts.")
+                    .arg(number, position);
             m.body = Texts::tr(
-                "Usually encoder or motor wires are swapped, or the gains make it oscillate. Check both before the next move.");
+                "If it did, encoder or motor wires are swapped, or the gains make it oscillate. If the position is right, the answer was not its own: check the cable.");
             break;
         case bus::MotionSuspect::Reason::Overshot:
-            m.headline = Texts::tr("Module %1 was told to stop: it went past its goal, to %2 counts.")
-                             .arg(number, position);
+            m.headline =
+                Texts::tr(
+                    "Module %1 was told to stop: one answer said that it went past its goal, to %2 counts.")
+                    .arg(number, position);
             m.body = Texts::tr(
-                "The command was corrupted in transit, or the gains cause a large overshoot. Check the position before the next move.");
+                "Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If not, the answer was not its own: check the cable.");
             break;
         case bus::MotionSuspect::Reason::Frozen:
             m.headline =

@@ -195,6 +195,8 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
         case Activity::ServoOff:
         case Activity::Tripped:
         case Activity::PwmMode:
+        case Activity::MaybeOff:
+        case Activity::MaybeMoving:
         case Activity::Turned:
         case Activity::Holding:
         case Activity::Limited:

@@ -16,16 +16,12 @@ class Texts {
     Q_DECLARE_TR_FUNCTIONS(TravelTexts)
 };
 
-QString speed(double native, const AxisScale& scale) {
-    return readout(scale.velocity(native), 6) + u' ' + velocityUnitOf(scale);
-}
-
 }  // namespace
 
 QString travelProblem(const TravelProblem& problem, const AxisScale& scale) {
     if (problem.refusal == Refusal::TooFast)
         return Texts::tr("That is %1; the highest velocity of this axis is %2 (Axis page).")
-            .arg(speed(problem.velocity, scale), speed(problem.fastest, scale));
+            .arg(velocity(scale, problem.velocity, 6), velocity(scale, problem.fastest, 6));
     const QString limit = position(scale, problem.limit);
     if (problem.refusal == Refusal::AtTravelEnd)
         return problem.lowest ? Texts::tr("Lowest position reached: %1. Move forward.").arg(limit)

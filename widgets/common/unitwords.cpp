@@ -17,8 +17,8 @@ class Units {
     Q_DECLARE_TR_FUNCTIONS(Units)
 };
 
-QString equal(double value, const QString& unit) {
-    return u"= %1 %2"_s.arg(readout(value), unit);
+QString equal(std::optional<double> value, const QString& unit) {
+    return u"= %1 %2"_s.arg(value ? readout(*value) : u"–"_s, unit);
 }
 
 QString countsOf(const AxisScale& scale) {
@@ -63,6 +63,18 @@ QString accelerationUnitOf(const AxisScale& scale) {
     return scale.native() ? nativeAccelerationUnit(scale) : Units::tr("%1/s²").arg(unitOf(scale));
 }
 
+QString velocity(const AxisScale& scale, double native, int significant) {
+    const auto value = scale.velocity(native);
+    return value ? readout(*value, significant) + u' ' + velocityUnitOf(scale)
+                 : readout(native, significant) + u' ' + nativeVelocityUnit(scale);
+}
+
+QString acceleration(const AxisScale& scale, double native) {
+    const auto value = scale.acceleration(native);
+    return value ? readout(*value) + u' ' + accelerationUnitOf(scale)
+                 : readout(native) + u' ' + nativeAccelerationUnit(scale);
+}
+
 int positionDecimals(const AxisScale& scale) {
     constexpr int kMax = 6;
     return qBound(0, static_cast<int>(std::ceil(-std::log10(scale.position(1.0)))), kMax);
@@ -96,15 +108,20 @@ QString otherPosition(const AxisScale& scale, double counts) {
 QString otherVelocity(const AxisScale& scale, double nativeVelocity) {
     if (!scale.native())
         return equal(nativeVelocity, nativeVelocityUnit(scale));
-    return scale.steps() ? QString() : equal(nativeVelocity * scale.perSecond(), Units::tr("counts/s"));
+    const auto perSecond = scale.perSecond();
+    return scale.steps() ? QString()
+                         : equal(perSecond ? std::optional(nativeVelocity * *perSecond) : std::nullopt,
+                                 Units::tr("counts/s"));
 }
 
 QString otherAcceleration(const AxisScale& scale, double nativeAcceleration) {
     if (!scale.native())
         return equal(nativeAcceleration, nativeAccelerationUnit(scale));
-    const double perSecond = scale.perSecond();
-    return scale.steps() ? QString()
-                         : equal(nativeAcceleration * perSecond * perSecond, Units::tr("counts/s²"));
+    const auto perSecond = scale.perSecond();
+    return scale.steps()
+               ? QString()
+               : equal(perSecond ? std::optional(nativeAcceleration * *perSecond * *perSecond) : std::nullopt,
+                       Units::tr("counts/s²"));
 }
 
 QString analog(const AnalogScale& scale, int value) {

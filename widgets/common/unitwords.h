@@ -20,6 +20,10 @@ namespace nmc::texts {
 /// decimals.
 [[nodiscard]] QString measuredVelocity(const AxisScale& scale, double countsPerSecond);
 [[nodiscard]] QString accelerationUnitOf(const AxisScale& scale);
+/// "0.9766 turns/s" of a native number; "1 counts/tick", which is all that is known of it, unless the scale
+/// is timed().
+[[nodiscard]] QString velocity(const AxisScale& scale, double native, int significant = 4);
+[[nodiscard]] QString acceleration(const AxisScale& scale, double native);
 /// Digits for a readout that changes all the time: as many decimals as counts can tell apart, always.
 [[nodiscard]] QString fixedPosition(const AxisScale& scale, double counts);
 /// How many decimals that is.
@@ -29,7 +33,7 @@ namespace nmc::texts {
 /// Of a servo that should hold: "Oscillating ± 200 counts at about 37 Hz"
 [[nodiscard]] QString swing(const SwingWatch::Swing& swing, const AxisScale& scale);
 /// A native number in the view that a field does not have: "= 977 counts/s" beside counts/tick, "= 0.5
-/// counts/tick" beside turns/s. Empty where there is only one view.
+/// counts/tick" beside turns/s, "= – counts/s" while SR is not known. Empty where there is only one view.
 [[nodiscard]] QString otherPosition(const AxisScale& scale, double counts);
 [[nodiscard]] QString otherVelocity(const AxisScale& scale, double nativeVelocity);
 [[nodiscard]] QString otherAcceleration(const AxisScale& scale, double nativeAcceleration);

@@ -18,9 +18,6 @@ class Texts {
 
 QStringList g_moduleNames;
 
-double tickSeconds(int servoRate) {
-    return toSeconds(kServoTick) * servoRate;
-}
 }  // namespace
 
 QString moduleName(ModuleIndex module) {
@@ -76,6 +73,10 @@ QString activity(Activity activity) {
             return Texts::tr("Power was lost");
         case Activity::PwmMode:
             return Texts::tr("PWM mode");
+        case Activity::MaybeOff:
+            return Texts::tr("Maybe off");
+        case Activity::MaybeMoving:
+            return Texts::tr("Maybe moving");
         case Activity::Turned:
             return Texts::tr("Off, but turning");
         case Activity::Holding:
@@ -126,6 +127,11 @@ QString activityMeaning(Activity activity) {
             return Texts::tr("The module switched its motor off when motor power failed. It stays off.");
         case Activity::PwmMode:
             return Texts::tr("A fixed PWM value drives the motor; the servo does not control it.");
+        case Activity::MaybeOff:
+            return Texts::tr("One answer says that the module switched its motor off. The next will tell.");
+        case Activity::MaybeMoving:
+            return Texts::tr(
+                "The motor stands in the last answers, but whether it was started is not known yet.");
         case Activity::Turned:
             return Texts::tr(
                 "The shaft moves while the motor is off: a load turns it, or it is still coasting. A stop cannot hold it; use a brake, or enable the servo.");
@@ -179,6 +185,9 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The module has no motor power.");
         case Refusal::GainsUnknown:
             return Texts::tr("The gains are 0 or unknown, so the motor would not hold. Apply gains first.");
+        case Refusal::ServoRateUnknown:
+            return Texts::tr(
+                "The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.");
         case Refusal::CommandUnknown:
             return Texts::tr(
                 "The exact position that the servo holds is unknown. Choose Hold here first, or move the motor.");
@@ -400,15 +409,6 @@ QString unitVelocity() {
 
 QString unitAcceleration() {
     return Texts::tr("counts/tick²");
-}
-
-QString countsPerSecond(double countsPerTick, int servoRate) {
-    return Texts::tr("%1 counts/s").arg(readout(countsPerTick / tickSeconds(servoRate)));
-}
-
-QString countsPerSecondSquared(double countsPerTickSquared, int servoRate) {
-    const double tick = tickSeconds(servoRate);
-    return Texts::tr("%1 counts/s²").arg(readout(countsPerTickSquared / (tick * tick)));
 }
 
 }  // namespace nmc::texts

@@ -52,8 +52,5 @@ void setModuleNames(const QStringList& names);
 [[nodiscard]] QString unitSteps();
 [[nodiscard]] QString unitVelocity();
 [[nodiscard]] QString unitAcceleration();
-/// "1 953 counts/s", from 16.16 counts per tick; the servo rate divisor stretches the tick.
-[[nodiscard]] QString countsPerSecond(double countsPerTick, int servoRate);
-[[nodiscard]] QString countsPerSecondSquared(double countsPerTickSquared, int servoRate);
 
 }  // namespace nmc::texts

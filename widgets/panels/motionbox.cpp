@@ -319,10 +319,10 @@ void MotionBox::refreshForecast() {
     if (const auto goTo = entered(); goTo && latest && latest->position) {
         const AxisScale& scale = m_velocity->scale();
         const double way = static_cast<double>(goTo->position.value()) - *latest->position;
-        const MoveForecast move = forecast(way, *velocity, *acceleration, scale.perSecond());
-        const QString seconds = tr("%1 s").arg(texts::readout(move.seconds, 3));
-        const QString peak =
-            texts::readout(scale.velocity(move.peakVelocity), 3) + u' ' + texts::velocityUnitOf(scale);
+        const auto perSecond = scale.perSecond();
+        const MoveForecast move = forecast(way, *velocity, *acceleration, perSecond.value_or(1.0));
+        const QString seconds = tr("%1 s").arg(perSecond ? texts::readout(move.seconds, 3) : u"–"_s);
+        const QString peak = texts::velocity(scale, move.peakVelocity, 3);
         text = move.triangular ? tr("Takes %1, peak %2: too short to reach its velocity").arg(seconds, peak)
                                : tr("Takes %1, peak %2").arg(seconds, peak);
         if (way == 0.0)

@@ -275,7 +275,8 @@ void PanelHead::refreshPosition() {
         m_position->setFont(font);
         m_position->setForegroundRole(age ? QPalette::PlaceholderText : QPalette::WindowText);
     }
-    const QString ageText = age && *age >= 0.1
+    const QString ageText = m_context.state().positionDoubtful() ? tr("doubtful")
+                            : age && *age >= 0.1
                                 ? tr("%1 s old").arg(texts::readout(std::floor(*age * 10) / 10, 3))
                                 : tr("out of date");
     look::setText(m_positionUnit, age ? unit + u", "_s + ageText : unit);

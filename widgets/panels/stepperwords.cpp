@@ -20,7 +20,7 @@ QString stepsPerSecond(double speed, const AxisScale& scale) {
     const QString native = StepperWords::tr("%1 steps/s").arg(readout(speed, 6));
     if (scale.native())
         return native;
-    return u"%1 (%2 %3)"_s.arg(native, readout(scale.velocity(speed)), velocityUnitOf(scale));
+    return u"%1 (%2)"_s.arg(native, velocity(scale, speed));
 }
 
 QString speedMode(stepper::SpeedMode mode) {
@@ -48,7 +48,7 @@ QString acceleration(const StepperSpeed& mode, int accelerationTime, const AxisS
     const QString native = StepperWords::tr("%1 steps/s²").arg(readout(acceleration));
     if (scale.native())
         return native;
-    return u"%1 (%2 %3)"_s.arg(native, readout(scale.acceleration(acceleration)), accelerationUnitOf(scale));
+    return u"%1 (%2)"_s.arg(native, texts::acceleration(scale, acceleration));
 }
 
 QString ramp(const StepperSpeed& mode, int accelerationTime, const AxisScale& scale) {

@@ -619,7 +619,7 @@ AxisScale SequencesPage::scaleOf(ModuleIndex module) const {
     if (module.value() < m_link.modules.size())
         return nmc::scaleOf(m_link.modules[module.value()], axis);
     const bool steps = axis.expected && axis.expected->type == ModuleType::Stepper;
-    return steps ? AxisScale::step(axis.unit) : AxisScale::servo(axis.unit, 1);
+    return steps ? AxisScale::step(axis.unit) : AxisScale::servo(axis.unit, std::nullopt);
 }
 
 }  // namespace nmc

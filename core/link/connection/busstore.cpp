@@ -172,6 +172,11 @@ void BusStore::note(const bus::OperationFinished& finished) {
     const auto command = static_cast<CommandCode>(finished.commandByte & 0x0FU);
     if (command == CommandCode::ResetPosition || command == CommandCode::SaveAsHome)
         m_link.modules[finished.module.value()].home.forget();
+    if (command == CommandCode::SetGain && m_link.modules[finished.module.value()].isServo()) {
+        m_link.modules[finished.module.value()].doubtGains();
+        m_records[finished.module.value()].feed.doubtServoRate();
+        doubtGains(finished.module);
+    }
 }
 
 /// The same of a group.
@@ -342,6 +347,9 @@ void BusStore::note(const bus::ChainFound& chain) {
     }
     m_link.take(m_machine);
     m_records.resize(chain.modules.size());
+    if (chain.attached)
+        for (Record& record : m_records)
+            record.feed.doubtServoRate();
     beginHistory(chain);
 }
 

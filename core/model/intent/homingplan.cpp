@@ -17,6 +17,8 @@ namespace {
         return Refusal::NoPower;
     if (!module.servoOn())
         return Refusal::ServoOff;
+    if (!module.speedsKnown())
+        return Refusal::ServoRateUnknown;
     return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
 }
 

@@ -335,6 +335,8 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
                 return refusal;
             return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
         case IntentKind::Load:  // changes nothing until it is started (DS-V 5.1, note 1)
+            if (!module.speedsKnown())
+                return Refusal::ServoRateUnknown;
             return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
         case IntentKind::GoHome:
             if (!module.home.place())
@@ -344,6 +346,8 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
         case IntentKind::Hold:
             if (!module.servoOn())
                 return Refusal::ServoOff;
+            if (!module.speedsKnown())
+                return Refusal::ServoRateUnknown;
             return limitStopDue(module) ? std::optional(Refusal::LimitStopDue) : std::nullopt;
         case IntentKind::StopMotion:  // to a servo that is off a stop would switch it on
             return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);

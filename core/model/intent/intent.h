@@ -186,10 +186,11 @@ enum class Refusal : std::uint8_t {
     NotAnIoModule,
     Unresponsive,
     NoPower,
-    GainsUnknown,    ///< a servo with gains 0 or unknown would not hold
-    ServoOff,        ///< enable first
-    Moving,          ///< trapezoidal moves start from standstill only
-    NoAcceleration,  ///< with acceleration 0 nothing would ever move or stop
+    GainsUnknown,      ///< a servo with gains 0 or unknown would not hold
+    ServoRateUnknown,  ///< SR is not known, so speeds per second are not either
+    ServoOff,          ///< enable first
+    Moving,            ///< trapezoidal moves start from standstill only
+    NoAcceleration,    ///< with acceleration 0 nothing would ever move or stop
     NoVelocity,
     NothingLoaded,  ///< no confirmed load waits for a start
     PositionUnknown,

@@ -228,15 +228,15 @@ struct DirectProblem {
     return std::nullopt;
 }
 
-/// Counts (steps) per second squared of the stop that is sent; 0: it knows no ramp.
-[[nodiscard]] double rampOf(const ModuleState& module) {
+/// Counts (steps) per second squared of the stop that is sent; 0: it knows no ramp. `perSecond` as in
+/// AxisScale.
+[[nodiscard]] double rampOf(const ModuleState& module, double perSecond) {
     if (module.isStepper()) {
         const auto time = module.stepper.accelerationTime();
         const auto& parameters = module.stepper.parameters();
         return time && parameters ? StepperSpeed(parameters->speedMode).acceleration(*time) : 0.0;
     }
-    const double tick = toSeconds(kServoTick) * (module.gains ? module.gains->sr : 1);
-    return module.acceleration() / (tick * tick);
+    return module.acceleration() * perSecond * perSecond;
 }
 
 /// Which way it goes without an end, -1 or 1; 0: it stands, or ends by itself.
@@ -349,11 +349,14 @@ std::optional<Intent> stopBeforeLimit(const ModuleState& module, Duration latenc
     const auto end = direction == 0 ? std::nullopt : travelEnd(module, direction < 0);
     if (!end || !position)
         return std::nullopt;
-    const double tick = toSeconds(kServoTick) * (module.gains ? module.gains->sr : 1);
-    const double wanted = module.motion == MotionMode::Velocity ? std::abs(module.goalVelocity) / tick : 0.0;
+    // With SR unknown the longest way is that of ticks as short as they can be: the ramp, in counts, is the
+    // same for all, and what goes by until the stop arrives is most.
+    const double perSecond = *AxisScale::servo({}, module.servoRate.value_or(1)).perSecond();
+    const double wanted =
+        module.motion == MotionMode::Velocity ? std::abs(module.goalVelocity) * perSecond : 0.0;
     const double fast = std::max(std::abs(speed), wanted);
     const bool pwm = module.motion == MotionMode::Pwm;
-    const double ramp = pwm ? 0.0 : rampOf(module);
+    const double ramp = pwm ? 0.0 : rampOf(module, perSecond);
     const double needs = fast * toSeconds(latency) + (ramp > 0.0 ? fast * fast / (2.0 * ramp) : 0.0);
     if ((static_cast<double>(*end) - *position) * direction > needs)
         return std::nullopt;

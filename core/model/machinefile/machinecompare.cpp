@@ -363,7 +363,7 @@ private:
                                             : file.expected && file.expected->type == ModuleType::Stepper;
         if (step)
             return AxisScale::step(axis.unit);
-        return AxisScale::servo(axis.unit, module != nullptr && module->gains ? module->gains->sr : 1);
+        return AxisScale::servo(axis.unit, module != nullptr ? module->servoRate : std::nullopt);
     }
 
     const Machine& m_file;

@@ -14,6 +14,8 @@ Severity severityOf(Activity activity) {
             return Severity::Fault;
         case Activity::NoPower:
         case Activity::PwmMode:
+        case Activity::MaybeOff:
+        case Activity::MaybeMoving:
         case Activity::Turned:
         case Activity::Limited:
         case Activity::StoppedByLimit:

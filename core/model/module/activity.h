@@ -15,6 +15,8 @@ enum class Activity : std::uint8_t {
     Tripped,       ///< it switched itself off: position error while it was on
     PowerLost,     ///< it switched itself off: motor power went away, and stays off though power is back
     PwmMode,       ///< servo off, a PWM value drives the motor
+    MaybeOff,      ///< one answer says that it switched itself off; the next will tell
+    MaybeMoving,   ///< it stands in its last answers, but whether it was started is not known yet
     Turned,        ///< off, but its shaft moves: a load turns it, or it is still running down
     Holding,       ///< servo or amplifier on, at rest
     Limited,       ///< as Holding, but its current has been limited since that was cleared last

@@ -8,6 +8,7 @@ namespace nmc {
 void LinkState::take(const Machine& machine) {
     for (ModuleState& module : modules) {
         const AxisSettings& axis = machine.axis(module.info.index);
+        module.unit = axis.unit.kind;
         module.travel = axis.travel;
         module.backlash = axis.backlash;
         module.limitStop = axis.limitStop;
@@ -30,7 +31,7 @@ bool isLive(const LinkState& link, const ModuleState& module) {
     constexpr double kOldAfter = 0.5;  // s
     /// Of a module that is asked more rarely.
     constexpr double kPeriods = 3;
-    if (link.phase != LinkPhase::Connected || module.silent)
+    if (link.phase != LinkPhase::Connected || module.silent || module.positionDoubtful())
         return false;
     if (!link.now || !module.latest)
         return true;

@@ -7,11 +7,11 @@
 
 namespace nmc {
 
-/// A PIC-SERVO counts in ticks that its servo rate stretches, as far as that is known; a PIC-STEP in seconds.
+/// A PIC-SERVO counts in ticks that its servo rate stretches; a PIC-STEP in seconds.
 [[nodiscard]] inline AxisScale scaleOf(const ModuleState& module, const AxisSettings& settings) {
     if (!module.isServo())
         return AxisScale::step(settings.unit);
-    return AxisScale::servo(settings.unit, module.gains ? module.gains->sr : 1);
+    return AxisScale::servo(settings.unit, module.servoRate);
 }
 
 }  // namespace nmc

@@ -50,6 +50,8 @@ void ModuleState::watchDrift(const bus::Sample& sample, bool wasOn) {
         return;
     if (!m_restedAt || !samePlace(*m_restedAt->report.position, *sample.report.position)) {
         m_drifts = m_restedAt.has_value();
+        if (m_drifts)
+            m_changedPlaceAt = sample.time;
         m_restedAt = sample;
     } else if (sample.time - m_restedAt->time > kLately) {
         m_drifts = false;
@@ -69,6 +71,8 @@ void ModuleState::apply(const bus::Sample& sample) {
         speed.apply(sample.time, *sample.report.position);
     if (sample.report.counter)
         counting.apply(sample.time, static_cast<std::int32_t>(*sample.report.counter));
+    if (sample.jumped)
+        m_jumpedAt = sample.time;
     home.apply(sample);
     const bool homeFound = watchHome(sample);
     const std::optional<Activity> endedBefore = stepper.ended();
@@ -93,13 +97,9 @@ void ModuleState::apply(const bus::Sample& sample) {
         switchedItselfOff = powerLostWhileOn = false;
         m_looksWhileOff = 0;
     } else if (wasOn && !offCommanded) {
-        // Home may have done it: that it was found shows two replies later (bus/trust.h).
-        if (homing.state() == HomeWatch::State::Armed && homing.switchesOff() &&
-            latest->servoStatus().powerOn())
-            m_looksWhileOff = 1;
-        else
-            wentOff();
-    } else if (m_looksWhileOff > 0 && ++m_looksWhileOff > 3) {
+        maybeWentOff(homing.state() == HomeWatch::State::Armed && homing.switchesOff() &&
+                     latest->servoStatus().powerOn());
+    } else if (m_looksWhileOff > 0 && ++m_looksWhileOff == m_looksToBeOff) {
         wentOff();
     }
     if (latest->position)
@@ -121,16 +121,29 @@ void ModuleState::watchPath(const StatusReport& report) {
     m_goal = m_commandPosition;
 }
 
+/// One answer may be that of another module, or damaged. `byHome`: home may have done it, and that it was
+/// found shows two replies later (bus/trust.h).
+void ModuleState::maybeWentOff(bool byHome) {
+    constexpr unsigned kLooks = 2;
+    constexpr unsigned kLooksAtHome = 4;
+    m_looksWhileOff = 1;
+    m_looksToBeOff = byHome ? kLooksAtHome : kLooks;
+    m_causeSeen = causeOfTrip();
+}
+
+/// As the present answer shows it: later ones have the motor running down.
+TripCause ModuleState::causeOfTrip() const {
+    if (limitEnds(1) || limitEnds(-1))
+        return limitEnds(1) ? TripCause::OffAtLimit1 : TripCause::OffAtLimit2;
+    const auto facts = gains && latest->position ? m_trip.facts(tripLook(), gains->el) : std::nullopt;
+    return facts ? judge(*facts) : TripCause::Unknown;
+}
+
 void ModuleState::wentOff() {
     m_looksWhileOff = 0;
     m_goal.reset();
     switchedItselfOff = true;
-    tripCause = TripCause::Unknown;
-    if (limitEnds(1) || limitEnds(-1))
-        tripCause = limitEnds(1) ? TripCause::OffAtLimit1 : TripCause::OffAtLimit2;
-    else if (gains && latest->position)
-        if (const auto facts = m_trip.facts(tripLook(), gains->el))
-            tripCause = judge(*facts);
+    tripCause = m_causeSeen;
     powerLostWhileOn = !latest->servoStatus().powerOn();
     motion = MotionMode::None;
 }
@@ -184,8 +197,8 @@ void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before, std::opti
 
 /// `velocity`: counts per tick. Before the command has changed anything here.
 void ModuleState::noteCommand(TimePoint time, int direction, double velocity) {
-    const double tick = toSeconds(kServoTick) * (gains ? gains->sr : 1);
-    m_trip.apply({time, !servoOn(), !moving(), direction, std::abs(velocity) / tick});
+    const double perSecond = AxisScale::servo({}, servoRate).perSecond().value_or(0.0);
+    m_trip.apply({time, !servoOn(), !moving(), direction, std::abs(velocity) * perSecond});
 }
 
 /// The chip has stopped the motor by itself, or switched it off, because it was told to (DS-V 5.2).
@@ -251,6 +264,7 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         if (gains && *gains != *sent)
             gainsBefore = gains;
         gains = *sent;
+        servoRate = sent->sr;
         swing.forget();
     } else if (const auto* control = std::get_if<servo::IoControl>(command)) {
         io = *control;
@@ -274,6 +288,7 @@ void ModuleState::restarted() {
     swing.forget();
     gains.reset();
     gainsBefore.reset();
+    servoRate = 1;
     io.reset();
     scIo.reset();
     pathControl = bus::PathControl{};
@@ -295,6 +310,7 @@ void ModuleState::restarted() {
 
 void ModuleState::attached() {
     m_motionUnknown = true;
+    servoRate.reset();
     pathControl.reset();
     stepper.attached();
     pins.attached();
@@ -303,6 +319,11 @@ void ModuleState::attached() {
 void ModuleState::doubtMotion() {
     m_drifts = m_drifts || moving();
     m_motionUnknown = isServo();
+}
+
+void ModuleState::doubtGains() {
+    gains.reset();
+    servoRate.reset();
 }
 
 void ModuleState::confirmedAtRest() {
@@ -400,6 +421,12 @@ std::optional<bool> ModuleState::goalReverse() const {
     return isStepper() ? stepper.lastReverse() : m_goalReverse;
 }
 
+bool ModuleState::positionDoubtful() const {
+    // A line on which answers go astray is well again when none has for so long.
+    constexpr Duration kWell = std::chrono::seconds(2);
+    return m_jumpedAt && latestTime - *m_jumpedAt < kWell;
+}
+
 bool ModuleState::driveOn() const {
     return isStepper() ? stepper.amplifierOn() : servoOn();
 }
@@ -441,6 +468,8 @@ Activity ModuleState::activityWhileOff() const {
         return Activity::PowerLost;
     if (switchedItselfOff)
         return Activity::Tripped;
+    if (m_looksWhileOff > 0 && m_looksWhileOff < 2)
+        return Activity::MaybeOff;
     if (!latest->servoStatus().powerOn())
         return Activity::NoPower;
     if (motion == MotionMode::Pwm)
@@ -448,12 +477,18 @@ Activity ModuleState::activityWhileOff() const {
     return m_drifts ? Activity::Turned : Activity::ServoOff;
 }
 
+/// What moves more slowly than that is not at speed.
+bool ModuleState::changedPlaceLately() const {
+    constexpr Duration kLately = std::chrono::milliseconds(250);
+    return m_changedPlaceAt && latestTime - *m_changedPlaceAt <= kLately;
+}
+
 Activity ModuleState::activityWhileOn() const {
     if (onPath())
         return Activity::OnPath;
     if (latest->servoStatus().moveDone()) {
         if (moving())
-            return Activity::AtSpeed;
+            return m_motionUnknown && !changedPlaceLately() ? Activity::MaybeMoving : Activity::AtSpeed;
         return currentWasLimited() ? Activity::Limited : Activity::Holding;
     }
     if (motion == MotionMode::Velocity && !m_motionUnknown)

@@ -44,6 +44,9 @@ struct ModuleState {
     std::optional<bus::OperationId> awaited;
     /// Gains as last confirmed; empty: unknown.
     std::optional<servo::SetGain> gains;
+    /// PIC-SERVO: SR, which goes with the gains; 1 after power-up (DS-V 4.5). Empty: another host may have
+    /// set it, so nobody knows how long a tick is.
+    std::optional<int> servoRate = 1;
     /// What they were before; empty: unknown too.
     std::optional<servo::SetGain> gainsBefore;
     MotionMode motion = MotionMode::None;
@@ -70,13 +73,15 @@ struct ModuleState {
     /// Where home is, which is not what the chip's register says.
     HomeFact home;
     // How it may move, as the user has set it: the rules of model/intent ask these.
+    UnitKind unit = UnitKind::Native;
     TravelSettings travel;
     BacklashSettings backlash;
     LimitStopSettings limitStop;
     MeasuredSpeed speed;
     /// PIC-SERVO: whether it swings where it is to hold.
     SwingWatch swing;
-    /// The servo went off without a command of ours while it was on, and has not been on since.
+    /// The servo went off without a command of ours while it was on, as two answers in a row say, and has not
+    /// been on since.
     bool switchedItselfOff = false;
     /// Of switchedItselfOff, on a PIC-SERVO: why, as far as that can be told.
     TripCause tripCause = TripCause::Unknown;
@@ -98,6 +103,8 @@ struct ModuleState {
     void attached();
     /// It may have been told what nobody has heard an answer to: as above, whatever was believed before.
     void doubtMotion();
+    /// It was sent gains, and nobody has heard whether it took them.
+    void doubtGains();
     /// The bus has seen it at rest, twice, after a stop.
     void confirmedAtRest();
 
@@ -125,6 +132,12 @@ struct ModuleState {
     }
     /// Counts per tick squared, of the acceleration loaded last; 0: unknown.
     [[nodiscard]] double acceleration() const { return m_acceleration; }
+    /// What the user reads as a velocity is what the chip would be sent: not where the axis is read in units
+    /// per second and nobody knows how long its ticks are.
+    [[nodiscard]] bool speedsKnown() const { return !isServo() || servoRate || unit == UnitKind::Native; }
+    /// Its position jumped lately where no motion leads to: another module of its type may have answered for
+    /// it, and nothing but its positions tells the two apart.
+    [[nodiscard]] bool positionDoubtful() const;
     /// The servo is on, or the amplifier of a stepper: the motor holds or moves.
     [[nodiscard]] bool driveOn() const;
     /// SC: it minds its limits (I/O Control), and that in this direction, -1 or 1, is closed; forward is
@@ -148,9 +161,12 @@ private:
     void endAtLimit();
     void watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore);
     [[nodiscard]] LimitWatch::Limits closedLimits() const;
+    void maybeWentOff(bool byHome);
     void wentOff();
+    [[nodiscard]] TripCause causeOfTrip() const;
     void noteCommand(TimePoint time, int direction, double velocity);
     [[nodiscard]] TripWatch::Reading tripLook() const;
+    [[nodiscard]] bool changedPlaceLately() const;
     [[nodiscard]] Activity activityWhileOff() const;
     [[nodiscard]] Activity activityWhileOn() const;
 
@@ -162,7 +178,11 @@ private:
     /// is what it holds (DS-V 5.2, Stop Motor).
     std::optional<std::int32_t> m_enabledAt;
     unsigned m_looksWhileOn = 0;   ///< in a row
-    unsigned m_looksWhileOff = 0;  ///< off, and whether home did it is not known yet
+    unsigned m_looksWhileOff = 0;  ///< in a row, that say that it went off by itself, until that is a fact
+    unsigned m_looksToBeOff = 0;   ///< how many make it one
+    TripCause m_causeSeen = TripCause::Unknown;  ///< by the first of them
+    std::optional<TimePoint> m_jumpedAt;         ///< last
+    std::optional<TimePoint> m_changedPlaceAt;   ///< last, while watchDrift() looks
     bool m_motionUnknown = false;
     bool m_drifts = false;  ///< its position has changed lately; slow velocities read 0
     std::optional<bus::Sample> m_restedAt;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/module/stepperstate.h"
 
+#include <utility>
+
 #include "base/overloaded.h"
 
 namespace nmc {
@@ -38,14 +40,19 @@ void StepperState::apply(const StatusReport& latest, TimePoint time, bool homeFo
 
 void StepperState::watchAmplifier(bool wasOn) {
     if (m_on) {
-        m_offByItself = false;
+        m_offOnce = false;
+        if (std::exchange(m_offByItself, false))
+            m_ended.reset();  // it was another module's answer, or an old one
         return;
     }
-    if (!wasOn || m_offCommanded)
+    if (m_offCommanded || !(wasOn || m_offOnce))
         return;
     const bool homeFound = m_homingSwitchesOff && !m_status.homing();
     m_homingSwitchesOff = m_homingSwitchesOff && !homeFound;
     if (homeFound)
+        return;
+    m_offOnce = !m_offOnce;
+    if (m_offOnce)
         return;
     m_offByItself = true;
     m_ended = whatActs().value_or(Activity::WentOff);
@@ -106,7 +113,10 @@ Activity StepperState::activity() const {
     if (!powered())
         return m_ended == Activity::PowerLost ? Activity::PowerLost : Activity::NoPower;
     if (!m_on)
-        return m_ended ? *m_ended : estopActs() ? Activity::EstopActive : Activity::AmplifierOff;
+        return m_ended       ? *m_ended
+               : m_offOnce   ? Activity::MaybeOff
+               : estopActs() ? Activity::EstopActive
+                             : Activity::AmplifierOff;
     if (!moving())
         return estopActs() ? Activity::EstopActive : m_ended.value_or(Activity::Holding);
     if (m_startedAt)
@@ -177,7 +187,7 @@ void StepperState::stopped(const stepper::StopMotor& stop, TimePoint time) {
     m_switchedAt = time;
     m_offCommanded = !stop.amplifierEnable;
     // Whoever tells it to stop, or switches it, has seen what happened before.
-    m_offByItself = false;
+    m_offByItself = m_offOnce = false;
     m_ended.reset();
     if (stop.manner == stepper::StopManner::AmplifierOnly)
         return;

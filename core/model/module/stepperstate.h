@@ -35,7 +35,8 @@ public:
     [[nodiscard]] const std::optional<stepper::LoadTrajectory>& waiting() const { return m_waiting; }
 
     [[nodiscard]] bool amplifierOn() const { return m_on; }
-    /// It switched its amplifier off without being told to, and has not been on since.
+    /// It switched its amplifier off without being told to, as two answers in a row say, and has not been on
+    /// since.
     [[nodiscard]] bool offByItself() const { return m_offByItself; }
     [[nodiscard]] bool moving() const { return m_startedAt || m_status.moving(); }
     [[nodiscard]] bus::StepperMode mode() const;
@@ -86,6 +87,7 @@ private:
     bool m_on = false;
     bool m_offCommanded = false;
     bool m_offByItself = false;
+    bool m_offOnce = false;  ///< one answer says so, and the next has not come yet
     bool m_homingSwitchesOff = false;
     bool m_stopping = false;  ///< smoothly, by command
     bool m_slowing = false;   ///< between the last two statuses

@@ -24,9 +24,9 @@ using Kind = PathObstacle::Kind;
         return of(Kind::StepAndDirection);
     if (!servo::toPathWord({0, rate}, module.pathControl->fastPath))
         return of(Kind::WrongFastPath);
-    if (!module.gains || module.gains->sr != 1) {
+    if (module.servoRate != 1) {
         PathObstacle obstacle = of(Kind::ServoRate);
-        obstacle.value = module.gains ? module.gains->sr : 0;
+        obstacle.value = module.servoRate.value_or(0);
         return obstacle;
     }
     return module.commandPosition() ? std::nullopt : std::optional(of(Kind::PlaceUnknown));

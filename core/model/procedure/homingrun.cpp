@@ -35,7 +35,7 @@ constexpr Duration kLastCount = std::chrono::seconds(5);
     auto range = travelRange(module);
     if (!range)
         return std::nullopt;
-    const double perSecond = scaleOf(module, {}).perSecond();
+    const double perSecond = *AxisScale::servo({}, module.servoRate.value_or(1)).perSecond();
     const auto slack = static_cast<std::int64_t>(std::ceil(slackOf(recipe, perSecond)));
     const std::int64_t home = module.home.place()->counts;
     const auto counter = [](std::int64_t place) {

@@ -102,6 +102,13 @@ void CommandPosition::contradicted() {
     m_motion = Motion::None;
 }
 
+void CommandPosition::doubtServoRate() {
+    if (m_motion != Motion::None)
+        forget();
+    m_tick = kServoTick * servo::kServoRateRange.max;
+    m_tickKnown = false;
+}
+
 void CommandPosition::cancelled() {
     if (m_unsettled)
         forget();
@@ -196,7 +203,9 @@ void CommandPosition::startAs(const bus::CommandExecuted& executed) {
     }
     if (m_loaded.relative)
         return forget();  // what reports its error has no need of this
-    const auto from = at(executed.time, executed.late);
+    const auto from = m_tickKnown ? at(executed.time, executed.late) : std::nullopt;
+    if (!m_tickKnown)
+        m_envelope.reset();
     m_awaiting = from ? Awaiting::Nothing : Awaiting::EndOfMove;
     if (!from)
         return;
@@ -206,6 +215,8 @@ void CommandPosition::startAs(const bus::CommandExecuted& executed) {
 }
 
 void CommandPosition::runAt(double velocity, const Moments& when) {
+    if (!m_tickKnown && (m_motion != Motion::None || velocity != 0.0))
+        m_envelope.reset();
     m_motion = Motion::Velocity;
     m_runningVelocity = velocity;
     if (m_awaiting == Awaiting::EndOfMove)
@@ -270,6 +281,7 @@ void CommandPosition::setServoRate(std::uint8_t divisor, const bus::CommandExecu
     const Duration old = m_tick;
     const Moments before = begun(executed);
     m_tick = kServoTick * divisor;
+    m_tickKnown = true;
     m_effective = std::max(m_effective, showsFrom(executed, m_tick));
     // The chip counts per tick, so a longer tick runs the same profile more slowly from here on. Where servo
     // ticks are longer than others, setting the gains may begin one anew.

@@ -37,6 +37,8 @@ public:
     void forget();
     /// It cannot be where it was calculated: unknown until the move ends, or a command fixes it again.
     void contradicted();
+    /// How long a tick is is not known until gains are set: a motion cannot be followed, a rest can.
+    void doubtServoRate();
     /// Nobody will find out any more what became of a command whose answer was lost, if there is one.
     void cancelled();
 
@@ -122,7 +124,8 @@ private:
     double m_runningVelocity = 0;          ///< counts/tick, signed; of Motion::Velocity
     std::optional<double> m_lastPosition;  ///< as reported last
     TimePoint m_lastTime;                  ///< and when
-    Duration m_tick = kServoTick;          ///< SR x 0.512 ms
+    Duration m_tick = kServoTick;          ///< SR x 0.512 ms; unknown: as long as it can be
+    bool m_tickKnown = true;
 };
 
 }  // namespace nmc

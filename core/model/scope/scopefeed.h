@@ -27,6 +27,8 @@ public:
     /// Whether a command was carried out is not known, or the module has restarted: the command position is
     /// unknown until a command fixes it again.
     void doubt() { m_command.forget(); }
+    /// Another host may have set SR, or it was sent and nobody knows whether it was taken.
+    void doubtServoRate() { m_command.doubtServoRate(); }
     /// An operation ended before all of it was done: if it left open whether a command was carried out, that
     /// is a doubt too.
     void cancelled() { m_command.cancelled(); }

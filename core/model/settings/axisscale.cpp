@@ -9,31 +9,43 @@
 
 namespace nmc {
 
-AxisScale::AxisScale(AxisUnit unit, double perSecond, bool steps)
+AxisScale::AxisScale(AxisUnit unit, std::optional<double> perSecond, bool steps)
     : m_unit(std::move(unit)), m_perSecond(perSecond), m_steps(steps) {}
 
-AxisScale AxisScale::servo(AxisUnit unit, int servoRate) {
-    return {std::move(unit), 1.0 / (toSeconds(kServoTick) * std::max(1, servoRate)), false};
+AxisScale AxisScale::servo(AxisUnit unit, std::optional<int> servoRate) {
+    if (!servoRate)
+        return {std::move(unit), std::nullopt, false};
+    return {std::move(unit), 1.0 / (toSeconds(kServoTick) * std::max(1, *servoRate)), false};
 }
 
 AxisScale AxisScale::step(AxisUnit unit) {
     return {std::move(unit), 1.0, true};
 }
 
-double AxisScale::velocity(double nativeVelocity) const {
-    return native() ? nativeVelocity : nativeVelocity * m_perSecond / countsPerUnit();
+std::optional<double> AxisScale::velocity(double nativeVelocity) const {
+    if (native())
+        return nativeVelocity;
+    return m_perSecond ? std::optional(nativeVelocity * *m_perSecond / countsPerUnit()) : std::nullopt;
 }
 
-double AxisScale::nativeVelocity(double velocity) const {
-    return native() ? velocity : velocity * countsPerUnit() / m_perSecond;
+std::optional<double> AxisScale::nativeVelocity(double velocity) const {
+    if (native())
+        return velocity;
+    return m_perSecond ? std::optional(velocity * countsPerUnit() / *m_perSecond) : std::nullopt;
 }
 
-double AxisScale::acceleration(double nativeAcceleration) const {
-    return native() ? nativeAcceleration : nativeAcceleration * m_perSecond * m_perSecond / countsPerUnit();
+std::optional<double> AxisScale::acceleration(double nativeAcceleration) const {
+    if (native())
+        return nativeAcceleration;
+    return m_perSecond ? std::optional(nativeAcceleration * *m_perSecond * *m_perSecond / countsPerUnit())
+                       : std::nullopt;
 }
 
-double AxisScale::nativeAcceleration(double acceleration) const {
-    return native() ? acceleration : acceleration * countsPerUnit() / (m_perSecond * m_perSecond);
+std::optional<double> AxisScale::nativeAcceleration(double acceleration) const {
+    if (native())
+        return acceleration;
+    return m_perSecond ? std::optional(acceleration * countsPerUnit() / (*m_perSecond * *m_perSecond))
+                       : std::nullopt;
 }
 
 std::optional<double> countsPerTurn(const AxisUnit& unit) {

@@ -36,33 +36,37 @@ struct AxisUnit {
 class AxisScale {
 public:
     AxisScale() = default;
-    /// `servoRate`: SR, 1..255 (DS-V 4.3).
-    [[nodiscard]] static AxisScale servo(AxisUnit unit, int servoRate);
+    /// `servoRate`: SR, 1..255 (DS-V 4.3). Empty: another host may have set it, so how long a tick is, and
+    /// with it every number per second, is not known.
+    [[nodiscard]] static AxisScale servo(AxisUnit unit, std::optional<int> servoRate);
     [[nodiscard]] static AxisScale step(AxisUnit unit);
 
     [[nodiscard]] const AxisUnit& unit() const { return m_unit; }
     /// A PIC-STEP: its positions are steps.
     [[nodiscard]] bool steps() const { return m_steps; }
     [[nodiscard]] bool native() const { return m_unit.kind == UnitKind::Native; }
-    /// Native velocity times this is counts (steps) per second.
-    [[nodiscard]] double perSecond() const { return m_perSecond; }
+    /// Native velocity times this is counts (steps) per second; empty: SR is not known.
+    [[nodiscard]] std::optional<double> perSecond() const { return m_perSecond; }
+    /// The user's velocities and accelerations can be told from the chip's.
+    [[nodiscard]] bool timed() const { return native() || m_perSecond; }
 
     [[nodiscard]] double position(double counts) const { return counts / countsPerUnit(); }
     [[nodiscard]] double counts(double position) const { return position * countsPerUnit(); }
-    /// Of a native velocity: user's units per second, or native with UnitKind::Native.
-    [[nodiscard]] double velocity(double nativeVelocity) const;
-    [[nodiscard]] double nativeVelocity(double velocity) const;
-    [[nodiscard]] double acceleration(double nativeAcceleration) const;
-    [[nodiscard]] double nativeAcceleration(double acceleration) const;
+    /// Of a native velocity: user's units per second, or native with UnitKind::Native. These four are empty
+    /// unless timed().
+    [[nodiscard]] std::optional<double> velocity(double nativeVelocity) const;
+    [[nodiscard]] std::optional<double> nativeVelocity(double velocity) const;
+    [[nodiscard]] std::optional<double> acceleration(double nativeAcceleration) const;
+    [[nodiscard]] std::optional<double> nativeAcceleration(double acceleration) const;
 
     bool operator==(const AxisScale&) const = default;
 
 private:
-    AxisScale(AxisUnit unit, double perSecond, bool steps);
+    AxisScale(AxisUnit unit, std::optional<double> perSecond, bool steps);
     [[nodiscard]] double countsPerUnit() const { return native() ? 1.0 : m_unit.countsPerUnit; }
 
     AxisUnit m_unit;
-    double m_perSecond = 1.0;
+    std::optional<double> m_perSecond = 1.0;
     bool m_steps = false;
 };
 
