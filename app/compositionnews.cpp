@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the store tells, as messages for the window.
 #include <algorithm>
+#include <cmath>
 
 #include "app/composition.h"
 #include "app/knownchain.h"
@@ -65,6 +66,9 @@ void Composition::told(const bus::ChainFound& found) {
     tellStopOutputs();
     m_messages.tell(texts::connected(found, m_target->port));
     m_messages.end(texts::key::badLink());
+    if (found.replyGap > Duration{})
+        m_messages.tellOfChain(texts::repliesInPieces(
+            m_target->port, static_cast<int>(std::lround(1e3 * toSeconds(found.replyGap)))));
     // Where the module is known that has restarted, that is told of it.
     if (found.unaddressed && found.absent.empty())
         m_messages.tellOfChain(texts::unaddressed());

@@ -55,6 +55,8 @@ ChainLook::Next ChainLook::next() {
         m_hostRate = probe.rate;
         return Line::toRate(probe.rate);
     }
+    if (std::exchange(m_waits, false))  // the rest of a reply that came in pieces
+        return Line::Script{Line::Pause{kLongestReplyGap}, DiscardInput{}};
     if (m_zerosHeard || m_asksIdentity)
         return Request{probe.address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}};
     // The answer's length hangs on what the host before defined.
@@ -165,7 +167,8 @@ bool ChainLook::heard(const Probe& probe, const ReplyEnd& end, bool again, bool 
         return !m_zerosHeard;
     }
     if (!right) {
-        m_again = !again;  // noise passes, and an echo is known the next time
+        // Noise passes, an echo is known the next time, and so is how long an adapter pauses.
+        m_again = m_waits = !again;
         if (m_again)
             return false;
         // Twice at an address of the chain: two modules answer at once.

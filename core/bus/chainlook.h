@@ -84,6 +84,7 @@ private:
     unsigned m_identityAsks = 0;  ///< that were not answered
     std::optional<ModuleIdentity> m_unaddressedIdentity;
     bool m_again = false;       ///< the present probe has been answered with noise before
+    bool m_waits = false;       ///< for what may still come, before that is asked again
     bool m_zerosHeard = false;  ///< or with zeros, from a module or from a line that is held low
     unsigned m_noise = 0;
     std::vector<std::size_t> m_collided;

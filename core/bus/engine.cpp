@@ -67,6 +67,7 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
         m_recovery.reset();
         m_again.reset();
     }
+    m_wellAgain.end();
     m_line.statistics() = {};
     EngineConfig config = m_config;
     config.known = knownModules();
@@ -276,6 +277,7 @@ std::optional<TimePoint> Engine::nextDeadline() const {
     consider(m_path.foreseeAt());
     if (m_line.idle()) {
         consider(m_unacknowledged.due());
+        consider(m_wellAgain.due());
         if (m_connected) {
             consider(m_trials.due());
             consider(m_path.due());
@@ -338,7 +340,11 @@ bool Engine::dispatch(TimePoint now) {
     if (taken == Turn::Nobody)
         taken = repeat(false, now);
     if (taken == Turn::Nobody && live)
-        taken = turn(m_search, m_rate, m_readdress, m_trials, m_hold, m_path, m_operations, m_polls);
+        taken = turn(m_search, m_rate, m_readdress, m_trials, m_hold, m_path, m_operations);
+    if (taken == Turn::Nobody && !m_search.active())
+        taken = turn(m_wellAgain);
+    if (taken == Turn::Nobody && live)
+        taken = turn(m_polls);
     takeFindings(now);
     return taken == Turn::Taken;
 }
@@ -411,6 +417,8 @@ void Engine::takeFindings(TimePoint now) {
         giveUp(what, now);
     if (m_restartSearch.takeQuiet())
         goQuiet(now);
+    if (m_wellAgain.takeWell())
+        m_connected ? reinstate(now) : begin(Discovery::Start::Look, now);
     if (m_connected && m_line.echoes() && !std::exchange(m_echoTold, true))
         m_events.emplace_back(EchoNoticed{});
     if (m_line.takeForeign(now) && m_connected && !m_search.active())
@@ -451,6 +459,7 @@ std::vector<ModuleInfo> Engine::knownModules() const {
 void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) {
     const std::vector<ModuleInfo> known = knownModules();
     found.readOnly = m_config.readOnly;
+    found.replyGap = m_line.replyGap();
     const std::vector<ModuleInfo> seen = found.modules;
     const auto rejoined =
         found.attached ? rejoin(known, seen, discovery.unaddressedIdentity()) : std::nullopt;
@@ -530,13 +539,30 @@ void Engine::onLinkLost() {
 }
 
 void Engine::giveUp(const Recovery::GivenUp& what, TimePoint now) {
-    if (!what.module)
-        return goQuiet(now);
+    if (!what.module) {
+        goQuiet(now);
+        return m_wellAgain.begin(true, now);
+    }
     // The module is stopped and not asked again; the others go on.
     m_chain.owe(*what.module, StopCause::LinkGivenUp);
     m_recovery.dropDoubt(*what.module);
     m_recovery.lose(*what.module, now);
     m_chain.schedule().retire(*what.module);
+    m_wellAgain.begin(false, now);
+}
+
+/// Whoever was given up for errors, and has answered without any since.
+void Engine::reinstate(TimePoint now) {
+    for (Chain::Module& module : m_chain.modules()) {
+        const ModuleIndex index = module.belief.info().index;
+        if (!m_chain.schedule().retired(index))
+            continue;
+        module.health = {};
+        m_chain.schedule().recover(index, now);
+        m_chain.hurryUnacknowledged(index, now);
+        m_events.emplace_back(HealthChanged{LinkHealth::Good, 0, 0, index});
+        m_events.emplace_back(ModuleUnresponsive{index, false});
+    }
 }
 
 /// All motors are stopped, where that is ours to do, and then nothing is asked any more.

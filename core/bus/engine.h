@@ -26,6 +26,7 @@
 #include "bus/trialtask.h"
 #include "bus/types.h"
 #include "bus/unacknowledgedstops.h"
+#include "bus/wellagain.h"
 
 namespace nmc::bus {
 
@@ -208,6 +209,7 @@ private:
     void onForeignTraffic();
     void onLinkLost();
     void giveUp(const Recovery::GivenUp& what, TimePoint now);
+    void reinstate(TimePoint now);
     void goQuiet(TimePoint now);
     void dropWork();
     void dropOperation();
@@ -241,6 +243,7 @@ private:
     OperationTask m_operations{m_chain, m_line, m_events};
     PathTask m_path{m_chain, m_line, m_events};
     PollTask m_polls{m_chain, m_recovery, m_restartSearch};
+    WellAgain m_wellAgain{m_chain};
     std::optional<Work> m_again;  ///< to be repeated
     /// Of each module, and where it went, when somebody asked last.
     std::vector<std::pair<BusAddress, std::optional<ModuleCommand>>> m_burstStops;

@@ -16,6 +16,7 @@ Line::Script Line::toRate(std::uint32_t baud) {
 
 void Line::begin(const Request& request, TimePoint now) {
     assert(ready());
+    m_torn.reset();
     const PacketBytes packet = toPacket({request.address, request.payload});
     const TimePoint start = std::max(now, m_free);
     m_echo.begin(packet);
@@ -230,6 +231,7 @@ void Line::take(ByteSpan bytes, TimePoint now) {
     Pending& pending = *m_pending;
     const std::size_t room = pending.received.capacity() - pending.received.size();
     pending.received.append(bytes.first(std::min(room, bytes.size())));
+    m_lastByte = now;
     const std::size_t wanted = pending.wanted();
     if (pending.framing == Framing::Open && pending.received.size() <= wanted) {
         // Whole when nothing more comes for a while.
@@ -276,7 +278,9 @@ void Line::expire(TimePoint now) {
         m_ends.push_back(endOf(pending, ReplyResult::Unresponsive, now));
         return;
     }
+    const Torn torn{pending, m_lastByte};
     if (pending.framing != Framing::Open) {
+        m_torn = torn;
         m_strays.onMissed(now);
         m_ends.push_back(endOf(pending, ReplyResult::Partial, now));
         return;
@@ -289,7 +293,31 @@ void Line::expire(TimePoint now) {
         end.result = ReplyResult::BadChecksum;
     else if ((end.report.status = all.front(), end.report.commandRefused()))
         end.result = ReplyResult::Refused;
+    if (unanswered(end.result))
+        m_torn = torn;
     m_ends.push_back(end);
+}
+
+/// The rest of a reply that was thought to be over. That it has the right sum as a whole tells it from noise.
+void Line::join(ByteSpan bytes, TimePoint now) {
+    ReplyBytes& received = m_torn->pending.received;
+    const Duration gap = now - m_torn->last;
+    received.append(bytes.first(std::min(bytes.size(), received.capacity() - received.size())));
+    if (gap > kLongestReplyGap)
+        return m_torn.reset();
+    if (!isWhole(m_torn->pending))
+        return;
+    m_torn.reset();
+    m_replyGap = std::max(m_replyGap, gap);
+    m_timing.latency = std::max(m_timing.latency, m_replyGap + kMinLatency);
+}
+
+bool Line::isWhole(const Pending& pending) {
+    const ByteSpan all(pending.received);
+    if (pending.framing != Framing::Open)
+        return all.size() == pending.wanted() &&
+               decodeStatus(pending.layout.module, pending.layout.items, all).has_value();
+    return all.size() >= kMinReply && sum8(all.first(all.size() - 1)) == all.back();
 }
 
 /// The echo is not as expected: damaged or missing, or there is one.
@@ -341,6 +369,8 @@ ReplyEnd Line::endOf(const Pending& pending, ReplyResult result, TimePoint now) 
 
 /// What is not expected may be meant for somebody else.
 void Line::drop(ByteSpan bytes, TimePoint now) {
+    if (m_torn && !m_pending)
+        join(bytes, now);
     const std::size_t expected = std::min(bytes.size(), m_unread);
     m_unread -= expected;
     const ByteSpan strays = bytes.subspan(expected);

@@ -18,6 +18,8 @@ namespace nmc::bus {
 inline constexpr std::size_t kNullCount = 16;
 /// Status byte and sum.
 inline constexpr std::size_t kMinReply = 2;
+/// A longer pause within a reply is none: what comes so late is something else.
+inline constexpr Duration kLongestReplyGap = std::chrono::milliseconds(90);
 /// Wait after the nulls before the input is discarded (DS-V 4.1).
 inline constexpr Duration kAfterNulls = std::chrono::milliseconds(1);
 
@@ -105,6 +107,10 @@ public:
     [[nodiscard]] const std::vector<TimePoint>& scriptLatches() const { return m_scriptLatches; }
     /// Of the exchange that began last.
     [[nodiscard]] Duration lastTimeout() const { return m_lastTimeout; }
+    /// The longest pause within a reply so far that an adapter, a USB hub or a device server was seen to
+    /// make, and that later exchanges wait for; 0: none. Learned where what comes behind an exchange that
+    /// ended too soon makes its reply whole.
+    [[nodiscard]] Duration replyGap() const { return m_replyGap; }
     /// The adapter returns what is sent to it.
     [[nodiscard]] bool echoes() const { return m_echo.expected(); }
     /// Modules answer somebody else (strayframes.h). Once in a while.
@@ -138,6 +144,14 @@ private:
         TimePoint until;
     };
 
+    /// A reply that ended too soon.
+    struct Torn {
+        Pending pending;
+        TimePoint last;  ///< its last byte so far
+    };
+
+    void join(ByteSpan bytes, TimePoint now);
+    [[nodiscard]] static bool isWhole(const Pending& pending);
     [[nodiscard]] bool mayLeave(ByteSpan bytes) const;
     void send(ByteSpan bytes, TimePoint now);
     void advanceScript(TimePoint now);
@@ -161,6 +175,9 @@ private:
     TimePoint m_free;  ///< when the last byte handed over has left
     std::optional<Done> m_done;
     std::optional<Pending> m_pending;
+    TimePoint m_lastByte;        ///< of the reply that is coming in
+    std::optional<Torn> m_torn;  ///< until the next exchange begins
+    Duration m_replyGap{};
     std::deque<ReplyEnd> m_ends;
     std::deque<Action> m_script;
     std::vector<TimePoint> m_scriptLatches;

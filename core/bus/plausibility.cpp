@@ -79,6 +79,7 @@ struct Plausibility::Sent {
     }
     void operator()(const servo::SetGain& gain) const {
         p.m_divisor = gain.sr;
+        p.m_errorLimit = gain.el;
         p.jerk(latched, kSwing);
     }
     void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, stepper::SetParameters,
@@ -106,12 +107,26 @@ struct Plausibility::Sent {
 };
 
 void Plausibility::jerk(TimePoint at, double reach) {
+    m_told = at;
     m_jerk = Jerk{at, jerked(at) ? std::max(m_jerk->reach, reach) : reach};
 }
 
 bool Plausibility::jerked(TimePoint at) const {
     // However long ago, when no position has been seen since: in a long chain a whole motion lies in between.
     return m_jerk && (at - m_jerk->since < kJerkTime || m_known.from <= m_jerk->since);
+}
+
+/// It stood in the last reply, and nobody has told it anything since.
+bool Plausibility::restsUntold(const Known& known, TimePoint at) const {
+    return known.velocity == 0 && known.spread < 1 && known.swing < 1 && !m_told && !jerked(at) &&
+           m_divisor == 1;
+}
+
+/// A servo that is on switches off before its motor is that far from where it should be, on either side.
+double Plausibility::nudge(const Known& known, const StatusReport& report) const {
+    const bool on = known.aux && servo::AuxByte{*known.aux}.servoOn() &&
+                    (!report.aux || servo::AuxByte{*report.aux}.servoOn());
+    return on && m_errorLimit ? std::min(kNudge, 2.0 * *m_errorLimit + kMargin) : kNudge;
 }
 
 /// How far a motor may get from a straight line in so many ticks.
@@ -166,6 +181,9 @@ std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
     if (tellsOf(m_contradiction, end.report))
         m_candidate.reset();
     take(m_known, end);
+    if (m_told && end.latched > *m_told + kTakesEffect && end.report.velocity == 0 &&
+        end.report.servoStatus().moveDone())
+        m_told.reset();
     m_homing.onReply(end.latched);
     if (end.report.home)
         m_home.onReply(end.latched);
@@ -316,7 +334,13 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     }
     slow = std::max(slow, -kFastest);
     fast = std::min(fast, kFastest);
-    const double around = bend(end.latched, most);
+    double around = bend(end.latched, most);
+    if (restsUntold(known, end.latched)) {
+        // Its own velocity is no witness for a reply that may be another module's.
+        fast = slack;
+        slow = -slack;
+        around = std::min(around, nudge(known, end.report));
+    }
     const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - around;
     const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + around;
     const double travelled = distance(*known.position, *end.report.position);

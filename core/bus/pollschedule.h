@@ -60,7 +60,7 @@ public:
     void onTimeout(ModuleIndex module, TimePoint now);
     /// A silent module answers again.
     void recover(ModuleIndex module, TimePoint now);
-    /// It is never asked again.
+    /// It is not asked any more, until it recovers.
     void retire(ModuleIndex module) { at(module).retired = true; }
 
     [[nodiscard]] bool silent(ModuleIndex module) const { return m_modules[module.value()].silent; }

@@ -237,6 +237,8 @@ struct ChainFound {
     std::vector<ModuleIndex> absent{};
     /// As EngineConfig::readOnly.
     bool readOnly = false;
+    /// The longest pause within a reply that the line was seen to make, and is reckoned with; 0: none.
+    Duration replyGap{};
 };
 
 enum class ConnectFailure : std::uint8_t {
@@ -479,7 +481,6 @@ struct LinkStatistics {
     std::uint64_t resyncs = 0;
     Duration roundTripSum{};
     Duration roundTripMax{};
-    Duration replyGap{};  ///< the longest pause within a reply that the line was seen to make; 0: none
     Duration wireTime{};  ///< what the answered exchanges take on a perfect line, tick wait included
 
     [[nodiscard]] std::uint64_t errors() const { return timeouts + refused + badChecksum + rejected; }

@@ -212,6 +212,43 @@ TEST(Attach, IsNotMisledByTwoLostAnswersOfOneModule) {
             }
 }
 
+/// USB hubs, Bluetooth and device servers pass a reply on in pieces: how long they pause is learned, told and
+/// waited for.
+TEST(Attach, LearnsHowLongAnAdapterPausesWithinAReply) {
+    for (const std::uint32_t baud : {19'200U, 115'200U})
+        for (const bool fresh : {false, true}) {
+            SCOPED_TRACE(std::to_string(baud) + (fresh ? ", fresh" : ""));
+            LeftBehind left(3, baud, atRate(baud));
+            VirtualBus& bus = left.bus;
+            for (std::uint8_t i = 0; fresh && i < 3; ++i)
+                bus.chain.powerCycle(ModuleIndex(i), bus.now);
+            bus.runFor(100ms);
+            bus.tear = 20ms;
+            ASSERT_TRUE(bus.connect());
+            const auto found = *bus.last<ChainFound>();
+            EXPECT_EQ(found.modules.size(), 3U);
+            EXPECT_EQ(found.attached, !fresh);
+            EXPECT_GE(found.replyGap, 20ms);
+            EXPECT_LT(found.replyGap, 30ms);
+            bus.runFor(2s);
+            EXPECT_EQ(bus.engine.statistics().errors(), 0U);
+            for (std::uint8_t i = 0; i < 3; ++i)
+                EXPECT_GT(bus.samplesOf(i), 10U);
+        }
+}
+
+TEST(Attach, DoesNotTakeNoiseForAPauseOfTheAdapter) {
+    LeftBehind left(2, 19'200);
+    left.bus.onHostByte = [n = 0](std::uint8_t& byte) mutable {
+        byte = static_cast<std::uint8_t>(byte ^ (++n % 11 == 0 ? 0x10U : 0U));
+        return 1U;
+    };
+    if (left.bus.connect()) {
+        EXPECT_EQ(left.bus.last<ChainFound>()->replyGap, Duration{});
+    }
+    EXPECT_LE(left.bus.count<ChainFound>() + left.bus.count<ConnectFailed>(), 1U);
+}
+
 TEST(Attach, FindsAddressesThatNoHostCountsUpTo) {
     LeftBehind left(3, 57'600);
     VirtualBus& bus = left.bus;

@@ -196,7 +196,7 @@ TEST_P(LineFrozen, NeverMakesAShorterChain) {
         SCOPED_TRACE(toSeconds(from));
         VirtualBus bus(servos(kModules));
         const TimePoint begin = bus.now + from;
-        const auto frozen = [&bus, begin] { return bus.now >= begin && bus.now < begin + kFrozen; };
+        const auto frozen = [&bus, begin, kFrozen] { return bus.now >= begin && bus.now < begin + kFrozen; };
         if (GetParam())
             bus.onCommand = [&](std::vector<std::uint8_t>& command) {
                 if (frozen())
@@ -217,14 +217,14 @@ TEST_P(LineFrozen, NeverMakesAShorterChain) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Discovery, LineFrozen, testing::Bool(),
-                         [](const auto& info) { return info.param ? "CommandsLost" : "AnswersLost"; });
+                         [](const auto& lost) { return lost.param ? "CommandsLost" : "AnswersLost"; });
 
 /// It is there, and then it is not: what is known by then is no chain.
 TEST(Discovery, SaysThatTheLineIsDisturbed) {
     VirtualBus bus(servos(4));
     bool given = false;
     bus.losesReply = [&](ByteSpan command) {
-        given = given || has(command, "AA 00 21 03");
+        given = given || toHex(command).starts_with("AA 00 21 03");
         return given;
     };
     EXPECT_FALSE(bus.connect());

@@ -205,6 +205,57 @@ TEST(Plausibility, RejectsAPositionThatTheVelocityDoesNotReach) {
 }
 
 /// It swings so fast that it is asked at the same velocity nearly every time, wherever it is by then.
+/// A chain of modules of one type, where nothing but its position tells one from the other: a reply of the
+/// neighbour, which stands elsewhere or runs, is not believed at once for a motor that stands.
+TEST(Plausibility, RejectsAnotherModulesPositionForAMotorThatStands) {
+    constexpr std::uint8_t kOff = 0x19;  // move_done, power, pos_error
+    for (const bool on : {true, false}) {
+        SCOPED_TRACE(on);
+        const auto says = [on](std::int32_t position, std::int16_t velocity = 0) {
+            return ServoState{.status = on ? std::uint8_t{0x09} : kOff,
+                              .position = position,
+                              .velocity = velocity,
+                              .aux = on ? std::uint8_t{0x04} : std::uint8_t{0x00}};
+        };
+        for (const std::int16_t velocity : {0, 50})
+            for (const std::int32_t other : {1'200, 3'386, 8'951, -8'951}) {
+                Servo servo(says(0));
+                EXPECT_EQ(servo.says(says(other, velocity), kEverything, 250ms).has_value(), true) << other;
+                EXPECT_EQ(servo.says(says(0), kShort, 250ms), std::nullopt) << "its own";
+            }
+        // A shaft that is turned a little by hand, or slowly: 0.9 counts a tick reads 0.
+        Servo turned(says(0));
+        EXPECT_EQ(turned.says(says(400), kEverything, 250ms), std::nullopt);
+        Servo slow(says(0));
+        EXPECT_EQ(slow.says(says(440), kEverything, 250ms), std::nullopt) << "0.9 x 488 ticks";
+    }
+}
+
+/// It would have switched off before it got there.
+TEST(Plausibility, RejectsAHoldingServoBeyondItsErrorLimit) {
+    Servo servo;
+    servo.sends(ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, 1, std::uint8_t{0}}));
+    for (int i = 0; i < 60; ++i)
+        EXPECT_EQ(servo.says({}, i % 2 == 0 ? kEverything : kShort), std::nullopt);
+    EXPECT_EQ(servo.says({.position = 190}), std::nullopt) << "from one end of its error to the other";
+    Servo other;
+    other.sends(ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, 1, std::uint8_t{0}}));
+    for (int i = 0; i < 60; ++i)
+        EXPECT_EQ(other.says({}, i % 2 == 0 ? kEverything : kShort), std::nullopt);
+    EXPECT_EQ(other.says({.position = 300}), Rejection::PositionJump);
+}
+
+/// After a command it goes as far as it may, however long nobody has asked it.
+TEST(Plausibility, BelievesAMotorThatWasStartedAndNotAskedForLong) {
+    Servo servo;
+    servo.sends(loadMove(0, 200'000).command);
+    servo.sends(start(0).command);
+    EXPECT_EQ(servo.says({.status = 0x08, .position = 0}), std::nullopt) << "it has hardly begun";
+    // 0.01 counts per tick squared for 1 s, up to 2 counts per tick: 200 ticks of ramp and 1753 at speed.
+    EXPECT_EQ(servo.says({.status = 0x08, .position = 3'700, .velocity = 2, .aux = 0x0C}, kEverything, 1s),
+              std::nullopt);
+}
+
 TEST(Plausibility, BelievesAServoThatSwingsAsFastAsItIsAsked) {
     Servo servo;
     servo.sends(gains(0).command);

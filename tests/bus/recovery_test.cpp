@@ -240,6 +240,68 @@ TEST(Recovery, ComesBackWithAnotherConnection) {
     EXPECT_EQ(bus.servo(0).gains.kp, 200) << "nothing was reset";
 }
 
+// ---- what was given up ----
+
+/// A line that was too bad, and is well again: the chain is there again by itself, and stands.
+TEST(WellAgain, TakesTheChainUpOnceTheLineIsWell) {
+    VirtualBus bus(servos(3));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, 65'536, true)}), Outcome::Done);
+    bus.onHostByte = [n = 0](std::uint8_t& byte) mutable {
+        byte = static_cast<std::uint8_t>(byte ^ (++n % 3 == 0 ? 0x10U : 0U));
+        return 1U;
+    };
+    const auto givenUp = [&] {
+        const auto health = bus.last<HealthChanged>();
+        return health && health->health == LinkHealth::Lost && !health->module;
+    };
+    ASSERT_TRUE(bus.runUntil(givenUp, 60s));
+    bus.runFor(10s);
+    EXPECT_EQ(bus.count<ChainFound>(), 1U) << "not while it is bad";
+    const std::size_t sent = bus.sent.size();
+    bus.onHostByte = {};
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 2; }, 6s));
+    EXPECT_TRUE(bus.last<ChainFound>()->attached);
+    EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 3U);
+    const std::size_t samples = bus.samplesOf(2);
+    bus.runFor(1s);
+    EXPECT_GT(bus.samplesOf(2), samples + 5);
+    EXPECT_DOUBLE_EQ(bus.servo(0).commandVelocity, 0) << "what was stopped stays so";
+    EXPECT_EQ(bus.sends("AA 01 94", sent) + bus.sends("AA 01 05", sent), 0U);
+    bus.expectNoViolations();
+}
+
+/// The same of one module behind a bad plug: the others go on all the while.
+TEST(WellAgain, AsksOneModuleAgainThatWasGivenUp) {
+    VirtualBus bus(servos(3));
+    ASSERT_TRUE(bus.connect());
+    bool bad = true;
+    bool toOne = false;
+    bus.losesReply = [&](ByteSpan command) {
+        toOne = command.size() > 1 && command[1] == 2;
+        return false;
+    };
+    bus.onHostByte = [&, n = 0](std::uint8_t& byte) mutable {
+        byte = static_cast<std::uint8_t>(byte ^ (bad && toOne && ++n % 3 == 0 ? 0x10U : 0U));
+        return 1U;
+    };
+    const auto givenUp = [&] {
+        const auto changes = bus.all<HealthChanged>();
+        return std::any_of(changes.begin(), changes.end(), [](const HealthChanged& change) {
+            return change.health == LinkHealth::Lost && change.module == ModuleIndex(1);
+        });
+    };
+    ASSERT_TRUE(bus.runUntil(givenUp, 60s));
+    ASSERT_TRUE(bus.last<ModuleUnresponsive>()->silent);
+    bad = false;
+    ASSERT_TRUE(bus.runUntil([&] { return !bus.last<ModuleUnresponsive>()->silent; }, 6s));
+    EXPECT_EQ(bus.last<HealthChanged>()->health, LinkHealth::Good);
+    const std::size_t samples = bus.samplesOf(1);
+    bus.runFor(1s);
+    EXPECT_GT(bus.samplesOf(1), samples + 4);
+    EXPECT_EQ(bus.count<ChainFound>(), 1U);
+}
+
 }  // namespace
 
 }  // namespace nmc::test

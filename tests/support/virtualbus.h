@@ -44,6 +44,8 @@ public:
     std::uint32_t hostBaud = 19'200;  ///< what the engine has set the port to
     /// Bytes reach the host this much later: the latency of a serial adapter.
     Duration adapterDelay{};
+    /// All bytes of a reply but its first come so much later: the pause that some adapters make.
+    Duration tear{};
     /// Changes what goes to the chain; emptied means lost.
     std::function<void(std::vector<std::uint8_t>& command)> onCommand;
     /// Asked with each command: its last byte leaves so much later, because the machine was busy.
@@ -211,7 +213,8 @@ private:
         for (sim::HostByte& byte : chain.takeHostBytes()) {
             const bool lost = m_losesReply || (losesByte && losesByte(byte.value));
             for (unsigned n = lost ? 0 : onHostByte ? onHostByte(byte.value) : 1; n > 0; --n)
-                m_arriving.push_back({byte.due + adapterDelay, byte.value});
+                m_arriving.push_back(
+                    {byte.due + adapterDelay + (m_hostBytes++ > 0 ? tear : Duration{}), byte.value});
         }
         std::vector<std::uint8_t> bytes;
         for (; !m_arriving.empty() && m_arriving.front().due <= now; m_arriving.pop_front())
@@ -246,6 +249,7 @@ private:
         } else if (auto* send = std::get_if<bus::Send>(&output)) {
             sent.push_back({now, send->bytes});
             m_losesReply = losesReply && losesReply(send->bytes);
+            m_hostBytes = 0;
             if (onCommand)
                 onCommand(send->bytes);
             const Duration held = holdsBack && !send->bytes.empty() ? holdsBack() : Duration{};
@@ -262,6 +266,7 @@ private:
     std::deque<sim::HostByte> m_arriving;
     std::deque<Sent> m_leaving;
     bool m_losesReply = false;
+    std::size_t m_hostBytes = 0;  ///< since the last command
     std::uint32_t m_lastId = 0;
     unsigned m_stuck = 0;
 };

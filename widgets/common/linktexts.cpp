@@ -132,6 +132,16 @@ Message echoNoticed(const QString& port) {
             .body = Texts::tr("This is normal for a 2-wire adapter. No action needed.")};
 }
 
+Message repliesInPieces(const QString& port, int gapMs) {
+    return {
+        .key = u"pieces"_s,
+        .headline = Texts::tr("The adapter at %1 passes answers on in pieces, up to %2 ms apart.")
+                        .arg(portName(port))
+                        .arg(gapMs),
+        .body = Texts::tr(
+            "USB hubs, Bluetooth and device servers do that. The panel waits for the rest, so updates are slower. No action needed.")};
+}
+
 Message unaddressed() {
     return {
         .key = key::unaddressed(),
@@ -178,7 +188,7 @@ Message badLink(const bus::HealthChanged& health) {
                       .arg(health.wrong)
                       .arg(health.of);
         m.body = Texts::tr(
-            "Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends.");
+            "Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends.");
         m.actions = {{MessageAction::Reconnect, Texts::tr("Reconnect")}};
         return m;
     }

@@ -42,6 +42,7 @@ namespace texts {
 [[nodiscard]] Message chainNotAccepted();
 [[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port);
 [[nodiscard]] Message echoNoticed(const QString& port);
+[[nodiscard]] Message repliesInPieces(const QString& port, int gapMs);
 /// A module without an address answers beside the chain.
 [[nodiscard]] Message unaddressed();
 [[nodiscard]] Message disconnected(const QString& port);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "bus/chain.h"
+#include "bus/task.h"
+
+namespace nmc::bus {
+
+/// After a link, or one module of it, was given up for its errors: asks whoever was given up what it is, one
+/// after the other, believes nothing else, and tells when all answers have been right for long enough that
+/// another start is worth while. Nothing but Read Status goes out, and no motor moves. Pure.
+class WellAgain : public Task {
+public:
+    /// Without one wrong or missing answer.
+    static constexpr Duration kWell = std::chrono::seconds(2);
+    static constexpr Duration kBetween = std::chrono::milliseconds(100);
+
+    explicit WellAgain(Chain& chain) : m_chain(chain) {}
+
+    /// `whole`: the link was given up, and not single modules.
+    void begin(bool whole, TimePoint now);
+    void end() { m_due.reset(); }
+    /// The line is well again; once.
+    [[nodiscard]] bool takeWell() { return std::exchange(m_well, false); }
+
+    // ---- Task ----
+    [[nodiscard]] bool wants(TimePoint now) const override { return m_due && now >= *m_due; }
+    [[nodiscard]] Next next(TimePoint now) override;
+    Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
+    [[nodiscard]] std::optional<TimePoint> due() const override { return m_due; }
+
+private:
+    [[nodiscard]] bool asks(const Chain::Module& module) const;
+
+    Chain& m_chain;
+    bool m_whole = false;
+    std::optional<TimePoint> m_due;    ///< of the next question, from begin() until it is well or end()
+    std::optional<TimePoint> m_since;  ///< all answers have been right
+    std::size_t m_at = 0;
+    bool m_well = false;
+};
+
+}  // namespace nmc::bus
