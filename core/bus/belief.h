@@ -38,6 +38,9 @@ public:
         m_pathControl.reset();
         m_outputs.forget();
     }
+    /// The same module, found at its address by another look of the same connection: it has not restarted, or
+    /// it would not answer there, and it was sent nothing but questions.
+    void foundAgain(ModuleIndex index) { m_info.index = index; }
     /// A load was asked for and refused: an older one that waits must not start in its place.
     void forgetLoad() {
         m_loaded.reset();

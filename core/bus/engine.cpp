@@ -468,15 +468,27 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
         found.absent = rejoined->absent;
     }
     const Chain before = std::exchange(m_chain, Chain(found.modules, found.baud, found.readOnly));
+    const auto knownBefore = [&](const ModuleInfo& info) -> const Chain::Module* {
+        const auto same = std::ranges::find_if(before.modules(), [&](const Chain::Module& old) {
+            return old.belief.info().address == info.address && old.belief.info().identity == info.identity &&
+                   !old.belief.restarted();
+        });
+        return found.attached && same != before.modules().end() ? &*same : nullptr;
+    };
     m_connected = true;
     m_recovery.reset();
     m_line.statistics() = {};  // the silence at the end of the chain was no error
     for (Chain::Module& module : m_chain.modules()) {
-        if (isKnown(module.belief.info().identity) && !found.readOnly)
-            module.belief.onExecuted(
-                ServoCommand(DefineStatus{standingItems(module.belief.info().identity)}));
-        if (found.attached)
+        const ModuleInfo info = module.belief.info();
+        if (const Chain::Module* old = knownBefore(info)) {
+            module.belief = old->belief;
+            module.belief.foundAgain(info.index);
+            found.modules[info.index.value()].group = module.belief.info().group;
+        } else if (found.attached) {
             module.belief.attach();
+        }
+        if (isKnown(info.identity) && !found.readOnly)
+            module.belief.onExecuted(ServoCommand(DefineStatus{standingItems(info.identity)}));
     }
     setStopOutputs(m_stopOutputs);
     m_chain.schedule().watch(m_watched);

@@ -249,6 +249,28 @@ TEST(Attach, DoesNotTakeNoiseForAPauseOfTheAdapter) {
     EXPECT_LE(left.bus.count<ChainFound>() + left.bus.count<ConnectFailed>(), 1U);
 }
 
+/// The same program looks again: whoever answers at its address has not restarted, and is what it was.
+TEST(Attach, KeepsWhatItToldAModuleThatItFindsAgain) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), gains(1), enable(1)}), Outcome::Done);
+    bus.runFor(500ms);
+    ASSERT_TRUE(bus.connect());
+    EXPECT_TRUE(bus.last<ChainFound>()->attached);
+    for (const ModuleInfo& info : bus.last<ChainFound>()->modules)
+        EXPECT_EQ(info.group, GroupPlace{}) << "nobody else has set one";
+    bus.runFor(500ms);
+    EXPECT_EQ(bus.perform({loadMove(0, 500), start(0)}), Outcome::Done) << "without a stop before it";
+    // One that lost its power meanwhile does not answer there, and is a stranger when it has an address
+    // again.
+    bus.chain.powerCycle(ModuleIndex(1), bus.now);
+    ASSERT_TRUE(bus.connect());
+    EXPECT_EQ(bus.last<ChainFound>()->absent, std::vector{ModuleIndex(1)});
+    bus.runFor(3s);
+    EXPECT_EQ(bus.perform({loadMove(1, 500)}), Outcome::Forbidden);
+    bus.expectNoViolations();
+}
+
 TEST(Attach, FindsAddressesThatNoHostCountsUpTo) {
     LeftBehind left(3, 57'600);
     VirtualBus& bus = left.bus;

@@ -49,6 +49,32 @@ TEST(BusLoop, CanBeOpenedAgainAndDestroyedWhileOpen) {
         << "each was opened over the one before, which has nothing to tell";
 }
 
+/// Tells the loop to close when it is gone: while the loop waits for its thread, to open the next.
+class LastWord : public SimulatorTransport {
+public:
+    template <typename... Arguments>
+    explicit LastWord(BusLoop* loop, Arguments... arguments)
+        : SimulatorTransport(std::move(arguments)...), m_loop(*loop) {}
+    ~LastWord() override { m_loop.close(); }
+
+private:
+    BusLoop& m_loop;
+};
+
+/// A signal may come at any moment, and its stop is for whoever is connected then.
+TEST(BusLoop, ACloseThatComesWhileItOpensIsNotForgotten) {
+    LoopRig rig;
+    rig.openTransport<LastWord>(simulatorConfig(), &rig.loop, servoChain(1));
+    ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
+    rig.openSimulator(simulatorConfig(), servoChain(1));
+    ASSERT_TRUE(rig.waitFor<PortClosed>());
+    rig.openSimulator(simulatorConfig(), servoChain(2));
+    EXPECT_TRUE(rig.waitUntil([&] {
+        const auto* found = rig.last<bus::ChainFound>();
+        return found != nullptr && found->modules.size() == 2;
+    })) << "once";
+}
+
 TEST(BusLoop, EveryRequestOfEveryThreadEndsOnce) {
     constexpr std::uint32_t kEach = 400;
     constexpr std::uint32_t kThreads = 4;

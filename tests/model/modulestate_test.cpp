@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/module/linkstate.h"
+
 #include "servofixture.h"
 
 namespace nmc {
@@ -43,6 +45,7 @@ TEST(ModuleState, OneAnswerOfAnotherModuleIsNoTrip) {
     module.apply(sampleOf(0.3, kMoveDone | kPower, kServoOn));
     module.apply(sampleOf(0.4, kMoveDone | kPower, kServoOn));
     module.apply(sampleOf(0.5, kMoveDone | kPosError | kPower, 0));
+    module.apply(sampleOf(0.6, kMoveDone | kPosError | kPower, 0));
     EXPECT_EQ(module.activity(), Activity::Tripped);
 }
 
@@ -80,13 +83,30 @@ TEST(ModuleState, ConstantVelocityIsMotionAlthoughMoveDoneIsSet) {
 TEST(ModuleState, AServoThatGoesOffByItselfIsTripped) {
     ModuleState module = holdingServo();
     module.apply(sampleOf(1.0, kMoveDone | kPosError | kPower, 0));
+    EXPECT_EQ(module.activity(), Activity::MaybeOff) << "one answer may be wrong";
+    EXPECT_FALSE(module.switchedItselfOff);
+    module.apply(sampleOf(1.1, kMoveDone | kPosError | kPower, 0));
     EXPECT_EQ(module.activity(), Activity::Tripped);
     EXPECT_EQ(severityOf(module.activity()), Severity::Fault);
+}
+
+/// An old or damaged answer, or that of another module.
+TEST(ModuleState, OneAnswerThatItIsOffIsADoubtThatTheNextEnds) {
+    ModuleState module = holdingServo();
+    module.apply(sampleOf(0.5, kMoveDone | kPower, kServoOn));
+    module.apply(sampleOf(1.0, kMoveDone | kPosError | kPower, 0));
+    EXPECT_EQ(module.activity(), Activity::MaybeOff);
+    module.apply(sampleOf(1.1, kMoveDone | kPower, kServoOn));
+    EXPECT_EQ(module.activity(), Activity::Holding);
+    EXPECT_FALSE(module.switchedItselfOff);
+    module.apply(sampleOf(1.2, kMoveDone | kPosError | kPower, 0));
+    EXPECT_EQ(module.activity(), Activity::MaybeOff) << "and begins anew";
 }
 
 TEST(ModuleState, PowerLossIsToldFromATripAndStaysWhenPowerIsBack) {
     ModuleState module = holdingServo();
     module.apply(sampleOf(1.0, kMoveDone | kPosError, 0));
+    module.apply(sampleOf(1.1, kMoveDone | kPosError, 0));
     EXPECT_EQ(module.activity(), Activity::PowerLost);
     module.apply(sampleOf(2.0, kMoveDone | kPosError | kPower, 0));
     EXPECT_EQ(module.activity(), Activity::PowerLost);
@@ -179,6 +199,50 @@ TEST(ModuleState, TheServoRateIsKnownFromPowerUpUntilAnotherHostMayHaveSetIt) {
 }
 
 // ---- what nobody has heard an answer to ----
+
+/// The answers of a neighbour: nothing but the position tells, and it stays in doubt until all has been well
+/// for a while.
+TEST(ModuleState, AJumpThatNoMotionLeadsToIsDoubtfulForAWhile) {
+    ModuleState module = holdingServo();
+    const auto says = [&module](double seconds, std::int32_t position, bool jumped = false) {
+        bus::Sample sample = sampleOf(seconds, kMoveDone | kPower, kServoOn, position);
+        sample.jumped = jumped;
+        module.apply(sample);
+    };
+    says(1.0, 0);
+    EXPECT_FALSE(module.positionDoubtful());
+    says(1.1, 3'386, true);
+    EXPECT_TRUE(module.positionDoubtful());
+    says(3.0, 3'386);
+    EXPECT_TRUE(module.positionDoubtful());
+    says(3.05, 0, true);  // its own answers again
+    says(5.0, 0);
+    EXPECT_TRUE(module.positionDoubtful());
+    says(5.1, 0);
+    EXPECT_FALSE(module.positionDoubtful());
+    LinkState link;
+    link.phase = LinkPhase::Connected;
+    EXPECT_TRUE(isLive(link, module));
+    says(6.0, 3'386, true);
+    EXPECT_FALSE(isLive(link, module)) << "shown as one that is not so now";
+}
+
+/// Behind a start that nobody answered it may have been set going; at speed it is when its position says so.
+TEST(ModuleState, AServoThatStandsBehindADoubtIsNotAtSpeed) {
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
+    module.apply(sampleOf(1.9, kPower | kMoveDone, kServoOn, 4'500));
+    module.apply(sampleOf(2.0, kPower | kMoveDone, kServoOn, 5'000));
+    module.doubtMotion();
+    module.apply(sampleOf(2.1, kPower | kMoveDone, kServoOn, 5'500));
+    EXPECT_EQ(module.activity(), Activity::AtSpeed);
+    module.apply(sampleOf(2.2, kPower | kMoveDone, kServoOn, 5'600));
+    module.apply(sampleOf(2.5, kPower | kMoveDone, kServoOn, 5'600));
+    EXPECT_EQ(module.activity(), Activity::MaybeMoving);
+    EXPECT_TRUE(module.moving()) << "nothing is started on that";
+    module.apply(sampleOf(3.3, kPower | kMoveDone, kServoOn, 5'600));
+    EXPECT_EQ(module.activity(), Activity::Holding);
+}
 
 TEST(ModuleState, AVelocityThatWasStoppedUnheardIsNotBelievedAnyMore) {
     ModuleState module = holdingServo();

@@ -166,6 +166,8 @@ TEST_P(StepperStateOff, SaysWhatSwitchedTheMotorOff) {
     stepper.inputs = GetParam().inputs;
     stepper.analog = GetParam().analog;
     stepper.says(GetParam().status);
+    EXPECT_FALSE(stepper.module.switchedItselfOff) << "one answer is none";
+    stepper.says(GetParam().status);
     EXPECT_EQ(stepper.module.activity(), GetParam().expected);
     EXPECT_TRUE(stepper.module.switchedItselfOff);
     EXPECT_EQ(stepper.module.powerLostWhileOn, GetParam().expected == Activity::PowerLost);
@@ -188,6 +190,25 @@ INSTANTIATE_TEST_SUITE_P(Causes, StepperStateOff,
                                                  Activity::StoppedByLimit},
                                          OffCase{"Unknown", kStepPower, 0, 80, Activity::WentOff}),
                          [](const auto& one) { return std::string(one.param.name); });
+
+/// An old or damaged answer, or that of another module: the next one says that it is on.
+TEST(StepperState, OneAnswerThatItIsOffIsADoubtThatTheNextEnds) {
+    Stepper stepper = Stepper::running();
+    stepper.says(kStepPower);
+    EXPECT_EQ(stepper.module.activity(), Activity::MaybeOff);
+    EXPECT_FALSE(stepper.module.switchedItselfOff);
+    stepper.says(kRuns);
+    EXPECT_EQ(stepper.module.stepper.ended(), std::nullopt);
+    EXPECT_EQ(severityOf(stepper.module.activity()), Severity::Normal);
+    // Two say so, and a third one does not.
+    stepper.says(kStepPower);
+    stepper.says(kStepPower);
+    EXPECT_EQ(stepper.module.activity(), Activity::WentOff);
+    stepper.says(kRuns);
+    EXPECT_FALSE(stepper.module.switchedItselfOff);
+    EXPECT_EQ(stepper.module.stepper.ended(), std::nullopt);
+    EXPECT_NE(stepper.module.activity(), Activity::WentOff);
+}
 
 TEST(StepperState, MotorOffAtHomeIsNoFault) {
     Stepper stepper = Stepper::running();

@@ -42,6 +42,7 @@ BusLoop::~BusLoop() {
 }
 
 void BusLoop::open(TransportFactory factory, bus::EngineConfig config) {
+    const unsigned closes = m_channel.requests.closes() + 1;  // with the one that follows
     close();
     join();
     (void)m_channel.events.takeAll();
@@ -51,7 +52,7 @@ void BusLoop::open(TransportFactory factory, bus::EngineConfig config) {
         m_channel.post(PortClosed{PortError{PortProblem::TooManyFiles, {}, {}, {}, {}}});
         return;
     }
-    m_channel.requests.begin();
+    m_channel.requests.begin(closes);
     m_channel.heartbeat.begin(monotonicNow());
     m_thread = std::thread([this, factory = std::move(factory), config] { run(factory, config); });
 }

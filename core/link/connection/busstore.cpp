@@ -150,6 +150,7 @@ void BusStore::executed(const bus::CommandExecuted& command) {
         return;
     m_link.modules[command.module.value()].apply(command);
     m_records[command.module.value()].feed.apply(command);
+    m_records[command.module.value()].open = false;
     noteGains(command);
 }
 
@@ -164,6 +165,8 @@ void BusStore::note(const bus::OperationFinished& finished) {
             awaited.reset();
     if (finished.outcome != bus::Outcome::Done && known(finished.module))
         m_records[finished.module.value()].feed.cancelled();
+    if (finished.outcome == bus::Outcome::Cancelled && known(finished.module))
+        m_records[finished.module.value()].open = true;
     // It may have been carried out or not.
     if (finished.outcome != bus::Outcome::NoAnswer || !known(finished.module))
         return;
@@ -312,6 +315,8 @@ void BusStore::note(const bus::StopFinished& stopped) {
     doubtMotions(stopped.unreached);
     doubtMotions(stopped.unconfirmed);
     doubtMotions(stopped.noStopKnown);
+    for (Record& record : m_records)
+        record.open = true;
 }
 
 void BusStore::noteGains(const bus::CommandExecuted& executed) {
@@ -330,26 +335,41 @@ void BusStore::doubtGains(ModuleIndex module) {
         m_history.noteGains({module, m_history.end().value_or(last->time), std::nullopt});
 }
 
+/// A module that answers at its address has not restarted since it was seen last, and a look sends it nothing
+/// but questions: in one connection it is what it was, though whether a motion goes on has to be seen.
 void BusStore::note(const bus::ChainFound& chain) {
+    const std::vector<ModuleState> before = std::move(m_link.modules);
+    const std::vector<Record> recordsBefore = std::move(m_records);
     forgetChain();
     m_link.phase = LinkPhase::Connected;
     m_link.baud = chain.baud;
     m_link.readOnly = chain.readOnly;
+    m_records.resize(chain.modules.size());
     for (const bus::ModuleInfo& info : chain.modules) {
-        ModuleState module;
+        const auto same = std::ranges::find_if(before, [&](const ModuleState& old) {
+            return old.info.address == info.address && old.info.identity == info.identity &&
+                   !old.hasRestarted;
+        });
+        const bool again = chain.attached && same != before.end();
+        ModuleState module = again ? *same : ModuleState{};
         module.info = info;
         module.readOnly = chain.readOnly;
         module.rights = m_link.rights;
-        if (chain.attached)
+        Record& record = m_records[info.index.value()];
+        if (again) {
+            record = recordsBefore[static_cast<std::size_t>(same - before.begin())];
+            record.feed.breakHere();
+            if (record.open || module.moving())
+                record.feed.doubt();
+            module.doubtMotion();
+        } else if (chain.attached) {
             module.attached();
+            record.feed.doubtServoRate();
+        }
         module.silent = std::find(chain.absent.begin(), chain.absent.end(), info.index) != chain.absent.end();
         m_link.modules.push_back(module);
     }
     m_link.take(m_machine);
-    m_records.resize(chain.modules.size());
-    if (chain.attached)
-        for (Record& record : m_records)
-            record.feed.doubtServoRate();
     beginHistory(chain);
 }
 
@@ -360,8 +380,9 @@ void BusStore::beginHistory(const bus::ChainFound& chain) {
     for (const bus::ModuleInfo& info : chain.modules)
         identities.push_back(info.identity);
     if (m_historyPort == m_link.port && m_historyOf == identities) {
-        for (const bus::ModuleInfo& info : chain.modules)
-            doubtGains(info.index);
+        for (const ModuleState& module : m_link.modules)
+            if (!module.gains)
+                doubtGains(module.info.index);
         return;
     }
     m_history = History(identities.size());

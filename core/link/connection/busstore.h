@@ -72,6 +72,9 @@ signals:
 private:
     struct Record {
         ScopeFeed feed;
+        /// Since the last command that was answered an operation was cancelled, or all was stopped: what else
+        /// was carried out is not known.
+        bool open = false;
         std::uint64_t samples = 0;
         std::uint64_t samplesPulled = 0;  ///< when the figures were pulled last
     };

@@ -18,7 +18,7 @@ void RequestBox::stopAll() {
 }
 
 void RequestBox::close() {
-    m_close = true;
+    ++m_closes;
     m_wakeup.wake();
 }
 
@@ -64,11 +64,12 @@ bool RequestBox::offer(BusRequest& request) {
     return true;
 }
 
-void RequestBox::begin() {
+void RequestBox::begin(unsigned closes) {
     const std::scoped_lock lock(m_mutex);
     m_begun = true;
     m_waiting = {};
-    m_stop = m_close = false;
+    m_stop = false;
+    m_closesBefore = closes;
 }
 
 std::vector<BusRequest> RequestBox::end() {

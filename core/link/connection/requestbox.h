@@ -57,14 +57,18 @@ public:
     /// untouched.
     [[nodiscard]] bool offer(BusRequest& request);
 
+    /// How many closes have been asked for so far, of this connection and those before.
+    [[nodiscard]] unsigned closes() const { return m_closes; }
     /// From now on requests are taken; what was left of the connection before is forgotten. Nobody waits.
-    void begin();
+    /// `closes`: of the connections before. One more, which a signal may have asked for while this one was
+    /// being opened, is for this one.
+    void begin(unsigned closes);
     /// Bus thread: nothing is taken any more. What waits has to be refused by the caller.
     [[nodiscard]] std::vector<BusRequest> end();
     /// Bus thread: all there is.
     [[nodiscard]] Taken take();
     /// Bus thread; stays so until begin().
-    [[nodiscard]] bool closeWanted() const { return m_close; }
+    [[nodiscard]] bool closeWanted() const { return m_closes != m_closesBefore; }
     /// Readable when there is something to take.
     [[nodiscard]] int wakeFd() const { return m_wakeup.fd(); }
 
@@ -74,7 +78,8 @@ private:
 
     Wakeup m_wakeup;
     std::atomic<bool> m_stop{false};
-    std::atomic<bool> m_close{false};
+    std::atomic<unsigned> m_closes{0};
+    unsigned m_closesBefore = 0;  ///< set while no bus thread runs
     std::mutex m_mutex;
     bool m_begun = false;
     Taken m_waiting;

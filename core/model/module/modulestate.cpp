@@ -341,6 +341,7 @@ void ModuleState::applyLoaded(TimePoint time) {
     if (!m_loaded.servo) {
         motion = MotionMode::Pwm;
         offCommanded = true;
+        m_looksWhileOff = 0;
         return;
     }
     const bool velocityMode = m_loaded.profile == servo::ProfileMode::Velocity;
@@ -387,6 +388,7 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
     else if (stop.manner != servo::StopManner::MotorOff && latest && !servoOn())
         m_enabledAt = latest->position;
     loadWaiting = m_motionUnknown = false;
+    m_looksWhileOff = 0;
     if (stop.manner == servo::StopManner::MotorOff) {
         motion = MotionMode::None;
         offCommanded = true;

@@ -52,10 +52,13 @@ void StepperState::watchAmplifier(bool wasOn) {
     if (homeFound)
         return;
     m_offOnce = !m_offOnce;
-    if (m_offOnce)
+    if (m_offOnce) {
+        m_offCause = whatActs();
         return;
+    }
     m_offByItself = true;
-    m_ended = whatActs().value_or(Activity::WentOff);
+    const auto still = whatActs();
+    m_ended = still ? *still : m_offCause.value_or(Activity::WentOff);
 }
 
 /// What may have switched it off, worst first.

@@ -87,7 +87,8 @@ private:
     bool m_on = false;
     bool m_offCommanded = false;
     bool m_offByItself = false;
-    bool m_offOnce = false;  ///< one answer says so, and the next has not come yet
+    bool m_offOnce = false;              ///< one answer says so, and the next has not come yet
+    std::optional<Activity> m_offCause;  ///< what that one answer tells of it
     bool m_homingSwitchesOff = false;
     bool m_stopping = false;  ///< smoothly, by command
     bool m_slowing = false;   ///< between the last two statuses
