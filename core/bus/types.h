@@ -335,7 +335,7 @@ enum class StopCause : std::uint8_t {
     LinkGivenUp,  ///< the link, or that to this module: nobody sees what it does any more
     StopAll,      ///< a stop of all did not see it at rest
     ForeignTraffic,
-    GroupStop,  ///< the operator stopped its group
+    GroupStop,  ///< the operator stopped its group, or itself while its chain was looked for
     PathEnded,  ///< a path ended before its last point
 };
 

@@ -162,11 +162,12 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
     }
     row.group->setCurrentIndex(index);
     row.leader->setChecked(place && place->leader);
-    const bool connected = m_link.phase == LinkPhase::Connected && !module.silent && !module.hasRestarted;
-    const auto refusal = whyNotTold(m_link);
-    const QString reason = !connected ? texts::refusal(Refusal::Unresponsive)
-                           : refusal  ? texts::refusal(*refusal)
-                                      : QString();
+    auto refusal = whyNoChain(m_link);
+    if (!refusal && (module.silent || module.hasRestarted))
+        refusal = Refusal::Unresponsive;
+    if (!refusal)
+        refusal = whyNotTold(m_link);
+    const QString reason = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(row.group, reason,
                       tr("The group that this module listens to. Sent at once; nothing moves."));
     look::setPossible(row.leader,
@@ -274,8 +275,10 @@ QString GroupsPage::whyNotAll(IntentKind kind) const {
 }
 
 void GroupsPage::refreshCommands() {
-    const bool any = m_group->count() > 0 && m_link.phase == LinkPhase::Connected;
-    const QString none = tr("No groups yet. Add modules to a group first.");
+    const auto noChain = whyNoChain(m_link);
+    const bool any = m_group->count() > 0 && !noChain;
+    const QString none = noChain == Refusal::Looking ? texts::refusal(*noChain)
+                                                     : tr("No groups yet. Add modules to a group first.");
     const auto refusal = whyNotTold(m_link);
     const QString notTold = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(

@@ -89,8 +89,8 @@ std::optional<quint32> RatePage::wanted() const {
 }
 
 QString RatePage::whyNot() const {
-    if (m_link.phase != LinkPhase::Connected)
-        return texts::refusal(Refusal::NotConnected);
+    if (const auto refusal = whyNoChain(m_link))
+        return texts::refusal(*refusal);
     if (const auto refusal = whyNotTold(m_link))
         return texts::refusal(*refusal);
     const auto those = [this](auto unfit) {
@@ -124,9 +124,9 @@ void RatePage::refresh() {
     m_divisor->setVisible(other);
     m_other->setVisible(other);
     look::setText(m_other, wanted() ? tr("= %1 Bd").arg(texts::grouped(*wanted())) : u"–"_s);
-    look::setText(m_now, m_link.phase == LinkPhase::Connected
-                             ? tr("The chain runs at %1 Bd.").arg(texts::grouped(m_link.baud))
-                             : texts::refusal(Refusal::NotConnected));
+    const auto noChain = whyNoChain(m_link);
+    look::setText(m_now, noChain ? texts::refusal(*noChain)
+                                 : tr("The chain runs at %1 Bd.").arg(texts::grouped(m_link.baud)));
     const QString reason = whyNot();
     look::setPossible(m_change, reason, tr("Sends the new baud rate to every module, then checks each one."));
     look::setText(m_reason, reason);

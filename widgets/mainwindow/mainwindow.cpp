@@ -210,10 +210,10 @@ void MainWindow::connectParts() {
 /// The mode, or the axis that it is for.
 void MainWindow::showPendant() {
     const ModuleState* module = selectedState();
-    const auto refusal = whyNotTold(m_session.link());
-    const bool told =
-        m_session.link().phase == LinkPhase::Connected && (!refusal || refusal == Refusal::OperatorMode);
-    m_pendant->showModule(!told ? texts::refusal(refusal.value_or(Refusal::NotConnected))
+    auto refusal = whyNotTold(m_session.link());
+    if (!refusal || refusal == Refusal::OperatorMode)
+        refusal = whyNoChain(m_session.link());
+    m_pendant->showModule(refusal ? texts::refusal(*refusal)
                           : m_panel->page() == nullptr
                               ? tr("No module can be moved. Connect a motor module first.")
                               : QString());

@@ -185,6 +185,7 @@ enum class Refusal : std::uint8_t {
     NoMotor,  ///< a PIC-I/O
     NotAnIoModule,
     Unresponsive,
+    Looking,  ///< the chain is looked for again; stops act
     NoPower,
     GainsUnknown,    ///< a servo with gains 0 or unknown would not hold
     ServoOff,        ///< enable first
@@ -262,6 +263,7 @@ enum class IntentKind : std::uint8_t {
     SetParameters,
     SetOutputs  ///< of a PIC-I/O, too
 };
+[[nodiscard]] bool isStop(IntentKind kind);
 [[nodiscard]] std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module);
 
 /// Why nobody can say now that the counter is right, of either chip.
@@ -272,5 +274,7 @@ enum class IntentKind : std::uint8_t {
 [[nodiscard]] std::optional<Refusal> whyNotTold(IntentKind kind, const ModuleState& module);
 /// The same of the chain as a whole: its rate, its groups, its restart.
 [[nodiscard]] std::optional<Refusal> whyNotTold(const LinkState& link);
+/// Why there is no chain now that could be asked for anything.
+[[nodiscard]] std::optional<Refusal> whyNoChain(const LinkState& link);
 
 }  // namespace nmc
