@@ -122,6 +122,19 @@ TEST(Texts, Power) {
     EXPECT_EQ(m.body, u"It stays off when power returns."_s);
 }
 
+TEST(Texts, ABadFileSaysWhoseRangeItIs) {
+    const auto said = [](bool ofModule) {
+        return texts::fileProblem(u"mill.json"_s, {.kind = FileProblem::Kind::OutOfRange,
+                                                   .line = 12,
+                                                   .field = "Kp",
+                                                   .found = "40000",
+                                                   .max = 32'767,
+                                                   .ofModule = ofModule});
+    };
+    EXPECT_EQ(said(true), u"\"mill.json\" line 12: Kp is 40000; the module takes 0 to 32767."_s);
+    EXPECT_EQ(said(false), u"\"mill.json\" line 12: Kp is 40000; it must be 0 to 32767."_s);
+}
+
 TEST(Texts, Restarted) {
     const Message m = texts::restarted({ModuleIndex(1), false}, 3);
     EXPECT_EQ(m.headline, u"Module 2 restarted: its position and gains are lost."_s);
