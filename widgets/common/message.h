@@ -59,6 +59,8 @@ struct Message {
     QString details{};  ///< the system's own words, raw bytes
     /// It is the case until it is ended; what is not is an event, and old news after a while.
     bool stands = false;
+    /// What was told before under this key gives way to it, whatever it said.
+    bool replaces = false;
     /// LinkState::connection when it was shown, by which the window knows whom a button would act on; 0: it
     /// was shown without a connection.
     std::uint32_t connection = 0;

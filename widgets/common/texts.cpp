@@ -287,6 +287,9 @@ QString unaddressed() {
 QString badLink() {
     return u"badLink"_s;
 }
+QString stopped() {
+    return u"stopped"_s;
+}
 QString silent(ModuleIndex module) {
     return ofModule(u"silent"_s, module);
 }

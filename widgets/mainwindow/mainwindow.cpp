@@ -281,6 +281,8 @@ void MainWindow::reviewMessages() {
 void MainWindow::showModules() {
     const LinkState& link = m_session.link();
     m_bar->showLink(link);
+    if (m_session.movingMotors() > 0)
+        endMessage(texts::key::stopped());  // the next stop is another one
     m_linkBar->showLink(link);
     m_simulator->showLink(link);
     m_monitor->showLink(link);
@@ -457,7 +459,7 @@ void MainWindow::requestStop() {
 }
 
 void MainWindow::showStopResult(const bus::StopFinished& finished) {
-    const Message result = texts::stopResult(finished, m_session.anyHolds());
+    const Message result = texts::stopResult(finished, m_session.link().modules);
     m_bar->showStopResult(result.headline);
     const bool all = texts::allStopped(finished);
     if (all)

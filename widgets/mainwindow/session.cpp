@@ -90,11 +90,6 @@ std::vector<ScopeModule> Session::scopeModules() const {
     return modules;
 }
 
-bool Session::anyHolds() const {
-    return std::any_of(m_link.modules.begin(), m_link.modules.end(),
-                       [](const ModuleState& module) { return module.driveOn(); });
-}
-
 int Session::movingMotors() const {
     if (!isOpen())
         return 0;
