@@ -39,6 +39,7 @@ enum class MessageAction : std::uint8_t {
     ConnectFully,
     TakePosition,    ///< that was remembered of an axis
     ForgetPosition,  ///< likewise
+    ShowQuestion,    ///< the window's
 };
 Q_ENUM_NS(MessageAction)
 

@@ -154,6 +154,8 @@ namespace texts {
 [[nodiscard]] QString stoppingBeforeClose();
 [[nodiscard]] QString beforeRestart(int movingMotors);
 [[nodiscard]] Message safety();
+/// It blocks nothing, and may be behind the window by now.
+[[nodiscard]] Message questionWaits(const QString& title, const QString& text);
 
 // ---- the built-in simulator ----
 /// What became of a control line, over its answer.
@@ -233,6 +235,7 @@ namespace texts {
 
 /// The keys of messages that end: for MainWindow::endMessage().
 namespace key {
+[[nodiscard]] QString question();
 /// Of a stop of all that went well, until something moves again.
 [[nodiscard]] QString stopped();
 [[nodiscard]] QString port();

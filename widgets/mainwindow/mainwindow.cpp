@@ -89,6 +89,7 @@ MainWindow::~MainWindow() {
     // no main window any more.
     for (QObject* child : findChildren<QObject*>())
         child->disconnect(this);
+    qApp->disconnect(this);
 }
 
 void MainWindow::buildTop() {
@@ -170,7 +171,8 @@ void MainWindow::connectParts() {
     connect(m_bar, &ConnectionBar::portsRequested, this, &MainWindow::portsRequested);
     connect(m_chainMenu, &ChainMenu::restartRequested, this, &MainWindow::askBeforeRestart);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::showSession);
-    connect(m_machineMenu, &MachineMenu::shown, this, [this] { AskDialog::reviewAll(*this); });
+    connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::reviewQuestions);
+    connect(qApp, &QGuiApplication::focusWindowChanged, this, &MainWindow::reviewQuestions);
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
     connect(new PressFilter(m_bar->stopButton(), this), &PressFilter::pressed, this,
             &MainWindow::requestStop);
@@ -358,7 +360,7 @@ void MainWindow::showSelected() {
     m_simulator->showSelected(selectedModule());
     showPendant();
     showScopeModules();
-    AskDialog::reviewAll(*this);
+    reviewQuestions();
 }
 
 std::optional<ModuleIndex> MainWindow::selectedModule() const {
@@ -435,6 +437,9 @@ void MainWindow::takeMessageAction(const Message& message, MessageAction action)
     } else if (action == MessageAction::StopAll) {
         requestStop();
         endMessage(message.key);
+    } else if (action == MessageAction::ShowQuestion) {
+        if (AskDialog* question = AskDialog::waiting(*this))
+            question->comeForward();
     } else if (action == MessageAction::Understood) {
         m_settings.setValue(kSafetyRead, true);
         endMessage(message.key);
