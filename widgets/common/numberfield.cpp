@@ -62,6 +62,11 @@ void NumberField::setRange(double min, double max) {
     judge();
 }
 
+void NumberField::setRangeReason(const QString& reason) {
+    m_rangeReason = reason;
+    judge();
+}
+
 void NumberField::setDecimals(int decimals) {
     m_decimals = decimals;
     judge();
@@ -187,7 +192,7 @@ QString NumberField::problemText() const {
             return tr("%1: %2 can be read in two ways. Press Enter in the field for %3, or type %4.")
                 .arg(quantity, text().trimmed(), asFraction(), asFraction().remove(decimalMark()).chopped(1));
         case Problem::OutOfRange:
-            return range();
+            return m_rangeReason.isEmpty() ? range() : range() + u' ' + m_rangeReason;
     }
     return {};
 }

@@ -22,6 +22,8 @@ public:
     explicit NumberField(int decimals, QWidget* parent = nullptr);
 
     void setRange(double min, double max);
+    /// Which setting makes the range what it is, as a sentence; empty: the module.
+    void setRangeReason(const QString& reason);
     /// 0: whole numbers only.
     void setDecimals(int decimals);
     [[nodiscard]] int decimals() const { return m_decimals; }
@@ -85,6 +87,7 @@ private:
     QString m_quantity;
     QString m_unit;
     QString m_meaning;
+    QString m_rangeReason;
     Problem m_problem = Problem::Empty;
 };
 
