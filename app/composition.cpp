@@ -382,6 +382,7 @@ void Composition::act(const Message& message, MessageAction action) {
         case MessageAction::RestartNetwork:
         case MessageAction::StopAll:
         case MessageAction::Understood:
+        case MessageAction::ShowQuestion:
             break;  // done by the window
     }
     m_messages.end(message.key);

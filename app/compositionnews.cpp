@@ -86,7 +86,7 @@ void Composition::told(const bus::OperationFinished& finished) {
 }
 
 void Composition::told(const bus::StopFinished& finished) {
-    m_flight.note(texts::stopResult(finished, false).key, texts::stopOfAll(), {},
+    m_flight.note(texts::stopResult(finished, {}).key, texts::stopOfAll(), {},
                   monotonicNow() - finished.took);
     m_recordings.note(texts::stopOfAll());
     endLeft(m_motionMarker.stopped(finished.stopped));

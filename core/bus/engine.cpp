@@ -12,15 +12,45 @@ namespace nmc::bus {
 
 namespace {
 
+/// How it is to come to rest, where the command does nothing else. What is to hold a place is stopped where
+/// it is.
+[[nodiscard]] std::optional<StopManner> stopManner(const ModuleCommand& command) {
+    if (const auto* servo = std::get_if<ServoCommand>(&command))
+        if (const auto* stop = std::get_if<servo::StopMotor>(servo)) {
+            switch (stop->manner) {
+                case servo::StopManner::AmplifierOnly:
+                    return std::nullopt;
+                case servo::StopManner::MotorOff:
+                    return StopManner::Off;
+                case servo::StopManner::Smoothly:
+                    return StopManner::Smoothly;
+                case servo::StopManner::Abruptly:
+                case servo::StopManner::Here:
+                    return StopManner::Abruptly;
+            }
+        }
+    if (const auto* stepper = std::get_if<StepperCommand>(&command))
+        if (const auto* stop = std::get_if<stepper::StopMotor>(stepper)) {
+            if (!stop->amplifierEnable)
+                return StopManner::Off;
+            switch (stop->manner) {
+                case stepper::StopManner::AmplifierOnly:
+                    return std::nullopt;
+                case stepper::StopManner::Abruptly:
+                    return StopManner::Abruptly;
+                case stepper::StopManner::Smoothly:
+                    return StopManner::Smoothly;
+            }
+        }
+    return std::nullopt;
+}
+
 /// The modules of which it stops the motor, or sets it to another place.
 [[nodiscard]] std::vector<ModuleIndex> stoppedBy(const Operation& operation) {
     std::vector<ModuleIndex> stopped;
-    for (const Order& order : operation.orders) {
-        const auto* servo = std::get_if<ServoCommand>(&order.command);
-        const auto* stop = servo != nullptr ? std::get_if<servo::StopMotor>(servo) : nullptr;
-        if (stop != nullptr && stop->manner != servo::StopManner::AmplifierOnly)
+    for (const Order& order : operation.orders)
+        if (stopManner(order.command))
             stopped.push_back(order.module);
-    }
     return stopped;
 }
 
@@ -88,6 +118,10 @@ void Engine::submit(Operation operation, TimePoint now) {
         return beginTrial(operation, now);
     const std::vector<ModuleIndex> stopped = stoppedBy(operation);
     const std::vector<ModuleIndex> used = usedBy(operation);
+    if (stopped.size() == operation.orders.size() && oweStops(operation)) {
+        m_events.emplace_back(rejected(operation, Outcome::Done));
+        return proceed(now);
+    }
     if (!accepting() || !m_operations.submit(std::move(operation))) {
         m_events.emplace_back(refused);
         return;
@@ -95,6 +129,19 @@ void Engine::submit(Operation operation, TimePoint now) {
     leavePath(stopped);
     m_trials.leave(used);
     proceed(now);
+}
+
+/// A chain that is looked for, or was lost, still hears stops: each goes out blindly, and again until it is
+/// confirmed. False: it is not so, or nobody is known at these addresses any more.
+bool Engine::oweStops(const Operation& operation) {
+    const bool unsettled = !m_connected || m_search.active();
+    const bool known = std::ranges::all_of(operation.orders,
+                                           [this](const Order& order) { return m_chain.has(order.module); });
+    if (!unsettled || !known || m_config.readOnly || m_search.givesAddresses())
+        return false;
+    for (const Order& order : operation.orders)
+        m_chain.owe(order.module, StopCause::GroupStop, *stopManner(order.command));
+    return true;
 }
 
 void Engine::beginTrial(const Operation& operation, TimePoint now) {
@@ -509,7 +556,7 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
     for (const Chain::Module& module : before.modules())
         for (const ModuleInfo& info : found.modules)
             if (module.owed && info.address == module.belief.info().address)
-                m_chain.owe(info.index, module.owed->cause);
+                m_chain.owe(info.index, module.owed->cause, module.owed->target.manner());
 }
 
 /// One of the answers that the search has had of it.

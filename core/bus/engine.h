@@ -161,6 +161,7 @@ private:
     void begin(Discovery::Start start, TimePoint now);
     [[nodiscard]] GroupFinished stopGroup(const GroupOperation& operation, const GroupCommand& command);
     void beginPath(const Operation& operation, TimePoint now);
+    [[nodiscard]] bool oweStops(const Operation& operation);
     void beginTrial(const Operation& operation, TimePoint now);
     /// These are told to stop: a path that one of them is on is over.
     void leavePath(const std::vector<ModuleIndex>& stopped);

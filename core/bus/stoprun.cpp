@@ -8,6 +8,9 @@ namespace nmc::bus {
 
 StopRun::StopRun(const Chain& chain, TimePoint now) : m_began(now) {
     restart(chain);
+    for (const Target& target : m_targets)
+        if (!target.stop.stopUnacknowledged() && !target.stop.unknown())
+            m_wereOff.push_back(target.stop.module());
 }
 
 void StopRun::restart(const Chain& chain) {
@@ -76,6 +79,7 @@ StopFinished StopRun::finished() const {
     StopFinished event;
     event.unreached = m_restarted;
     event.noStopKnown = m_noStopKnown;
+    event.wereOff = m_wereOff;
     for (const Target& target : m_targets)
         (target.stop.stopped()                    ? event.stopped
          : target.stop.heard() && !target.givenUp ? event.unconfirmed

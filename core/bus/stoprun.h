@@ -51,6 +51,7 @@ private:
 
     TimePoint m_began;
     std::vector<Target> m_targets;
+    std::vector<ModuleIndex> m_wereOff;  ///< when it began
     std::vector<ModuleIndex> m_restarted;
     std::vector<ModuleIndex> m_noStopKnown;
 };

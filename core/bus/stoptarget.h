@@ -38,6 +38,7 @@ public:
     explicit StopTarget(const Belief& belief, StopManner manner = StopManner::Abruptly);
 
     [[nodiscard]] ModuleIndex module() const { return m_module; }
+    [[nodiscard]] StopManner manner() const { return m_manner; }
     /// What it has to be told, if it is on by now: somebody may have switched it off meanwhile. One of which
     /// nothing is known, and that does not say, is told to switch off: that ends whatever it does, and never
     /// switches anything on.

@@ -327,6 +327,7 @@ struct StopFinished {
     std::vector<ModuleIndex> unconfirmed;  ///< was told, but was not seen at rest: use the hardware stop
     std::vector<ModuleIndex> noStopKnown;  ///< !hasStop(): was not told, use the hardware stop
     Duration took{};
+    std::vector<ModuleIndex> wereOff;  ///< when it began: they had to be told nothing
 };
 
 /// Why the engine told one module to stop without a stop of all.
@@ -338,7 +339,7 @@ enum class StopCause : std::uint8_t {
     LinkGivenUp,  ///< the link, or that to this module: nobody sees what it does any more
     StopAll,      ///< a stop of all did not see it at rest
     ForeignTraffic,
-    GroupStop,  ///< the operator stopped its group
+    GroupStop,  ///< the operator stopped its group, or itself while its chain was looked for
     PathEnded,  ///< a path ended before its last point
 };
 

@@ -111,8 +111,9 @@ public:
         goTo(0);
         ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::AtSpeed; }));
         QTest::keyClick(&find<QLineEdit>("goalField"), Qt::Key_Escape);
-        ASSERT_TRUE(waitFor(
-            [&] { return find<QLabel>("stopResultLabel").text().contains(QLatin1String("3 of 3")); }));
+        ASSERT_TRUE(waitFor([&] {
+            return find<QLabel>("stopResultLabel").text().contains(QLatin1String("stopped and holding"));
+        }));
         ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::Holding; }));
         EXPECT_GT(*module(1).latest->position, 1'000);
     }

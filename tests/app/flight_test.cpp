@@ -45,16 +45,16 @@ protected:
 TEST_F(Flight, AStopIsShownWithWhatLedToItWhilePollingGoesOn) {
     begin();
     panel.pressStopAll();
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("2 of 2 stopped")) > 0; }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("stopped and holding")) > 0; }));
     ASSERT_TRUE(panel.answersFor(0.2));
     for (const QLabel* label : panel.window().findChild<Banner*>()->findChildren<QLabel*>())
         EXPECT_FALSE(label->text().contains(QLatin1String("stopped")))
             << "a stop that went well moves nothing on the panel";
-    ASSERT_TRUE(clickShow(QStringLiteral("2 of 2 stopped")));
+    ASSERT_TRUE(clickShow(QStringLiteral("stopped and holding")));
     ASSERT_TRUE(scope().showsRecord());
     EXPECT_TRUE(title().contains(QLatin1String("Stop of all motors"))) << title().toStdString();
     EXPECT_NEAR(strips().time().width(), 2.5, 1e-6);
-    EXPECT_GT(panel.count(QStringLiteral("2 of 2 stopped")), 0) << "the message stays";
+    EXPECT_GT(panel.count(QStringLiteral("stopped and holding")), 0) << "the message stays";
     // The motor moves at the left edge of what is kept and stands at the right.
     const QString before = title();
     ASSERT_TRUE(panel.answersFor(0.3));

@@ -77,7 +77,7 @@ TEST(AnAdapterThatEchoes, IsToldOfOnceAndDoesNoHarm) {
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     EXPECT_EQ(panel.count(QStringLiteral("echoes everything it sends. The panel ignores the echo.")), 1);
     QTest::keyClick(panel.window().windowHandle(), Qt::Key_Escape);
-    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("2 of 2 stopped")) == 1; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("1 stopped and holding")) == 1; }));
     EXPECT_FALSE(moves(sim));
     EXPECT_EQ(sim.violations(), "");
 }

@@ -48,7 +48,9 @@ TEST(StopRun, KeepsAServoThatIsOffOff) {
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
     const std::size_t from = bus.sent.size();
-    ASSERT_TRUE(bus.stopAll());
+    const auto stopped = bus.stopAll();
+    ASSERT_TRUE(stopped);
+    EXPECT_THAT(numbers(stopped->wereOff), ElementsAre(1));
     EXPECT_TRUE(bus.servo(0).servoOn);
     EXPECT_FALSE(bus.servo(1).servoOn);
     EXPECT_EQ(bus.sends("AA 02 17", from), 0U);
@@ -70,6 +72,7 @@ TEST(StopRun, SwitchesOffAPwmOutput) {
     EXPECT_FALSE(bus.servo(0).servoOn);
     ASSERT_TRUE(stopped);
     EXPECT_THAT(numbers(stopped->stopped), ElementsAre(0));
+    EXPECT_THAT(stopped->wereOff, IsEmpty()) << "its motor was driven";
 }
 
 TEST(StopRun, StopsAServoThatMayHaveBeenSwitchedOn) {

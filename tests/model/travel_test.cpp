@@ -261,9 +261,12 @@ TEST(Backlash, TheWayRoundRespectsTheLimitsToo) {
     module.backlash.distance = 50;
     EXPECT_TRUE(plan(to(850), module).has_value()) << "turns at 800";
     EXPECT_EQ(plan(to(849), module).error(), Refusal::BeyondTravel);
-    EXPECT_EQ(travelProblem(to(849), module)->limit, 850)
-        << "the nearest goal that can be come to from below";
-    EXPECT_EQ(travelProblem(to(700), module)->limit, 850);
+    const auto problem = travelProblem(to(849), module);
+    EXPECT_EQ(problem->nearest, 850) << "the nearest goal that can be come to from below";
+    EXPECT_EQ(problem->limit, 800) << "as it was set";
+    EXPECT_EQ(problem->turn, 799);
+    EXPECT_EQ(travelProblem(to(700), module)->nearest, 850);
+    EXPECT_FALSE(travelProblem(to(700), module)->turn) << "the goal itself is beyond it";
 }
 
 }  // namespace

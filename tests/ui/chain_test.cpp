@@ -68,6 +68,39 @@ TEST_F(ChainList, ALostLinkStrikesOutEverythingAtOnce) {
     }
 }
 
+/// Scan again asks, and changes nothing: what turns goes on turning, and can be stopped.
+TEST_F(ChainList, LookingAgainIsNoFaultOfTheChain) {
+    QSignalSpy intents(window.get(), &MainWindow::intentRequested);
+    LinkState link =
+        connectedTo({Servo{.moveDone = false, .position = 2995}.state(), Servo{.index = 1}.state()});
+    window->showLink(link);
+    const QString moving = text(u"stateLabel"_s);
+    ASSERT_FALSE(moving.isEmpty());
+    link.phase = LinkPhase::Connecting;
+    link.looking = true;
+    window->showLink(link);
+    window->showTime(link.modules[0].latestTime + std::chrono::milliseconds(1'300));
+    for (int row : {0, 1}) {
+        EXPECT_TRUE(at(row, ChainModel::PositionIsOld).toBool());
+        const QString words = at(row, ChainModel::ActivityText).toString();
+        EXPECT_TRUE(words.contains(u"looking for modules…"_s)) << words.toStdString();
+        EXPECT_FALSE(words.contains(u"No answer"_s));
+        EXPECT_NE(at(row, ChainModel::ActivityValue).toInt(), static_cast<int>(Activity::Unresponsive));
+    }
+    EXPECT_EQ(text(u"stateLabel"_s), moving) << "the last that is known";
+    EXPECT_TRUE(text(u"stateMeaning"_s).startsWith(u"Looking for modules…"_s));
+    EXPECT_EQ(text(u"positionUnit"_s), u"counts, 1.3 s old"_s);
+    for (const QString& stop :
+         {u"stopSmoothlyButton"_s, u"stopAbruptlyButton"_s, u"stopHereButton"_s, u"motorOffButton"_s}) {
+        const qsizetype before = intents.size();
+        click(stop);
+        EXPECT_EQ(intents.size(), before + 1) << stop.toStdString();
+    }
+    for (const QString& other : {u"goButton"_s, u"enableButton"_s, u"runForwardButton"_s})
+        EXPECT_FALSE(button(other)->isEnabled()) << other.toStdString();
+    EXPECT_TRUE(button(u"goButton"_s)->toolTip().startsWith(u"Looking for modules…"_s));
+}
+
 TEST_F(ChainList, AModuleThatWasNotHeardForLongIsStruckOutInTheListAsInItsHead) {
     showServos({{.millisecond = 0}, {.millisecond = 900}});
     window->showHistory(History(2), TimePoint(std::chrono::milliseconds(1'950)));

@@ -7,7 +7,6 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QSpinBox>
 #include <QTabWidget>
 #include <QTableWidget>
 
@@ -193,7 +192,7 @@ TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
     QSignalSpy addresses(&window->chainMenu(), &ChainMenu::addressRequested);
     showGrouped({bus::GroupPlace{}, bus::GroupPlace{}});
     open("groupsAction");
-    auto* field = find<QSpinBox>(u"address2Box"_s);
+    auto* field = find<NumberField>(u"address2Box"_s);
     EXPECT_EQ(field->value(), 2);
     field->window()->activateWindow();
     ASSERT_TRUE(QTest::qWaitFor([&] { return field->isActiveWindow(); }));
@@ -223,7 +222,7 @@ TEST_F(ChainWindow, AnyDivisorGivesItsRate) {
     showServos({{}});
     open("rateAction");
     auto* rate = find<QComboBox>(u"chainRateBox"_s);
-    auto* divisor = find<QSpinBox>(u"chainDivisorBox"_s);
+    auto* divisor = find<NumberField>(u"chainDivisorBox"_s);
     EXPECT_FALSE(divisor->isVisible());
     rate->setFocus();
     QTest::keyClick(rate, Qt::Key_End);

@@ -99,6 +99,21 @@ TEST_F(Commands, EscInThePaletteStopsAndClosesIt) {
     EXPECT_FALSE(palette()->isVisible());
 }
 
+/// As it happened: the finder stayed over "Run forward" after STOP ALL, and took the next click.
+TEST_F(Commands, APressAnywhereElseClosesThePaletteAndActs) {
+    showServo();
+    for (const QString& other : {u"stopAllButton"_s, u"stopAbruptlyButton"_s, u"kpField"_s}) {
+        look(u"go"_s);
+        ASSERT_TRUE(palette()->isVisible());
+        QTest::mouseClick(palette()->findChild<QTreeWidget*>()->viewport(), Qt::LeftButton);
+        EXPECT_TRUE(palette()->isVisible()) << "a click within it chooses";
+        QTest::mouseClick(find(other), Qt::LeftButton);
+        EXPECT_FALSE(palette()->isVisible()) << other.toStdString();
+    }
+    EXPECT_EQ(stops.size(), 1);
+    EXPECT_EQ(intents.size(), 1);
+}
+
 TEST_F(Commands, StandInTheModuleMenuWithTheirKeys) {
     showServo();
     QMenu* menu = moduleMenu();

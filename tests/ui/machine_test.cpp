@@ -249,6 +249,28 @@ TEST_F(MachineWindow, UnsavedChangesAreAskedAboutOnceBeforeTheWindowCloses) {
     EXPECT_FALSE(window->isVisible());
 }
 
+/// It blocks nothing, so whoever works on may not see it any more, and would find it hours later.
+TEST_F(MachineWindow, AQuestionThatWaitsSaysSoWhereTheUserLooks) {
+    menu().showFile({u"/home/anna/mill.json"_s, {}, true, {}});
+    window->close();
+    const QWidget* asked = find(u"unsavedDialog"_s);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(const_cast<QWidget*>(asked)));
+    EXPECT_FALSE(find(u"banner"_s)->isVisible()) << "it is in sight";
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    EXPECT_TRUE(find(u"banner"_s)->isVisible());
+    EXPECT_EQ(text(u"bannerHeadline"_s), u"A question waits for your answer: Unsaved changes"_s);
+    EXPECT_EQ(text(u"bannerBody"_s), u"Save the changes to \"mill\"?"_s);
+    click(u"bannerAction_showQuestion"_s);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return asked->isActiveWindow(); }));
+    EXPECT_FALSE(find(u"banner"_s)->isVisible());
+    // Answered elsewhere: there is nothing left to ask.
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    menu().showFile({u"/home/anna/mill.json"_s, {}, false, {}});
+    EXPECT_FALSE(find(u"banner"_s)->isVisible());
+}
+
 TEST_F(MachineWindow, SavingFirstClosesOnlyWhenItWorked) {
     menu().showFile({u"/home/anna/mill.json"_s, {}, true, {}});
     window->close();

@@ -5,6 +5,7 @@
 #include <QClipboard>
 #include <QWheelEvent>
 
+#include "inlanguage.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -51,6 +52,55 @@ TEST_P(NumberFieldIn, U02_TwoMarksAreRefusedNeverMultiplied) {
         EXPECT_EQ(field->problem(), Problem::TwoMarks);
         EXPECT_EQ(field->text(), text);
     }
+}
+
+TEST_P(NumberFieldIn, U02_AWholeNumberHasNoMark) {
+    for (const QString& text : {u"10,000"_s, u"10.000"_s, u"1,200"_s, u"2.0"_s, u"3,"_s, u"1,000,000"_s}) {
+        NumberField& target = shown(0);
+        target.setRange(-1e9, 1e9);
+        QTest::keyClicks(&target, text);
+        EXPECT_EQ(target.value(), std::nullopt) << text.toStdString();
+        EXPECT_EQ(target.problem(), Problem::NotWhole) << text.toStdString();
+        EXPECT_EQ(target.text(), text) << "as typed";
+    }
+}
+
+TEST_P(NumberFieldIn, U02_WhatCanBeReadInTwoWaysHasNoValueUntilEnterHasShownIt) {
+    for (const QString& text : {u"1,234"_s, u"1.234"_s, u"-12,500"_s, u"+999.000"_s}) {
+        EXPECT_EQ(typed(text), std::nullopt) << text.toStdString();
+        EXPECT_EQ(field->problem(), Problem::Ambiguous);
+        EXPECT_TRUE(field->toolTip().startsWith(field->problemText()));
+        QSignalSpy entered(field.get(), &QLineEdit::returnPressed);
+        QTest::keyClick(field.get(), Qt::Key_Return);
+        EXPECT_EQ(entered.size(), 0) << "what acts on Enter must wait until it was seen";
+        EXPECT_TRUE(field->text().endsWith(u'0'));
+        EXPECT_EQ(field->value(), text.startsWith(u'1') ? 1.234 : text.startsWith(u'-') ? -12.5 : 999.0);
+        QTest::keyClick(field.get(), Qt::Key_Return);
+        EXPECT_EQ(entered.size(), 1);
+    }
+}
+
+TEST_P(NumberFieldIn, U02_SaysBothReadings) {
+    typed(u"1,234"_s);
+    const QString fraction = u"1"_s + (QLocale().decimalPoint() == u","_s ? u',' : u'.') + u"2340"_s;
+    EXPECT_EQ(
+        field->problemText(),
+        u"The speed: 1,234 can be read in two ways. Press Enter in the field for %1, or type 1234."_s.arg(
+            fraction));
+    QTest::keyClick(field.get(), Qt::Key_Return);
+    EXPECT_EQ(field->text(), fraction);
+}
+
+TEST_P(NumberFieldIn, U02_WhatCanBeReadInOneWayOnlyNeedsNoSecondEnter) {
+    // No group begins with 0, has more than three digits, or is mixed with another mark.
+    EXPECT_EQ(typed(u"0,125"_s), 0.125);
+    EXPECT_EQ(typed(u"1.2340"_s), 1.234);
+    EXPECT_EQ(typed(u"1,23"_s), 1.23);
+    EXPECT_EQ(typed(u"1 000.000"_s), 1000.0);
+    // What the field shows by itself is no riddle.
+    NumberField& target = shown();
+    target.showValue(1.234);
+    EXPECT_EQ(target.value(), 1.234);
 }
 
 TEST_P(NumberFieldIn, ReadsBackWhatItShows) {
@@ -113,7 +163,62 @@ TEST_P(NumberFieldIn, WholeNumbersAreNotRounded) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Locales, NumberFieldIn,
-                         testing::Values("de_DE", "en_US", "fr_FR", "de_CH", "ar_EG", "hi_IN"));
+                         testing::Values("de_DE", "en_US", "fr_FR", "es_ES", "ja_JP", "de_CH", "ar_EG",
+                                         "hi_IN"));
+
+/// As it happened: the servo on at 0, ten thousand meant, ten sent.
+class AmbiguousNumbers : public testing::WithParamInterface<std::string>,
+                         public InLanguage,
+                         public WindowTest {
+protected:
+    AmbiguousNumbers() : InLanguage(GetParam()) {}
+    void enter(const QString& name, const QString& text) {
+        type(name, text);
+        QTest::keyClick(field(name), Qt::Key_Return);
+    }
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+};
+
+TEST_P(AmbiguousNumbers, U02_TenThousandIsNeverTen) {
+    showServo();
+    for (const QString& text : {u"10,000"_s, u"10.000"_s}) {
+        enter(u"goalField"_s, text);
+        EXPECT_FALSE(button(u"goButton"_s)->isEnabled());
+        EXPECT_EQ(button(u"goButton"_s)->toolTip(), field(u"goalField"_s)->problemText());
+        EXPECT_EQ(this->text(u"motionHint"_s), field(u"goalField"_s)->problemText());
+        for (const QString& gain : {u"kdField"_s, u"elField"_s, u"kpField"_s}) {
+            enter(gain, u"1"_s + text.mid(2));
+            EXPECT_FALSE(button(u"applyGainsButton"_s)->isEnabled()) << gain.toStdString();
+            field(gain)->showValue(1);
+        }
+    }
+    EXPECT_EQ(intents.size(), 0);
+    enter(u"goalField"_s, u"10 000"_s);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_EQ(std::get<intent::GoTo>(intents.at(0).at(1).value<Intent>()).position.value(), 10'000);
+}
+
+TEST_P(AmbiguousNumbers, U02_AFractionIsShownBeforeItIsSent) {
+    int now = 0;
+    for (const QString& text : {u"1,250"_s, u"1.250"_s}) {
+        showServo({.millisecond = now += 20});
+        intents.clear();
+        type(u"velocityField"_s, text);
+        EXPECT_FALSE(button(u"goButton"_s)->isEnabled());
+        enter(u"goalField"_s, u"200"_s);
+        enter(u"runVelocityField"_s, text);
+        EXPECT_EQ(intents.size(), 0) << "neither by another field nor by its own";
+        QTest::keyClick(field(u"velocityField"_s), Qt::Key_Return);
+        EXPECT_TRUE(field(u"velocityField"_s)->text().endsWith(u"2500"_s));
+        enter(u"goalField"_s, u"200"_s);
+        ASSERT_EQ(intents.size(), 1);
+        // 1.25 x 65536
+        EXPECT_EQ(std::get<intent::GoTo>(intents.at(0).at(1).value<Intent>()).velocity.value(), 81'920U);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, AmbiguousNumbers, testing::ValuesIn(allLanguages()),
+                         [](const auto& language) { return language.param; });
 
 class NumberFieldWheel : public WindowTest {
 protected:

@@ -5,6 +5,7 @@
 #include <QMenu>
 
 #include "widgets/common/texts.h"
+#include "widgets/messages/messagelist.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -85,6 +86,25 @@ TEST_F(StopAll, SaysWhatItReachesAndWhatItReached) {
     EXPECT_EQ(text(u"stopResultLabel"_s),
               u"2 of 3 stopped. Module 3 does not answer: use the hardware stop."_s);
     EXPECT_EQ(text(u"bannerHeadline"_s), text(u"stopResultLabel"_s));
+}
+
+/// As it happened: one motor held, two were off, and each Esc left another line in the list.
+TEST_F(StopAll, SaysWhatHoldsAndWhatWasOffInOneEntryHoweverOftenItIsPressed) {
+    showServos({{}, {.index = 1, .on = false}, {.index = 2, .on = false}});
+    const auto rows = [this] { return find<MessageList>(u"messageList"_s)->entries(); };
+    const std::size_t before = rows().size();
+    const std::vector<ModuleIndex> all{ModuleIndex(0), ModuleIndex(1), ModuleIndex(2)};
+    for (const double seconds : {0.022, 0.031, 0.019})
+        window->showStopResult({all, {}, {}, {}, fromSeconds(seconds), {all.begin() + 1, all.end()}});
+    EXPECT_EQ(text(u"stopResultLabel"_s), u"1 stopped and holding, 2 were off, 19 ms."_s);
+    ASSERT_EQ(rows().size(), before + 1);
+    EXPECT_EQ(rows().front().message.headline, text(u"stopResultLabel"_s));
+    EXPECT_EQ(rows().front().count, 3);
+    // What was stopped before something moved again is another stop.
+    showServos({{.moveDone = false}, {.index = 1, .on = false}, {.index = 2, .on = false}});
+    showServos({{.millisecond = 40}, {.index = 1, .on = false}, {.index = 2, .on = false}});
+    window->showStopResult({all, {}, {}, {}, fromSeconds(0.02), {all.begin() + 1, all.end()}});
+    EXPECT_EQ(rows().size(), before + 2);
 }
 
 TEST_F(StopAll, NeverCallsItselfAnEmergencyStop) {

@@ -122,6 +122,19 @@ TEST(Texts, Power) {
     EXPECT_EQ(m.body, u"It stays off when power returns."_s);
 }
 
+TEST(Texts, ABadFileSaysWhoseRangeItIs) {
+    const auto said = [](bool ofModule) {
+        return texts::fileProblem(u"mill.json"_s, {.kind = FileProblem::Kind::OutOfRange,
+                                                   .line = 12,
+                                                   .field = "Kp",
+                                                   .found = "40000",
+                                                   .max = 32'767,
+                                                   .ofModule = ofModule});
+    };
+    EXPECT_EQ(said(true), u"\"mill.json\" line 12: Kp is 40000; the module takes 0 to 32767."_s);
+    EXPECT_EQ(said(false), u"\"mill.json\" line 12: Kp is 40000; it must be 0 to 32767."_s);
+}
+
 TEST(Texts, Restarted) {
     const Message m = texts::restarted({ModuleIndex(1), false}, 3);
     EXPECT_EQ(m.headline, u"Module 2 restarted: its position and gains are lost."_s);
@@ -147,12 +160,19 @@ TEST(Texts, StopBeforeAndAfter) {
     std::vector<ModuleIndex> five;
     for (std::uint8_t i = 0; i < 5; ++i)
         five.emplace_back(i);
-    EXPECT_EQ(texts::stopResult({five, {}, {}, {}, fromSeconds(0.021)}, true).headline,
-              u"5 of 5 stopped, 21 ms. Still holding."_s);
-    EXPECT_EQ(texts::stopResult({five, {}, {}, {}, fromSeconds(0.021)}, false).headline,
-              u"5 of 5 stopped, 21 ms. Every motor is off."_s);
+    // One holds, one was driven by a PWM value, two had been off before, and two have no motor.
+    std::vector<ModuleState> modules;
+    for (int i = 0; i < 6; ++i)
+        modules.push_back(Servo{.index = i, .on = i == 0}.state());
+    modules[4].info.identity = modules[5].info.identity = {ModuleType::Io, 1};
+    std::vector<ModuleIndex> six = five;
+    six.emplace_back(5);
+    const std::vector<ModuleIndex> off{six[2], six[3]};
     EXPECT_EQ(
-        texts::stopResult({{five.begin(), five.begin() + 4}, {ModuleIndex(2)}, {}, {}, {}}, true).headline,
+        texts::stopResult({six, {}, {}, {}, fromSeconds(0.021), off}, modules).headline,
+        u"1 stopped and holding, 1 switched off, 2 were off, 2 I/O modules as set for a stop, 21 ms."_s);
+    EXPECT_EQ(
+        texts::stopResult({{five.begin(), five.begin() + 4}, {ModuleIndex(2)}, {}, {}, {}}, modules).headline,
         u"4 of 5 stopped. Module 3 does not answer: use the hardware stop."_s);
 }
 
@@ -162,7 +182,7 @@ TEST(Texts, AStopThatIsNotConfirmedSendsToTheHardwareStop) {
     const ModuleIndex three(2);
     const auto said = [](const bus::StopFinished& finished) {
         EXPECT_FALSE(texts::allStopped(finished));
-        const Message message = texts::stopResult(finished, true);
+        const Message message = texts::stopResult(finished, {});
         EXPECT_EQ(message.severity, Severity::Fault);
         EXPECT_EQ(message.key, texts::key::stop());
         return message.headline;

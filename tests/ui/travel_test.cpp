@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Limits of travel and of speed, as a person sets and meets them.
 #include <QAbstractButton>
+#include <QComboBox>
 
 #include "tests/model/stepperfixture.h"
 #include "widgets/common/askdialog.h"
@@ -91,6 +92,40 @@ TEST_F(TravelPanel, TheOfferOfANearerGoalMovesNothing) {
     EXPECT_EQ(places(), before);
 }
 
+/// As it happened: a limit at home and backlash left "Go home" grey for ever, naming a limit of 50.
+TEST_F(TravelPanel, SettingsThatExcludeEachOtherAreNamedWhereTheyRefuse) {
+    standAt(400);
+    enter(u"lowestField"_s, u"0"_s);
+    EXPECT_TRUE(button(u"goHomeButton"_s)->isEnabled());
+    enter(u"backlashField"_s, u"50"_s);
+    const QString reason = whyNot(u"goHomeButton"_s);
+    EXPECT_EQ(
+        reason,
+        u"To take up the backlash, the move would turn round at −50 counts, below the lowest position 0 counts. Lower that position, or change the backlash or its direction (Axis page)."_s);
+    EXPECT_TRUE(text(u"travelHint"_s).startsWith(u"With this backlash, no move can end at home"_s))
+        << "where it is entered, too";
+    // Each of the three ways out that it names.
+    enter(u"lowestField"_s, u"-50"_s);
+    EXPECT_TRUE(button(u"goHomeButton"_s)->isEnabled());
+    EXPECT_EQ(text(u"travelHint"_s), QString());
+    enter(u"lowestField"_s, u"0"_s);
+    find<QComboBox>(u"backlashSideBox"_s)->setCurrentIndex(1);
+    EXPECT_TRUE(button(u"goHomeButton"_s)->isEnabled());
+    find<QComboBox>(u"backlashSideBox"_s)->setCurrentIndex(0);
+    EXPECT_FALSE(button(u"goHomeButton"_s)->isEnabled());
+    enter(u"backlashField"_s, u" "_s);
+    EXPECT_TRUE(button(u"goHomeButton"_s)->isEnabled());
+}
+
+TEST_F(TravelPanel, AFieldWhoseRangeIsASettingSaysWhichOne) {
+    enter(u"fastestField"_s, u"1.5"_s);
+    type(u"velocityField"_s, u"2"_s);
+    EXPECT_TRUE(whyNot(u"goButton"_s).endsWith(u"The highest velocity is set on the Axis page."_s))
+        << button(u"goButton"_s)->toolTip().toStdString();
+    type(u"holdVelocityField"_s, u"2"_s);
+    EXPECT_TRUE(whyNot(u"holdForwardButton"_s).contains(u"set on the Axis page."_s));
+}
+
 TEST_F(TravelPanel, HalfANumberIsNoLimit) {
     setLimits();
     type(u"highestField"_s, u"2000"_s);
@@ -113,7 +148,7 @@ TEST_F(TravelPanel, AGoalBeyondIsRefusedAndTheNearestOneOffered) {
     setLimits();
     type(u"goalField"_s, u"1600"_s);
     EXPECT_EQ(whyNot(u"goButton"_s),
-              u"That is beyond the travel limits: the highest position is 1\u202f500 counts."_s);
+              u"That is beyond the travel limits: the highest position is 1\u202f500 counts (Axis page)."_s);
     EXPECT_TRUE(text(u"motionHint"_s).contains(u"1\u202f500 counts"_s));
     whyNot(u"loadButton"_s);
     QTest::keyClick(field(u"goalField"_s), Qt::Key_Return);

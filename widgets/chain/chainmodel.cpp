@@ -20,7 +20,8 @@ ChainModel::Facts ChainModel::factsOf(const ModuleState& module, const Machine& 
     facts.axis = settings.name;
     facts.identity = module.info.identity;
     facts.address = module.info.address.value();
-    facts.rate = qRound(module.repliesPerSecond);
+    facts.lookedFor = module.lookedFor;
+    facts.rate = facts.lookedFor ? 0 : qRound(module.repliesPerSecond);
     facts.activity = module.activity();
     facts.swings = facts.activity == Activity::Holding && module.swing.swing();
     if (const auto run = procedures.find(module.info.index); run != procedures.end() && !run->second.over())
@@ -46,6 +47,8 @@ bool ChainModel::show(Row& row, Facts facts, const LinkState& link, const Module
         row.activity = row.facts.procedure ? texts::procedureStage(*row.facts.procedure)
                        : row.facts.swings  ? tr("%1, oscillating").arg(texts::activity(row.facts.activity))
                                            : texts::activity(row.facts.activity);
+        if (row.facts.lookedFor)
+            row.activity = tr("%1 · looking for modules…").arg(row.activity);
         row.unit = texts::unitOf(row.facts.scale);
     }
     if (moved) {

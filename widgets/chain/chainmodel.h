@@ -51,6 +51,7 @@ private:
         int rate = 0;  ///< status replies a second
         Activity activity = Activity::Unknown;
         bool swings = false;
+        bool lookedFor = false;
         std::optional<ProcedureReport> procedure;  ///< while it runs
         AxisScale scale;
         std::optional<HomeFact::Place> home;

@@ -91,8 +91,10 @@ void DoctorPage::showChain(const ChainDiagnosis& chain, std::optional<Refusal> w
     look::setText(m_advice, advice);
     m_advice->setVisible(!advice.isEmpty());
     fill();
-    const bool open = chain.finding != ChainDiagnosis::Finding::NotConnected;
-    const QString reason = open ? QString() : texts::refusal(Refusal::NotConnected);
+    using enum ChainDiagnosis::Finding;
+    const QString reason = chain.finding == NotConnected ? texts::refusal(Refusal::NotConnected)
+                           : chain.finding == Looking    ? texts::refusal(Refusal::Looking)
+                                                         : QString();
     look::setPossible(
         m_scan, reason,
         tr("Scans the chain again with status requests only: nothing is reset, nothing moves."));

@@ -8,7 +8,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <algorithm>
 #include <set>
 
@@ -16,6 +15,7 @@
 #include "widgets/common/doctortexts.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/numberfield.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -30,7 +30,7 @@ constexpr std::uint8_t kOtherGroup = 0x80;
 constexpr int kUnknown = -1;
 constexpr int kFirstAddress = 1;
 constexpr int kLastAddress = 0x7F;
-enum Column { Name, Address, Group, Leader, Load };
+enum Column { Name, AddressLabel, Address, Group, Leader, Load };
 }  // namespace
 
 GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
@@ -119,10 +119,13 @@ void GroupsPage::addMember() {
     const int number = static_cast<int>(row) + 1;
     Member member;
     member.name = new QLabel(this);
-    member.address = new QSpinBox(this);
+    member.address = new NumberField(0, this);
     look::name(member.address, u"address%1Box"_s.arg(number), tr("Address of module %1").arg(number));
     member.address->setRange(kFirstAddress, kLastAddress);
-    member.address->setPrefix(tr("address "));
+    member.address->setDigits(5);
+    member.address->setWords(tr("The address"), {});
+    member.addressLabel = new QLabel(tr("address"), this);
+    member.addressLabel->setBuddy(member.address);
     member.group = new QComboBox(this);
     look::name(member.group, u"group%1Box"_s.arg(number), tr("Group of module %1").arg(number));
     member.group->setToolTip(tr("The group that this module listens to. Sent at once; nothing moves."));
@@ -135,11 +138,12 @@ void GroupsPage::addMember() {
     member.load = look::newMutedLabel({}, this);
     member.load->setObjectName(u"load%1Label"_s.arg(number));
     m_grid->addWidget(member.name, number, Name);
+    m_grid->addWidget(member.addressLabel, number, AddressLabel);
     m_grid->addWidget(member.address, number, Address);
     m_grid->addWidget(member.group, number, Group);
     m_grid->addWidget(member.leader, number, Leader);
     m_grid->addWidget(member.load, number, Load);
-    connect(member.address, &QSpinBox::editingFinished, this, [this, row] { readdress(row); });
+    connect(member.address, &NumberField::editingFinished, this, [this, row] { readdress(row); });
     connect(member.group, &QComboBox::activated, this, [this, row] { changed(row); });
     connect(member.leader, &QCheckBox::clicked, this, [this, row] { changed(row); });
     m_members.push_back(member);
@@ -158,11 +162,12 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
     }
     row.group->setCurrentIndex(index);
     row.leader->setChecked(place && place->leader);
-    const bool connected = m_link.phase == LinkPhase::Connected && !module.silent && !module.hasRestarted;
-    const auto refusal = whyNotTold(m_link);
-    const QString reason = !connected ? texts::refusal(Refusal::Unresponsive)
-                           : refusal  ? texts::refusal(*refusal)
-                                      : QString();
+    auto refusal = whyNoChain(m_link);
+    if (!refusal && (module.silent || module.hasRestarted))
+        refusal = Refusal::Unresponsive;
+    if (!refusal)
+        refusal = whyNotTold(m_link);
+    const QString reason = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(row.group, reason,
                       tr("The group that this module listens to. Sent at once; nothing moves."));
     look::setPossible(row.leader,
@@ -170,13 +175,11 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
                       : place && place->group != kNoGroup ? QString()
                                                           : tr("Choose a group first."),
                       tr("This module answers for its group. A group has at most one leader."));
-    look::setPossible(
-        row.address, !reason.isEmpty() ? reason : whyNotAddress(module),
+    row.address->setPossible(
+        !reason.isEmpty() ? reason : whyNotAddress(module),
         tr("The address of this module, 1 to 127. Press Enter to send it. Position, gains and group are kept."));
-    if (!row.address->hasFocus()) {
-        const QSignalBlocker addressBlocker(row.address);
-        row.address->setValue(module.info.address.value());
-    }
+    if (!row.address->hasFocus())
+        row.address->showValue(module.info.address.value());
     look::setText(row.load, module.loadWaiting     ? tr("move loaded")
                             : module.pins.stored() ? tr("outputs stored")
                                                    : QString());
@@ -191,9 +194,9 @@ void GroupsPage::showLink(const LinkState& link, const std::vector<GroupSettings
     for (std::size_t i = 0; i < m_members.size(); ++i) {
         const bool there = i < link.modules.size();
         for (QWidget* widget :
-             {static_cast<QWidget*>(m_members[i].name), static_cast<QWidget*>(m_members[i].address),
-              static_cast<QWidget*>(m_members[i].group), static_cast<QWidget*>(m_members[i].leader),
-              static_cast<QWidget*>(m_members[i].load)})
+             {static_cast<QWidget*>(m_members[i].name), static_cast<QWidget*>(m_members[i].addressLabel),
+              static_cast<QWidget*>(m_members[i].address), static_cast<QWidget*>(m_members[i].group),
+              static_cast<QWidget*>(m_members[i].leader), static_cast<QWidget*>(m_members[i].load)})
             widget->setVisible(there);
         if (there)
             showMember(m_members[i], link.modules[i]);
@@ -272,8 +275,10 @@ QString GroupsPage::whyNotAll(IntentKind kind) const {
 }
 
 void GroupsPage::refreshCommands() {
-    const bool any = m_group->count() > 0 && m_link.phase == LinkPhase::Connected;
-    const QString none = tr("No groups yet. Add modules to a group first.");
+    const auto noChain = whyNoChain(m_link);
+    const bool any = m_group->count() > 0 && !noChain;
+    const QString none = noChain == Refusal::Looking ? texts::refusal(*noChain)
+                                                     : tr("No groups yet. Add modules to a group first.");
     const auto refusal = whyNotTold(m_link);
     const QString notTold = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(
@@ -353,24 +358,28 @@ QString GroupsPage::whyNotAddress(const ModuleState& module) const {
 
 /// With Enter. Without, the field says again what is the case.
 void GroupsPage::readdress(std::size_t row) {
-    QSpinBox* field = m_members[row].address;
+    const NumberField* field = m_members[row].address;
     if (row >= m_link.modules.size())
         return;
     const bus::ModuleInfo& info = m_link.modules[row].info;
-    const BusAddress wanted(static_cast<std::uint8_t>(field->value()));
     if (!field->hasFocus())
         return showMember(m_members[row], m_link.modules[row]);
+    const auto value = field->value();
+    const BusAddress wanted(static_cast<std::uint8_t>(value.value_or(0)));
     const auto taken =
         std::find_if(m_link.modules.begin(), m_link.modules.end(), [&](const ModuleState& other) {
             return other.info.index != info.index && other.info.address == wanted;
         });
-    const bool free = taken == m_link.modules.end();
-    m_addressReason->setVisible(!free);
-    if (!free)
-        m_addressReason->setText(tr("Address %1 is used by %2. Nothing was sent.")
-                                     .arg(wanted.value())
-                                     .arg(texts::moduleName(taken->info.index)));
-    else if (wanted != info.address)
+    QString reason;
+    if (!value)
+        reason = field->problemText();
+    else if (taken != m_link.modules.end())
+        reason = tr("Address %1 is used by %2. Nothing was sent.")
+                     .arg(wanted.value())
+                     .arg(texts::moduleName(taken->info.index));
+    m_addressReason->setText(reason);
+    m_addressReason->setVisible(!reason.isEmpty());
+    if (reason.isEmpty() && wanted != info.address)
         emit addressRequested(info.index, wanted);
 }
 

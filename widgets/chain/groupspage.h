@@ -15,9 +15,10 @@ class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QSpinBox;
 
 namespace nmc {
+
+class NumberField;
 
 /// Which address each module has, which group it listens to, who leads it, and what a whole group can be told
 /// at once, in one tick: start the loaded moves, stop, save home, set the position to 0, clear sticky bits
@@ -41,7 +42,8 @@ signals:
 private:
     struct Member {
         QLabel* name = nullptr;
-        QSpinBox* address = nullptr;
+        QLabel* addressLabel = nullptr;
+        NumberField* address = nullptr;
         QComboBox* group = nullptr;
         QCheckBox* leader = nullptr;
         QLabel* load = nullptr;

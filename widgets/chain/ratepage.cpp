@@ -5,11 +5,11 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 
 #include "model/intent/intent.h"
 #include "protocol/baud.h"
 #include "widgets/common/look.h"
+#include "widgets/common/numberfield.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -24,7 +24,7 @@ RatePage::RatePage(QWidget* parent)
     : QWidget(parent),
       m_now(new QLabel(this)),
       m_rate(new QComboBox(this)),
-      m_divisor(new QSpinBox(this)),
+      m_divisor(new NumberField(0, this)),
       m_other(new QLabel(this)),
       m_change(new QPushButton(tr("&Change baud rate"), this)),
       m_reason(new QLabel(this)) {
@@ -40,7 +40,9 @@ RatePage::RatePage(QWidget* parent)
     m_rate->addItem(tr("Other…"), kOther);
     look::name(m_divisor, u"chainDivisorBox"_s, tr("Divisor of Set Baud Rate"));
     m_divisor->setRange(0, 255);
-    m_divisor->setToolTip(tr(
+    m_divisor->setDigits(5);
+    m_divisor->setWords(tr("The divisor"), {});
+    m_divisor->setMeaning(tr(
         "The baud rate is 1 250 000 Bd / (divisor + 1). The panel first checks that this computer's port supports it to within 2 %."));
     m_other->setObjectName(u"chainDivisorRate"_s);
     auto* remark = look::newMutedLabel(
@@ -61,9 +63,9 @@ RatePage::RatePage(QWidget* parent)
     grid->addWidget(remark, 3, 0, 1, 5);
     grid->setRowStretch(4, 1);
     grid->setColumnStretch(4, 1);
-    connect(m_divisor, &QSpinBox::valueChanged, this, &RatePage::refresh);
+    connect(m_divisor, &NumberField::edited, this, &RatePage::refresh);
     connect(m_rate, &QComboBox::currentIndexChanged, this, &RatePage::refresh);
-    connect(m_change, &QPushButton::clicked, this, [this] { emit rateRequested(wanted()); });
+    connect(m_change, &QPushButton::clicked, this, [this] { emit rateRequested(*wanted()); });
     refresh();
 }
 
@@ -73,19 +75,22 @@ void RatePage::showLink(const LinkState& link) {
     if (news && link.baud != 0) {
         const int row = m_rate->findData(link.baud);
         m_rate->setCurrentIndex(row >= 0 ? row : m_rate->findData(kOther));
-        m_divisor->setValue(findBrd(link.baud).value_or(kPowerUpBrd));
+        m_divisor->showValue(findBrd(link.baud).value_or(kPowerUpBrd));
     }
     refresh();
 }
 
-quint32 RatePage::wanted() const {
+std::optional<quint32> RatePage::wanted() const {
     const quint32 chosen = m_rate->currentData().toUInt();
-    return chosen == kOther ? baudOf(static_cast<std::uint8_t>(m_divisor->value())) : chosen;
+    if (chosen != kOther)
+        return chosen;
+    const auto divisor = m_divisor->value();
+    return divisor ? std::optional(baudOf(static_cast<std::uint8_t>(*divisor))) : std::nullopt;
 }
 
 QString RatePage::whyNot() const {
-    if (m_link.phase != LinkPhase::Connected)
-        return texts::refusal(Refusal::NotConnected);
+    if (const auto refusal = whyNoChain(m_link))
+        return texts::refusal(*refusal);
     if (const auto refusal = whyNotTold(m_link))
         return texts::refusal(*refusal);
     const auto those = [this](auto unfit) {
@@ -107,7 +112,9 @@ QString RatePage::whyNot() const {
         !leaders.isEmpty())
         return tr("Group leaders would answer during the change. Make these ordinary members on the Groups page: %1.")
             .arg(leaders);
-    if (wanted() == m_link.baud)
+    if (!wanted())
+        return m_divisor->problemText();
+    if (*wanted() == m_link.baud)
         return tr("The chain already runs at this baud rate.");
     return {};
 }
@@ -116,10 +123,10 @@ void RatePage::refresh() {
     const bool other = m_rate->currentData().toUInt() == kOther;
     m_divisor->setVisible(other);
     m_other->setVisible(other);
-    look::setText(m_other, tr("= %1 Bd").arg(texts::grouped(wanted())));
-    look::setText(m_now, m_link.phase == LinkPhase::Connected
-                             ? tr("The chain runs at %1 Bd.").arg(texts::grouped(m_link.baud))
-                             : texts::refusal(Refusal::NotConnected));
+    look::setText(m_other, wanted() ? tr("= %1 Bd").arg(texts::grouped(*wanted())) : u"–"_s);
+    const auto noChain = whyNoChain(m_link);
+    look::setText(m_now, noChain ? texts::refusal(*noChain)
+                                 : tr("The chain runs at %1 Bd.").arg(texts::grouped(m_link.baud)));
     const QString reason = whyNot();
     look::setPossible(m_change, reason, tr("Sends the new baud rate to every module, then checks each one."));
     look::setText(m_reason, reason);

@@ -8,9 +8,10 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace nmc {
+
+class NumberField;
 
 /// The rate of the whole chain, changed while it runs: every module is asked at the new rate, and all go back
 /// when one does not follow.
@@ -28,11 +29,12 @@ signals:
 
 private:
     void refresh();
-    [[nodiscard]] quint32 wanted() const;
+    /// Empty while no divisor stands in its field.
+    [[nodiscard]] std::optional<quint32> wanted() const;
 
     QLabel* m_now;
     QComboBox* m_rate;
-    QSpinBox* m_divisor;  ///< of any other rate
+    NumberField* m_divisor;  ///< of any other rate
     QLabel* m_other;
     QPushButton* m_change;
     QLabel* m_reason;  ///< why not, for whoever does not look for a tool tip

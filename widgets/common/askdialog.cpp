@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/askdialog.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -21,9 +22,21 @@ AskDialog& AskDialog::ask(const Question& question, std::initializer_list<Choice
         dialog = new AskDialog(question, choices, window);
         dialog->show();
     }
-    dialog->raise();
-    dialog->activateWindow();
+    dialog->comeForward();
     return *dialog;
+}
+
+void AskDialog::comeForward() {
+    raise();
+    activateWindow();
+}
+
+AskDialog* AskDialog::waiting(const QWidget& window) {
+    const QWidget* active = QApplication::activeWindow();
+    for (AskDialog* dialog : window.findChildren<AskDialog*>(Qt::FindDirectChildrenOnly))
+        if (dialog->isVisible() && active != nullptr && active != dialog)
+            return dialog;
+    return nullptr;
 }
 
 void AskDialog::reviewAll(const QWidget& window) {

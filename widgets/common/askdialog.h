@@ -35,6 +35,11 @@ public:
 
     /// One that stands already under this name comes to the front instead.
     static AskDialog& ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
+    /// One of this window that stands while its user works elsewhere; null for none.
+    [[nodiscard]] static AskDialog* waiting(const QWidget& window);
+    void comeForward();
+    /// What it says now.
+    [[nodiscard]] QString text() const { return m_text(); }
     /// Something has changed that questions of this window may be about.
     static void reviewAll(const QWidget& window);
 

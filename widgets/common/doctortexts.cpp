@@ -24,6 +24,8 @@ QString chainFinding(const ChainDiagnosis& chain) {
     switch (chain.finding) {
         case Finding::NotConnected:
             return Chain::tr("Not connected: the state of the chain is unknown.");
+        case Finding::Looking:
+            return Chain::tr("Looking for modules…");
         case Finding::Fine:
             return Chain::tr("Chain OK: %1.").arg(countOfModules(static_cast<int>(chain.found)));
         case Finding::NothingExpected:
@@ -55,6 +57,7 @@ QString chainAdvice(const ChainDiagnosis& chain) {
     switch (chain.finding) {
         case Finding::NotConnected:
             return Chain::tr("Choose a port and connect.");
+        case Finding::Looking:
         case Finding::Fine:
             return {};
         case Finding::NothingExpected:
@@ -122,6 +125,7 @@ Severity severityOf(State state) {
 Severity severityOf(Finding finding) {
     switch (finding) {
         case Finding::NotConnected:
+        case Finding::Looking:
         case Finding::Fine:
         case Finding::NothingExpected:
         case Finding::MoreThanBefore:

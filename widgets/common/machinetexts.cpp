@@ -69,7 +69,7 @@ QString wrongInLine(const FileProblem& problem) {
         case Kind::WrongType:
             return Texts::tr("%1 is not %2.").arg(field, wanted(problem.wanted));
         case Kind::OutOfRange:
-            return (problem.ofModule ? Texts::tr("%1 is %2; it must be %3 to %4.")
+            return (problem.ofModule ? Texts::tr("%1 is %2; the module takes %3 to %4.")
                                      : Texts::tr("%1 is %2; it must be %3 to %4."))
                 .arg(field, found, plain(problem.min), plain(problem.max));
         case Kind::UnknownWord:

@@ -59,6 +59,7 @@ Needs needsOf(MessageAction action) {
         case MessageAction::ShowRecord:
         case MessageAction::LookFirst:
         case MessageAction::ConnectFully:
+        case MessageAction::ShowQuestion:
             break;
     }
     return {};

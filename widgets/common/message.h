@@ -39,6 +39,7 @@ enum class MessageAction : std::uint8_t {
     ConnectFully,
     TakePosition,    ///< that was remembered of an axis
     ForgetPosition,  ///< likewise
+    ShowQuestion,    ///< the window's
 };
 Q_ENUM_NS(MessageAction)
 
@@ -59,6 +60,8 @@ struct Message {
     QString details{};  ///< the system's own words, raw bytes
     /// It is the case until it is ended; what is not is an event, and old news after a while.
     bool stands = false;
+    /// What was told before under this key gives way to it, whatever it said.
+    bool replaces = false;
     /// LinkState::connection when it was shown, by which the window knows whom a button would act on; 0: it
     /// was shown without a connection.
     std::uint32_t connection = 0;

@@ -4,8 +4,10 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QStyleOptionFrame>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <charconv>
@@ -32,6 +34,11 @@ bool separatesGroups(const QString& text, qsizetype at) {
     return text.at(at).isSpace() && isDigit(at - 1) && isDigit(at + 1) && isDigit(at + 2) &&
            isDigit(at + 3) && !isDigit(at + 4);
 }
+
+/// Of the locale, where it is one of the two that are read.
+QChar decimalMark() {
+    return QLocale().decimalPoint() == u","_s ? u',' : u'.';
+}
 }  // namespace
 
 NumberField::NumberField(int decimals, QWidget* parent) : QLineEdit(parent), m_decimals(decimals) {
@@ -55,6 +62,11 @@ void NumberField::setRange(double min, double max) {
     judge();
 }
 
+void NumberField::setRangeReason(const QString& reason) {
+    m_rangeReason = reason;
+    judge();
+}
+
 void NumberField::setDecimals(int decimals) {
     m_decimals = decimals;
     judge();
@@ -72,6 +84,8 @@ void NumberField::setWords(const QString& quantity, const QString& unit) {
 }
 
 void NumberField::setMeaning(const QString& meaning) {
+    if (m_meaning == meaning)
+        return;
     m_meaning = meaning;
     judge();
 }
@@ -83,6 +97,11 @@ void NumberField::setUnavailable(const QString& why) {
     setReadOnly(!why.isEmpty());
     setPlaceholderText(why.isEmpty() ? QString() : u"–"_s);
     judge();
+}
+
+void NumberField::setPossible(const QString& reason, const QString& meaning) {
+    setEnabled(reason.isEmpty());
+    setMeaning(reason.isEmpty() ? meaning : reason);
 }
 
 std::optional<double> NumberField::parse(const QString& text, bool wholeOnly, Problem* problem) {
@@ -105,6 +124,10 @@ std::optional<double> NumberField::parse(const QString& text, bool wholeOnly, Pr
             return std::nullopt;
         }
     }
+    if (wholeOnly && marks > 0) {
+        *problem = Problem::NotWhole;
+        return std::nullopt;
+    }
     if (marks > 1) {
         *problem = Problem::TwoMarks;
         return std::nullopt;
@@ -116,10 +139,6 @@ std::optional<double> NumberField::parse(const QString& text, bool wholeOnly, Pr
         std::from_chars(plain.data(), plain.data() + plain.size(), value, std::chars_format::fixed);
     if (error != std::errc() || end != plain.data() + plain.size())
         return std::nullopt;
-    if (wholeOnly && value != std::floor(value)) {
-        *problem = Problem::NotWhole;
-        return std::nullopt;
-    }
     *problem = Problem::None;
     return value;
 }
@@ -132,8 +151,7 @@ QString NumberField::format(double value, int decimals) {
             text.chop(1);
         if (text.endsWith(u'.'))
             text.chop(1);
-        if (QLocale().decimalPoint() == u","_s)
-            text.replace(u'.', u',');
+        text.replace(u'.', decimalMark());
     }
     return text;
 }
@@ -180,9 +198,12 @@ QString NumberField::problemText() const {
         case Problem::TwoMarks:
             return tr("%1 has two decimal marks. Both , and . count as decimal marks.").arg(quantity);
         case Problem::NotWhole:
-            return tr("%1 must be a whole number.").arg(quantity) + u" "_s + range();
+            return tr("%1 must be a whole number without , or . in it.").arg(quantity) + u" "_s + range();
+        case Problem::Ambiguous:
+            return tr("%1: %2 can be read in two ways. Press Enter in the field for %3, or type %4.")
+                .arg(quantity, text().trimmed(), asFraction(), asFraction().remove(decimalMark()).chopped(1));
         case Problem::OutOfRange:
-            return range();
+            return m_rangeReason.isEmpty() ? range() : range() + u' ' + m_rangeReason;
     }
     return {};
 }
@@ -208,6 +229,8 @@ void NumberField::judge() {
     const std::optional<double> number = parse(text(), m_decimals == 0, &problem);
     if (number.has_value() && !isAllowed(*number))
         problem = Problem::OutOfRange;
+    if (number.has_value() && m_decimals > 0 && isAmbiguous())
+        problem = Problem::Ambiguous;
     m_problem = m_unavailable.isEmpty() ? problem : Problem::Unavailable;
     const QString trouble = problemText();
     const bool show = m_problem != Problem::None && m_problem != Problem::Empty;
@@ -217,6 +240,15 @@ void NumberField::judge() {
     if (textMargins().left() != mark)
         setTextMargins(mark, 0, 0, 0);
     update();
+}
+
+bool NumberField::isAmbiguous() const {
+    static const QRegularExpression groups(u"^[-\u2212+]?[1-9][0-9]{0,2}[.,][0-9]{3}$"_s);
+    return isModified() && groups.match(text().trimmed()).hasMatch();
+}
+
+QString NumberField::asFraction() const {
+    return text().trimmed().replace(u'.', decimalMark()).replace(u',', decimalMark()) + u'0';
 }
 
 void NumberField::moveBy(int steps) {
@@ -243,13 +275,22 @@ bool NumberField::event(QEvent* event) {
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && m_problem == Problem::Ambiguous) {
+        // Shown now as what it is taken for; the next Enter acts.
+        showText(asFraction());
+        setModified(true);
+        emit edited();
+        event->accept();
+    } else if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
         moveBy(event->key() == Qt::Key_Up ? 1 : -1);
         event->accept();
     } else if (event->key() == Qt::Key_PageUp || event->key() == Qt::Key_PageDown) {
         moveBy(event->key() == Qt::Key_PageUp ? 10 : -10);
         event->accept();
     } else {
+        if (enter && m_problem != Problem::None)
+            QToolTip::showText(mapToGlobal(rect().bottomLeft()), toolTip(), this);
         QLineEdit::keyPressEvent(event);
     }
 }

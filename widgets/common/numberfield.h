@@ -7,10 +7,11 @@
 
 namespace nmc {
 
-/// A field for one number in one unit (interface.md, "Values"). Both , and . are the decimal mark under every
-/// locale, and two marks are refused, so that nothing is ever taken for a hundred times itself. What is out
-/// of range stays as typed, is marked, says the range, and has no value. The wheel works only in a focused
-/// field.
+/// A field for one number in one unit (interface.md, "Values"), read alike under every locale, and never by a
+/// guess: whole numbers have no mark at all. Elsewhere both , and . are the decimal mark, two are refused,
+/// and what was typed as groups are written, 1,234 or 1.234, has no value until Enter has made it 1.2340.
+/// What is out of range stays as typed, is marked, says the range, and has no value. The wheel works only in
+/// a focused field.
 class NumberField : public QLineEdit {
     Q_OBJECT
 
@@ -22,6 +23,7 @@ public:
         NotANumber,
         TwoMarks,
         NotWhole,
+        Ambiguous,
         OutOfRange
     };
 
@@ -29,6 +31,8 @@ public:
     explicit NumberField(int decimals, QWidget* parent = nullptr);
 
     void setRange(double min, double max);
+    /// Which setting makes the range what it is, as a sentence; empty: the module.
+    void setRangeReason(const QString& reason);
     /// 0: whole numbers only.
     void setDecimals(int decimals);
     [[nodiscard]] int decimals() const { return m_decimals; }
@@ -39,6 +43,8 @@ public:
     void setWords(const QString& quantity, const QString& unit);
     /// What the tool tip says while there is no problem.
     void setMeaning(const QString& meaning);
+    /// As look::setPossible() does, and without covering what the field itself says of its text.
+    void setPossible(const QString& reason, const QString& meaning);
 
     /// Why no number can be told or taken now; then there is no value and nothing can be typed. Empty: one
     /// can.
@@ -80,6 +86,10 @@ private:
     [[nodiscard]] QString textOf(double value) const;
     /// Within the range, or what the field itself writes for a limit, which rounding may have put beyond it.
     [[nodiscard]] bool isAllowed(double number) const;
+    /// What was typed may be a decimal fraction or a group of thousands. What the field itself shows is none.
+    [[nodiscard]] bool isAmbiguous() const;
+    /// As a decimal fraction and nothing else: 1.2340 for 1,234.
+    [[nodiscard]] QString asFraction() const;
 
     int m_decimals;
     double m_min = 0;
@@ -91,6 +101,7 @@ private:
     QString m_unit;
     QString m_meaning;
     QString m_unavailable;
+    QString m_rangeReason;
     Problem m_problem = Problem::Empty;
 };
 

@@ -24,22 +24,51 @@ QStringList missing(const bus::StopFinished& finished) {
     return parts;
 }
 
+/// What became of those that have stopped: one that holds can be pushed against, one that is off cannot.
+QString howStopped(const bus::StopFinished& finished, const std::vector<ModuleState>& modules) {
+    int holding = 0;
+    int switchedOff = 0;
+    int wereOff = 0;
+    int io = 0;
+    for (const ModuleIndex index : finished.stopped) {
+        const ModuleState* module = index.value() < modules.size() ? &modules[index.value()] : nullptr;
+        if (module != nullptr && module->isIo())
+            ++io;
+        else if (module != nullptr && module->driveOn())
+            ++holding;
+        else if (std::ranges::find(finished.wereOff, index) != finished.wereOff.end())
+            ++wereOff;
+        else
+            ++switchedOff;
+    }
+    QStringList parts;
+    if (holding > 0)
+        parts << Texts::tr("%n stopped and holding", nullptr, holding);
+    if (switchedOff > 0)
+        parts << Texts::tr("%n switched off", nullptr, switchedOff);
+    if (wereOff > 0)
+        parts << Texts::tr("%n were off", nullptr, wereOff);
+    if (io > 0)
+        parts << Texts::tr("%n I/O modules as set for a stop", nullptr, io);
+    return parts.join(u", "_s);
+}
+
 }  // namespace
 
 bool allStopped(const bus::StopFinished& finished) {
     return !finished.stopped.empty() && missing(finished).isEmpty();
 }
 
-Message stopResult(const bus::StopFinished& finished, bool holding) {
+Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleState>& modules) {
     const QString stopped = QString::number(finished.stopped.size());
     const QString all = QString::number(finished.stopped.size() + finished.unreached.size() +
                                         finished.unconfirmed.size() + finished.noStopKnown.size());
     if (allStopped(finished)) {
         const auto ms = std::llround(toSeconds(finished.took) * 1000);
-        const QString text = holding ? Texts::tr("%1 of %2 stopped, %3 ms. Still holding.")
-                                     : Texts::tr("%1 of %2 stopped, %3 ms. Every motor is off.");
         // A key of its own: a stop that went well does not count as a repeat of one that did not.
-        return {.key = u"stopped"_s, .headline = text.arg(stopped, all, QString::number(ms))};
+        return {.key = key::stopped(),
+                .headline = Texts::tr("%1, %2 ms.").arg(howStopped(finished, modules), QString::number(ms)),
+                .replaces = true};
     }
     QStringList parts = missing(finished);
     if (parts.isEmpty())

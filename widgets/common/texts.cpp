@@ -264,6 +264,15 @@ Message safety() {
         .actions = {{MessageAction::Understood, Texts::tr("Understood")}}};
 }
 
+Message questionWaits(const QString& title, const QString& text) {
+    return {.key = key::question(),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("A question waits for your answer: %1").arg(title),
+            .body = text,
+            .actions = {{MessageAction::ShowQuestion, Texts::tr("Show the question")}},
+            .stands = true};
+}
+
 QString simulatorDid(const QString& line) {
     return Texts::tr("Done: %1").arg(line);
 }
@@ -288,6 +297,12 @@ QString unaddressed() {
 }
 QString badLink() {
     return u"badLink"_s;
+}
+QString question() {
+    return u"question"_s;
+}
+QString stopped() {
+    return u"stopped"_s;
 }
 QString silent(ModuleIndex module) {
     return ofModule(u"silent"_s, module);

@@ -143,8 +143,8 @@ namespace texts {
 [[nodiscard]] Message settingsNotSaved(const QString& file);
 /// Of the log of messages.
 [[nodiscard]] Message messagesNotKept(const FileError& error);
-/// `holding`: some servo is on and keeps its motor where it is.
-[[nodiscard]] Message stopResult(const bus::StopFinished& finished, bool holding);
+/// "1 stopped and holding, 2 were off, 22 ms." `modules`: what is known of them by now.
+[[nodiscard]] Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleState>& modules);
 /// There were modules, and each is known to have stopped.
 [[nodiscard]] bool allStopped(const bus::StopFinished& finished);
 /// Goes behind the headline of the message that told of the stop: "It has stopped."
@@ -155,6 +155,8 @@ namespace texts {
 [[nodiscard]] QString stoppingBeforeClose();
 [[nodiscard]] QString beforeRestart(int movingMotors);
 [[nodiscard]] Message safety();
+/// It blocks nothing, and may be behind the window by now.
+[[nodiscard]] Message questionWaits(const QString& title, const QString& text);
 
 // ---- the built-in simulator ----
 /// What became of a control line, over its answer.
@@ -234,6 +236,9 @@ namespace texts {
 
 /// The keys of messages that end: for MainWindow::endMessage().
 namespace key {
+[[nodiscard]] QString question();
+/// Of a stop of all that went well, until something moves again.
+[[nodiscard]] QString stopped();
 [[nodiscard]] QString port();
 [[nodiscard]] QString link();
 [[nodiscard]] QString badLink();

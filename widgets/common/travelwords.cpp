@@ -23,12 +23,32 @@ QString travelProblem(const TravelProblem& problem, const AxisScale& scale) {
         return Texts::tr("That is %1; the highest velocity of this axis is %2 (Axis page).")
             .arg(velocity(scale, problem.velocity, 6), velocity(scale, problem.fastest, 6));
     const QString limit = position(scale, problem.limit);
+    if (problem.turn) {
+        const QString turn = position(scale, *problem.turn);
+        return problem.lowest
+                   ? Texts::tr(
+                         "To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).")
+                         .arg(turn, limit)
+                   : Texts::tr(
+                         "To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).")
+                         .arg(turn, limit);
+    }
     if (problem.refusal == Refusal::AtTravelEnd)
         return problem.lowest ? Texts::tr("Lowest position reached: %1. Move forward.").arg(limit)
                               : Texts::tr("Highest position reached: %1. Move in reverse.").arg(limit);
     return problem.lowest
-               ? Texts::tr("That is beyond the travel limits: the lowest position is %1.").arg(limit)
-               : Texts::tr("That is beyond the travel limits: the highest position is %1.").arg(limit);
+               ? Texts::tr("That is beyond the travel limits: the lowest position is %1 (Axis page).")
+                     .arg(limit)
+               : Texts::tr("That is beyond the travel limits: the highest position is %1 (Axis page).")
+                     .arg(limit);
+}
+
+QString fastestReason(const TravelSettings& travel) {
+    return travel.fastest > 0 ? Texts::tr("The highest velocity is set on the Axis page.") : QString();
+}
+
+QString jogReason() {
+    return Texts::tr("The max jog speed and the highest velocity are set on the Axis page.");
 }
 
 QString refusal(Refusal reason, const Intent& intent, const ModuleState& module, const AxisScale& scale) {

@@ -11,6 +11,10 @@ namespace nmc::texts {
 
 /// Why that is refused, with the limit or the speed in its way.
 [[nodiscard]] QString travelProblem(const TravelProblem& problem, const AxisScale& scale);
+/// Why a velocity's range ends where it does; empty: the module counts no further.
+[[nodiscard]] QString fastestReason(const TravelSettings& travel);
+/// The same of the speed of a jog.
+[[nodiscard]] QString jogReason();
 /// Why an intent is refused: the same where that is why, one sentence otherwise.
 [[nodiscard]] QString refusal(Refusal refusal, const Intent& intent, const ModuleState& module,
                               const AxisScale& scale);

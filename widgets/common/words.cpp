@@ -181,6 +181,8 @@ QString refusal(Refusal refusal) {
             return Texts::tr("This module is not a PIC-I/O.");
         case Refusal::Unresponsive:
             return Texts::tr("The module does not answer, so its state is unknown.");
+        case Refusal::Looking:
+            return Texts::tr("Looking for modules… Until they are found, only stops act.");
         case Refusal::NoPower:
             return Texts::tr("The module has no motor power.");
         case Refusal::GainsUnknown:

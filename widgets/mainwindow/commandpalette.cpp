@@ -33,7 +33,7 @@ CommandPalette::CommandPalette(QWidget* parent)
     look::name(m_words, u"commandWords"_s, tr("Search commands"));
     m_words->setPlaceholderText(tr("Type what to do, for example: go home"));
     m_words->setClearButtonEnabled(true);
-    m_words->installEventFilter(this);
+    QCoreApplication::instance()->installEventFilter(this);
     look::name(m_list, u"commandList"_s, tr("Commands"));
     m_list->setColumnCount(kColumns);
     m_list->setHeaderLabels({tr("Command"), tr("Where"), tr("Key")});
@@ -122,8 +122,18 @@ void CommandPalette::act() {
     act();
 }
 
+/// Its popups are its own, too.
+bool CommandPalette::isMine(const QObject* object) const {
+    while (object != nullptr && object != this)
+        object = object->parent();
+    return object != nullptr;
+}
+
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::KeyPress) {
+    const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::TouchBegin;
+    if (press && isVisible() && watched->isWidgetType() && !isMine(watched))
+        hide();
+    if (watched == m_words && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp || key == Qt::Key_PageDown) {
             QCoreApplication::sendEvent(m_list, event);

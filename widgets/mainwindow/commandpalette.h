@@ -13,7 +13,8 @@ class QTreeWidgetItem;
 namespace nmc {
 
 /// Finds any command by typing some of its words, says why it can't be done now, and does it on Enter. It
-/// blocks nothing: STOP ALL and Esc work as ever, and Esc closes it. GUI thread.
+/// blocks nothing: STOP ALL and Esc work as ever, and Esc closes it, as does a press anywhere else. GUI
+/// thread.
 class CommandPalette : public QDialog {
     Q_OBJECT
 
@@ -34,13 +35,15 @@ public:
     void showEntries(std::vector<Entry> entries);
 
 protected:
-    /// The arrow keys choose while the line has the focus.
+    /// The arrow keys choose while the line has the focus. Watches the whole application for presses beside
+    /// it: one who works elsewhere has done with it, and it may lie over what he means to press next.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void filter();
     void choose();
     void act();
+    [[nodiscard]] bool isMine(const QObject* object) const;
     [[nodiscard]] const Entry* current() const;
 
     QLineEdit* m_words;

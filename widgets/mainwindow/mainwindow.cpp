@@ -89,6 +89,7 @@ MainWindow::~MainWindow() {
     // no main window any more.
     for (QObject* child : findChildren<QObject*>())
         child->disconnect(this);
+    qApp->disconnect(this);
 }
 
 void MainWindow::buildTop() {
@@ -170,7 +171,8 @@ void MainWindow::connectParts() {
     connect(m_bar, &ConnectionBar::portsRequested, this, &MainWindow::portsRequested);
     connect(m_chainMenu, &ChainMenu::restartRequested, this, &MainWindow::askBeforeRestart);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::showSession);
-    connect(m_machineMenu, &MachineMenu::shown, this, [this] { AskDialog::reviewAll(*this); });
+    connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::reviewQuestions);
+    connect(qApp, &QGuiApplication::focusWindowChanged, this, &MainWindow::reviewQuestions);
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
     connect(new PressFilter(m_bar->stopButton(), this), &PressFilter::pressed, this,
             &MainWindow::requestStop);
@@ -210,10 +212,10 @@ void MainWindow::connectParts() {
 /// The mode, or the axis that it is for.
 void MainWindow::showPendant() {
     const ModuleState* module = selectedState();
-    const auto refusal = whyNotTold(m_session.link());
-    const bool told =
-        m_session.link().phase == LinkPhase::Connected && (!refusal || refusal == Refusal::OperatorMode);
-    m_pendant->showModule(!told ? texts::refusal(refusal.value_or(Refusal::NotConnected))
+    auto refusal = whyNotTold(m_session.link());
+    if (!refusal || refusal == Refusal::OperatorMode)
+        refusal = whyNoChain(m_session.link());
+    m_pendant->showModule(refusal ? texts::refusal(*refusal)
                           : m_panel->page() == nullptr
                               ? tr("No module can be moved. Connect a motor module first.")
                               : QString());
@@ -281,6 +283,8 @@ void MainWindow::reviewMessages() {
 void MainWindow::showModules() {
     const LinkState& link = m_session.link();
     m_bar->showLink(link);
+    if (m_session.movingMotors() > 0)
+        endMessage(texts::key::stopped());  // the next stop is another one
     m_linkBar->showLink(link);
     m_simulator->showLink(link);
     m_monitor->showLink(link);
@@ -356,7 +360,7 @@ void MainWindow::showSelected() {
     m_simulator->showSelected(selectedModule());
     showPendant();
     showScopeModules();
-    AskDialog::reviewAll(*this);
+    reviewQuestions();
 }
 
 std::optional<ModuleIndex> MainWindow::selectedModule() const {
@@ -433,6 +437,9 @@ void MainWindow::takeMessageAction(const Message& message, MessageAction action)
     } else if (action == MessageAction::StopAll) {
         requestStop();
         endMessage(message.key);
+    } else if (action == MessageAction::ShowQuestion) {
+        if (AskDialog* question = AskDialog::waiting(*this))
+            question->comeForward();
     } else if (action == MessageAction::Understood) {
         m_settings.setValue(kSafetyRead, true);
         endMessage(message.key);
@@ -457,7 +464,7 @@ void MainWindow::requestStop() {
 }
 
 void MainWindow::showStopResult(const bus::StopFinished& finished) {
-    const Message result = texts::stopResult(finished, m_session.anyHolds());
+    const Message result = texts::stopResult(finished, m_session.link().modules);
     m_bar->showStopResult(result.headline);
     const bool all = texts::allStopped(finished);
     if (all)

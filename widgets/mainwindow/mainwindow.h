@@ -235,6 +235,7 @@ private:
     void reviewMessages();
     void requestStop();
     void askBeforeDisconnect();
+    void reviewQuestions();
     void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
     [[nodiscard]] Message ofThisConnection(Message message) const;
     void takeMessageAction(const Message& message, MessageAction action);
@@ -254,6 +255,7 @@ private:
     Ribbon* m_operatorRibbon = nullptr;
     Pendant* m_pendant = nullptr;
     OperatorLock* m_operator = nullptr;
+    QString m_waiting;                            ///< the title of the question that the banner tells of
     std::optional<OperatorRights> m_reviewedFor;  ///< as the messages' buttons are
     Bell* m_bell = nullptr;
     Banner* m_banner = nullptr;

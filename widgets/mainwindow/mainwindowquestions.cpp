@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window asks before motors are stopped or positions are lost, and what becomes of the answer.
 #include <QCloseEvent>
+#include <utility>
 
 #include "widgets/common/askdialog.h"
+#include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/mainwindow.h"
+#include "widgets/messages/banner.h"
 #include "widgets/panels/modulepanel.h"
 
 namespace nmc {
@@ -33,6 +36,19 @@ void MainWindow::askBeforeDisconnect() {
     else
         askBeforeStopping(u"disconnectDialog"_s, tr("&Stop and disconnect"),
                           [this] { m_session.disconnectWhenStopped(); });
+}
+
+/// One that waits is told of where the user looks meanwhile. It is no event that a list of messages keeps.
+void MainWindow::reviewQuestions() {
+    AskDialog::reviewAll(*this);
+    const AskDialog* question = AskDialog::waiting(*this);
+    const QString title = question != nullptr ? question->windowTitle() : QString();
+    if (std::exchange(m_waiting, title) == title)
+        return;
+    if (question != nullptr)
+        m_banner->showMessage(texts::questionWaits(title, question->text()));
+    else
+        m_banner->endMessage(texts::key::question());
 }
 
 void MainWindow::askBeforeRestart() {

@@ -77,7 +77,7 @@ PanelView Session::viewOf(const ModuleState& module) const {
     const auto procedure = m_procedures.find(module.info.index);
     return {module, m_machine.axis(module.info.index),
             procedure != m_procedures.end() ? &procedure->second : nullptr,
-            m_link.phase == LinkPhase::Connected, ageOf(module)};
+            m_link.phase == LinkPhase::Connected || module.lookedFor, ageOf(module)};
 }
 
 std::vector<ScopeModule> Session::scopeModules() const {
@@ -88,11 +88,6 @@ std::vector<ScopeModule> Session::scopeModules() const {
                            axis.analog, travelRange(module), pinsOf(axis)});
     }
     return modules;
-}
-
-bool Session::anyHolds() const {
-    return std::any_of(m_link.modules.begin(), m_link.modules.end(),
-                       [](const ModuleState& module) { return module.driveOn(); });
 }
 
 int Session::movingMotors() const {

@@ -43,7 +43,6 @@ public:
     [[nodiscard]] PanelView viewOf(const ModuleState& module) const;
     /// What the scope knows of them.
     [[nodiscard]] std::vector<ScopeModule> scopeModules() const;
-    [[nodiscard]] bool anyHolds() const;
     /// Those that are seen to move, and those that a procedure moves, or is about to.
     [[nodiscard]] int movingMotors() const;
     /// A connection that only looks leaves them as they are.

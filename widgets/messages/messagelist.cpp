@@ -47,7 +47,7 @@ MessageRow* MessageList::active(const QString& key) const {
 
 void MessageList::showMessage(const Message& message, const QDateTime& time) {
     MessageRow* row = active(message.key);
-    if (row != nullptr && row->message().headline != message.headline) {
+    if (row != nullptr && row->message().headline != message.headline && !message.replaces) {
         endRow(*row, time);
         row = nullptr;
     }

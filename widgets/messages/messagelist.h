@@ -15,7 +15,7 @@ namespace nmc {
 class MessageRow;
 
 /// What happened in this session, newest first; one row for one cause, repeats are counted. The same key with
-/// another headline is another cause.
+/// another headline is another cause, unless it replaces what was told before.
 class MessageList : public QScrollArea {
     Q_OBJECT
 

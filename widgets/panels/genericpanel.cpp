@@ -56,7 +56,10 @@ void GenericPanel::showModule(const PanelView& view) {
     if (module.silent)
         status = tr("It does not answer. ") + status;
     look::setText(m_status, status);
-    look::setPossible(m_ask, view.connected ? QString() : texts::refusal(Refusal::NotConnected),
+    look::setPossible(m_ask,
+                      module.lookedFor ? texts::refusal(Refusal::Looking)
+                      : view.connected ? QString()
+                                       : texts::refusal(Refusal::NotConnected),
                       tr("Sends No Operation, which only requests the status."));
 }
 

@@ -200,7 +200,7 @@ void IoValuesBox::refresh() {
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
         look::setText(m_pwm.at(i).state,
                       pwm ? tr("%1 of 255").arg(static_cast<int>(pwm->at(i))) : tr("? unknown"));
-        look::setPossible(m_pwm.at(i).field, reason, tr("255 is always on. Press Enter to send."));
+        m_pwm.at(i).field->setPossible(reason, tr("255 is always on. Press Enter to send."));
     }
 }
 

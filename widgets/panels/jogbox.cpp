@@ -81,6 +81,7 @@ void JogBox::build() {
 
 void JogBox::showVelocity() {
     m_velocity->setNativeRange(servodefaults::kSmallest, m_motion.holdCap);
+    m_velocity->setRangeReason(texts::jogReason());
     m_velocity->showNative(m_typed.value_or(qMin(m_motion.holdVelocity, m_motion.holdCap)));
 }
 

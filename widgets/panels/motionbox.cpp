@@ -227,8 +227,10 @@ void MotionBox::showModule() {
     const MotionSettings before = std::exchange(m_motion, servodefaults::motionOf(m_context.settings()));
     for (QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})
         field->setScale(m_context.scale());
-    for (QuantityField* field : {m_velocity, m_runVelocity})
+    for (QuantityField* field : {m_velocity, m_runVelocity}) {
         field->setNativeRange(servodefaults::kSmallest, servodefaults::fastest(m_context.settings()));
+        field->setRangeReason(texts::fastestReason(m_context.settings().travel));
+    }
     quantitygrid::follow(m_velocity, m_motion.velocity, before.velocity);
     quantitygrid::follow(m_acceleration, m_motion.acceleration, before.acceleration);
     quantitygrid::follow(m_runVelocity, m_motion.runVelocity, before.runVelocity);
@@ -289,7 +291,7 @@ void MotionBox::offerNearest() {
     m_nearest->setVisible(offers);
     if (!offers)
         return;
-    m_nearest->setText(tr("Use %1").arg(texts::position(m_goal->scale(), problem->limit)));
+    m_nearest->setText(tr("Use %1").arg(texts::position(m_goal->scale(), problem->nearest)));
     m_nearest->setPossible({}, tr("Sets the goal to the nearest allowed position. Nothing moves."));
 }
 
@@ -299,7 +301,7 @@ void MotionBox::takeNearest() {
     if (!problem || problem->refusal != Refusal::BeyondTravel)
         return;
     m_goalKind->setCurrentIndex(Absolute);
-    m_goal->showNative(problem->limit);
+    m_goal->showNative(problem->nearest);
     m_goal->setFocus();
     refresh();
 }

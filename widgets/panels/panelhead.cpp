@@ -244,7 +244,9 @@ void PanelHead::refresh() {
     const bool brakes =
         activity == Activity::Holding && module.isServo() && module.gains && module.gains->kp == 0;
     const auto& swing = module.swing.swing();
-    look::setText(m_meaning, activity == Activity::Holding && swing ? texts::swing(*swing, m_context.scale())
+    look::setText(m_meaning, module.lookedFor ? tr("Looking for modules… This is what it said last.")
+                             : activity == Activity::Holding && swing
+                                 ? texts::swing(*swing, m_context.scale())
                              : brakes ? tr("Kp is 0: the servo brakes the motor but holds no position.")
                                       : texts::activityMeaning(activity));
     const auto procedure = m_context.runningProcedure();

@@ -193,6 +193,7 @@ void StepperMotionBox::showSpeed() {
     const double fastest = std::max(slowest, stepperdefaults::atMost(chip, m_context.settings()));
     m_shownFastest = m_context.settings().travel.fastest;
     m_speed->setNativeRange(slowest, fastest);
+    m_speed->setRangeReason(texts::fastestReason(m_context.settings().travel));
     m_speed->setMeaning(
         tr("How fast the motor turns: %1 to %2 in this speed mode. The chip uses the nearest speed available.")
             .arg(texts::stepsPerSecond(slowest, m_speed->scale()),
@@ -297,7 +298,7 @@ std::optional<std::int32_t> StepperMotionBox::nearest() const {
         wanted ? travelProblem(stepperintent::Move{*wanted}, m_context.state()) : std::nullopt;
     if (!problem || problem->refusal != Refusal::BeyondTravel)
         return std::nullopt;
-    return problem->limit;
+    return problem->nearest;
 }
 
 void StepperMotionBox::takeNearest() {

@@ -162,6 +162,17 @@ bool TravelBox::crossed() const {
     return lowest && highest && *lowest >= *highest;
 }
 
+/// Home is within the limits, and nearer to one of them than the backlash.
+bool TravelBox::homeIsOutOfReach() const {
+    const TravelSettings& travel = m_context.settings().travel;
+    const BacklashSettings& backlash = m_context.settings().backlash;
+    const auto& limit = backlash.fromAbove ? travel.highest : travel.lowest;
+    if (!limit)
+        return false;
+    const double room = backlash.fromAbove ? *limit : -static_cast<double>(*limit);
+    return room >= 0 && room < backlash.distance;
+}
+
 /// What the user types is kept with the axis; what makes no sense stays in its field, and what was there
 /// before stays in force.
 void TravelBox::keep() {
@@ -249,6 +260,9 @@ void TravelBox::refresh() {
         hint = m_backlash->problemText();
     if (hint.isEmpty() && crossed())
         hint = tr("The lowest position must be below the highest. The old value is kept.");
+    if (hint.isEmpty() && homeIsOutOfReach())
+        hint = tr(
+            "With this backlash, no move can end at home: it would turn round beyond the limit. Move the limit away from home, or change the backlash or its direction.");
     look::setText(m_hint, hint);
     m_hint->setVisible(!hint.isEmpty());
     look::setText(m_state, texts::travelState(module, m_context.scale()));

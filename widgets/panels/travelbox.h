@@ -38,6 +38,7 @@ private:
     /// Empty, or a number within its range.
     [[nodiscard]] static bool usable(const QuantityField& field);
     [[nodiscard]] bool crossed() const;
+    [[nodiscard]] bool homeIsOutOfReach() const;
     void keep();
     void takePosition(Limit limit);
     void askToDeclare();

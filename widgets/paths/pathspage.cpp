@@ -212,8 +212,8 @@ void PathsPage::lookForObstacles() {
 }
 
 QString PathsPage::whyNoAxes() const {
-    if (m_link.phase != LinkPhase::Connected)
-        return texts::refusal(Refusal::NotConnected);
+    if (const auto refusal = whyNoChain(m_link))
+        return texts::refusal(*refusal);
     if (std::ranges::none_of(m_link.modules,
                              [](const ModuleState& module) { return hasPathBuffer(module.info.identity); }))
         return tr("Paths need a PIC-SERVO CMC or SC. This chain has none.");

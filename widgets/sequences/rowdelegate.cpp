@@ -2,6 +2,7 @@
 #include "widgets/sequences/rowdelegate.h"
 
 #include <QComboBox>
+#include <QKeyEvent>
 #include <QPointF>
 
 #include "widgets/common/look.h"
@@ -12,16 +13,12 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-constexpr int kDecimals = 3;
-}  // namespace
-
 QWidget* RowDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
                                    const QModelIndex& index) const {
     const QStringList choices = index.data(RowsModel::ChoicesRole).toStringList();
     if (choices.isEmpty()) {
         const QPointF range = index.data(RowsModel::RangeRole).toPointF();
-        auto* field = new NumberField(kDecimals, parent);
+        auto* field = new NumberField(index.data(RowsModel::DecimalsRole).toInt(), parent);
         look::name(field, u"rowNumberField"_s, tr("Number of the row"));
         field->setRange(range.x(), range.y());
         field->setWords(tr("The number"), {});
@@ -57,6 +54,17 @@ void RowDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const
     else if (const auto* field = qobject_cast<NumberField*>(editor))
         if (const auto value = field->value())
             model->setData(index, *value);
+}
+
+/// Enter does not close a field whose text has no value: the field says why.
+bool RowDelegate::eventFilter(QObject* editor, QEvent* event) {
+    if (const auto* field = qobject_cast<NumberField*>(editor);
+        field != nullptr && event->type() == QEvent::KeyPress && !field->value()) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter)
+            return false;
+    }
+    return QStyledItemDelegate::eventFilter(editor, event);
 }
 
 }  // namespace nmc

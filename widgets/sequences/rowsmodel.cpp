@@ -22,6 +22,7 @@ constexpr int kMotorOutputs = 5;
 constexpr int kIoPins = io::kPins;
 constexpr int kAnalogInputs = 3;
 constexpr double kDay = 86'400.0;
+constexpr int kSecondDecimals = 3;
 
 int placeOf(const std::vector<std::string>& names, const std::string& name) {
     const auto found = std::ranges::find(names, name);
@@ -239,10 +240,10 @@ RowsModel::Cell RowsModel::number(const Action& action) {
         cell = {.number = move->percent, .min = 1, .max = 100};
         cell.text = tr("%1 % of its velocity").arg(move->percent);
     } else if (const auto* wait = std::get_if<action::Wait>(&action)) {
-        cell = {.number = wait->seconds, .min = 0, .max = kDay};
+        cell = {.number = wait->seconds, .min = 0, .max = kDay, .decimals = kSecondDecimals};
         cell.text = tr("%1 s").arg(texts::readout(wait->seconds));
     } else if (const auto* input = std::get_if<action::WaitForInput>(&action)) {
-        cell = {.number = input->timeout, .min = 0, .max = kDay};
+        cell = {.number = input->timeout, .min = 0, .max = kDay, .decimals = kSecondDecimals};
         cell.text = tr("within %1 s").arg(texts::readout(input->timeout));
     } else if (const auto* analog = std::get_if<action::WaitForAnalog>(&action)) {
         cell = {.number = analog->level, .min = 0, .max = 255};
@@ -259,7 +260,7 @@ RowsModel::Cell RowsModel::number(const Action& action) {
 RowsModel::Cell RowsModel::within(const Action& action) {
     Cell cell;
     if (const auto* analog = std::get_if<action::WaitForAnalog>(&action)) {
-        cell = {.number = analog->timeout, .min = 0, .max = kDay};
+        cell = {.number = analog->timeout, .min = 0, .max = kDay, .decimals = kSecondDecimals};
         cell.text = tr("within %1 s").arg(texts::readout(analog->timeout));
     }
     return cell;
@@ -332,6 +333,8 @@ QVariant RowsModel::data(const QModelIndex& index, int role) const {
         return cell.choices;
     if (role == RangeRole)
         return QPointF(cell.min, cell.max);
+    if (role == DecimalsRole)
+        return cell.decimals;
     if (role == Qt::EditRole)
         return cell.number ? QVariant(*cell.number) : QVariant(cell.chosen);
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)

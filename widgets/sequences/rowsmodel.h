@@ -19,6 +19,7 @@ public:
     enum Role {
         ChoicesRole = Qt::UserRole,  ///< QStringList; the edit role is the index of the chosen one
         RangeRole,                   ///< QPointF of a number: from x to y
+        DecimalsRole,                ///< of a number; 0: whole numbers only
     };
     using QAbstractTableModel::QAbstractTableModel;
 
@@ -52,6 +53,7 @@ private:
         std::optional<double> number{};
         double min = 0.0;
         double max = 0.0;
+        int decimals = 0;
         QString text{};  ///< of a number, with its unit
     };
     [[nodiscard]] Cell cell(std::size_t row, int column) const;

@@ -468,8 +468,8 @@ QString SequencesPage::locked() const {
 QString SequencesPage::whyNotTaught() const {
     if (const QString reason = locked(); !reason.isEmpty())
         return reason;
-    if (m_link.phase != LinkPhase::Connected)
-        return texts::refusal(Refusal::NotConnected);
+    if (const auto refusal = whyNoChain(m_link))
+        return texts::refusal(*refusal);
     if (m_pointName->text().simplified().isEmpty())
         return tr("Enter a name for the point first.");
     if (chosenAxes().empty())
@@ -549,8 +549,8 @@ QString SequencesPage::whyNotStarted(const std::string& sequence, std::size_t ro
                                      const Machine& machine) const {
     if (running())
         return tr("A sequence is already running.");
-    if (m_link.phase != LinkPhase::Connected)
-        return texts::refusal(Refusal::NotConnected);
+    if (const auto refusal = whyNoChain(m_link))
+        return texts::refusal(*refusal);
     if (sequence.empty())
         return tr("No sequence yet. Add one first.");
     const auto problems = nmc::whyNotRun(sequence, row, machine, m_link.modules);
@@ -576,10 +576,11 @@ void SequencesPage::refreshRun() {
                         tr("Runs one row, then waits. Starts with the selected row."));
     m_stop->setPossible(nothing, tr("Ends the sequence and stops its motors smoothly."));
     m_foresee->setText(m_foreseeing ? tr("End dry run") : tr("Dry run"));
+    const auto noChain = whyNoChain(m_link);
     m_foresee->setPossible(
-        m_link.phase != LinkPhase::Connected ? texts::refusal(Refusal::NotConnected)
-        : name.isEmpty()                     ? tr("No sequence yet. Add one first.")
-                                             : QString(),
+        noChain          ? texts::refusal(*noChain)
+        : name.isEmpty() ? tr("No sequence yet. Add one first.")
+                         : QString(),
         tr("Simulates the sequence: shows how long it takes, where each axis goes and what would be refused. Nothing moves."));
     look::setText(m_state, m_run ? texts::sequenceState(*m_run) : QString());
 }

@@ -121,6 +121,10 @@ void BusStore::take(const bus::Event& event) {
             [this](const bus::ConnectProgress& progress) {
                 m_link.phase = LinkPhase::Connecting;
                 m_link.stage = progress.stage;
+                using enum bus::ConnectStage;
+                m_link.looking =
+                    progress.stage == Looking ||
+                    (m_link.looking && progress.stage != Restarting && progress.stage != Addressing);
                 m_link.found = progress.modules;
             },
             [this](const bus::PathProgress& path) {

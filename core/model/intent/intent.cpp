@@ -266,6 +266,10 @@ private:
 
 }  // namespace
 
+bool isStop(IntentKind kind) {
+    return kind == IntentKind::StopMotion || kind == IntentKind::StopHere || kind == IntentKind::MotorOff;
+}
+
 bool isStop(const Intent& intent) {
     return std::visit(
         Overloaded{
@@ -419,6 +423,8 @@ std::optional<Refusal> whyNotTold(IntentKind kind, const ModuleState& module) {
         return Refusal::ReadOnly;
     if (module.rights && !allows(*module.rights, kind))
         return Refusal::OperatorMode;
+    if (module.lookedFor && !isStop(kind))
+        return Refusal::Looking;
     const bool heard = !module.silent && module.latest;
     return heard || kind == IntentKind::MotorOff ? std::nullopt : std::optional(Refusal::Unresponsive);
 }
@@ -429,6 +435,12 @@ std::optional<Refusal> whyNotTold(const LinkState& link) {
     if (link.readOnly)
         return Refusal::ReadOnly;
     return link.rights ? std::optional(Refusal::OperatorMode) : std::nullopt;
+}
+
+std::optional<Refusal> whyNoChain(const LinkState& link) {
+    if (link.phase == LinkPhase::Connected)
+        return std::nullopt;
+    return link.phase == LinkPhase::Connecting && link.looking ? Refusal::Looking : Refusal::NotConnected;
 }
 
 }  // namespace nmc

@@ -185,6 +185,7 @@ enum class Refusal : std::uint8_t {
     NoMotor,  ///< a PIC-I/O
     NotAnIoModule,
     Unresponsive,
+    Looking,  ///< the chain is looked for again; stops act
     NoPower,
     GainsUnknown,      ///< a servo with gains 0 or unknown would not hold
     ServoRateUnknown,  ///< SR is not known, so speeds per second are not either
@@ -263,6 +264,7 @@ enum class IntentKind : std::uint8_t {
     SetParameters,
     SetOutputs  ///< of a PIC-I/O, too
 };
+[[nodiscard]] bool isStop(IntentKind kind);
 [[nodiscard]] std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module);
 
 /// Why nobody can say now that the counter is right, of either chip.
@@ -273,5 +275,7 @@ enum class IntentKind : std::uint8_t {
 [[nodiscard]] std::optional<Refusal> whyNotTold(IntentKind kind, const ModuleState& module);
 /// The same of the chain as a whole: its rate, its groups, its restart.
 [[nodiscard]] std::optional<Refusal> whyNotTold(const LinkState& link);
+/// Why there is no chain now that could be asked for anything.
+[[nodiscard]] std::optional<Refusal> whyNoChain(const LinkState& link);
 
 }  // namespace nmc

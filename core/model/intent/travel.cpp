@@ -155,7 +155,9 @@ private:
     const auto turn = course.turns ? turningPoint(*position, *course.goal, module) : std::nullopt;
     if (auto problem = turn ? beyondTravel(*position, *turn, *range) : std::nullopt) {
         // It has to turn round before the limit.
-        problem->limit = static_cast<std::int32_t>(problem->limit + (*course.goal - *turn));
+        problem->nearest = static_cast<std::int32_t>(problem->limit + (*course.goal - *turn));
+        if (!beyondTravel(*position, *course.goal, *range))
+            problem->turn = static_cast<std::int32_t>(*turn);
         return problem;
     }
     return beyondTravel(*position, *course.goal, *range);
@@ -296,9 +298,9 @@ TravelPlace travelPlace(const ModuleState& module) {
 std::optional<TravelProblem> beyondTravel(std::int64_t from, std::int64_t goal, const TravelRange& range) {
     // From outside the way back is allowed, and no farther away.
     if (range.highest && goal > std::max<std::int64_t>(*range.highest, from))
-        return TravelProblem{.lowest = false, .limit = *range.highest};
+        return TravelProblem{.lowest = false, .limit = *range.highest, .nearest = *range.highest};
     if (range.lowest && goal < std::min<std::int64_t>(*range.lowest, from))
-        return TravelProblem{.lowest = true, .limit = *range.lowest};
+        return TravelProblem{.lowest = true, .limit = *range.lowest, .nearest = *range.lowest};
     return std::nullopt;
 }
 

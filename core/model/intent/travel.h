@@ -43,9 +43,13 @@ enum class TravelPlace : std::uint8_t { Within, AtLowest, AtHighest, BelowLowest
 struct TravelProblem {
     Refusal refusal = Refusal::BeyondTravel;
     bool lowest = false;     ///< which limit
-    std::int32_t limit = 0;  ///< the limit itself, which is the nearest goal that is allowed
-    double velocity = 0.0;   ///< of TooFast: native, what was asked for
-    double fastest = 0.0;    ///< the same, what is allowed
+    std::int32_t limit = 0;  ///< the limit itself, as it was set
+    /// The goal nearest to what was asked for that is allowed: the limit, but for the axis' backlash.
+    std::int32_t nearest = 0;
+    /// Where the move would turn round to take up the backlash, where that is what is beyond the limit.
+    std::optional<std::int32_t> turn{};
+    double velocity = 0.0;  ///< of TooFast: native, what was asked for
+    double fastest = 0.0;   ///< the same, what is allowed
     bool operator==(const TravelProblem&) const = default;
 };
 /// Of a move from one position to another.

@@ -25,7 +25,7 @@ ChainPlace placeOf(std::size_t index, const Machine& machine, const LinkState& l
     place.found = module.info.identity;
     if (module.hasRestarted)
         place.state = State::Restarted;
-    else if (!isLive(link, module))
+    else if (!module.lookedFor && !isLive(link, module))
         place.state = State::Unresponsive;
     else if (!place.expected)
         place.state = State::New;
@@ -98,6 +98,8 @@ ChainDiagnosis diagnose(const Machine& machine, const LinkState& link) {
         chain.places.push_back(placeOf(i, machine, link));
     if (link.phase == LinkPhase::Connected || link.phase == LinkPhase::Lost)
         conclude(chain);
+    else if (link.phase == LinkPhase::Connecting && link.looking)
+        chain.finding = Finding::Looking;
     return chain;
 }
 

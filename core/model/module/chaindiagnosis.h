@@ -35,6 +35,7 @@ struct ChainPlace {
 struct ChainDiagnosis {
     enum class Finding : std::uint8_t {
         NotConnected,
+        Looking,  ///< again, for the modules that are known
         Fine,
         NothingExpected,  ///< nobody has said yet what belongs there
         NobodyAnswers,

@@ -16,9 +16,11 @@ void LinkState::take(const Machine& machine) {
 }
 
 LinkState asShown(LinkState link) {
-    if (link.phase != LinkPhase::Connected)
-        for (ModuleState& module : link.modules)
-            module.silent = true;
+    const bool looking = link.phase == LinkPhase::Connecting && link.looking;
+    for (ModuleState& module : link.modules) {
+        module.lookedFor = looking;
+        module.silent = module.silent || (link.phase != LinkPhase::Connected && !looking);
+    }
     return link;
 }
 

@@ -27,6 +27,9 @@ struct LinkState {
     std::optional<OperatorRights> rights{};
     std::uint32_t baud = 0;
     bus::ConnectStage stage = bus::ConnectStage::Restarting;
+    /// While connecting: the modules below are looked for where they were, and have not been told anything
+    /// that would change that. What they do, they go on doing.
+    bool looking = false;
     std::uint8_t found = 0;            ///< modules found so far while connecting
     std::vector<ModuleState> modules;  ///< in the order of addressing: farthest from the host first
     /// When this is looked at; empty: nothing is old.
@@ -38,7 +41,8 @@ struct LinkState {
 };
 
 /// The same as it may be shown: a module that is not asked any more, since the link is lost or the chain is
-/// looked for anew, does not answer, whatever it said last. What shows modules shows these.
+/// given its addresses anew, does not answer, whatever it said last. While it is only looked for, that is no
+/// news of the module. What shows modules shows these.
 [[nodiscard]] LinkState asShown(LinkState link);
 /// Whether what this module said last may be shown as what is so now. The one rule for everything that does.
 [[nodiscard]] bool isLive(const LinkState& link, const ModuleState& module);

@@ -35,6 +35,8 @@ struct ModuleState {
     /// Status replies per second, as of the last second.
     double repliesPerSecond = 0.0;
     bool silent = false;
+    /// The chain is looked for where it was: this is what the module said last, and it takes stops only.
+    bool lookedFor = false;
     bool hasRestarted = false;
     /// Of a read-only connection: it is told nothing (faults.md H-02).
     bool readOnly = false;
