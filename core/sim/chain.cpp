@@ -269,6 +269,10 @@ void Chain::hostSends(ByteSpan bytes, TimePoint now, bool readLate) {
     d->line.send(bytes, d->now);
 }
 
+TimePoint Chain::hostLineFreeAt() const {
+    return d->line.freeAt();
+}
+
 tl::expected<void, std::string> Chain::foreignSends(ByteSpan bytes, TimePoint now) {
     d->runTo(now);
     if (!d->options.enableFaults)

@@ -72,6 +72,9 @@ public:
     /// are in time find the chain at rest.
     void hostSends(ByteSpan bytes, TimePoint now, bool readLate = false);
 
+    /// When the last of what hosts have sent has left, or had.
+    [[nodiscard]] TimePoint hostLineFreeAt() const;
+
     /// Another host on the same line sends `bytes`, behind what is leaving: they are carried out and answered
     /// like this host's. A sentence when faults are not enabled.
     tl::expected<void, std::string> foreignSends(ByteSpan bytes, TimePoint now);

@@ -39,6 +39,8 @@ public:
     [[nodiscard]] std::uint32_t baud() const { return m_baud; }
     void send(ByteSpan bytes, TimePoint now, bool foreign = false);
     [[nodiscard]] std::optional<TimePoint> nextDue() const;
+    /// When the last of it has left, or had.
+    [[nodiscard]] TimePoint freeAt() const { return m_freeAt; }
     /// The first byte on the line; there must be one.
     LineByte take();
     /// The packet that begins with `header`, as far as it is on the line behind it.
