@@ -27,7 +27,7 @@ public:
     /// The first module that owes the host an answer.
     [[nodiscard]] const Module* busyModule() const;
     [[nodiscard]] double garbleChance(const Module& module, std::uint32_t baud) const {
-        return garbleProbability(module.brd(), baud, options.lineMargin);
+        return garbleProbability(module.baud(), baud, options.lineMargin);
     }
 
     ChainOptions options;

@@ -40,8 +40,13 @@ PacketBytes HostLine::packetBehind(std::uint8_t header) const {
     return packet;
 }
 
-double garbleProbability(std::uint8_t brd, std::uint32_t baud, double margin) {
-    const double mismatch = std::abs(baud * (brd + 1.0) / 1'250'000.0 - 1.0);
+// An SC's clock is twice as fast: with its nominal 230 400 Bd the nearest rate is the eleventh of 2 500 000.
+double uartRate(const ModuleIdentity& module, std::uint8_t brd) {
+    return isSc(module) && brd == kScFastestBrd ? 2'500'000.0 / 11 : realRate(brd);
+}
+
+double garbleProbability(double rate, std::uint32_t baud, double margin) {
+    const double mismatch = std::abs(baud / rate - 1.0);
     return std::clamp((mismatch - margin) / kSampling, 0.0, 1.0);
 }
 

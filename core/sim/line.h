@@ -9,6 +9,7 @@
 #include "base/time.h"
 #include "protocol/baud.h"
 #include "protocol/frame.h"
+#include "protocol/moduletype.h"
 #include "sim/random.h"
 
 namespace nmc::sim {
@@ -63,11 +64,16 @@ inline constexpr double kSampling = 2.0 / 16 / kStopBitMiddle;
 /// On a clean line the greatest mismatch at which every byte is heard rightly: 3.9 %.
 inline constexpr double kCleanLineMargin = 0.5 / kStopBitMiddle - kSampling;
 
-/// How likely a byte is heard wrong between a UART with divisor `brd` and one at `baud`: 0 up to the margin,
+/// Divisor of an SC for 230 400 Bd, its fastest.
+inline constexpr std::uint8_t kScFastestBrd = 5;
+
+/// The rate of a module's UART, bits per second, at a divisor (docs/family.md has that of an SC).
+[[nodiscard]] double uartRate(const ModuleIdentity& module, std::uint8_t brd);
+
+/// How likely a byte is heard wrong between a UART at `rate` and one at `baud`: 0 up to the margin,
 /// 1 from kSampling beyond it, on a clean line 5.3 %. In between where the edge falls decides, and it falls
 /// anywhere.
-[[nodiscard]] double garbleProbability(std::uint8_t brd, std::uint32_t baud,
-                                       double margin = kCleanLineMargin);
+[[nodiscard]] double garbleProbability(double rate, std::uint32_t baud, double margin = kCleanLineMargin);
 
 /// What is heard instead of `value`: any other byte.
 [[nodiscard]] std::uint8_t garbled(std::uint8_t value, Random& random);

@@ -251,5 +251,14 @@ TEST_P(PicServoNetwork, SetBaudRate6_WithoutALeaderThereIsNoReply) {
     expectNoViolation();
 }
 
+TEST_P(PicServoNetwork, SetBaudRate7_FasterThan115200AtLowerServoRatesOnly) {
+    gains({.sr = 2});
+    rig->command(0xFF, 0x1A, {5});
+    expectNoViolation();
+    start("servo", 1);
+    rig->command(0xFF, 0x1A, {5});
+    expectViolation("out_of_range");
+}
+
 }  // namespace
 }  // namespace nmc::conformance

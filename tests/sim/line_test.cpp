@@ -150,18 +150,29 @@ TEST(Line, EverythingBeforeAHeaderIsIgnored) {
 
 TEST(Line, BytesAreGarbledFromFourPercentAndAllOfThemFromFive) {
     // protocol.md 1: real rate 1 250 000 / (brd + 1). All sample values of the data sheets are inside.
-    EXPECT_EQ(garbleProbability(63, 19'200), 0.0);   // +1.7 %
-    EXPECT_EQ(garbleProbability(64, 19'200), 0.0);   // +0.2 %
-    EXPECT_EQ(garbleProbability(129, 9'600), 0.0);   // +0.2 %
-    EXPECT_EQ(garbleProbability(20, 57'600), 0.0);   // +3.3 %
-    EXPECT_EQ(garbleProbability(21, 57'600), 0.0);   // -1.4 %
-    EXPECT_EQ(garbleProbability(10, 115'200), 0.0);  // -1.4 %
+    EXPECT_EQ(garbleProbability(realRate(63), 19'200), 0.0);   // +1.7 %
+    EXPECT_EQ(garbleProbability(realRate(64), 19'200), 0.0);   // +0.2 %
+    EXPECT_EQ(garbleProbability(realRate(129), 9'600), 0.0);   // +0.2 %
+    EXPECT_EQ(garbleProbability(realRate(20), 57'600), 0.0);   // +3.3 %
+    EXPECT_EQ(garbleProbability(realRate(21), 57'600), 0.0);   // -1.4 %
+    EXPECT_EQ(garbleProbability(realRate(10), 115'200), 0.0);  // -1.4 %
     // Of 16 samples a bit 8 are left at 9.5 bits, two of them uncertain: 6/152 = 3.947 % to 8/152 = 5.263 %.
     // 9 200 Bd is 4.32 % below brd 129's 9615: (0.0432 * 152 - 6) / 2 = 0.2832. 9 100 Bd is 5.36 % below.
-    EXPECT_NEAR(garbleProbability(129, 9'200), 0.2832, 1e-4);
-    EXPECT_EQ(garbleProbability(129, 9'100), 1.0);
-    EXPECT_EQ(garbleProbability(63, 115'200), 1.0);
-    EXPECT_EQ(garbleProbability(10, 19'200), 1.0);
+    EXPECT_NEAR(garbleProbability(realRate(129), 9'200), 0.2832, 1e-4);
+    EXPECT_EQ(garbleProbability(realRate(129), 9'100), 1.0);
+    EXPECT_EQ(garbleProbability(realRate(63), 115'200), 1.0);
+    EXPECT_EQ(garbleProbability(realRate(10), 19'200), 1.0);
+}
+
+TEST(Line, AnScIsAt230400BdWithDivisor5) {
+    HostWire wire("servo@10");
+    wire.command(0xFF, 0x1A, {5});
+    wire.chain.setHostBaud(230'400);
+    // 2 500 000 / 11 = 227 273, 1.4 % off: ten bits are 44 us. 1 250 000 / 6 would be 208 333.
+    const auto reply = wire.exchange(packet(0, 0x13, {0x20}));
+    ASSERT_EQ(values(reply), (Bytes{0x19, 0, 10, 0x23}));
+    EXPECT_EQ(reply[1].due - reply[0].due, nanoseconds(44'000));
+    EXPECT_TRUE(wire.violations().empty());
 }
 
 TEST(Line, AHostAtAnotherRateIsNotUnderstood) {
