@@ -51,6 +51,8 @@ void printHelp() {
         "  --reset-dead-time MS   how long a module is deaf after a reset; default 8\n"
         "  --deaf-when-addr-in-rises  a module that was awake goes deaf when its ADDR_IN rises again;\n"
         "                         the data sheets are silent on it, and without this it stays awake\n"
+        "  --line-margin PERCENT  how far off a rate may be before bytes are garbled; default 3.9,\n"
+        "                         a clean line; less: slow edges or noise\n"
         "  --seed N               seed of everything random\n"
         "  --enable-faults        take fault lines\n"
         "  --help                 show this help\n"
@@ -103,6 +105,7 @@ Options readOptions(int argc, char** argv) {
         Unpaced,
         ResetDeadTime,
         DeafWhenAddrInRises,
+        LineMargin,
         Seed,
         EnableFaults,
         Help,
@@ -116,6 +119,7 @@ Options readOptions(int argc, char** argv) {
         {"unpaced", no_argument, nullptr, Unpaced},
         {"reset-dead-time", required_argument, nullptr, ResetDeadTime},
         {"deaf-when-addr-in-rises", no_argument, nullptr, DeafWhenAddrInRises},
+        {"line-margin", required_argument, nullptr, LineMargin},
         {"seed", required_argument, nullptr, Seed},
         {"enable-faults", no_argument, nullptr, EnableFaults},
         {"help", no_argument, nullptr, Help},
@@ -147,6 +151,10 @@ Options readOptions(int argc, char** argv) {
                 break;
             case DeafWhenAddrInRises:
                 options.simulation.deafWhenAddressInputRises = true;
+                break;
+            case LineMargin:
+                options.simulation.lineMargin =
+                    1e-2 * number("--line-margin", optarg, 0.0, 5.0, "of percent from 0 to 5");
                 break;
             case Seed:
                 options.simulation.seed =

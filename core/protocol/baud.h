@@ -32,7 +32,7 @@ inline constexpr std::array<BaudRow, 4> kBaudRows{{
 /// The row for a nominal rate, or nothing when the chips cannot make it.
 [[nodiscard]] std::optional<BaudRow> findBaud(std::uint32_t nominal);
 
-/// The divisor byte for any rate that the chips can make to within 2 %, beyond which bytes get lost
+/// The divisor byte for any rate that the chips can make to within 2 %, half of what a receiver bears
 /// (protocol.md section 1): that of the row where there is one, or the nearest.
 [[nodiscard]] std::optional<std::uint8_t> findBrd(std::uint32_t baud);
 

@@ -131,7 +131,7 @@ void Chain::Private::sendReplyByte(Module& module) {
     std::uint8_t value = module.replyByte();
     if (paced)
         value = collide(module, value);
-    const double chance = paced ? garbleProbability(module.brd(), line.baud()) : 0.0;
+    const double chance = paced ? garbleChance(module, line.baud()) : 0.0;
     deliverToHost(module, value, chance > 0.0 && m_random.unit() < chance);
     if (module.replyByteSent())
         ++statistics.exchanges;
@@ -205,7 +205,7 @@ bool Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uin
     const bool listens = module.isAwake(now);
     module.dropReply();
     if (listens) {
-        const double chance = garbleProbability(module.brd(), baud);
+        const double chance = garbleChance(module, baud);
         const bool wrong = chance > 0.0 && m_random.unit() < chance;
         if (wrong)
             module.countGarbled();
@@ -257,7 +257,7 @@ void Chain::setHostBaud(std::uint32_t baud) {
 
 bool Chain::understands(std::uint32_t baud) const {
     return std::ranges::any_of(
-        d->modules, [baud](const auto& module) { return garbleProbability(module->brd(), baud) < 0.5; });
+        d->modules, [this, baud](const auto& module) { return d->garbleChance(*module, baud) < 0.5; });
 }
 
 void Chain::hostSends(ByteSpan bytes, TimePoint now, bool readLate) {
@@ -267,6 +267,10 @@ void Chain::hostSends(ByteSpan bytes, TimePoint now, bool readLate) {
     else if (!d->line.nextDue() && d->busyModule() == nullptr)
         d->hasteIsUnknown = false;
     d->line.send(bytes, d->now);
+}
+
+TimePoint Chain::hostLineFreeAt() const {
+    return d->line.freeAt();
 }
 
 tl::expected<void, std::string> Chain::foreignSends(ByteSpan bytes, TimePoint now) {

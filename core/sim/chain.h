@@ -15,6 +15,7 @@
 #include "base/time.h"
 #include "protocol/moduletype.h"
 #include "sim/fault.h"
+#include "sim/line.h"
 #include "sim/motorplant.h"
 #include "sim/snapshot.h"
 #include "sim/statistics.h"
@@ -31,8 +32,9 @@ struct ChainOptions {
     std::uint64_t seed = 1;
     /// The sheets are silent on whether a module that was awake goes deaf when its ADDR_IN rises again.
     bool deafWhenAddressInputRises = false;
-    bool enableFaults = false;  ///< control lines may inject faults
-    MotorParameters motor{};    ///< of each PIC-SERVO
+    bool enableFaults = false;             ///< control lines may inject faults
+    double lineMargin = kCleanLineMargin;  ///< as garbleProbability()'s; less where edges are slow
+    MotorParameters motor{};               ///< of each PIC-SERVO
     /// Told the ground truth in the very tick in which a module has carried out a command and latched the
     /// status of its answer. Must not call the chain.
     std::function<void(ModuleIndex, const ModuleSnapshot&)> onExecuted{};
@@ -69,6 +71,9 @@ public:
     /// nobody knows when; whether it waited for its answers (CommandInFlight) is judged again when bytes that
     /// are in time find the chain at rest.
     void hostSends(ByteSpan bytes, TimePoint now, bool readLate = false);
+
+    /// When the last of what hosts have sent has left, or had.
+    [[nodiscard]] TimePoint hostLineFreeAt() const;
 
     /// Another host on the same line sends `bytes`, behind what is leaving: they are carried out and answered
     /// like this host's. A sentence when faults are not enabled.

@@ -26,6 +26,9 @@ public:
     void clearFaults();
     /// The first module that owes the host an answer.
     [[nodiscard]] const Module* busyModule() const;
+    [[nodiscard]] double garbleChance(const Module& module, std::uint32_t baud) const {
+        return garbleProbability(module.baud(), baud, options.lineMargin);
+    }
 
     ChainOptions options;
     std::vector<std::unique_ptr<Module>> modules;

@@ -150,7 +150,7 @@ Json stateJson(const ModuleSnapshot& s, unsigned number) {
               {"address", s.address},
               {"group", s.group},
               {"leader", s.leader},
-              {"baud", std::lround(realRate(s.brd))},
+              {"baud", std::lround(s.baud)},
               {"listening", s.listening},
               {"addr_broken", s.addressLineBroken},
               {"time", toSeconds(s.time.time_since_epoch())},

@@ -40,17 +40,14 @@ PacketBytes HostLine::packetBehind(std::uint8_t header) const {
     return packet;
 }
 
-// A receiver samples the middle of each bit and starts anew with every byte, so a mismatch adds up to the
-// stop bit only: 9.5 bit times behind the edge it started with, half a bit is 5.3 %. Far below that every
-// sample is safe, close to it noise and slow edges decide: none, hardly any, then suddenly all. With the
-// eighth power the data sheets' own code for 57 600 Bd (3.3 % off) loses about one byte in 1200, which a host
-// that recovers with nulls survives, as such hosts do on real chains.
-double garbleProbability(std::uint8_t brd, std::uint32_t baud) {
-    constexpr double kHarmless = 0.02;
-    constexpr double kHopeless = 0.05;
-    constexpr double kSteepness = 8.0;
-    const double mismatch = std::abs(baud * (brd + 1.0) / 1'250'000.0 - 1.0);
-    return std::pow(std::clamp((mismatch - kHarmless) / (kHopeless - kHarmless), 0.0, 1.0), kSteepness);
+// An SC's clock is twice as fast: with its nominal 230 400 Bd the nearest rate is the eleventh of 2 500 000.
+double uartRate(const ModuleIdentity& module, std::uint8_t brd) {
+    return isSc(module) && brd == kScFastestBrd ? 2'500'000.0 / 11 : realRate(brd);
+}
+
+double garbleProbability(double rate, std::uint32_t baud, double margin) {
+    const double mismatch = std::abs(baud / rate - 1.0);
+    return std::clamp((mismatch - margin) / kSampling, 0.0, 1.0);
 }
 
 std::uint8_t garbled(std::uint8_t value, Random& random) {

@@ -9,6 +9,7 @@
 #include "base/time.h"
 #include "protocol/baud.h"
 #include "protocol/frame.h"
+#include "protocol/moduletype.h"
 #include "sim/random.h"
 
 namespace nmc::sim {
@@ -39,6 +40,8 @@ public:
     [[nodiscard]] std::uint32_t baud() const { return m_baud; }
     void send(ByteSpan bytes, TimePoint now, bool foreign = false);
     [[nodiscard]] std::optional<TimePoint> nextDue() const;
+    /// When the last of it has left, or had.
+    [[nodiscard]] TimePoint freeAt() const { return m_freeAt; }
     /// The first byte on the line; there must be one.
     LineByte take();
     /// The packet that begins with `header`, as far as it is on the line behind it.
@@ -53,9 +56,24 @@ private:
     std::uint64_t m_lost = 0;
 };
 
-/// How likely a byte is heard wrong between a UART with divisor `brd` and one at `baud`: 0 up to 2 %
-/// mismatch, 1 from 5 % on (protocol.md 1), and rare until shortly before that.
-[[nodiscard]] double garbleProbability(std::uint8_t brd, std::uint32_t baud);
+// A UART takes 16 samples a bit and starts anew with every byte, so a mismatch of the rates adds up to the
+// stop bit, whose middle is 9.5 bit times behind the edge of the start bit. There half a bit is left, of
+// which the edge may take one sample, and the outer one of the three that decide a bit another: simulator.md.
+inline constexpr double kStopBitMiddle = 9.5;
+inline constexpr double kSampling = 2.0 / 16 / kStopBitMiddle;
+/// On a clean line the greatest mismatch at which every byte is heard rightly: 3.9 %.
+inline constexpr double kCleanLineMargin = 0.5 / kStopBitMiddle - kSampling;
+
+/// Divisor of an SC for 230 400 Bd, its fastest.
+inline constexpr std::uint8_t kScFastestBrd = 5;
+
+/// The rate of a module's UART, bits per second, at a divisor (docs/family.md has that of an SC).
+[[nodiscard]] double uartRate(const ModuleIdentity& module, std::uint8_t brd);
+
+/// How likely a byte is heard wrong between a UART at `rate` and one at `baud`: 0 up to the margin,
+/// 1 from kSampling beyond it, on a clean line 5.3 %. In between where the edge falls decides, and it falls
+/// anywhere.
+[[nodiscard]] double garbleProbability(double rate, std::uint32_t baud, double margin = kCleanLineMargin);
 
 /// What is heard instead of `value`: any other byte.
 [[nodiscard]] std::uint8_t garbled(std::uint8_t value, Random& random);

@@ -174,6 +174,14 @@ void Module::setBaud(const Pending& command) {
     if (command.toOwnAddress)
         violates(ViolationKind::SetBaudSingle);
     m_brd = command.packet.data[0];
+    if (!keepsUpWith(m_brd))
+        violates(ViolationKind::OutOfRange);
+}
+
+/// Up to 115 200 Bd (DS-V 3.1, DS-S 3.1).
+bool Module::keepsUpWith(std::uint8_t brd) const {
+    constexpr std::uint8_t kFastestBrd = 10;
+    return brd >= kFastestBrd;
 }
 
 void Module::violates(ViolationKind kind) {
@@ -194,7 +202,7 @@ void Module::reply(TimePoint now, std::uint8_t items, bool communicationError) {
     const bool ownItems = answeredCode() != CommandCode::ReadStatus;
     m_replyStruck = m_commandStruck || (ownItems && m_itemsAreFaults);
     m_replyStart = now;
-    m_byteTime = m_options.unpaced ? Duration{} : byteTimeAtBrd(m_brd);
+    m_byteTime = m_options.unpaced ? Duration{} : fromSeconds(10.0 / baud());
 }
 
 void Module::replaceReply(ByteSpan bytes, Duration later) {
@@ -283,6 +291,7 @@ ModuleSnapshot Module::snapshot(TimePoint now) const {
     s.group = m_group;
     s.leader = m_leader;
     s.brd = m_brd;
+    s.baud = baud();
     s.listening = m_awake;
     s.time = now;
     s.tick = m_ticks;

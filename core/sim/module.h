@@ -8,6 +8,7 @@
 #include "base/time.h"
 #include "protocol/baud.h"
 #include "protocol/moduletype.h"
+#include "sim/line.h"
 #include "sim/motorplant.h"
 #include "sim/receiver.h"
 #include "sim/snapshot.h"
@@ -82,7 +83,8 @@ public:
     [[nodiscard]] TimePoint executesAt() const { return m_pending ? m_pending->due : kNever; }
     /// Runs up to the end of the tick and carries out the pending command.
     void execute();
-    [[nodiscard]] std::uint8_t brd() const { return m_brd; }
+    /// Bits per second of its UART.
+    [[nodiscard]] double baud() const { return uartRate(m_identity, m_brd); }
 
     // The reply on its way. Only while isReplying().
     [[nodiscard]] bool isReplying() const { return m_sent < m_reply.size(); }
@@ -148,6 +150,9 @@ protected:
     void restorePlace(const Place& place);
 
     enum class Restart : std::uint8_t { PowerUp, HardReset };
+
+    /// Whether the chip keeps up with the rate of this divisor.
+    [[nodiscard]] virtual bool keepsUpWith(std::uint8_t brd) const;
 
 private:
     struct Pending {

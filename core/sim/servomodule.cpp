@@ -235,6 +235,11 @@ void ServoModule::stopMotor(const Packet& packet) {
     m_advancedFeatures = m_advancedFeatures || (isLater() && !isSc() && (control & kAdvanced) != 0);
 }
 
+/// "Faster rates are possible at lower servo rates" (DS-V 3.1).
+bool ServoModule::keepsUpWith(std::uint8_t brd) const {
+    return Module::keepsUpWith(brd) || m_loop.gains().sr > 1 || (isSc() && brd == kScFastestBrd);
+}
+
 void ServoModule::setHoming(std::uint8_t control) {
     constexpr unsigned kStops = Homing::kMotorOff | Homing::kStopAbruptly | Homing::kStopSmoothly;
     if (identity().version >= 3 && std::popcount(control & kStops) > 1)

@@ -23,6 +23,7 @@ public:
 
 private:
     [[nodiscard]] bool obeysResetOfAll() const override { return isLater(); }
+    [[nodiscard]] bool keepsUpWith(std::uint8_t brd) const override;
     [[nodiscard]] bool raisesAddressOutput() const override { return m_loop.steppingFault(); }
     void configureReset(const Packet& packet) override;
     void resetChip(Restart restart) override;

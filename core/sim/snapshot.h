@@ -134,6 +134,7 @@ struct ModuleSnapshot {
     std::uint8_t group = 0xFF;
     bool leader = false;
     std::uint8_t brd = 0;            ///< divisor of its UART
+    double baud = 0;                 ///< its rate with it, bits per second
     bool listening = false;          ///< ADDR_IN has been low and the dead time is over
     bool addressLineBroken = false;  ///< between it and its neighbour towards the host
     TimePoint time;

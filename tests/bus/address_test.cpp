@@ -210,11 +210,11 @@ protected:
     }
 };
 
-// AA FF 1A brd sum; 1 250 000 / (4 + 1) = 250 000 (DS-V 5.2 Set Baud Rate).
+// AA FF 1A brd sum; 1 250 000 / (19 + 1) = 62 500 (DS-V 5.2 Set Baud Rate).
 TEST_F(Divisors, OutsideTheTableTakeTheChainToTheirRateAndBack) {
-    ASSERT_TRUE(change(250'000));
-    EXPECT_EQ(bus.sends("AA FF 1A 04 1D"), 1U);
-    EXPECT_EQ(bus.hostBaud, 250'000U);
+    ASSERT_TRUE(change(62'500));
+    EXPECT_EQ(bus.sends("AA FF 1A 13 2C"), 1U);
+    EXPECT_EQ(bus.hostBaud, 62'500U);
     expectAllLive();
     ASSERT_TRUE(change(31'250));  // 1 250 000 / (39 + 1)
     EXPECT_EQ(bus.sends("AA FF 1A 27 40"), 1U);

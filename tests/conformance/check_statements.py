@@ -24,7 +24,7 @@ CHIPS = {
     "step": {"suites": "PicStep", "commands": COMMON + ["SetParameters", "SetOutputs"]},
     # What PIC-SERVO SC and CMC have beyond the first sheet.
     "sc": {"suites": "ScServo",
-           "commands": ["ResetPosition", "LoadTrajectory", "DefineStatus", "StopMotor", "IoControl", "SetGain",
+           "commands": ["ResetPosition", "LoadTrajectory", "SetBaudRate", "DefineStatus", "StopMotor", "IoControl", "SetGain",
                         "ClearBits", "HardReset", "AddPathPoints"]},
     "io": {"suites": "PicIo",
            "commands": ["SetDirection", "SetAddress", "DefineStatus", "ReadStatus", "SetPwm", "SynchOutput",

@@ -8,6 +8,14 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
+TEST_P(ScServo, SetBaudRate1_Divisor5Is230400) {
+    rig->command(0xFF, 0x1A, {5});
+    rig->setBaud(230'400);
+    EXPECT_EQ(command(0x13, {0x20}), (Bytes{0x19, 0, 10, 0x23}));
+    EXPECT_EQ(truth("baud"), 227'273) << "40 MHz / 16 / 11";
+    expectNoViolation();
+}
+
 // ---- I/O Control ----
 
 TEST_P(ScServo, IoControl1_Bits0And1AreUnused) {

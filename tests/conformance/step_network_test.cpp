@@ -145,6 +145,11 @@ TEST_P(PicStepNetwork, SetBaudRate10_WithoutALeaderThereIsNoStatusPacket) {
     EXPECT_EQ(command(0x0E), kEnabled);
 }
 
+TEST_P(PicStepNetwork, SetBaudRate11_115200IsTheFastest) {
+    rig->command(0xFF, 0x1A, {9});
+    expectViolations({"out_of_range"});
+}
+
 // ---- Hard Reset ----
 
 TEST_P(PicStepNetwork, HardReset1_IsCommandFWithoutDataAndStatus) {

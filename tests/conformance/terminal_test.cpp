@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 
 #include "tests/conformance/terminalhost.h"
 
@@ -102,6 +103,50 @@ TEST(Terminal, AHostMayCloseItAndComeBack) {
     EXPECT_EQ(host.rate(), speed_t{B115200}) << "as a terminal keeps it";
     EXPECT_TRUE(host.answers(kNop));
     EXPECT_EQ(host.sim.state(1)["address"], 1);
+}
+
+TEST(Terminal, WhatAHostHasWrittenBeforeItHangsUpTakesNoMoreWireTime) {
+    Host host;
+    ASSERT_TRUE(host.answers(kSetAddress));
+    const double before = host.sim.control("time")["time"];
+    // 1000 nulls are 521 ms at 19 200 Bd, and a command more is 2 ms; nothing is lost of it.
+    Bytes burst(1000, 0);
+    burst.insert(burst.end(), kNopToAll.begin(), kNopToAll.end());
+    host.write(burst);
+    host.hangUp();
+    host.comeBack();
+    EXPECT_EQ(host.answer(kNop), kIdle) << "the old bytes are not before it";
+    EXPECT_EQ(host.nops(), 2U);
+    const double now = host.sim.control("time")["time"];
+    EXPECT_NEAR(now - before, 1004 * 10.0 / 19'200 + 0.1, 1e-3) << "the line's time, and that of the answer";
+    EXPECT_EQ(host.sim.control("stats")["violation_count"], 0);
+}
+
+TEST(Terminal, AnswersThatAHostDidNotReadBeforeItHangsUpAreGone) {
+    Host host;
+    ASSERT_TRUE(host.answers(kSetAddress));
+    host.write({0xAA, 0x01, 0x13, 0x20, 0x34});  // type and version: four bytes
+    host.pass(0.1);
+    host.hangUp();
+    host.comeBack();
+    EXPECT_EQ(host.answer(kNop), kIdle);
+}
+
+TEST(Terminal, InRealTimeAHostThatHangsUpAndComesBackIsAnsweredAtOnce) {
+    SimProcess sim("servo");
+    std::optional<Port> port(sim.terminal());
+    port->write(kSetAddress);
+    while (sim.state(1)["address"] != 1) {
+    }
+    port->write(Bytes(60'000, 0));  // 31 s
+    port.reset();
+    port.emplace(sim.terminal());
+    port->write(kNop);
+    Bytes answer = port->read(1, kPatienceMs);
+    ASSERT_FALSE(answer.empty());
+    answer.push_back(port->read(1, kPatienceMs).at(0));
+    EXPECT_EQ(answer, kIdle);
+    EXPECT_GE(sim.control("time")["time"], 31.0);
 }
 
 TEST(Terminal, BytesThatAreStillLeavingKeepTheRateTheyWereWrittenAt) {

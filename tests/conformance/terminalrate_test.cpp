@@ -46,6 +46,20 @@ TEST(Terminal, ANewRateIsNoticedWithoutABytesHelp) {
     EXPECT_EQ(host.garbled(), 0U);
 }
 
+TEST(Terminal, ABadLineGarblesWhatACleanOneHearsRightly) {
+    const Bytes allTo57600{0xAA, 0xFF, 0x1A, 0x14, 0x2D};
+    for (const char* margin : {"3.9", "1.5"}) {
+        Host host({"--line-margin", margin});
+        ASSERT_TRUE(host.answers(kSetAddress));
+        host.write(allTo57600);
+        host.setRate(B57600);
+        host.pass(0.02);
+        const bool isClean = margin == std::string("3.9");
+        EXPECT_EQ(host.answer(kNop) == kIdle, isClean) << "3.2 % off";
+        EXPECT_EQ(host.garbled(), isClean ? 0U : kNop.size());
+    }
+}
+
 constexpr unsigned kOften = 200;
 
 /// How a host makes its settings: from those it finds, or from nothing.

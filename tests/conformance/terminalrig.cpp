@@ -42,8 +42,9 @@ TerminalRig::~TerminalRig() {
 }
 
 void TerminalRig::setBaud(unsigned baud) {
-    static const std::map<unsigned, speed_t> kSpeeds{
-        {9'600, B9600}, {19'200, B19200}, {38'400, B38400}, {57'600, B57600}, {115'200, B115200}};
+    static const std::map<unsigned, speed_t> kSpeeds{{9'600, B9600},     {19'200, B19200},
+                                                     {38'400, B38400},   {57'600, B57600},
+                                                     {115'200, B115200}, {230'400, B230400}};
     // What has been sent leaves at the old rate.
     waitUntilHeard();
     termios settings{};

@@ -132,6 +132,30 @@ TEST(PtyServer, OutlivesAHostThatClosesAndComesBack) {
     EXPECT_THAT(server->read(), ElementsAre(1, 2, 3));
 }
 
+TEST(PtyServer, TellsThatAHostHasHungUpAndForgetsWhatItHasNotRead) {
+    auto server = PtyServer::create({});
+    {
+        Host host(server->path());
+        host.write({1, 2, 3});
+        EXPECT_FALSE(server->takeActs().hungUp);
+        server->write(std::vector<std::uint8_t>{7, 8, 9});
+        host.write({4});
+    }
+    Host host(server->path());
+    const HostActs left = server->takeActs();
+    EXPECT_TRUE(left.hungUp);
+    EXPECT_THAT(left.bytes, ElementsAre(4));
+    server->write(std::vector<std::uint8_t>{10});
+    EXPECT_THAT(host.read(), ElementsAre(10));
+
+    // What was forgotten here does not hide what the host does first.
+    host.setBaud(B57600);
+    host.write({5});
+    const HostActs back = server->takeActs();
+    EXPECT_FALSE(back.hungUp);
+    EXPECT_EQ(back.first, FirstAct::SetTerminal);
+}
+
 TEST(PtyServer, MakesItsLinkReplacesAStaleOneAndRemovesItAtTheEnd) {
     const std::string link = freshPath("nmc-link");
     std::filesystem::create_symlink("/dev/pts/nowhere", link);

@@ -309,7 +309,7 @@ double Rig::shaft(std::uint8_t place) {
 
 bool Rig::hears(std::uint8_t place, std::uint8_t address, std::uint32_t baud) {
     const sim::ModuleSnapshot truth = bus.chain.snapshot(ModuleIndex(place), bus.now);
-    return truth.listening && truth.address == address && sim::garbleProbability(truth.brd, baud) <= 0 &&
+    return truth.listening && truth.address == address && sim::garbleProbability(truth.baud, baud) <= 0 &&
            bus.now >= m_deafUntil[place];
 }
 
@@ -398,7 +398,7 @@ void Rig::chainFound(const ChainFound& found) {
         unsigned there = 0;
         for (std::uint8_t place = 0; place < size(); ++place) {
             const sim::ModuleSnapshot truth = bus.chain.snapshot(ModuleIndex(place), bus.now);
-            if (truth.address != module.address || sim::garbleProbability(truth.brd, found.baud) > 0)
+            if (truth.address != module.address || sim::garbleProbability(truth.baud, found.baud) > 0)
                 continue;
             ++there;
             module.place = place;

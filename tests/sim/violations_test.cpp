@@ -96,7 +96,8 @@ TEST_F(Violations, WaitingHalfAMillisecondBehindAGroupCommandIsEnough) {
 }
 
 TEST_F(Violations, ASecondCommandBeforeTheFirstIsExecutedOverwritesIt) {
-    wire.command(0xFF, 0x1A, {4});  // 250 kBd: a command takes 160 us
+    wire.gains(gainData(0, 0, 0, 0, 0, 0, 0, 2, 0));  // at half the servo rate 250 kBd are no violation
+    wire.command(0xFF, 0x1A, {4});                    // a command takes 160 us
     wire.chain.setHostBaud(250'000);
     for (int i = 0; i < 20 && wire.violations().empty(); ++i) {
         Bytes two = packet(1, 0x12, {0x20});
@@ -107,6 +108,25 @@ TEST_F(Violations, ASecondCommandBeforeTheFirstIsExecutedOverwritesIt) {
     }
     EXPECT_TRUE(has(Kind::CommandOverwritten));
     EXPECT_EQ(wire.command(1, 0x0E).size(), 2U) << "Define Status was lost";
+}
+
+TEST_F(Violations, ARateThatTheChipDoesNotKeepUpWithIsOne) {
+    const auto kindsAt = [](const char* chip, std::uint8_t divisor, bool slowServo = false) {
+        HostWire one(chip);
+        if (slowServo)
+            one.gains(gainData(0, 0, 0, 0, 0, 0, 0, 2, 0), 0);
+        one.command(0xFF, 0x1A, {divisor});
+        return one.violations();
+    };
+    // DS-V 3.1, DS-S 3.1: to 115 200 Bd, divisor 10.
+    for (const char* chip :
+         {"servo@1", "servo@2", "servo@3", "servo@4", "servo@5", "servo@10", "step", "io"}) {
+        EXPECT_EQ(kindsAt(chip, 10), Kinds{}) << chip;
+        EXPECT_EQ(kindsAt(chip, 4), Kinds{Kind::OutOfRange}) << chip;
+        EXPECT_EQ(kindsAt(chip, 5), chip == std::string("servo@10") ? Kinds{} : Kinds{Kind::OutOfRange})
+            << chip;
+    }
+    EXPECT_EQ(kindsAt("servo@4", 5, true), Kinds{}) << "DS-V 3.1: faster at lower servo rates";
 }
 
 TEST_F(Violations, ATrapezoidStartedOrChangedInMotionIsOne) {

@@ -13,7 +13,7 @@ namespace nmc {
 /// Sets any rate at all, at once, and nothing else of the terminal's settings. A signal handler may do so.
 bool setLineRate(int fd, std::uint32_t baud);
 
-/// A mismatch of more than 2 % between two ends loses bytes (protocol.md 1).
+/// A mismatch of more than 2 % between two ends uses up half of what a receiver bears (protocol.md 1).
 [[nodiscard]] bool rateIsGoodEnough(std::uint32_t wanted, std::uint32_t real);
 
 }  // namespace nmc

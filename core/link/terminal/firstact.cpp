@@ -9,8 +9,23 @@
 
 namespace nmc {
 
+namespace {
+
+/// Whether inotify has told anything since the last call.
+bool tookEvents(const Descriptor& inotify) {
+    bool any = false;
+    for (std::array<char, 4096> events{}; ::read(inotify.get(), events.data(), events.size()) > 0;)
+        any = true;
+    return any;
+}
+
+}  // namespace
+
 FirstActWatch::FirstActWatch(int master, const std::string& path)
-    : m_writes(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)), m_order(::epoll_create1(EPOLL_CLOEXEC)) {
+    : m_writes(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
+      m_leaves(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
+      m_order(::epoll_create1(EPOLL_CLOEXEC)) {
+    ::inotify_add_watch(m_leaves.get(), path.c_str(), IN_CLOSE_WRITE);
     const auto watch = [this](int fd, unsigned events, FirstAct act) {
         epoll_event event{};
         event.events = events | unsigned{EPOLLET};
@@ -28,9 +43,12 @@ FirstAct FirstActWatch::take() const {
     std::array<epoll_event, 2> acts{};
     const int count = ::epoll_wait(m_order.get(), acts.data(), static_cast<int>(acts.size()), 0);
     // A write is told only while no earlier one waits to be read.
-    for (std::array<char, 4096> events{}; ::read(m_writes.get(), events.data(), events.size()) > 0;) {
-    }
+    tookEvents(m_writes);
     return count > 0 ? static_cast<FirstAct>(acts[0].data.u32) : FirstAct::Unknown;
+}
+
+bool FirstActWatch::tookLeave() const {
+    return tookEvents(m_leaves);
 }
 
 }  // namespace nmc

@@ -15,10 +15,10 @@ enum class FirstAct : std::uint8_t {
     SetTerminal,  ///< tcsetattr(3) or tcflush(3); bytes may have followed
 };
 
-/// Watches what a host does first. The terminal itself does not tell: it takes bytes at once, tcdrain(3)
-/// returns at once, and by the time anybody reads, the host may have set its next rate. But the kernel tells
-/// of both within the host's own call, of a write by inotify(7) and of a setting by packet mode
-/// (ioctl_tty(2), TIOCPKT), and epoll(7) keeps the order.
+/// Watches what a host does first, and whether it goes. The terminal itself does not tell: it takes bytes at
+/// once, tcdrain(3) returns at once, and by the time anybody reads, the host may have set its next rate. But
+/// the kernel tells of both within the host's own call, of a write by inotify(7) and of a setting by packet
+/// mode (ioctl_tty(2), TIOCPKT), and epoll(7) keeps the order.
 class FirstActWatch {
 public:
     FirstActWatch() = default;
@@ -27,11 +27,14 @@ public:
 
     /// Since the last call. To be called before the bytes and the packet mode's news are read.
     [[nodiscard]] FirstAct take() const;
+    /// Whether a host has closed its side since the last call.
+    [[nodiscard]] bool tookLeave() const;
     /// For poll(2), there is something to take; -1 where the system gives no watch.
     [[nodiscard]] int fd() const { return m_order.get(); }
 
 private:
     Descriptor m_writes;  ///< inotify
+    Descriptor m_leaves;  ///< inotify
     Descriptor m_order;   ///< epoll; not valid where the system gives none
 };
 

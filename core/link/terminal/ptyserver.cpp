@@ -76,7 +76,8 @@ PtyServer::PtyServer(PtyServer&& other) noexcept
       m_path(std::move(other.m_path)),
       m_link(std::exchange(other.m_link, {})),
       m_firstAct(std::move(other.m_firstAct)),
-      m_tellsSettings(other.m_tellsSettings) {}
+      m_tellsSettings(other.m_tellsSettings),
+      m_ownNews(other.m_ownNews) {}
 
 PtyServer::~PtyServer() {
     if (!m_link.empty()) {
@@ -101,9 +102,15 @@ HostActs PtyServer::takeActs() {
         acts.baud = settings.c_ospeed;
     // A host that builds its settings from nothing has taken EXTPROC away, and is told of only that once. And
     // a flush that came first says nothing about a rate that came as well.
-    const bool flushed = acts.first == FirstAct::SetTerminal && packets.news != TIOCPKT_IOCTL;
+    const unsigned news = packets.news & ~std::exchange(m_ownNews, 0U);
+    const bool flushed = acts.first == FirstAct::SetTerminal && news != TIOCPKT_IOCTL;
     if (!std::exchange(m_tellsSettings, (settings.c_lflag & EXTPROC) != 0) || flushed)
         acts.first = FirstAct::Unknown;
+    acts.hungUp = m_firstAct.tookLeave();
+    if (acts.hungUp && ::ioctl(m_slave, TCFLSH, TCIFLUSH) == 0) {
+        m_ownNews = TIOCPKT_FLUSHREAD;
+        static_cast<void>(m_firstAct.take());
+    }
     return acts;
 }
 

@@ -19,6 +19,8 @@ struct HostActs {
     std::optional<std::uint32_t> baud;  ///< its rate now; empty at B0, which is "hang up" and no rate
     /// Where the rate is another one now. Unknown, too, where more than that was done at once.
     FirstAct first = FirstAct::Unknown;
+    /// It has closed the port, behind all of the bytes or some of them, and may have come back.
+    bool hungUp = false;
 };
 
 /// The master side of a pseudo-terminal: what a host program opens as a serial port. Without Qt.
@@ -37,6 +39,7 @@ public:
     /// For poll(2): when there are bytes, and when there are any acts; the latter may be -1.
     [[nodiscard]] int fd() const { return m_master; }
     [[nodiscard]] int actsFd() const { return m_firstAct.fd(); }
+    /// After a hang-up, what the host has not read by now is gone, as with any port that is closed.
     [[nodiscard]] HostActs takeActs();
     /// The bytes alone.
     [[nodiscard]] std::vector<std::uint8_t> read() const { return readAll().bytes; }
@@ -62,6 +65,7 @@ private:
     std::string m_link;
     FirstActWatch m_firstAct;
     bool m_tellsSettings = true;  ///< the host has left EXTPROC as it was
+    unsigned m_ownNews = 0;       ///< TIOCPKT_... of what was done here, not by the host
 };
 
 }  // namespace nmc

@@ -102,7 +102,7 @@ void SimServer::catchUp() {
 void SimServer::serveHost() {
     const HostActs acts = m_terminal.takeActs();
     const std::uint32_t baud = acts.baud.value_or(m_hostBaud);
-    if (acts.bytes.empty() && baud == m_hostBaud)
+    if (acts.bytes.empty() && baud == m_hostBaud && !acts.hungUp)
         return;
     m_received += acts.bytes.size();
     const bool late = m_overslept || wantedNow() > m_now + kLate;
@@ -111,6 +111,18 @@ void SimServer::serveHost() {
     m_hostBaud = baud;
     m_chain.setHostBaud(baud);
     m_chain.hostSends(ByteSpan(acts.bytes).subspan(before), m_now, late);
+    if (acts.hungUp)
+        drain();
+}
+
+/// Closing a port waits until what was written has left it, and what comes in until then is lost. That of a
+/// pseudo-terminal returns at once: it is time that does not wait, and leaps to where the line is empty.
+void SimServer::drain() {
+    const TimePoint closed = m_now;
+    m_now = std::max(m_now, m_chain.hostLineFreeAt());
+    m_chain.advanceTo(m_now);
+    static_cast<void>(m_chain.takeHostBytes());
+    m_started -= fromSeconds(toSeconds(m_now - closed) / m_pacing.speed);
 }
 
 /// How many of the bytes the host wrote before it set its present rate. Of what it wrote and set in one

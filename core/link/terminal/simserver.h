@@ -38,6 +38,7 @@ private:
     [[nodiscard]] std::optional<TimePoint> wakeUpAt() const;
     void catchUp();
     void serveHost();
+    void drain();
     [[nodiscard]] std::size_t beforeNewRate(const HostActs& acts);
     /// Number of `bytes` up to the end of the last Set Baud or Hard Reset among them; 0 without one.
     std::size_t endOfLastRateCommand(ByteSpan bytes);
