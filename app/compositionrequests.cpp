@@ -166,7 +166,9 @@ void Composition::shareBus() {
                        std::none_of(modules.begin(), modules.end(), [this](const ModuleState& other) {
                            return m_tested.count(other.info.index) == 0 && other.moving();
                        });
-    m_worker.focus(alone ? std::optional(*m_tested.begin()) : std::nullopt);
+    const auto focused = alone ? std::optional(*m_tested.begin()) : std::nullopt;
+    m_worker.focus(focused);
+    m_store.noteFocus(focused);
 }
 
 void Composition::followResponse(const ProcedureReport& report) {

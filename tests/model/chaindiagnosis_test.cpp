@@ -112,8 +112,35 @@ TEST(LinkState, AValueIsOldByHowOftenItsModuleIsAsked) {
     EXPECT_TRUE(isLive(link, module));
     link.now = TimePoint(std::chrono::milliseconds(10'600));
     EXPECT_FALSE(isLive(link, module));
-    module.repliesPerSecond = 1.0;  // another module has the bus
+    // Whatever comes through: a bad line makes no old value a new one.
+    module.repliesPerSecond = 1.0;
+    EXPECT_FALSE(isLive(link, module));
+    link.focused = ModuleIndex(1);  // which leaves the others one poll in 0.9 s
     EXPECT_TRUE(isLive(link, module));
+    link.now = TimePoint(std::chrono::milliseconds(12'800));
+    EXPECT_FALSE(isLive(link, module));
+    link.focused = ModuleIndex(0);
+    link.now = TimePoint(std::chrono::milliseconds(10'600));
+    EXPECT_FALSE(isLive(link, module)) << "its own is asked as often as the wire carries";
+}
+
+/// 32 modules at 9600 Bd, a reply of 17 bytes behind a question of 5: 22 x 1.04 ms, a quarter of a
+/// millisecond for the tick and 4 for the adapter, 0.87 s for a round.
+TEST(LinkState, ALongChainOnASlowLineIsAskedMoreRarely) {
+    LinkState link;
+    link.phase = LinkPhase::Connected;
+    link.baud = 9'600;
+    for (std::uint8_t i = 0; i < 32; ++i) {
+        ModuleState module;
+        module.info = {ModuleIndex(i), BusAddress(static_cast<std::uint8_t>(i + 1)), kServo, {}};
+        module.latest.emplace();
+        module.latestTime = TimePoint(std::chrono::seconds(10));
+        link.modules.push_back(module);
+    }
+    link.now = TimePoint(std::chrono::milliseconds(12'400));
+    EXPECT_TRUE(isLive(link, link.modules[31]));
+    link.now = TimePoint(std::chrono::milliseconds(13'000));
+    EXPECT_FALSE(isLive(link, link.modules[31]));
 }
 
 TEST(ChainDiagnosis, NothingIsConcludedWithoutAConnection) {

@@ -209,6 +209,10 @@ void BusStore::noteHome(ModuleIndex module, std::int32_t counts) {
         m_link.modules[module.value()].home.found(counts, m_link.modules[module.value()].latestTime);
 }
 
+void BusStore::noteFocus(std::optional<ModuleIndex> module) {
+    m_link.focused = module;
+}
+
 void BusStore::declarePosition(ModuleIndex module, bool right) {
     if (!known(module))
         return;

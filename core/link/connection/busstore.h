@@ -46,6 +46,8 @@ public:
     void noteAsked(ModuleIndex module, bus::OperationId operation);
     /// A search has found home there; shown with the next news.
     void noteHome(ModuleIndex module, std::int32_t counts);
+    /// As Engine::focus(), until the next call.
+    void noteFocus(std::optional<ModuleIndex> module);
     /// The user's word on a position: right, or in doubt.
     void declarePosition(ModuleIndex module, bool right);
     /// How its axes may move, as the user has set it.

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "bus/exchange.h"
+#include "bus/pollschedule.h"
+
 namespace nmc {
 
 void LinkState::take(const Machine& machine) {
@@ -28,18 +31,37 @@ bool isMissing(const ModuleState& module) {
     return module.silent && !module.latest && !module.hasRestarted;
 }
 
+namespace {
+
+/// Between two polls of a module, as they are planned: on a bad line they come through more rarely, and what
+/// it said last is old all the same.
+[[nodiscard]] Duration expectedPollOf(const LinkState& link, const ModuleState& module) {
+    if (link.focused && link.focused != module.info.index)
+        return bus::PollSchedule::kInSight;
+    constexpr std::size_t kQuestion = 5;  // bytes of a Read Status
+    Duration round{};
+    bus::LineTiming timing;
+    timing.byteTime = byteTimeAtBaud(link.baud == 0 ? kPowerUpBaud : link.baud);
+    for (const ModuleState& each : link.modules) {
+        const ModuleIdentity& identity = each.info.identity;
+        round +=
+            timing.wireTime(kQuestion, replyLength(identity, bus::fullItems(identity))) + timing.adapter();
+    }
+    return std::max(bus::PollSchedule::kBackground, round);
+}
+
+}  // namespace
+
 bool isLive(const LinkState& link, const ModuleState& module) {
-    /// Three poll periods of a long chain at the slowest rate; below it nothing is called old.
-    constexpr double kOldAfter = 0.5;  // s
-    /// Of a module that is asked more rarely.
-    constexpr double kPeriods = 3;
+    /// Below it nothing is called old.
+    constexpr Duration kOldAfter = std::chrono::milliseconds(500);
+    constexpr int kPeriods = 3;
     if (link.phase != LinkPhase::Connected || module.silent || module.positionDoubtful())
         return false;
     if (!link.now || !module.latest)
         return true;
-    const double rate = module.repliesPerSecond;
-    const double oldAfter = rate > 0.0 ? std::max(kOldAfter, kPeriods / rate) : kOldAfter;
-    return toSeconds(*link.now - module.latestTime) <= oldAfter;
+    const Duration oldAfter = std::max<Duration>(kOldAfter, kPeriods * expectedPollOf(link, module));
+    return *link.now - module.latestTime <= oldAfter;
 }
 
 }  // namespace nmc

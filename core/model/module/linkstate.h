@@ -32,6 +32,8 @@ struct LinkState {
     bool looking = false;
     std::uint8_t found = 0;            ///< modules found so far while connecting
     std::vector<ModuleState> modules;  ///< in the order of addressing: farthest from the host first
+    /// One that is asked as often as the wire carries, at the cost of the others.
+    std::optional<ModuleIndex> focused{};
     /// When this is looked at; empty: nothing is old.
     std::optional<TimePoint> now{};
 
