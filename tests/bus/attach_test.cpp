@@ -284,8 +284,9 @@ TEST(Attach, KeepsWhatItToldAModuleThatItFindsAgain) {
     ASSERT_EQ(bus.perform({gains(0), enable(0), gains(1), enable(1)}), Outcome::Done);
     bus.runFor(500ms);
     ASSERT_TRUE(bus.connect());
-    EXPECT_TRUE(bus.last<ChainFound>()->attached);
-    for (const ModuleInfo& info : bus.last<ChainFound>()->modules)
+    const auto found = *bus.last<ChainFound>();
+    EXPECT_TRUE(found.attached);
+    for (const ModuleInfo& info : found.modules)
         EXPECT_EQ(info.group, GroupPlace{}) << "nobody else has set one";
     bus.runFor(500ms);
     EXPECT_EQ(bus.perform({loadMove(0, 500), start(0)}), Outcome::Done) << "without a stop before it";
