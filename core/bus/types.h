@@ -327,7 +327,7 @@ struct StopFinished {
     std::vector<ModuleIndex> unconfirmed;  ///< was told, but was not seen at rest: use the hardware stop
     std::vector<ModuleIndex> noStopKnown;  ///< !hasStop(): was not told, use the hardware stop
     Duration took{};
-    std::vector<ModuleIndex> wereOff;  ///< when it began: they had to be told nothing
+    std::vector<ModuleIndex> wereOff{};  ///< when it began: they had to be told nothing
 };
 
 /// Why the engine told one module to stop without a stop of all.

@@ -135,10 +135,8 @@ TEST(Attach, StopsTheMotorsWhenAskedToDuringTheLook) {
 
 /// As any module's page asks for it, while the panel looks for a chain that it knows.
 TEST(Attach, StopsOneMotorAtOnceWhileItsChainIsLookedForAgain) {
-    for (const Order& stop :
-         {toServo(0, servo::StopMotor{true, servo::StopManner::Abruptly, {}}),
-          toServo(0, servo::StopMotor{true, servo::StopManner::Smoothly, {}}),
-          toServo(0, servo::StopMotor{true, servo::StopManner::Here, Counts(-5'000)}), motorOff(0)})
+    using Manner = servo::StopManner;
+    for (const Manner manner : {Manner::Abruptly, Manner::Smoothly, Manner::Here, Manner::MotorOff})
         for (const Duration after : {Duration(1ms), Duration(60ms)}) {
             LeftBehind left(3, 9'600);
             VirtualBus& bus = left.bus;
@@ -146,15 +144,14 @@ TEST(Attach, StopsOneMotorAtOnceWhileItsChainIsLookedForAgain) {
             bus.engine.connect(bus.now);
             bus.runFor(after);
             ASSERT_EQ(bus.count<ChainFound>(), 1U) << "it is being looked for";
-            const OperationId id = bus.submit({stop});
+            const bool off = manner == Manner::MotorOff;
+            const OperationId id = bus.submit({toServo(0, servo::StopMotor{!off, manner, Counts(-5'000)})});
             EXPECT_EQ(bus.outcomeOf(id), Outcome::Done);
             // A question that nobody answers takes some 20 ms at this rate, the stop after it 30 more.
             bus.runFor(150ms);
             EXPECT_EQ(bus.count<ChainFound>(), 1U) << "still";
-            const bool off = stop == motorOff(0);
             EXPECT_EQ(bus.servo(0).servoOn, !off);
-            if (!off)
-                EXPECT_LT(left.commandVelocity(), 1.0);
+            EXPECT_TRUE(off || left.commandVelocity() < 1.0) << "it slows down, or stands";
             ASSERT_TRUE(bus.runUntil([&] { return bus.count<UnacknowledgedStopConfirmed>() > 0; }, 20s));
             EXPECT_EQ(bus.servo(0).servoOn, !off) << "as it was asked for, after the search, too";
             EXPECT_NE(bus.servo(0).position, -5'000) << "the place was old by then";

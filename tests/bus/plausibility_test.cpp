@@ -217,7 +217,7 @@ TEST(Plausibility, RejectsAnotherModulesPositionForAMotorThatStands) {
                               .velocity = velocity,
                               .aux = on ? std::uint8_t{0x04} : std::uint8_t{0x00}};
         };
-        for (const std::int16_t velocity : {0, 50})
+        for (const std::int16_t velocity : {std::int16_t{0}, std::int16_t{50}})
             for (const std::int32_t other : {1'200, 3'386, 8'951, -8'951}) {
                 Servo servo(says(0));
                 EXPECT_EQ(servo.says(says(other, velocity), kEverything, 250ms).has_value(), true) << other;

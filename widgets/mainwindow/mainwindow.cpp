@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
+#include <QWindow>
 #include <utility>
 
 #include "widgets/axes/axesdock.h"
