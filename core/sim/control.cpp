@@ -76,6 +76,16 @@ Json moduleStatistics(const ModuleStatistics& m, std::size_t number) {
             {"bytes_garbled", m.bytesGarbled}};
 }
 
+Json violationList(const std::vector<Violation>& entries) {
+    Json list = Json::array();
+    for (const Violation& v : entries)
+        list.push_back({{"time", toSeconds(v.time.time_since_epoch())},
+                        {"module", v.module + 1},
+                        {"kind", toText(v.kind)},
+                        {"bytes", toHex(v.bytes)}});
+    return list;
+}
+
 Json stats(const Asked& asked) {
     Chain& chain = asked.chain;
     if (asked.words.size() > 1) {
@@ -89,12 +99,6 @@ Json stats(const Asked& asked) {
     Json modules = Json::array();
     for (const ModuleStatistics& m : s.modules)
         modules.push_back(moduleStatistics(m, modules.size() + 1));
-    Json violations = Json::array();
-    for (const Violation& v : chain.violations().entries())
-        violations.push_back({{"time", toSeconds(v.time.time_since_epoch())},
-                              {"module", v.module + 1},
-                              {"kind", toText(v.kind)},
-                              {"bytes", toHex(v.bytes)}});
     return {{"time", toSeconds(s.time.time_since_epoch())},
             {"exchanges", s.exchanges},
             {"bytes_in", s.bytesIn},
@@ -105,7 +109,8 @@ Json stats(const Asked& asked) {
             {"stalls", asked.pace.stalls},
             {"longest_stall", asked.pace.longestStallSeconds},
             {"violation_count", chain.violations().count()},
-            {"violations", violations}};
+            {"violations", violationList(chain.violations().entries())},
+            {"remarks", violationList(chain.violations().remarks())}};
 }
 
 Json time(const Asked& asked) {
@@ -234,7 +239,7 @@ constexpr std::array kVerbs{
     Verb{"faults", 1, 1, faults, "faults", "the faults injected, and how often each occurred"},
     Verb{"foreign", 1, kMany, foreign, "foreign BYTES",
          "sends bytes as another host on the line, such as AA 02 0E 10"},
-    Verb{"stats", 1, 2, stats, "stats, stats clear", "counters and violations; clear resets the counters"},
+    Verb{"stats", 1, 2, stats, "stats, stats clear", "counters, violations and remarks; clear resets them"},
     Verb{"time", 1, 1, time, "time", "simulated time, and how late it is"},
     Verb{"help", 1, 1, help, "help", "these lines, the names of set, and the kinds of violations"},
 };
@@ -306,7 +311,9 @@ std::string controlHelp() {
     for (const InputRow& row : inputTable())
         text += "  " + column(row.name, 16) + column(toText(row.chips), 10) + std::string(row.allowed) +
                 "\n" + std::string(28, ' ') + std::string(row.meaning) + '\n';
-    text += "\nViolations, in stats: what a real chip would not have forgiven:\n";
+    text +=
+        "\nViolations, in stats: what a real chip would not have forgiven. Remarks, beside them, are of the\n"
+        "same kinds: a data sheet advises against it, but says what comes of it.\n";
     for (const ViolationRow& row : violationTable())
         text += "  " + column(row.name, 23) + std::string(row.meaning) + '\n';
     return text;

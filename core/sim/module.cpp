@@ -189,6 +189,11 @@ void Module::violates(ViolationKind kind) {
         m_violations.add({tickEnd(m_ticks), m_index, kind, m_answered});
 }
 
+void Module::remarks(ViolationKind kind) {
+    if (!m_commandStruck)
+        m_violations.remark({tickEnd(m_ticks), m_index, kind, m_answered});
+}
+
 // ---- Reply ----
 
 void Module::reply(TimePoint now, std::uint8_t items, bool communicationError) {

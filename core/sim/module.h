@@ -132,8 +132,9 @@ public:
     [[nodiscard]] std::uint8_t index() const { return m_index; }
 
 protected:
-    /// Logs a violation by the command that is being executed.
+    /// Logs a violation by the command that is being executed, or a remark.
     void violates(ViolationKind kind);
+    void remarks(ViolationKind kind);
     [[nodiscard]] ModuleIdentity identity() const { return m_identity; }
     /// Type and version, as item 5 has them.
     [[nodiscard]] std::uint16_t identityItem() const {

@@ -54,7 +54,7 @@ void ServoModule::executeOwn(const Packet& packet) {
 
 void ServoModule::resetPosition(const Packet& packet) {
     constexpr unsigned kRelativeToHome = 0x01, kToValue = 0x02;
-    if (m_loop.inTrapezoid())
+    if (!isSc() && m_loop.inTrapezoid())
         violates(ViolationKind::ResetInMotion);
     // Versions 1 to 4 ignore a control byte, and 5 knows its first bit only.
     const unsigned known = isSc() ? kRelativeToHome | kToValue : isLater() ? kRelativeToHome : 0U;
@@ -214,8 +214,13 @@ void ServoModule::stopMotor(const Packet& packet) {
                        kAdvanced = 0x20;
     const unsigned control = packet.data[0];
     const bool here = (control & kHere) != 0;
-    if (std::popcount(control & (kOff | kAbrupt | kSmooth | kHere)) > 1)
-        violates(ViolationKind::StopBits);
+    // "If bit 1 is set, bits 2, 3 and 4 are ignored", though only one of them should be (DS-V 5.2).
+    if (std::popcount(control & (kOff | kAbrupt | kSmooth | kHere)) > 1) {
+        if ((control & kOff) != 0)
+            remarks(ViolationKind::StopBits);
+        else
+            violates(ViolationKind::StopBits);
+    }
     if (packet.length() > 0 && (packet.length() == 5) != here)
         violates(ViolationKind::WrongLength);
     m_loop.setAmplifier((control & kAmplifier) != 0);

@@ -96,14 +96,20 @@ bool StepperModule::startMotion() {
         violates(ViolationKind::DirectionChange);
         return false;
     }
+    // DS-S 5.1, Stop Motor: a smooth stop sets the goal velocity to zero, and the next load has to bring one.
+    if ((*goal == StepperMode::Trapezoidal || *goal == StepperMode::Velocity) && loaded.speed == 0)
+        violates(ViolationKind::VelocityNotLoaded);
     m_control.start(*goal);
     return true;
 }
 
 void StepperModule::setParameters(const Packet& packet) {
+    constexpr unsigned kIgnored = 0xE0;
     DataReader reader(packet);
     StepperParameters p;
     p.mode = reader.next<std::uint8_t>();
+    if ((p.mode & kIgnored) != 0)
+        remarks(ViolationKind::ReservedBits);
     p.minimumSpeed = inRange<std::uint8_t>(reader.next<std::uint8_t>(), 1, kMaxStepSpeed);
     p.runningCurrent = reader.next<std::uint8_t>();
     p.holdingCurrent = reader.next<std::uint8_t>();
@@ -138,8 +144,7 @@ std::uint8_t StepperModule::reservedBits(CommandCode code) const {
         return 0x60;
     if (code == CommandCode::StopMotor)
         return 0xF0;
-    // Set Parameters, Set Outputs.
-    if (code == CommandCode::SetGain || code == CommandCode::IoControl)
+    if (code == CommandCode::IoControl)  // Set Outputs
         return 0xE0;
     return 0;
 }

@@ -29,6 +29,7 @@ enum class ViolationKind : std::uint8_t {
     DirectionChange,
     PathOverflow,
     ParametersNotSet,
+    VelocityNotLoaded,
 };
 
 struct ViolationRow {
@@ -50,20 +51,24 @@ struct Violation {
     PacketBytes bytes;  ///< the packet that did it
 };
 
-/// The violations in the order they happened. Keeps the first kCapacity and counts the rest: the first is the
-/// one that explains the others.
+/// The violations in the order they happened, and beside them remarks: a sheet advises against them, but says
+/// itself what comes of them. Keeps the first kCapacity and counts the rest: the first is the one that
+/// explains the others.
 class ViolationLog {
 public:
     static constexpr std::size_t kCapacity = 10'000;
 
     void add(const Violation& violation);
+    void remark(const Violation& violation);
     void clear() { *this = {}; }
     [[nodiscard]] const std::vector<Violation>& entries() const { return m_entries; }
     /// Including those that found no room.
     [[nodiscard]] std::uint64_t count() const { return m_count; }
+    [[nodiscard]] const std::vector<Violation>& remarks() const { return m_remarks; }
 
 private:
     std::vector<Violation> m_entries;
+    std::vector<Violation> m_remarks;
     std::uint64_t m_count = 0;
 };
 

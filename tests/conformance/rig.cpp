@@ -27,12 +27,12 @@ void Rig::must(const std::string& line) {
     ASSERT_FALSE(answer.contains("error")) << line << ": " << answer;
 }
 
-std::vector<std::string> Rig::violations() {
-    std::vector<std::string> kinds;
+std::vector<std::string> Rig::kinds(const char* list) {
+    std::vector<std::string> all;
     const nlohmann::json stats = control("stats");
-    for (const auto& violation : stats["violations"])
-        kinds.push_back(violation["kind"]);
-    return kinds;
+    for (const auto& entry : stats[list])
+        all.push_back(entry["kind"]);
+    return all;
 }
 
 Bytes packet(unsigned address, unsigned command, const Bytes& data) {

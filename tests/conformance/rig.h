@@ -42,7 +42,12 @@ public:
     /// A control line that must be obeyed.
     void must(const std::string& line);
     /// The kinds of the violations so far.
-    std::vector<std::string> violations();
+    std::vector<std::string> violations() { return kinds("violations"); }
+    /// And those of the remarks.
+    std::vector<std::string> remarks() { return kinds("remarks"); }
+
+private:
+    std::vector<std::string> kinds(const char* list);
 };
 
 /// A packet with its sum, made without the program's code.

@@ -71,6 +71,13 @@ TEST_P(ScServo, ResetPosition6_ACmcKnowsTheFirstBitOnly) {
     EXPECT_EQ(truth("position"), 0);
 }
 
+TEST_P(ScServo, ResetPosition7_IsTakenDuringATrapezoidalMove) {
+    servoOn();
+    trapezoid(1000, kOne, kOne);
+    command(0x00);
+    expectNoViolation();
+}
+
 // ---- Load Trajectory ----
 
 TEST_P(ScServo, LoadTrajectory1_Bit6IsReverseInVelocityAndPwmMode) {

@@ -83,6 +83,8 @@ TEST_P(PicServo, StopMotor3_Bit1MakesBits2To4Ignored) {
     command(0x57, Bytes{kMotorOff | kHere} + position(100));
     EXPECT_EQ(truth("servo_on"), false);
     EXPECT_EQ(number("command_position"), number("position"));
+    expectNoViolation();
+    EXPECT_EQ(rig->remarks(), (std::vector<std::string>(3, "stop_bits")));
 }
 
 TEST_P(PicServo, StopMotor4_Bit2MakesTheCommandVelocity0AtOnceInVelocityMode) {

@@ -106,7 +106,8 @@ TEST_P(PicStepCommands, SetParameters8_Bit4TurnsTheMotorOffOnLimitOrEStop) {
 }
 
 TEST_P(PicStepCommands, SetParameters9_Bits5To7AreIgnored) {
-    expectSpeedMode(0xE0 | k1x, 1'000, {"reserved_bits"});
+    expectSpeedMode(0xE0 | k1x, 1'000);
+    EXPECT_EQ(rig->remarks(), Kinds{"reserved_bits"});
     set("limit1 1");
     EXPECT_EQ(status(), 0x0CU) << "the autostop is on, and the motor not turned off";
 }
@@ -260,10 +261,16 @@ TEST_P(PicStepCommands, StopMotor10_AfterASmoothStopATrapezoidNeedsItsSpeedLoade
     load({.position = goal});
     rig->wait(milliseconds(500));
     EXPECT_EQ(speed(), 20U) << "the minimum, for the speed is 0";
+    expectViolations({"velocity_not_loaded"});
     stop(0x05);
     load({.position = goal, .speed = 120});
     rig->wait(milliseconds(500));
     EXPECT_EQ(speed(), 120U);
+    stop(0x05);
+    load({.position = 0});
+    rig->wait(milliseconds(500));
+    EXPECT_EQ(speed(), 120U) << "loaded before, and no smooth stop since";
+    expectViolations({"velocity_not_loaded"});
 }
 
 TEST_P(PicStepCommands, StopMotor11_EnablesTheAmplifierAtFirstAndNothingElseDoes) {

@@ -222,6 +222,17 @@ TEST(Terminal, OptionsTakeTheirValueBehindASpaceOrAnEqualsSign) {
     }
 }
 
+TEST(Terminal, AControlLineThatIsTooLongIsRefusedAsAWhole) {
+    Host host;
+    // Whatever part of it is read by itself, the end would set the load.
+    for (const std::size_t blanks : {4'096U, 5'000U, 70'000U}) {
+        const auto answer = host.sim.control("stats" + std::string(blanks, ' ') + "\rset 1 load 0.02");
+        EXPECT_EQ(answer["error"], "too long a line; allowed are 4096 bytes") << blanks;
+        EXPECT_EQ(host.sim.state(1)["load"], 0.0);
+    }
+    EXPECT_EQ(host.sim.control("set 1 load " + std::string(4'081, ' ') + "0.02")["ok"], true) << "4096 bytes";
+}
+
 TEST(Terminal, ASimulatorThatIsNotLetRunSaysSo) {
     SimProcess sim("servo");
     Port port(sim.terminal());

@@ -109,7 +109,7 @@ TEST_F(Blame, NobodyIsForCommandsThatFaultsHaveChanged) {
 }
 
 TEST_F(Blame, NobodyIsForWhatAnotherHostSends) {
-    say("foreign AA 01 17 07 1F");
+    say("foreign AA 01 17 0D 25");
     wire.wait(milliseconds(20));
     EXPECT_THAT(wire.violations(), IsEmpty()) << "two manners of stopping";
     say("foreign AA 01 13 1F 33");
@@ -124,10 +124,10 @@ TEST_F(Blame, TheHostIsForWhatItDoesBetweenFaults) {
     wire.command(1, 0x0E);
     say("fault clear");
     wire.exchange(Bytes(20, 0));  // in step again
-    wire.command(1, 0x17, {0x07});
+    wire.command(1, 0x17, {0x0D});
     EXPECT_EQ(wire.violations(), Kinds{Kind::StopBits});
     say("fault bus flip p=0");
-    wire.command(1, 0x17, {0x07});
+    wire.command(1, 0x17, {0x0D});
     EXPECT_EQ(wire.violations().size(), 2U) << "a fault that does not strike";
     wire.command(1, 0x21, {1, 0x01});
     wire.command(2, 0x21, {2, 0x01});

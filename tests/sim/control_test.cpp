@@ -403,11 +403,12 @@ TEST_F(Control, HelpListsEveryKindOfViolation) {
         EXPECT_FALSE(row["meaning"].get<std::string>().empty()) << kinds.back();
         EXPECT_THAT(controlHelp(), HasSubstr("  " + kinds.back() + " "));
     }
-    EXPECT_THAT(kinds, testing::ElementsAre("command_in_flight", "command_overwritten", "trapezoid_in_motion",
-                                            "reset_in_motion", "reply_collision", "wrong_length",
-                                            "unknown_command", "stop_bits", "out_of_range", "reserved_bits",
-                                            "set_baud_single", "unsupported", "mode_transition",
-                                            "direction_change", "path_overflow", "parameters_not_set"));
+    EXPECT_THAT(kinds,
+                testing::ElementsAre("command_in_flight", "command_overwritten", "trapezoid_in_motion",
+                                     "reset_in_motion", "reply_collision", "wrong_length", "unknown_command",
+                                     "stop_bits", "out_of_range", "reserved_bits", "set_baud_single",
+                                     "unsupported", "mode_transition", "direction_change", "path_overflow",
+                                     "parameters_not_set", "velocity_not_loaded"));
 }
 
 /// What a list of `set` names says of one of them, for a kind of module.
@@ -438,6 +439,29 @@ TEST_F(Control, HelpListsEveryNameOfSetWithItsRangeAndPolarity) {
     EXPECT_EQ(inputOf(help, "servo", "power")["allowed"], "0 or 1");
     EXPECT_THAT(controlHelp(), HasSubstr("no motion in reverse"));
     EXPECT_EQ(help["lines"][0]["line"], "state N");
+}
+
+TEST_F(Control, LimitsThatFollowTheTravelAreWhereHelpSaysThatTheyAre) {
+    for (const auto& [chip, atTravelMin] :
+         {std::pair{"servo@4", "limit1"}, std::pair{"servo@10", "limit2"}}) {
+        wire = HostWire(chip);
+        for (const char* line : {"set 1 travel_min 0", "set 1 travel_max 1000", "set 1 limits auto"})
+            EXPECT_EQ(errorOf(line), "");
+        const auto truth = say("state 1");
+        for (const char* name : {"limit1", "limit2"})
+            EXPECT_EQ(truth[name], name == std::string(atTravelMin)) << chip << " " << name;
+    }
+    EXPECT_EQ(inputOf(say("help"), "servo", "limits")["meaning"],
+              "auto: limit1 is 1 at travel_min and limit2 at travel_max, of an SC the other way round");
+}
+
+TEST_F(Control, StatsListRemarksBesideViolations) {
+    wire.command(1, 0x17, {0x06});
+    const auto stats = say("stats");
+    EXPECT_EQ(stats["violation_count"], 0);
+    ASSERT_EQ(stats["remarks"].size(), 1U);
+    EXPECT_EQ(stats["remarks"][0]["kind"], "stop_bits");
+    EXPECT_EQ(stats["remarks"][0]["bytes"], "AA 01 17 06 1E");
 }
 
 TEST_F(Control, BytesThatNoModuleListensToAreCounted) {

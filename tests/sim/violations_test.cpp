@@ -190,11 +190,37 @@ TEST_F(Violations, OutOfRangeValuesAreReported) {
     EXPECT_EQ(wire.violations(), Kinds(4, Kind::OutOfRange));
 }
 
-TEST_F(Violations, MoreThanOneMannerOfStoppingIsReportedAndMotorOffWins) {
-    wire.command(1, 0x17, {0x07});
-    EXPECT_FALSE(wire.truth().servo.servoOn);
+TEST_F(Violations, MoreThanOneMannerOfStoppingIsReported) {
+    wire.command(1, 0x17, {0x0D});
     wire.command(1, 0x19, {0x31});
     EXPECT_EQ(wire.violations(), (Kinds{Kind::StopBits, Kind::StopBits}));
+    EXPECT_TRUE(wire.chain.violations().remarks().empty());
+}
+
+// DS-V 5.2: with bit 1 the bits 2 to 4 are ignored.
+TEST_F(Violations, MotorOffWithAnotherMannerOfStoppingIsARemarkOnly) {
+    wire.exchange({0xAA, 0x01, 0x17, 0x06, 0x1E});
+    EXPECT_FALSE(wire.truth().servo.servoOn);
+    EXPECT_EQ(wire.violations(), Kinds{});
+    ASSERT_EQ(wire.chain.violations().remarks().size(), 1U);
+    const Violation& remark = wire.chain.violations().remarks()[0];
+    EXPECT_EQ(remark.kind, Kind::StopBits);
+    EXPECT_EQ(toHex(remark.bytes), "AA 01 17 06 1E");
+    wire.chain.clearStatistics(wire.now);
+    EXPECT_TRUE(wire.chain.violations().remarks().empty());
+}
+
+TEST_F(Violations, ResetPositionDuringATrapezoidOfAnScIsNone) {
+    for (const char* chip : {"servo@4", "servo@5", "servo@10"}) {
+        HostWire one(chip);
+        one.address(1);
+        one.gains(goodGains());
+        one.servoOn();
+        one.trapezoid(1000, kOne, kOne);
+        one.command(1, 0x00);
+        EXPECT_EQ(one.violations(), chip == std::string("servo@10") ? Kinds{} : Kinds{Kind::ResetInMotion})
+            << chip;
+    }
 }
 
 /// A command whose first data byte has bits that the sheet wants cleared, and that byte with all other bits
@@ -231,12 +257,12 @@ TEST(ReservedBits, OfAServoAreReported) {
                                   {0x94, {0x36, 0, 0, 1, 0, 0, 1, 0, 0}, 0x00}});
 }
 
-// DS-S 5.1. Stop Motor's bit 1 is "not used" and nothing more.
+// DS-S 5.1. Stop Motor's bit 1 is "not used" and nothing more; those of Set Parameters are "ignored".
 TEST(ReservedBits, OfAStepperAreReported) {
     expectReservedBits("step", {{0x12, {0}, 0xC0},
                                 {0x13, {0x1F}, 0xC0},
                                 {0x34, {0x06, 10, 10}, 0x60},
-                                {0x56, {0x03, 1, 0, 0, 0}, 0xE0},
+                                {0x56, {0x03, 1, 0, 0, 0}, 0x00},
                                 {0x17, {0x01}, 0xF0},
                                 {0x18, {0x1F}, 0xE0},
                                 {0x19, {0x00}, 0xC0}});

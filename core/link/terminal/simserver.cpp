@@ -17,7 +17,7 @@ namespace nmc {
 
 namespace {
 
-/// A line that never ends must not fill the memory.
+/// A line that never ends must not fill the memory; of a longer one enough is kept to know it by.
 constexpr std::size_t kMaxLine = 4'096;
 /// With kLate, well below what any host waits for an answer: a host that gave up on a simulator that slept is
 /// not in haste.
@@ -193,8 +193,7 @@ bool SimServer::serveControl() {
         if (!answer(line))
             return false;
     }
-    if (m_pendingLine.size() > kMaxLine)
-        m_pendingLine.clear();
+    m_pendingLine.resize(std::min(m_pendingLine.size(), kMaxLine + 1));
     return true;
 }
 
@@ -206,6 +205,8 @@ bool SimServer::answer(const std::string& line) {
 }
 
 std::string SimServer::answerTo(const std::string& line) {
+    if (line.size() > kMaxLine)
+        return R"({"error":"too long a line; allowed are 4096 bytes"})";
     if (line.rfind("advance", 0) == 0)
         return advance(line);
     const std::string answer = sim::handleControlLine(m_chain, line, m_now, pace());
