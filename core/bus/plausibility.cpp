@@ -172,10 +172,11 @@ std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
             m_candidate = Known{};
             take(*m_candidate, end);
             m_contradiction = *contradiction;
+            m_explained = explainedByItsSpeed(end);
             return contradiction;
         }
         m_known = *m_candidate;
-        m_jumped = m_jumped || *contradiction == Rejection::PositionJump ||
+        m_jumped = m_jumped || (*contradiction == Rejection::PositionJump && !m_explained) ||
                    *contradiction == Rejection::MovedWhileStopped;
     }
     if (tellsOf(m_contradiction, end.report))
@@ -269,7 +270,7 @@ std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEn
 std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd& end) const {
     switch (m_identity.type) {
         case ModuleType::Servo:
-            return servoMotion(known, end);
+            return servoMotion(known, end, restsUntold(known, end.latched));
         case ModuleType::Stepper:
             return stepperMotion(known, end);
         case ModuleType::Adc:
@@ -309,7 +310,8 @@ bool Plausibility::stickyCleared(const Known& known, const StatusReport& report)
 /// Between two replies the position may have gone as far as the velocities at both ends and those seen lately
 /// allow, plus what an acceleration in between can add: a straight line when it runs evenly, some hundred
 /// counts when it swings.
-std::optional<Rejection> Plausibility::servoMotion(const Known& known, const ReplyEnd& end) const {
+std::optional<Rejection> Plausibility::servoMotion(const Known& known, const ReplyEnd& end,
+                                                   bool rests) const {
     const double least = ticks(std::max(end.latched - known.to, Duration{})) - 1;
     const double most = ticks(end.latchedBy - known.from) + 1;
     const double now = end.report.velocity.value_or(known.velocity.value_or(0));
@@ -335,7 +337,7 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     slow = std::max(slow, -kFastest);
     fast = std::min(fast, kFastest);
     double around = bend(end.latched, most);
-    if (restsUntold(known, end.latched)) {
+    if (rests) {
         // Its own velocity is no witness for a reply that may be another module's.
         fast = slack;
         slow = -slack;
@@ -345,6 +347,11 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + around;
     const double travelled = distance(*known.position, *end.report.position);
     return travelled < lowest || travelled > highest ? std::optional(Rejection::PositionJump) : std::nullopt;
+}
+
+bool Plausibility::explainedByItsSpeed(const ReplyEnd& end) const {
+    return m_identity.type == ModuleType::Servo && end.report.position && m_known.position &&
+           end.report.velocity.value_or(0) != 0 && !servoMotion(m_known, end, false);
 }
 
 std::optional<Rejection> Plausibility::stepperMotion(const Known& known, const ReplyEnd& end) const {

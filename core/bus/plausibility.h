@@ -81,7 +81,9 @@ private:
     [[nodiscard]] bool onWithoutPower(const ReplyEnd& end) const;
     [[nodiscard]] bool stickyCleared(const Known& known, const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> motion(const Known& known, const ReplyEnd& end) const;
-    [[nodiscard]] std::optional<Rejection> servoMotion(const Known& known, const ReplyEnd& end) const;
+    [[nodiscard]] std::optional<Rejection> servoMotion(const Known& known, const ReplyEnd& end,
+                                                       bool rests) const;
+    [[nodiscard]] bool explainedByItsSpeed(const ReplyEnd& end) const;
     [[nodiscard]] std::optional<Rejection> stepperMotion(const Known& known, const ReplyEnd& end) const;
     void jerk(TimePoint at, double reach);
     [[nodiscard]] double reachOf(const servo::LoadTrajectory& load) const;
@@ -96,6 +98,7 @@ private:
     Known m_known;
     std::optional<Known> m_candidate;  ///< what a reply that contradicted said
     Rejection m_contradiction{};       ///< why it was rejected
+    bool m_explained = false;          ///< somebody else may have set it going, as its own velocity tells
     bool m_jumped = false;             ///< true until takeJump()
     Allowance m_position;
     Allowance m_home;

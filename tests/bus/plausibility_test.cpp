@@ -231,6 +231,16 @@ TEST(Plausibility, RejectsAnotherModulesPositionForAMotorThatStands) {
     }
 }
 
+/// Another program starts it: the next reply says so too, and its counter is what it was.
+TEST(Plausibility, TakesAMotionThatSomebodyElseBeganForNoJump) {
+    Servo servo;
+    EXPECT_EQ(servo.says({.status = 0x08, .position = 2'000, .velocity = 8, .aux = 0x0C}, kEverything, 250ms),
+              Rejection::PositionJump);
+    EXPECT_EQ(servo.says({.status = 0x08, .position = 2'150, .velocity = 8, .aux = 0x0C}, kShort),
+              std::nullopt);
+    EXPECT_FALSE(servo.judge.takeJump());
+}
+
 /// It would have switched off before it got there.
 TEST(Plausibility, RejectsAHoldingServoBeyondItsErrorLimit) {
     Servo servo;
