@@ -2,6 +2,7 @@
 #include "bus/chain.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "bus/commandlane.h"
 #include "bus/retrypolicy.h"
@@ -135,7 +136,9 @@ void Chain::welcome(ModuleIndex index, TimePoint now) {
     ModuleInfo info = at(index).belief.info();
     info.group = GroupPlace{};
     const StopOutputs off = at(index).belief.outputs().stopOutputs();
-    at(index) = Module(info);
+    // In its place: in an assignment g++ 12 takes an empty optional for one that is read uninitialised.
+    std::destroy_at(&at(index));
+    std::construct_at(&at(index), info);
     at(index).belief.setStopOutputs(off);
     at(index).belief.forgetItems();
     m_schedule.recover(index, now);
