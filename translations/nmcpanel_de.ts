@@ -111,6 +111,10 @@
         <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
         <translation>Die Liste mit den Aufschriften der Module vergleichen, beginnend mit dem, das am weitesten vom PC entfernt ist. Stimmt sie, die Kette so übernehmen: Von da an werden fehlende und getauschte Module gemeldet.</translation>
     </message>
+    <message>
+        <source>Looking for modules…</source>
+        <translation>Module werden gesucht…</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -1289,14 +1293,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Für Modul %1 jetzt nicht möglich; es wurde nichts gesendet.</translation>
     </message>
     <message>
-        <source>%1 of %2 stopped, %3 ms. Still holding.</source>
-        <translation>%1 von %2 gestoppt, %3 ms. Position wird gehalten.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 stopped, %3 ms. Every motor is off.</source>
-        <translation>%1 von %2 gestoppt, %3 ms. Alle Motoren sind aus.</translation>
-    </message>
-    <message>
         <source>reaches %1 of %2</source>
         <translation>erreicht %1 von %2</translation>
     </message>
@@ -1531,14 +1527,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Ink./Takt²</translation>
     </message>
     <message>
-        <source>%1 counts/s</source>
-        <translation>%1 Ink./s</translation>
-    </message>
-    <message>
-        <source>%1 counts/s²</source>
-        <translation>%1 Ink./s²</translation>
-    </message>
-    <message>
         <source>Done: %1</source>
         <translation>Erledigt: %1</translation>
     </message>
@@ -1581,10 +1569,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
         <translation>Die Verbindung ist zweifelhaft: %1 der letzten %2 Übertragungen sind misslungen.</translation>
-    </message>
-    <message>
-        <source>The command was corrupted in transit, or the gains cause a large overshoot. Check the position before the next move.</source>
-        <translation>Der Befehl wurde unterwegs verfälscht, oder die Reglerwerte verursachen starkes Überschwingen. Vor der nächsten Fahrt die Position prüfen.</translation>
     </message>
     <message>
         <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
@@ -1931,10 +1915,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>looking for modules</source>
         <translation>Module werden gesucht</translation>
-    </message>
-    <message>
-        <source>Usually encoder or motor wires are swapped, or the gains make it oscillate. Check both before the next move.</source>
-        <translation>Meist sind Encoder- oder Motoradern vertauscht, oder die Reglerwerte lassen ihn schwingen. Vor der nächsten Fahrt beides prüfen.</translation>
     </message>
     <message>
         <source>Carried out by: %1.</source>
@@ -3116,10 +3096,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Kein Motor bewegt sich. An alle geht ein Stoppbefehl, bevor der Port geschlossen wird.</translation>
     </message>
     <message>
-        <source>Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>An die Motoren ging ein Stoppbefehl. Eine niedrigere Baudrate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
-    </message>
-    <message>
         <source>Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.</source>
         <translation>Nichts ging verloren: Das Programm erkennt falsche Antworten und fragt erneut. Wird es schlimmer, geht an die Motoren ein Stoppbefehl. Meist Störungen auf dem Kabel.</translation>
     </message>
@@ -3204,14 +3180,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
         <translation>An Modul %1 ging beim Tippen ein Stoppbefehl: Das Programm stockte länger als 250 ms.</translation>
-    </message>
-    <message>
-        <source>Module %1 was told to switch off: it moved the wrong way, to %2 counts.</source>
-        <translation>Modul %1 bekam den Befehl, seinen Motor abzuschalten: Er bewegte sich in die falsche Richtung, bis %2 Inkremente.</translation>
-    </message>
-    <message>
-        <source>Module %1 was told to stop: it went past its goal, to %2 counts.</source>
-        <translation>An Modul %1 ging ein Stoppbefehl: Es fuhr über sein Ziel hinaus, bis %2 Inkremente.</translation>
     </message>
     <message>
         <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
@@ -4291,11 +4259,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Endschalter in dieser Richtung ist geschlossen. In die andere Richtung fahren.</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <comment>a number and its unit</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>The rate &quot;%1&quot; does not exist. Use 30, 60 or 120.</source>
         <translation>Die Rate „%1“ gibt es nicht. Möglich sind 30, 60 oder 120.</translation>
     </message>
@@ -4550,6 +4513,110 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The output reached its limit. The previous gains are restored.</source>
         <translation>Die Stellgröße hat ihre Grenze erreicht. Die vorigen Verstärkungen gelten wieder.</translation>
     </message>
+    <message>
+        <source>The line at %1 was disturbed while the modules were given addresses.</source>
+        <translation>Die Leitung an %1 war gestört, während die Module Adressen bekamen.</translation>
+    </message>
+    <message>
+        <source>A module that had answered fell silent, so how many there are is not known. No motor was moved. Check the cable and the adapter, then scan again.</source>
+        <translation>Ein Modul, das geantwortet hatte, verstummte. Wie viele es sind, ist daher unbekannt. Kein Motor wurde bewegt. Kabel und Adapter prüfen, dann erneut suchen.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 passes answers on in pieces, up to %2 ms apart.</source>
+        <translation>Der Adapter an %1 gibt Antworten stückweise weiter, mit bis zu %2 ms Abstand.</translation>
+    </message>
+    <message>
+        <source>USB hubs, Bluetooth and device servers do that. The panel waits for the rest, so updates are slower. No action needed.</source>
+        <translation>USB-Hubs, Bluetooth und Geräteserver tun das. Das Programm wartet auf den Rest, daher kommen Werte langsamer. Nichts zu tun.</translation>
+    </message>
+    <message>
+        <source>Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
+        <translation>An die Motoren ging ein Stoppbefehl. Sonst wird nichts gesendet, bis die Antworten 2 s lang richtig waren; dann sucht das Programm erneut. Eine niedrigere Baudrate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; the module takes %3 to %4.</source>
+        <translation>%1 ist %2; das Modul nimmt %3 bis %4 an.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stopped and holding</source>
+        <translation>
+            <numerusform>%n gestoppt und hält</numerusform>
+            <numerusform>%n gestoppt und halten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n switched off</source>
+        <translation>
+            <numerusform>%n abgeschaltet</numerusform>
+            <numerusform>%n abgeschaltet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n were off</source>
+        <translation>
+            <numerusform>%n war aus</numerusform>
+            <numerusform>%n waren aus</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n I/O modules as set for a stop</source>
+        <translation>
+            <numerusform>%n E/A-Modul wie für einen Stopp eingestellt</numerusform>
+            <numerusform>%n E/A-Module wie für einen Stopp eingestellt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2 ms.</source>
+        <translation>%1, %2 ms.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to switch off: one answer said that it moved the wrong way, to %2 counts.</source>
+        <translation>Modul %1 bekam den Befehl, seinen Motor abzuschalten: Laut einer Antwort bewegte er sich in die falsche Richtung, bis %2 Inkremente.</translation>
+    </message>
+    <message>
+        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If the position is right, the answer was not its own: check the cable.</source>
+        <translation>Wenn das stimmt, sind Encoder- oder Motoradern vertauscht, oder die Reglerwerte lassen ihn schwingen. Wenn die Position richtig ist, war es nicht seine eigene Antwort: Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop: one answer said that it went past its goal, to %2 counts.</source>
+        <translation>An Modul %1 ging ein Stoppbefehl: Laut einer Antwort fuhr es über sein Ziel hinaus, bis %2 Inkremente.</translation>
+    </message>
+    <message>
+        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If not, the answer was not its own: check the cable.</source>
+        <translation>Vor der nächsten Fahrt die Position prüfen. Wenn es dorthin fuhr, wurde der Befehl unterwegs verfälscht, oder die Reglerwerte verursachen starkes Überschwingen. Wenn nicht, war es nicht seine eigene Antwort: Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>A question waits for your answer: %1</source>
+        <translation>Eine Frage wartet auf Ihre Antwort: %1</translation>
+    </message>
+    <message>
+        <source>Show the question</source>
+        <translation>Frage zeigen</translation>
+    </message>
+    <message>
+        <source>Maybe off</source>
+        <translation>Vielleicht aus</translation>
+    </message>
+    <message>
+        <source>Maybe moving</source>
+        <translation>Bewegt sich vielleicht</translation>
+    </message>
+    <message>
+        <source>One answer says that the module switched its motor off. The next will tell.</source>
+        <translation>Laut einer Antwort hat das Modul seinen Motor abgeschaltet. Die nächste wird es zeigen.</translation>
+    </message>
+    <message>
+        <source>The motor stands in the last answers, but whether it was started is not known yet.</source>
+        <translation>Nach den letzten Antworten steht der Motor, aber ob er gestartet wurde, ist noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Looking for modules… Until they are found, only stops act.</source>
+        <translation>Module werden gesucht… Bis sie gefunden sind, wirken nur Stopps.</translation>
+    </message>
+    <message>
+        <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
+        <translation>Der Servotakt-Teiler SR dieses Moduls ist unbekannt, und damit jede Geschwindigkeit pro Sekunde. Zuerst seine Reglerwerte anwenden: SR gehört dazu.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4564,14 +4631,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Highest position reached: %1. Move in reverse.</source>
         <translation>Höchste Position erreicht: %1. Rückwärts bewegen.</translation>
-    </message>
-    <message>
-        <source>That is beyond the travel limits: the lowest position is %1.</source>
-        <translation>Das liegt außerhalb der Fahrweggrenzen: Die tiefste Position ist %1.</translation>
-    </message>
-    <message>
-        <source>That is beyond the travel limits: the highest position is %1.</source>
-        <translation>Das liegt außerhalb der Fahrweggrenzen: Die höchste Position ist %1.</translation>
     </message>
     <message>
         <source>No travel limits are set.</source>
@@ -4616,6 +4675,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Look at the axis first: is %1 really at %2? If so, home is at position 0, and the travel limits apply from there. If not, they protect the wrong range.</source>
         <translation>Zuerst die Achse ansehen: Steht %1 wirklich bei %2? Dann liegt die Referenz bei Position 0, und die Fahrweggrenzen gelten von dort aus. Wenn nicht, schützen sie den falschen Bereich.</translation>
+    </message>
+    <message>
+        <source>To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
+        <translation>Um das Spiel aufzunehmen, würde die Fahrt bei %1 umkehren, unter der tiefsten Position %2. Diese Position tiefer setzen, oder das Spiel oder seine Richtung ändern (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
+        <translation>Um das Spiel aufzunehmen, würde die Fahrt bei %1 umkehren, über der höchsten Position %2. Diese Position höher setzen, oder das Spiel oder seine Richtung ändern (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>That is beyond the travel limits: the lowest position is %1 (Axis page).</source>
+        <translation>Das liegt außerhalb der Fahrweggrenzen: Die tiefste Position ist %1 (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>That is beyond the travel limits: the highest position is %1 (Axis page).</source>
+        <translation>Das liegt außerhalb der Fahrweggrenzen: Die höchste Position ist %1 (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>The highest velocity is set on the Axis page.</source>
+        <translation>Die höchste Geschwindigkeit steht auf der Seite Achse.</translation>
+    </message>
+    <message>
+        <source>The max jog speed and the highest velocity are set on the Axis page.</source>
+        <translation>Die max. Tippgeschwindigkeit und die höchste Geschwindigkeit stehen auf der Seite Achse.</translation>
     </message>
 </context>
 <context>
@@ -5460,6 +5543,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1, oscillating</source>
         <translation>%1, schwingt</translation>
+    </message>
+    <message>
+        <source>%1 · looking for modules…</source>
+        <translation>%1 · Module werden gesucht…</translation>
     </message>
 </context>
 <context>
@@ -7170,10 +7257,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Adresse von Modul %1</translation>
     </message>
     <message>
-        <source>address </source>
-        <translation>Adresse </translation>
-    </message>
-    <message>
         <source>The address of this module, 1 to 127. Press Enter to send it. Position, gains and group are kept.</source>
         <translation>Die Adresse, auf die dieses Modul antwortet, 1 bis 127. Wird mit der Eingabetaste gesendet; Position, Reglerwerte und Gruppe bleiben.</translation>
     </message>
@@ -7232,6 +7315,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Store its outputs first.</source>
         <translation>Zuerst seine Ausgänge ablegen.</translation>
+    </message>
+    <message>
+        <source>The address</source>
+        <translation>Die Adresse</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>Adresse</translation>
     </message>
 </context>
 <context>
@@ -9258,8 +9349,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1 hat zwei Dezimalzeichen. Sowohl , als auch . ist hier Dezimalzeichen.</translation>
     </message>
     <message>
-        <source>%1 must be a whole number.</source>
-        <translation>%1 muss eine ganze Zahl sein.</translation>
+        <source>%1 must be a whole number without , or . in it.</source>
+        <translation>%1 muss eine ganze Zahl ohne , und . sein.</translation>
+    </message>
+    <message>
+        <source>%1: %2 can be read in two ways. Press Enter in the field for %3, or type %4.</source>
+        <translation>%1: %2 kann man auf zwei Arten lesen. Für %3 im Feld die Eingabetaste drücken, oder %4 eingeben.</translation>
     </message>
 </context>
 <context>
@@ -9734,6 +9829,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.</source>
         <translation>Schaltet den Verstärker ein, hält den Motor an seiner Position und löscht die Sticky-Bits: Das Bit des Positionsfehlers ist gesetzt, solange der Servo aus ist.</translation>
+    </message>
+    <message>
+        <source>Looking for modules… This is what it said last.</source>
+        <translation>Module werden gesucht… Das ist der letzte gemeldete Stand.</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
     </message>
 </context>
 <context>
@@ -10334,6 +10437,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>= %1 Bd</source>
         <translation>= %1 Bd</translation>
+    </message>
+    <message>
+        <source>The divisor</source>
+        <translation>Der Teiler</translation>
     </message>
 </context>
 <context>
@@ -12903,6 +13010,10 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>Marks home as unknown. The travel limits are not in force until home is known again.</source>
         <translation>Markiert die Referenz als unbekannt. Bis sie wieder bekannt ist, gelten die Fahrweggrenzen nicht.</translation>
+    </message>
+    <message>
+        <source>With this backlash, no move can end at home: it would turn round beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
+        <translation>Mit diesem Spiel kann keine Fahrt an der Referenz enden: Sie würde jenseits der Grenze umkehren. Die Grenze von der Referenz wegsetzen, oder das Spiel oder seine Richtung ändern.</translation>
     </message>
 </context>
 <context>

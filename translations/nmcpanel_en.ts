@@ -90,6 +90,34 @@
             <numerusform>%n modules</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n stopped and holding</source>
+        <translation>
+            <numerusform>%n stopped and holding</numerusform>
+            <numerusform>%n stopped and holding</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n switched off</source>
+        <translation>
+            <numerusform>%n switched off</numerusform>
+            <numerusform>%n switched off</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n were off</source>
+        <translation>
+            <numerusform>%n was off</numerusform>
+            <numerusform>%n were off</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n I/O modules as set for a stop</source>
+        <translation>
+            <numerusform>%n I/O module as set for a stop</numerusform>
+            <numerusform>%n I/O modules as set for a stop</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>nmc::LinkBar</name>

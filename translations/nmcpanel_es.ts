@@ -111,6 +111,10 @@
         <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
         <translation>Compare la lista con las etiquetas de los módulos, empezando por el más alejado del PC. Si es correcta, acepte la cadena tal como se encontró: a partir de entonces se avisará de los módulos que falten o se sustituyan.</translation>
     </message>
+    <message>
+        <source>Looking for modules…</source>
+        <translation>Buscando módulos…</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -1289,14 +1293,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El módulo %1 no puede hacerlo ahora; no se envió nada.</translation>
     </message>
     <message>
-        <source>%1 of %2 stopped, %3 ms. Still holding.</source>
-        <translation>%1 de %2 parados, %3 ms. Mantienen la posición.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 stopped, %3 ms. Every motor is off.</source>
-        <translation>%1 de %2 parados, %3 ms. Todos los motores están apagados.</translation>
-    </message>
-    <message>
         <source>reaches %1 of %2</source>
         <translation>llega a %1 de %2</translation>
     </message>
@@ -1531,14 +1527,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>cuentas/ciclo²</translation>
     </message>
     <message>
-        <source>%1 counts/s</source>
-        <translation>%1 cuentas/s</translation>
-    </message>
-    <message>
-        <source>%1 counts/s²</source>
-        <translation>%1 cuentas/s²</translation>
-    </message>
-    <message>
         <source>Done: %1</source>
         <translation>Hecho: %1</translation>
     </message>
@@ -1581,10 +1569,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
         <translation>El enlace es dudoso: fallaron %1 de los últimos %2 intercambios.</translation>
-    </message>
-    <message>
-        <source>The command was corrupted in transit, or the gains cause a large overshoot. Check the position before the next move.</source>
-        <translation>El comando se dañó por el camino, o las ganancias causan un gran sobreimpulso. Compruebe la posición antes del próximo movimiento.</translation>
     </message>
     <message>
         <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
@@ -1931,10 +1915,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>looking for modules</source>
         <translation>buscando módulos</translation>
-    </message>
-    <message>
-        <source>Usually encoder or motor wires are swapped, or the gains make it oscillate. Check both before the next move.</source>
-        <translation>Suele deberse a cables del encoder o del motor cruzados, o a ganancias que lo hacen oscilar. Compruebe ambas cosas antes del próximo movimiento.</translation>
     </message>
     <message>
         <source>Carried out by: %1.</source>
@@ -3116,10 +3096,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Ningún motor se mueve. Se ordena parar a todos antes de cerrar el puerto.</translation>
     </message>
     <message>
-        <source>Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>Se ordenó parar a los motores. Pruebe una velocidad en baudios menor, un cable más corto o terminación en ambos extremos.</translation>
-    </message>
-    <message>
         <source>Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.</source>
         <translation>No se perdió nada: el panel detecta las respuestas erróneas y pregunta de nuevo. Si empeora, se ordena parar a los motores. Suele deberse a ruido en el cable.</translation>
     </message>
@@ -3204,14 +3180,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
         <translation>Se ordenó al módulo %1 terminar el jog: el panel quedó bloqueado más de 250 ms.</translation>
-    </message>
-    <message>
-        <source>Module %1 was told to switch off: it moved the wrong way, to %2 counts.</source>
-        <translation>Se ordenó al módulo %1 apagar el motor: se movió en el sentido erróneo, hasta %2 cuentas.</translation>
-    </message>
-    <message>
-        <source>Module %1 was told to stop: it went past its goal, to %2 counts.</source>
-        <translation>Se ordenó parar al módulo %1: sobrepasó su destino, hasta %2 cuentas.</translation>
     </message>
     <message>
         <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
@@ -4291,11 +4259,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El final de carrera de ese sentido está cerrado. Mueva el motor en el otro sentido.</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <comment>a number and its unit</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>The rate &quot;%1&quot; does not exist. Use 30, 60 or 120.</source>
         <translation>La frecuencia “%1” no existe. Use 30, 60 o 120.</translation>
     </message>
@@ -4550,6 +4513,110 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>The output reached its limit. The previous gains are restored.</source>
         <translation>La salida alcanzó su límite. Se han restablecido las ganancias anteriores.</translation>
     </message>
+    <message>
+        <source>The line at %1 was disturbed while the modules were given addresses.</source>
+        <translation>La línea de %1 sufrió una perturbación mientras se asignaban direcciones a los módulos.</translation>
+    </message>
+    <message>
+        <source>A module that had answered fell silent, so how many there are is not known. No motor was moved. Check the cable and the adapter, then scan again.</source>
+        <translation>Un módulo que había respondido dejó de hacerlo, así que no se sabe cuántos hay. No se movió ningún motor. Compruebe el cable y el adaptador y vuelva a buscar.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 passes answers on in pieces, up to %2 ms apart.</source>
+        <translation>El adaptador de %1 entrega las respuestas en trozos, separados hasta %2 ms.</translation>
+    </message>
+    <message>
+        <source>USB hubs, Bluetooth and device servers do that. The panel waits for the rest, so updates are slower. No action needed.</source>
+        <translation>Los concentradores USB, Bluetooth y los servidores de dispositivos hacen eso. El panel espera el resto, por lo que los valores llegan más despacio. No hay que hacer nada.</translation>
+    </message>
+    <message>
+        <source>Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
+        <translation>Se ordenó parar a los motores. No se envía nada más hasta que las respuestas sean correctas durante 2 s; entonces el panel vuelve a buscar. Pruebe una velocidad en baudios menor, un cable más corto o terminación en ambos extremos.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; the module takes %3 to %4.</source>
+        <translation>%1 es %2; el módulo acepta de %3 a %4.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stopped and holding</source>
+        <translation>
+            <numerusform>%n parado y sujeto</numerusform>
+            <numerusform>%n parados y sujetos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n switched off</source>
+        <translation>
+            <numerusform>%n apagado</numerusform>
+            <numerusform>%n apagados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n were off</source>
+        <translation>
+            <numerusform>%n estaba apagado</numerusform>
+            <numerusform>%n estaban apagados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n I/O modules as set for a stop</source>
+        <translation>
+            <numerusform>%n módulo de E/S como se fijó para una parada</numerusform>
+            <numerusform>%n módulos de E/S como se fijó para una parada</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2 ms.</source>
+        <translation>%1, %2 ms.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to switch off: one answer said that it moved the wrong way, to %2 counts.</source>
+        <translation>Se ordenó al módulo %1 apagar el motor: según una respuesta, se movió en el sentido erróneo, hasta %2 cuentas.</translation>
+    </message>
+    <message>
+        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If the position is right, the answer was not its own: check the cable.</source>
+        <translation>Si fue así, los cables del encoder o del motor están cruzados, o las ganancias lo hacen oscilar. Si la posición es correcta, la respuesta no era suya: compruebe el cable.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop: one answer said that it went past its goal, to %2 counts.</source>
+        <translation>Se ordenó parar al módulo %1: según una respuesta, sobrepasó su destino, hasta %2 cuentas.</translation>
+    </message>
+    <message>
+        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If not, the answer was not its own: check the cable.</source>
+        <translation>Compruebe la posición antes del próximo movimiento. Si llegó allí, el comando se dañó por el camino o las ganancias causan un gran sobreimpulso. Si no, la respuesta no era suya: compruebe el cable.</translation>
+    </message>
+    <message>
+        <source>A question waits for your answer: %1</source>
+        <translation>Una pregunta espera su respuesta: %1</translation>
+    </message>
+    <message>
+        <source>Show the question</source>
+        <translation>Mostrar la pregunta</translation>
+    </message>
+    <message>
+        <source>Maybe off</source>
+        <translation>Quizá apagado</translation>
+    </message>
+    <message>
+        <source>Maybe moving</source>
+        <translation>Quizá en movimiento</translation>
+    </message>
+    <message>
+        <source>One answer says that the module switched its motor off. The next will tell.</source>
+        <translation>Según una respuesta, el módulo apagó su motor. La siguiente lo dirá.</translation>
+    </message>
+    <message>
+        <source>The motor stands in the last answers, but whether it was started is not known yet.</source>
+        <translation>Según las últimas respuestas el motor está parado, pero aún no se sabe si se arrancó.</translation>
+    </message>
+    <message>
+        <source>Looking for modules… Until they are found, only stops act.</source>
+        <translation>Buscando módulos… Hasta encontrarlos, solo actúan las paradas.</translation>
+    </message>
+    <message>
+        <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
+        <translation>El ciclo de servo de este módulo se desconoce, y con él toda velocidad por segundo. Aplique primero sus ganancias: SR va con ellas.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4564,14 +4631,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Highest position reached: %1. Move in reverse.</source>
         <translation>Posición máxima alcanzada: %1. Vaya hacia atrás.</translation>
-    </message>
-    <message>
-        <source>That is beyond the travel limits: the lowest position is %1.</source>
-        <translation>Está fuera de los límites de recorrido: la posición mínima es %1.</translation>
-    </message>
-    <message>
-        <source>That is beyond the travel limits: the highest position is %1.</source>
-        <translation>Está fuera de los límites de recorrido: la posición máxima es %1.</translation>
     </message>
     <message>
         <source>No travel limits are set.</source>
@@ -4616,6 +4675,30 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Look at the axis first: is %1 really at %2? If so, home is at position 0, and the travel limits apply from there. If not, they protect the wrong range.</source>
         <translation>Observe primero el eje: ¿está %1 realmente en %2? Si es así, la referencia está en la posición 0 y los límites de recorrido se cuentan desde ahí. Si no, protegen una zona errónea.</translation>
+    </message>
+    <message>
+        <source>To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
+        <translation>Para absorber la holgura, el movimiento daría la vuelta en %1, por debajo de la posición mínima %2. Baje esa posición, o cambie la holgura o su sentido (página Eje).</translation>
+    </message>
+    <message>
+        <source>To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
+        <translation>Para absorber la holgura, el movimiento daría la vuelta en %1, por encima de la posición máxima %2. Suba esa posición, o cambie la holgura o su sentido (página Eje).</translation>
+    </message>
+    <message>
+        <source>That is beyond the travel limits: the lowest position is %1 (Axis page).</source>
+        <translation>Está fuera de los límites de recorrido: la posición mínima es %1 (página Eje).</translation>
+    </message>
+    <message>
+        <source>That is beyond the travel limits: the highest position is %1 (Axis page).</source>
+        <translation>Está fuera de los límites de recorrido: la posición máxima es %1 (página Eje).</translation>
+    </message>
+    <message>
+        <source>The highest velocity is set on the Axis page.</source>
+        <translation>La velocidad máxima se ajusta en la página Eje.</translation>
+    </message>
+    <message>
+        <source>The max jog speed and the highest velocity are set on the Axis page.</source>
+        <translation>La velocidad de jog máx. y la velocidad máxima se ajustan en la página Eje.</translation>
     </message>
 </context>
 <context>
@@ -5460,6 +5543,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>%1, oscillating</source>
         <translation>%1, oscila</translation>
+    </message>
+    <message>
+        <source>%1 · looking for modules…</source>
+        <translation>%1 · buscando módulos…</translation>
     </message>
 </context>
 <context>
@@ -7170,10 +7257,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Dirección del módulo %1</translation>
     </message>
     <message>
-        <source>address </source>
-        <translation>dirección </translation>
-    </message>
-    <message>
         <source>The address of this module, 1 to 127. Press Enter to send it. Position, gains and group are kept.</source>
         <translation>La dirección de este módulo, de 1 a 127. Pulse Intro para enviarla. La posición, las ganancias y el grupo se conservan.</translation>
     </message>
@@ -7232,6 +7315,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Store its outputs first.</source>
         <translation>Almacene primero sus salidas.</translation>
+    </message>
+    <message>
+        <source>The address</source>
+        <translation>La dirección</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>dirección</translation>
     </message>
 </context>
 <context>
@@ -9258,8 +9349,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>%1 tiene dos signos decimales. Tanto , como . cuentan como signos decimales.</translation>
     </message>
     <message>
-        <source>%1 must be a whole number.</source>
-        <translation>%1 debe ser un número entero.</translation>
+        <source>%1 must be a whole number without , or . in it.</source>
+        <translation>%1 debe ser un número entero sin , ni .</translation>
+    </message>
+    <message>
+        <source>%1: %2 can be read in two ways. Press Enter in the field for %3, or type %4.</source>
+        <translation>%1: %2 puede leerse de dos maneras. Pulse Intro en el campo para %3, o escriba %4.</translation>
     </message>
 </context>
 <context>
@@ -9734,6 +9829,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.</source>
         <translation>Enciende el amplificador, mantiene el motor en su sitio y borra los bits enclavados: el del error de posición está activo mientras el servo está apagado.</translation>
+    </message>
+    <message>
+        <source>Looking for modules… This is what it said last.</source>
+        <translation>Buscando módulos… Esto es lo último que dijo.</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>dudosa</translation>
     </message>
 </context>
 <context>
@@ -10334,6 +10437,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>= %1 Bd</source>
         <translation>= %1 Bd</translation>
+    </message>
+    <message>
+        <source>The divisor</source>
+        <translation>El divisor</translation>
     </message>
 </context>
 <context>
@@ -12903,6 +13010,10 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
     <message>
         <source>Marks home as unknown. The travel limits are not in force until home is known again.</source>
         <translation>Marca la referencia como desconocida. Los límites de recorrido no tienen efecto hasta que se conozca de nuevo la referencia.</translation>
+    </message>
+    <message>
+        <source>With this backlash, no move can end at home: it would turn round beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
+        <translation>Con esta holgura, ningún movimiento puede terminar en la referencia: daría la vuelta más allá del límite. Aleje el límite de la referencia, o cambie la holgura o su sentido.</translation>
     </message>
 </context>
 <context>

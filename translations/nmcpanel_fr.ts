@@ -111,6 +111,10 @@
         <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
         <translation>Comparez la liste aux étiquettes des modules, en commençant par le plus éloigné du PC. Si elle est juste, acceptez la chaîne telle quelle&#xa0;: dès lors, les modules absents ou remplacés sont signalés.</translation>
     </message>
+    <message>
+        <source>Looking for modules…</source>
+        <translation>Recherche des modules…</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -1289,14 +1293,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le module %1 ne peut pas faire cela maintenant&#x202f;; rien n’a été envoyé.</translation>
     </message>
     <message>
-        <source>%1 of %2 stopped, %3 ms. Still holding.</source>
-        <translation>Arrêtés&#xa0;: %1 sur %2, %3&#xa0;ms. Position maintenue.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 stopped, %3 ms. Every motor is off.</source>
-        <translation>Arrêtés&#xa0;: %1 sur %2, %3&#xa0;ms. Tous les moteurs sont coupés.</translation>
-    </message>
-    <message>
         <source>reaches %1 of %2</source>
         <translation>atteint %1 des %2 modules</translation>
     </message>
@@ -1531,14 +1527,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>incr./cycle²</translation>
     </message>
     <message>
-        <source>%1 counts/s</source>
-        <translation>%1&#xa0;incr./s</translation>
-    </message>
-    <message>
-        <source>%1 counts/s²</source>
-        <translation>%1&#xa0;incr./s²</translation>
-    </message>
-    <message>
         <source>Done: %1</source>
         <translation>Terminé&#xa0;: %1</translation>
     </message>
@@ -1581,10 +1569,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
         <translation>La liaison est douteuse&#xa0;: taux d’échec de %1 sur les %2 derniers échanges.</translation>
-    </message>
-    <message>
-        <source>The command was corrupted in transit, or the gains cause a large overshoot. Check the position before the next move.</source>
-        <translation>La commande a été altérée en chemin, ou les gains provoquent un fort dépassement. Vérifiez la position avant le prochain déplacement.</translation>
     </message>
     <message>
         <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
@@ -1931,10 +1915,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>looking for modules</source>
         <translation>recherche des modules</translation>
-    </message>
-    <message>
-        <source>Usually encoder or motor wires are swapped, or the gains make it oscillate. Check both before the next move.</source>
-        <translation>Cause habituelle&#xa0;: fils du codeur ou du moteur inversés, ou gains qui le font osciller. Vérifiez les deux avant le prochain déplacement.</translation>
     </message>
     <message>
         <source>Carried out by: %1.</source>
@@ -3116,10 +3096,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Aucun moteur n’est en mouvement. Tous reçoivent l’ordre d’arrêt avant la fermeture du port.</translation>
     </message>
     <message>
-        <source>Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>Les moteurs ont reçu l’ordre d’arrêt. Essayez un débit plus faible, un câble plus court ou une terminaison aux deux extrémités.</translation>
-    </message>
-    <message>
         <source>Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.</source>
         <translation>Rien n’est perdu&#xa0;: le programme détecte les réponses fausses et redemande. Si cela empire, les moteurs reçoivent l’ordre d’arrêt. Cause habituelle&#xa0;: parasites sur le câble.</translation>
     </message>
@@ -3204,14 +3180,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
         <translation>Le module %1 a reçu l’ordre d’arrêter le jog&#xa0;: le programme s’est bloqué plus de 250&#xa0;ms.</translation>
-    </message>
-    <message>
-        <source>Module %1 was told to switch off: it moved the wrong way, to %2 counts.</source>
-        <translation>Le module %1 a reçu l’ordre de couper son moteur&#xa0;: il est parti dans le mauvais sens, jusqu’à %2 incréments.</translation>
-    </message>
-    <message>
-        <source>Module %1 was told to stop: it went past its goal, to %2 counts.</source>
-        <translation>Le module %1 a reçu l’ordre d’arrêt&#xa0;: il a dépassé sa cible, jusqu’à %2 incréments.</translation>
     </message>
     <message>
         <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
@@ -4291,11 +4259,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le fin de course de ce sens est fermé. Déplacez le moteur dans l’autre sens.</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <comment>a number and its unit</comment>
-        <translation>%1&#xa0;%2</translation>
-    </message>
-    <message>
         <source>The rate &quot;%1&quot; does not exist. Use 30, 60 or 120.</source>
         <translation>La fréquence «&#xa0;%1&#xa0;» n’existe pas. Utilisez 30, 60 ou 120.</translation>
     </message>
@@ -4550,6 +4513,110 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>The output reached its limit. The previous gains are restored.</source>
         <translation>La sortie a atteint sa limite. Les gains précédents sont rétablis.</translation>
     </message>
+    <message>
+        <source>The line at %1 was disturbed while the modules were given addresses.</source>
+        <translation>La ligne sur %1 a été perturbée pendant l’attribution des adresses aux modules.</translation>
+    </message>
+    <message>
+        <source>A module that had answered fell silent, so how many there are is not known. No motor was moved. Check the cable and the adapter, then scan again.</source>
+        <translation>Un module qui avait répondu s’est tu : le nombre de modules est donc inconnu. Aucun moteur n’a bougé. Vérifiez le câble et l’adaptateur, puis relancez la recherche.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 passes answers on in pieces, up to %2 ms apart.</source>
+        <translation>L’adaptateur sur %1 transmet les réponses par morceaux, espacés de %2 ms au plus.</translation>
+    </message>
+    <message>
+        <source>USB hubs, Bluetooth and device servers do that. The panel waits for the rest, so updates are slower. No action needed.</source>
+        <translation>Les concentrateurs USB, le Bluetooth et les serveurs de ports font cela. Le programme attend la suite : les valeurs arrivent donc plus lentement. Rien à faire.</translation>
+    </message>
+    <message>
+        <source>Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
+        <translation>Les moteurs ont reçu l’ordre d’arrêt. Rien d’autre n’est envoyé tant que les réponses n’ont pas été justes pendant 2 s ; le programme relance alors la recherche. Essayez un débit plus faible, un câble plus court ou une terminaison aux deux extrémités.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; the module takes %3 to %4.</source>
+        <translation>%1 vaut %2 ; le module accepte de %3 à %4.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stopped and holding</source>
+        <translation>
+            <numerusform>%n arrêté et maintenu</numerusform>
+            <numerusform>%n arrêtés et maintenus</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n switched off</source>
+        <translation>
+            <numerusform>%n coupé</numerusform>
+            <numerusform>%n coupés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n were off</source>
+        <translation>
+            <numerusform>%n déjà coupé</numerusform>
+            <numerusform>%n déjà coupés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n I/O modules as set for a stop</source>
+        <translation>
+            <numerusform>%n module d’E/S comme prévu pour un arrêt</numerusform>
+            <numerusform>%n modules d’E/S comme prévu pour un arrêt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2 ms.</source>
+        <translation>%1, %2 ms.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to switch off: one answer said that it moved the wrong way, to %2 counts.</source>
+        <translation>Le module %1 a reçu l’ordre de couper son moteur : d’après une réponse, il est parti dans le mauvais sens, jusqu’à %2 incréments.</translation>
+    </message>
+    <message>
+        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If the position is right, the answer was not its own: check the cable.</source>
+        <translation>Si c’est vrai, les fils du codeur ou du moteur sont inversés, ou les gains le font osciller. Si la position est juste, la réponse n’était pas la sienne : vérifiez le câble.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop: one answer said that it went past its goal, to %2 counts.</source>
+        <translation>Le module %1 a reçu l’ordre d’arrêt : d’après une réponse, il a dépassé sa cible, jusqu’à %2 incréments.</translation>
+    </message>
+    <message>
+        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If not, the answer was not its own: check the cable.</source>
+        <translation>Vérifiez la position avant le prochain déplacement. S’il y est allé, la commande a été altérée en chemin, ou les gains provoquent un fort dépassement. Sinon, la réponse n’était pas la sienne : vérifiez le câble.</translation>
+    </message>
+    <message>
+        <source>A question waits for your answer: %1</source>
+        <translation>Une question attend votre réponse : %1</translation>
+    </message>
+    <message>
+        <source>Show the question</source>
+        <translation>Afficher la question</translation>
+    </message>
+    <message>
+        <source>Maybe off</source>
+        <translation>Peut-être coupé</translation>
+    </message>
+    <message>
+        <source>Maybe moving</source>
+        <translation>Bouge peut-être</translation>
+    </message>
+    <message>
+        <source>One answer says that the module switched its motor off. The next will tell.</source>
+        <translation>D’après une réponse, le module a coupé son moteur. La suivante le dira.</translation>
+    </message>
+    <message>
+        <source>The motor stands in the last answers, but whether it was started is not known yet.</source>
+        <translation>D’après les dernières réponses, le moteur est à l’arrêt, mais on ne sait pas encore s’il a été démarré.</translation>
+    </message>
+    <message>
+        <source>Looking for modules… Until they are found, only stops act.</source>
+        <translation>Recherche des modules… Jusque-là, seuls les arrêts agissent.</translation>
+    </message>
+    <message>
+        <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
+        <translation>La cadence servo de ce module est inconnue, donc toute vitesse par seconde aussi. Appliquez d’abord ses gains : SR en fait partie.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4564,14 +4631,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Highest position reached: %1. Move in reverse.</source>
         <translation>Position maximale atteinte&#xa0;: %1. Repartez en arrière.</translation>
-    </message>
-    <message>
-        <source>That is beyond the travel limits: the lowest position is %1.</source>
-        <translation>C’est hors des limites de course&#xa0;: la position minimale est %1.</translation>
-    </message>
-    <message>
-        <source>That is beyond the travel limits: the highest position is %1.</source>
-        <translation>C’est hors des limites de course&#xa0;: la position maximale est %1.</translation>
     </message>
     <message>
         <source>No travel limits are set.</source>
@@ -4616,6 +4675,30 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Look at the axis first: is %1 really at %2? If so, home is at position 0, and the travel limits apply from there. If not, they protect the wrong range.</source>
         <translation>Regardez d’abord l’axe&#xa0;: %1 est-il vraiment à %2&#x202f;? Si oui, l’origine est à la position 0, et les limites de course s’appliquent à partir de là. Sinon, elles protègent la mauvaise plage.</translation>
+    </message>
+    <message>
+        <source>To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
+        <translation>Pour rattraper le jeu, le déplacement ferait demi-tour à %1, sous la position minimale %2. Abaissez cette position, ou modifiez le jeu ou son sens (page Axe).</translation>
+    </message>
+    <message>
+        <source>To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
+        <translation>Pour rattraper le jeu, le déplacement ferait demi-tour à %1, au-dessus de la position maximale %2. Relevez cette position, ou modifiez le jeu ou son sens (page Axe).</translation>
+    </message>
+    <message>
+        <source>That is beyond the travel limits: the lowest position is %1 (Axis page).</source>
+        <translation>C’est hors des limites de course : la position minimale est %1 (page Axe).</translation>
+    </message>
+    <message>
+        <source>That is beyond the travel limits: the highest position is %1 (Axis page).</source>
+        <translation>C’est hors des limites de course : la position maximale est %1 (page Axe).</translation>
+    </message>
+    <message>
+        <source>The highest velocity is set on the Axis page.</source>
+        <translation>La vitesse maximale se règle sur la page Axe.</translation>
+    </message>
+    <message>
+        <source>The max jog speed and the highest velocity are set on the Axis page.</source>
+        <translation>La vitesse de jog max. et la vitesse maximale se règlent sur la page Axe.</translation>
     </message>
 </context>
 <context>
@@ -5460,6 +5543,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1, oscillating</source>
         <translation>%1, oscille</translation>
+    </message>
+    <message>
+        <source>%1 · looking for modules…</source>
+        <translation>%1 · recherche des modules…</translation>
     </message>
 </context>
 <context>
@@ -7170,10 +7257,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Adresse du module %1</translation>
     </message>
     <message>
-        <source>address </source>
-        <translation>adresse </translation>
-    </message>
-    <message>
         <source>The address of this module, 1 to 127. Press Enter to send it. Position, gains and group are kept.</source>
         <translation>Adresse de ce module, 1 à 127. Appuyez sur Entrée pour l’envoyer. Position, gains et groupe sont conservés.</translation>
     </message>
@@ -7232,6 +7315,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Store its outputs first.</source>
         <translation>Stockez d’abord ses sorties.</translation>
+    </message>
+    <message>
+        <source>The address</source>
+        <translation>L’adresse</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>adresse</translation>
     </message>
 </context>
 <context>
@@ -9258,8 +9349,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>%1&#xa0;: deux séparateurs décimaux. La virgule (,) et le point (.) comptent tous deux comme séparateur décimal.</translation>
     </message>
     <message>
-        <source>%1 must be a whole number.</source>
-        <translation>%1&#xa0;: saisissez un nombre entier.</translation>
+        <source>%1 must be a whole number without , or . in it.</source>
+        <translation>%1 : saisissez un nombre entier, sans , ni .</translation>
+    </message>
+    <message>
+        <source>%1: %2 can be read in two ways. Press Enter in the field for %3, or type %4.</source>
+        <translation>%1 : %2 peut se lire de deux façons. Appuyez sur Entrée dans le champ pour %3, ou saisissez %4.</translation>
     </message>
 </context>
 <context>
@@ -9734,6 +9829,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.</source>
         <translation>Active l’amplificateur, maintient le moteur en place et efface les bits mémorisés&#xa0;: le bit d’erreur de position est à 1 tant que le servo est coupé.</translation>
+    </message>
+    <message>
+        <source>Looking for modules… This is what it said last.</source>
+        <translation>Recherche des modules… Voici ce qu’il a indiqué en dernier.</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>douteuse</translation>
     </message>
 </context>
 <context>
@@ -10334,6 +10437,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>= %1 Bd</source>
         <translation>= %1&#xa0;Bd</translation>
+    </message>
+    <message>
+        <source>The divisor</source>
+        <translation>Le diviseur</translation>
     </message>
 </context>
 <context>
@@ -12903,6 +13010,10 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     <message>
         <source>Marks home as unknown. The travel limits are not in force until home is known again.</source>
         <translation>Marque l’origine comme inconnue. Les limites de course sont inactives jusqu’à ce que l’origine soit de nouveau connue.</translation>
+    </message>
+    <message>
+        <source>With this backlash, no move can end at home: it would turn round beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
+        <translation>Avec ce jeu, aucun déplacement ne peut finir à l’origine : il ferait demi-tour au-delà de la limite. Éloignez la limite de l’origine, ou modifiez le jeu ou son sens.</translation>
     </message>
 </context>
 <context>

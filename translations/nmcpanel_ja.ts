@@ -111,6 +111,10 @@
         <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
         <translation>PCから最も遠いモジュールから順に、一覧とモジュールのラベルを照合してください。正しければ検出結果を採用してください。以後、モジュールの欠落や交換が通知されます。</translation>
     </message>
+    <message>
+        <source>Looking for modules…</source>
+        <translation>モジュールを検索中…</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -1288,14 +1292,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュール%1は今これを実行できません。何も送信していません。</translation>
     </message>
     <message>
-        <source>%1 of %2 stopped, %3 ms. Still holding.</source>
-        <translation>%2台中%1台が停止、%3 ms。位置は保持中です。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 stopped, %3 ms. Every motor is off.</source>
-        <translation>%2台中%1台が停止、%3 ms。すべてのモーターがオフです。</translation>
-    </message>
-    <message>
         <source>reaches %1 of %2</source>
         <translation>%2台中%1台に届きます</translation>
     </message>
@@ -1528,14 +1524,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>カウント/周期²</translation>
     </message>
     <message>
-        <source>%1 counts/s</source>
-        <translation>%1カウント/s</translation>
-    </message>
-    <message>
-        <source>%1 counts/s²</source>
-        <translation>%1カウント/s²</translation>
-    </message>
-    <message>
         <source>Done: %1</source>
         <translation>完了：%1</translation>
     </message>
@@ -1578,10 +1566,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
         <translation>通信の信頼性に疑いがあります。直近%2回の通信のうち%1回が失敗しました。</translation>
-    </message>
-    <message>
-        <source>The command was corrupted in transit, or the gains cause a large overshoot. Check the position before the next move.</source>
-        <translation>コマンドが途中で壊れたか、ゲインのためにオーバーシュートが大きくなっています。次の移動の前に位置を確認してください。</translation>
     </message>
     <message>
         <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
@@ -1926,10 +1910,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>looking for modules</source>
         <translation>モジュールを検索中</translation>
-    </message>
-    <message>
-        <source>Usually encoder or motor wires are swapped, or the gains make it oscillate. Check both before the next move.</source>
-        <translation>多くの場合、エンコーダー線またはモーター線の逆接続か、ゲインによる発振です。次の移動の前に両方を確認してください。</translation>
     </message>
     <message>
         <source>Carried out by: %1.</source>
@@ -3110,10 +3090,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>動いているモーターはありません。ポートを閉じる前に、全モーターに停止を指令します。</translation>
     </message>
     <message>
-        <source>Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>モーターに停止を指令しました。ボーレートを下げるか、短いケーブル、または両端の終端を試してください。</translation>
-    </message>
-    <message>
         <source>Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.</source>
         <translation>失われたものはありません。パネルは誤った応答を検出し、再度問い合わせます。悪化すると、モーターに停止を指令します。多くの場合、ケーブルのノイズです。</translation>
     </message>
@@ -3196,14 +3172,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
         <translation>モジュール%1にジョグの停止を指令しました。パネルが250 msを超えて停滞したためです。</translation>
-    </message>
-    <message>
-        <source>Module %1 was told to switch off: it moved the wrong way, to %2 counts.</source>
-        <translation>モジュール%1にモーターオフを指令しました。誤った方向に動き、位置%2カウントに達したためです。</translation>
-    </message>
-    <message>
-        <source>Module %1 was told to stop: it went past its goal, to %2 counts.</source>
-        <translation>モジュール%1に停止を指令しました。目標位置を行き過ぎ、位置%2カウントに達したためです。</translation>
     </message>
     <message>
         <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
@@ -4280,11 +4248,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>その方向のリミットが閉じています。モーターを反対方向に動かしてください。</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <comment>a number and its unit</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>The rate &quot;%1&quot; does not exist. Use 30, 60 or 120.</source>
         <translation>レート「%1」はありません。30、60、120のいずれかを使用してください。</translation>
     </message>
@@ -4538,6 +4501,106 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>The output reached its limit. The previous gains are restored.</source>
         <translation>出力が制限値に達しました。以前のゲインに戻しました。</translation>
     </message>
+    <message>
+        <source>The line at %1 was disturbed while the modules were given addresses.</source>
+        <translation>モジュールにアドレスを割り当てている間に、%1の回線が乱れました。</translation>
+    </message>
+    <message>
+        <source>A module that had answered fell silent, so how many there are is not known. No motor was moved. Check the cable and the adapter, then scan again.</source>
+        <translation>応答していたモジュールが応答しなくなったため、台数は不明です。モーターは動かしていません。ケーブルとアダプターを確認してから、再スキャンしてください。</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 passes answers on in pieces, up to %2 ms apart.</source>
+        <translation>%1のアダプターは、応答を最大%2 msの間隔で分割して渡します。</translation>
+    </message>
+    <message>
+        <source>USB hubs, Bluetooth and device servers do that. The panel waits for the rest, so updates are slower. No action needed.</source>
+        <translation>USBハブ、Bluetooth、デバイスサーバーではよくあることです。パネルは残りを待つため、更新が遅くなります。対処は不要です。</translation>
+    </message>
+    <message>
+        <source>Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
+        <translation>モーターに停止を指令しました。正しい応答が2秒続くまで、ほかには何も送信しません。その後、パネルが再スキャンします。ボーレートを下げるか、短いケーブル、または両端の終端を試してください。</translation>
+    </message>
+    <message>
+        <source>%1 is %2; the module takes %3 to %4.</source>
+        <translation>%1は%2ですが、モジュールが受け付けるのは%3～%4です。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stopped and holding</source>
+        <translation>
+            <numerusform>%n台が停止して保持中</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n switched off</source>
+        <translation>
+            <numerusform>%n台をオフにしました</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n were off</source>
+        <translation>
+            <numerusform>%n台は元からオフ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n I/O modules as set for a stop</source>
+        <translation>
+            <numerusform>I/Oモジュール%n台は停止時の設定どおり</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2 ms.</source>
+        <translation>%1、%2 ms。</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to switch off: one answer said that it moved the wrong way, to %2 counts.</source>
+        <translation>モジュール%1にモーターオフを指令しました。誤った方向に動き、位置%2カウントに達したという応答が1つあったためです。</translation>
+    </message>
+    <message>
+        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If the position is right, the answer was not its own: check the cable.</source>
+        <translation>事実なら、エンコーダー線またはモーター線の逆接続か、ゲインによる発振です。位置が正しければ、別のモジュールの応答です。ケーブルを確認してください。</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop: one answer said that it went past its goal, to %2 counts.</source>
+        <translation>モジュール%1に停止を指令しました。目標位置を行き過ぎ、位置%2カウントに達したという応答が1つあったためです。</translation>
+    </message>
+    <message>
+        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If not, the answer was not its own: check the cable.</source>
+        <translation>次の移動の前に位置を確認してください。そこまで動いていれば、コマンドが途中で壊れたか、ゲインのためにオーバーシュートが大きくなっています。動いていなければ、別のモジュールの応答です。ケーブルを確認してください。</translation>
+    </message>
+    <message>
+        <source>A question waits for your answer: %1</source>
+        <translation>質問への回答待ちです：%1</translation>
+    </message>
+    <message>
+        <source>Show the question</source>
+        <translation>質問を表示</translation>
+    </message>
+    <message>
+        <source>Maybe off</source>
+        <translation>オフの可能性</translation>
+    </message>
+    <message>
+        <source>Maybe moving</source>
+        <translation>動作中の可能性</translation>
+    </message>
+    <message>
+        <source>One answer says that the module switched its motor off. The next will tell.</source>
+        <translation>モジュールがモーターをオフにしたという応答が1つありました。次の応答で分かります。</translation>
+    </message>
+    <message>
+        <source>The motor stands in the last answers, but whether it was started is not known yet.</source>
+        <translation>最近の応答ではモーターは停止していますが、始動したかどうかはまだ不明です。</translation>
+    </message>
+    <message>
+        <source>Looking for modules… Until they are found, only stops act.</source>
+        <translation>モジュールを検索中… 見つかるまでは、停止だけが有効です。</translation>
+    </message>
+    <message>
+        <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
+        <translation>このモジュールのサーボレートが不明なため、1秒あたりの速度も不明です。先にゲインを適用してください。SRはゲインに含まれます。</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4552,14 +4615,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Highest position reached: %1. Move in reverse.</source>
         <translation>最大位置に達しました：%1。逆方向に動かしてください。</translation>
-    </message>
-    <message>
-        <source>That is beyond the travel limits: the lowest position is %1.</source>
-        <translation>移動範囲を超えています。最小位置は%1です。</translation>
-    </message>
-    <message>
-        <source>That is beyond the travel limits: the highest position is %1.</source>
-        <translation>移動範囲を超えています。最大位置は%1です。</translation>
     </message>
     <message>
         <source>No travel limits are set.</source>
@@ -4604,6 +4659,30 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Look at the axis first: is %1 really at %2? If so, home is at position 0, and the travel limits apply from there. If not, they protect the wrong range.</source>
         <translation>先に軸を目視で確認してください。%1は本当に%2にありますか？正しければ、位置0が原点となり、そこを基準に移動範囲が適用されます。正しくなければ、誤った範囲を保護することになります。</translation>
+    </message>
+    <message>
+        <source>To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
+        <translation>バックラッシを取るには%1で折り返す必要がありますが、最小位置%2を下回ります。その位置を下げるか、バックラッシまたはその方向を変更してください（「軸」ページ）。</translation>
+    </message>
+    <message>
+        <source>To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
+        <translation>バックラッシを取るには%1で折り返す必要がありますが、最大位置%2を上回ります。その位置を上げるか、バックラッシまたはその方向を変更してください（「軸」ページ）。</translation>
+    </message>
+    <message>
+        <source>That is beyond the travel limits: the lowest position is %1 (Axis page).</source>
+        <translation>移動範囲を超えています：最小位置は%1です（「軸」ページ）。</translation>
+    </message>
+    <message>
+        <source>That is beyond the travel limits: the highest position is %1 (Axis page).</source>
+        <translation>移動範囲を超えています：最大位置は%1です（「軸」ページ）。</translation>
+    </message>
+    <message>
+        <source>The highest velocity is set on the Axis page.</source>
+        <translation>最高速度は「軸」ページで設定します。</translation>
+    </message>
+    <message>
+        <source>The max jog speed and the highest velocity are set on the Axis page.</source>
+        <translation>最高ジョグ速度と最高速度は「軸」ページで設定します。</translation>
     </message>
 </context>
 <context>
@@ -5448,6 +5527,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>%1, oscillating</source>
         <translation>%1、発振中</translation>
+    </message>
+    <message>
+        <source>%1 · looking for modules…</source>
+        <translation>%1 · モジュールを検索中…</translation>
     </message>
 </context>
 <context>
@@ -7158,10 +7241,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モジュール%1のアドレス</translation>
     </message>
     <message>
-        <source>address </source>
-        <translation>アドレス </translation>
-    </message>
-    <message>
         <source>The address of this module, 1 to 127. Press Enter to send it. Position, gains and group are kept.</source>
         <translation>このモジュールのアドレス（1～127）です。Enterで送信します。位置、ゲイン、グループは保たれます。</translation>
     </message>
@@ -7220,6 +7299,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Store its outputs first.</source>
         <translation>先にこのモジュールの出力を格納してください。</translation>
+    </message>
+    <message>
+        <source>The address</source>
+        <translation>アドレス</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>アドレス</translation>
     </message>
 </context>
 <context>
@@ -9244,8 +9331,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>%1に小数点が2つあります。, と . はどちらも小数点とみなされます。</translation>
     </message>
     <message>
-        <source>%1 must be a whole number.</source>
-        <translation>%1は整数でなければなりません。</translation>
+        <source>%1 must be a whole number without , or . in it.</source>
+        <translation>%1は , や . を含まない整数でなければなりません。</translation>
+    </message>
+    <message>
+        <source>%1: %2 can be read in two ways. Press Enter in the field for %3, or type %4.</source>
+        <translation>%1：%2は2通りに読めます。%3の場合は欄でEnterを押し、そうでなければ%4と入力してください。</translation>
     </message>
 </context>
 <context>
@@ -9720,6 +9811,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.</source>
         <translation>アンプをオンにしてモーターをその場で保持し、スティッキービットをクリアします。サーボがオフの間、位置偏差のビットはセットされています。</translation>
+    </message>
+    <message>
+        <source>Looking for modules… This is what it said last.</source>
+        <translation>モジュールを検索中… これは最後に報告された状態です。</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>疑わしい値</translation>
     </message>
 </context>
 <context>
@@ -10320,6 +10419,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>= %1 Bd</source>
         <translation>= %1 Bd</translation>
+    </message>
+    <message>
+        <source>The divisor</source>
+        <translation>分周値</translation>
     </message>
 </context>
 <context>
@@ -12888,6 +12991,10 @@ It works only while the link works: fit a hardware stop as well.</source>
     <message>
         <source>Marks home as unknown. The travel limits are not in force until home is known again.</source>
         <translation>原点を不明にします。原点が再び分かるまで、移動範囲の制限は無効です。</translation>
+    </message>
+    <message>
+        <source>With this backlash, no move can end at home: it would turn round beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
+        <translation>このバックラッシでは、原点で終わる移動ができません。リミットの外側で折り返すことになるためです。リミットを原点から離すか、バックラッシまたはその方向を変更してください。</translation>
     </message>
 </context>
 <context>
