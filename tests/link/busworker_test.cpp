@@ -190,6 +190,30 @@ TEST(BusWorker, RecordsEveryExchangeWhileAsked) {
     EXPECT_TRUE(connection.worker().takeRecords().empty());
 }
 
+/// One that answers at its address has not restarted: it has the gains that it was sent, and where it holds is
+/// known.
+TEST(BusStore, KeepsWhatModulesWereToldThatAreFoundAgain) {
+    Connection connection;
+    connection.open(simulator(2), 115'200);
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    ASSERT_EQ(connection.carryOut(move(0, 500)), bus::Outcome::Done);
+    ASSERT_TRUE(connection.waitUntil([&] { return connection.module(0).activity() == Activity::Holding; }));
+    const auto gains = connection.module(0).gains;
+    connection.forgetNews();
+    connection.worker().connectAgain();
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    EXPECT_TRUE(connection.news<bus::ChainFound>()->attached);
+    EXPECT_EQ(connection.module(0).gains, gains);
+    EXPECT_EQ(connection.module(0).servoRate, gains->sr);
+    EXPECT_EQ(connection.module(0).goal(), 500);
+    EXPECT_FALSE(connection.module(1).gains) << "it was never sent any";
+    const ModuleHistory* history = connection.store().history().module(ModuleIndex(0));
+    const auto before = history->count();
+    ASSERT_TRUE(connection.waitUntil([&] { return history->count() > before + 3; }));
+    EXPECT_EQ(history->last()->command(), 500);
+}
+
 TEST(BusStore, FiguresAreRatesSinceTheLastPull) {
     Connection connection;
     connection.open(simulator(1));
