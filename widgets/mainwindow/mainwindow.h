@@ -216,6 +216,7 @@ private:
     void chooseReportFile();
     void addLoopTestsDock(QDockWidget& scope, QDockWidget& messages);
     void addMotionDocks(QDockWidget& scope, QDockWidget& messages);
+    void saveFrequencies(const QString& path, const QDateTime& measured);
     void showAllAxes();
     void makeRoomForSimulator();
     void makeRoomForMotions(int higher);
