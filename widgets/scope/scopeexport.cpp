@@ -165,13 +165,16 @@ void ScopeExport::want(const Wanted& wanted) {
     emit frameWanted();
 }
 
-void ScopeExport::take(ScopeStrips& strips, const History& history, const ScopeOrigin& origin,
+void ScopeExport::take(ScopeStrips& strips, const History& history, double now, const ScopeOrigin& origin,
                        const QString& title) {
     if (!m_wanted)
         return;
     const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
-    const Picture picture = pictureOf(strips, captionOf(origin, title, strips.time().left()),
-                                      [&strips](QPainter& painter) { strips.renderTo(painter); });
+    const Picture picture{&strips, captionOf(origin, title, strips.time().left()), [&](QPainter& painter) {
+                              strips.showFrame(history, now, kSharpness);
+                              strips.showFrame(history, now, kSharpness);  // the first has found the margins
+                              strips.renderTo(painter);
+                          }};
     switch (wanted.kind) {
         case Kind::Csv:
             emit saveRequested(wanted.path, contentOf(seenOf(strips, history, wanted.form), strips.modules(),
@@ -194,6 +197,7 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, const ScopeO
             copy(imageOf(picture), fewSamples(seenOf(strips, history), strips.modules(), origin));
             break;
     }
+    strips.showFrame(history, now);  // as the screen has it
 }
 
 void ScopeExport::copy(const QImage& image, const std::string& samples) {
