@@ -249,6 +249,8 @@ TEST_F(ScopeFilesTest, SaysThatItRecordsAndEndsWhenAsked) {
     files().showRecording(ScopeFiles::Recording{u"/home/anna/mill.csv"_s, 12.7, 1'258'291});
     EXPECT_TRUE(find(u"scopeRecordingLabel"_s)->isVisible());
     EXPECT_EQ(text(u"scopeRecordingLabel"_s), u"● Recording mill.csv, 12 s, 1.2 MB"_s);
+    EXPECT_EQ(button(u"scopeRecordButton"_s)->text(), u"Stop recording"_s);
+    EXPECT_EQ(button(u"scopeRecordButton"_s)->accessibleName(), u"Stop recording"_s);
     QSignalSpy ended(&files(), &ScopeFiles::recordingEndRequested);
     click(u"scopeRecordingEndButton"_s);
     EXPECT_EQ(ended.count(), 1);
@@ -258,6 +260,7 @@ TEST_F(ScopeFilesTest, SaysThatItRecordsAndEndsWhenAsked) {
     EXPECT_TRUE(button(u"scopeRecordButton"_s)->isEnabled()) << "until it has ended";
     files().showRecording({});
     EXPECT_FALSE(find(u"scopeRecordingLabel"_s)->isVisible());
+    EXPECT_EQ(button(u"scopeRecordButton"_s)->accessibleName(), u"Record…"_s);
 }
 
 TEST_F(ScopeFilesTest, SaysHowFarItHasOpenedAndCanBeCancelled) {
