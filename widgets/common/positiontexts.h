@@ -7,6 +7,8 @@
 
 namespace nmc::texts {
 
+/// Of a position that is too old to be of now: "1.3 s old", or "out of date" below a tenth of a second.
+[[nodiscard]] QString age(double seconds);
 /// Where an axis was seen last, and what can be done about it.
 [[nodiscard]] Message positionRemembered(const PositionMemory::Offer& offer, const AxisScale& scale);
 
