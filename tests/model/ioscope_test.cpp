@@ -184,8 +184,10 @@ TEST(IoScope, AWideRecordingHasTheMachinesNamesAndUnits) {
     const std::string text = wideRecordingOf(header(), history);
     EXPECT_EQ(text,
               "time_s,module1_Box/AD1_V,module1_Box/Pressure_bar,module1_Box/AD3_V,module1_Box/count,"
-              "module1_Box/count_rate_per_s,module1_Box/pins_IO3_Door\n"
-              "0.500000000,5,0,7.5,4294967294,,2565\n");
+              "module1_Box/count_rate_per_s,module1_Box/pins_IO3_Door,about/program_NMC_Panel_0.6.0,"
+              "about/started_2026-11-21T21:21:02.123+01:00,about/port_simulator,"
+              "about/simulated_yes_(no_real_motor_moved)\n"
+              "0.500000000,5,0,7.5,4294967294,,2565,,,,\n");
 }
 
 }  // namespace

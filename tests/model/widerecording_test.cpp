@@ -31,12 +31,17 @@ using testing_support::recordingHeader;
     return head;
 }
 
+/// What stands in recordingHeader(), as names.
+const std::string kAbout =
+    ",about/program_NMC_Panel_0.6.0,about/started_2026-11-21T21:21:02.123+01:00,about/port_simulator,"
+    "about/simulated_yes_(no_real_motor_moved)";
 const std::string kNames =
     "time_s,module1_Left_arm/position_mm,module1_Left_arm/velocity_mm_per_s,module1_Left_arm/command_mm,"
     "module1_Left_arm/error_mm,module1_Left_arm/analog_A,module1_Left_arm/acceleration_mm_per_s2,"
     "module1_Left_arm/pwm_calculated,module1_Left_arm/status,"
     "module2/position_steps,module2/velocity_steps_per_s,module2/command_steps,module2/error_steps,"
-    "module2/analog_V,module2/acceleration_steps_per_s2,module2/status\n";
+    "module2/analog_V,module2/acceleration_steps_per_s2,module2/status" +
+    kAbout + '\n';
 
 TEST(WideRecording, HasARowForEachReply) {
     History history(3);
@@ -47,9 +52,9 @@ TEST(WideRecording, HasARowForEachReply) {
     history.append(ModuleIndex(1), sampleAt(11ms, 100));
     history.append(ModuleIndex(0), sampleAt(12ms, 5));
     EXPECT_EQ(wideRecordingOf(header(), history), kNames +
-                                                      "0.010000000,1.5,-2.5,2,0.5,0.5,,,9,,,,,,,\n"
-                                                      "0.011000000,,,,,,,,,100,,,,4,,9\n"
-                                                      "0.012000000,2.5,,,,0.5,,,9,,,,,,,\n")
+                                                      "0.010000000,1.5,-2.5,2,0.5,0.5,,,9,,,,,,,,,,,\n"
+                                                      "0.011000000,,,,,,,,,100,,,,4,,9,,,,\n"
+                                                      "0.012000000,2.5,,,,0.5,,,9,,,,,,,,,,,\n")
         << "a module without samples has no columns";
 }
 
@@ -63,14 +68,46 @@ TEST(WideRecording, IsEvenWhereAnIntervalIsAskedFor) {
     // 10 counts a millisecond: after 10 ms 5 counts, so 2.5 mm; nothing across the gap from 12.5 to 15.5 ms.
     EXPECT_EQ(wideRecordingOf(header(), history, Duration(1ms)),
               kNames +
-                  "0.010000000,2.5,,,,0.5,,,9,,,,,,,\n"
-                  "0.011000000,7.5,,,,0.5,,,9,,,,,,,\n"
-                  "0.012000000,12.5,,,,0.5,,,9,100,,,,4,,9\n"
-                  "0.013000000,,,,,,,,,,,,,,,\n"
-                  "0.014000000,,,,,,,,,,,,,,,\n"
-                  "0.015000000,,,,,,,,,,,,,,,\n"
-                  "0.016000000,30,,,,0.5,,,9,,,,,,,\n"
-                  "0.017000000,30,,,,0.5,,,9,,,,,,,\n");
+                  "0.010000000,2.5,,,,0.5,,,9,,,,,,,,,,,\n"
+                  "0.011000000,7.5,,,,0.5,,,9,,,,,,,,,,,\n"
+                  "0.012000000,12.5,,,,0.5,,,9,100,,,,4,,9,,,,\n"
+                  "0.013000000,,,,,,,,,,,,,,,,,,,\n"
+                  "0.014000000,,,,,,,,,,,,,,,,,,,\n"
+                  "0.015000000,,,,,,,,,,,,,,,,,,,\n"
+                  "0.016000000,30,,,,0.5,,,9,,,,,,,,,,,\n"
+                  "0.017000000,30,,,,0.5,,,9,,,,,,,,,,,\n");
+}
+
+/// PlotJuggler takes the first line for the names and refuses a row with fewer or more cells; pandas takes
+/// the first line for them, too. A comment is in the way of both.
+TEST(WideRecording, SaysWhatItIsInThePlaceThatEveryReaderPassesOver) {
+    History history(2);
+    history.append(ModuleIndex(0), sampleAt(10ms, 3));
+    history.append(ModuleIndex(1), sampleAt(11ms, 4));
+    RecordingHeader head = header();
+    head.simulated = false;
+    head.port = "/dev/ttyUSB0";
+    for (const Duration interval : {Duration::zero(), Duration(1ms)}) {
+        const std::string text = wideRecordingOf(head, history, interval);
+        EXPECT_TRUE(text.starts_with("time_s,")) << text;
+        EXPECT_EQ(text.find('#'), std::string::npos) << text;
+        for (const char* const word :
+             {",about/program_NMC_Panel_0.6.0,", ",about/started_2026-11-21T21:21:02.123+01:00,",
+              ",about/port__dev_ttyUSB0,", ",about/simulated_no\n"})
+            EXPECT_NE(text.find(word), std::string::npos) << word << text;
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);)
+            EXPECT_EQ(std::count(line.begin(), line.end(), ','), 8 + 7 + 4) << line;
+    }
+}
+
+/// Who tries it nevertheless is told why, and not that it is none of ours.
+TEST(WideRecording, IsNoRecordingAndTheReaderSaysSo) {
+    History history(1);
+    history.append(ModuleIndex(0), sampleAt(10ms, 3));
+    RecordingReader reader({[](ModuleIndex, const ScopeSample&) { ADD_FAILURE(); }});
+    reader.feed(wideRecordingOf(header(), history));
+    EXPECT_EQ(reader.finish(), (RecordingProblem{.kind = RecordingProblem::Kind::OtherForm}));
 }
 
 TEST(WideRecording, CountsItsTimesAsTheLongFormDoes) {
@@ -92,7 +129,8 @@ TEST(WideRecording, ItsNamesTearNoTable) {
     head.modules[0].unit = {UnitKind::Own, 2, "µm/2"};
     const std::string wide = wideRecordingOf(head, history);
     EXPECT_TRUE(wide.starts_with("time_s,module1_X__left_right_/position_µm_2,")) << wide;
-    EXPECT_EQ(std::count(wide.begin(), wide.end(), ','), 16);
+    EXPECT_EQ(std::count(wide.begin(), wide.end(), ','), 24)
+        << "8 columns and 4 that say what it is, in two lines";
     head.modules[0].name = "Module 1 \"X axis\"";
     EXPECT_TRUE(wideRecordingOf(head, history).starts_with("time_s,Module_1_X_axis/position_µm_2,"));
     EXPECT_EQ(std::count(wide.begin(), wide.end(), '\n'), 2);
@@ -254,8 +292,8 @@ TEST(WideRecording, LosesNothingOfALongHistory) {
 }
 
 TEST(WideRecording, OfNothingIsTheTimeAlone) {
-    EXPECT_EQ(wideRecordingOf(header(), History(2)), "time_s\n");
-    EXPECT_EQ(wideRecordingOf(header(), History(2), Duration(1ms)), "time_s\n");
+    EXPECT_EQ(wideRecordingOf(header(), History(2)), "time_s" + kAbout + '\n');
+    EXPECT_EQ(wideRecordingOf(header(), History(2), Duration(1ms)), "time_s" + kAbout + '\n');
 }
 
 }  // namespace

@@ -125,9 +125,18 @@ TEST_F(MeasuredSine, IsNothingWithoutPositions) {
 
 TEST(FrequencyFile, HasARowForEachFrequency) {
     const std::vector<FrequencyPoint> points{{1.0, {0.5, 0.0}, 0.25}, {2.0, {0.0, -0.5}, 0.25}};
-    const std::string text = frequencyCsv(points);
-    EXPECT_EQ(text.substr(0, text.find('\n')),
-              "frequency_hz,closed_db,closed_deg,closed_doubt,open_db,open_deg");
+    const RecordingHeader origin{
+        "NMC Panel 0.6.0", "2026-11-21T21:21:02.123+01:00", {}, "simulator", true, {}};
+    const std::string text = frequencyCsv(origin, "Module 1", points);
+    EXPECT_TRUE(
+        text.starts_with("# NMC Panel frequency response 1\n"
+                         "# program: NMC Panel 0.6.0\n"
+                         "# started: 2026-11-21T21:21:02.123+01:00\n"
+                         "# port: simulator\n"
+                         "# simulated: yes (no real motor moved)\n"
+                         "# module: Module 1\n"
+                         "frequency_hz,closed_db,closed_deg,closed_doubt,open_db,open_deg\n"))
+        << text;
     // T = 1/2: L = 1, 0 dB.
     EXPECT_NE(text.find("\n1,-6.02"), std::string::npos);
     EXPECT_NE(text.find(",0,0.25,0,0\n"), std::string::npos);

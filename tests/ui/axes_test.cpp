@@ -39,6 +39,17 @@ TEST_F(Axes, ShowWhereEachStandsAndWhatItDoes) {
     EXPECT_FALSE(button(u"axisHoldForwardButton3"_s)->toolTip().isEmpty()) << "the reason";
 }
 
+TEST_F(Axes, SayThatAPositionIsOld) {
+    LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1, .position = 1'234}.state()});
+    link.phase = LinkPhase::Lost;
+    window->showLink(link);
+    EXPECT_EQ(text(u"axisPosition2"_s), u"1\u202F234 counts, out of date"_s);
+    EXPECT_TRUE(find<QLabel>(u"axisPosition2"_s)->font().strikeOut());
+    showServos({{}, {.position = 1'234}});
+    EXPECT_EQ(text(u"axisPosition2"_s), u"1\u202F234 counts"_s);
+    EXPECT_FALSE(find<QLabel>(u"axisPosition2"_s)->font().strikeOut());
+}
+
 TEST_F(Axes, AreHeldSlowlyOrFast) {
     QTest::mousePress(button(u"axisHoldReverseButton2"_s), Qt::LeftButton);
     ASSERT_EQ(holds.size(), 1U);

@@ -31,6 +31,32 @@ TEST_F(ChainList, ReadsOutARowInOneSentence) {
               u"Module 1, address 1, PIC-SERVO v4, Holding, position 7 counts. Home: unknown"_s);
 }
 
+/// Nothing in that row turns.
+TEST_F(ChainList, ReadsOutOfAPicIoNothingOfAMotor) {
+    ModuleState module = Servo{}.state();
+    module.info.identity = {ModuleType::Io, 1};
+    window->showLink(connectedTo({module}));
+    EXPECT_TRUE(at(0, Qt::AccessibleTextRole).toString().startsWith(u"Module 1, address 1, PIC-I/O v1, "_s));
+    EXPECT_EQ(at(0, ChainModel::Position).toString(), QString());
+    for (const int role : {int(Qt::AccessibleTextRole), int(Qt::ToolTipRole)})
+        for (const QString& word : {u"position"_s, u"steps"_s, u"ome"_s, u"–"_s})
+            EXPECT_FALSE(at(0, role).toString().contains(word)) << at(0, role).toString().toStdString();
+}
+
+/// What is struck out on the screen is told to who cannot see that.
+TEST_F(ChainList, ReadsOutHowOldAPositionIs) {
+    const ModuleState module = Servo{.position = 7}.state();
+    LinkState link = connectedTo({module});
+    link.phase = LinkPhase::Lost;
+    window->showLink(link);
+    window->showTime(module.latestTime + std::chrono::milliseconds(3'040));
+    EXPECT_EQ(at(0, Qt::AccessibleTextRole).toString(),
+              u"Module 1, address 1, PIC-SERVO v4, No answer, position 7 counts, 3 s old. Home: unknown"_s);
+    EXPECT_EQ(find(u"positionLabel"_s)->accessibleName(), u"Position 7 counts, 3 s old"_s);
+    window->showTime(module.latestTime + std::chrono::milliseconds(4'140));
+    EXPECT_TRUE(at(0, Qt::AccessibleTextRole).toString().contains(u"position 7 counts, 4.1 s old"_s));
+}
+
 TEST_F(ChainList, SelectsTheFirstModuleQuietlyAndTellsTheUsersChoice) {
     QSignalSpy selected(window.get(), &MainWindow::moduleSelected);
     EXPECT_EQ(window->selectedModule(), std::nullopt);

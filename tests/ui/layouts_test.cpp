@@ -68,6 +68,32 @@ TEST_F(LayoutsTest, TuneGivesTwoThirdsToThePlotsWithGainsAndStepBesideThem) {
         expectWhole(QLatin1String(name));
 }
 
+/// X11: the keys of the digits 1 to 8 are 10 to 17, and type these without Shift.
+TEST_F(LayoutsTest, AreChosenByTheKeysOfDigitsWhereTheseAreShifted) {
+    const QString azerty = u"&é\"'(-è_"_s;
+    const auto strikeKey = [&](int digit) {
+        const QChar typed = azerty[digit - 1];
+        QKeyEvent press(QEvent::KeyPress, typed.toUpper().unicode(), Qt::ControlModifier,
+                        static_cast<quint32>(9 + digit), 0, 0, typed);
+        QApplication::sendEvent(
+            QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : window.get(), &press);
+        settle();
+    };
+    for (const bool inAField : {false, true}) {
+        if (inAField)
+            window->findChild<QWidget*>(u"goalField"_s)->setFocus();
+        for (const auto& [digit, layout] :
+             {std::pair{2, u"tuneLayoutAction"_s}, std::pair{3, u"chainLayoutAction"_s},
+              std::pair{1, u"operateLayoutAction"_s}}) {
+            strikeKey(digit);
+            EXPECT_TRUE(window->findChild<QAction*>(layout)->isChecked()) << digit;
+        }
+    }
+    const bool before = dock("messagesDock")->isVisible();
+    strikeKey(6);
+    EXPECT_NE(dock("messagesDock")->isVisible(), before) << "Ctrl+6";
+}
+
 TEST_F(LayoutsTest, AHigherWindowGivesWhatItGainsToThePlots) {
     const int before = dock("scopeDock")->height();
     window->resize(1456, 1300);

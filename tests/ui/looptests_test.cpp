@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QTabWidget>
 #include <QTableWidget>
@@ -122,6 +123,26 @@ TEST_F(LoopTestsInTheWindow, TheFiguresOfAFirstOrderLoopAreThere) {
     EXPECT_TRUE(figures.contains(u"Phase margin 90°"_s)) << figures.toStdString();
     EXPECT_FALSE(figures.contains(u"too low"_s));
     EXPECT_TRUE(button(u"frequencyExportButton"_s)->isEnabled());
+}
+
+TEST_F(LoopTestsInTheWindow, AFileOfFrequenciesSaysWhatItIs) {
+    openWith();
+    LinkState link = connectedTo({Servo{.held = true}.state()});
+    link.port = "simulator";
+    link.simulated = true;
+    window->showLink(link);
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));
+    QSignalSpy saves(window.get(), &MainWindow::saveRequested);
+    click(u"frequencyExportButton"_s);
+    auto* dialog = find<QFileDialog>(u"frequencyFileDialog"_s);
+    emit dialog->fileSelected(u"/home/anna/loop.csv"_s);
+    dialog->close();
+    ASSERT_EQ(saves.size(), 1);
+    const std::string text = saves[0][1].value<FileContent>()();
+    for (const char* const line :
+         {"# NMC Panel frequency response 1\n", "\n# started: 2", "\n# port: simulator\n",
+          "\n# simulated: yes (no real motor moved)\n", "\n# module: Module 1\n", "\nfrequency_hz,"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << text;
 }
 
 TEST_F(LoopTestsInTheWindow, ALineThatIsTooSlowIsNamed) {

@@ -17,6 +17,9 @@ TEST(RecordingTexts, SayWhatIsWrongWithAFile) {
     EXPECT_EQ(sentence({.kind = Kind::Empty}), u"\"mill.csv\" is empty."_s);
     EXPECT_EQ(sentence({.kind = Kind::OtherFormat}), u"\"mill.csv\" is not a recording of NMC Panel."_s);
     EXPECT_EQ(
+        sentence({.kind = Kind::OtherForm}),
+        u"\"mill.csv\" has one column per signal, a form for other programs. The scope opens files with one row per reply."_s);
+    EXPECT_EQ(
         sentence({.kind = Kind::NewerVersion, .found = "7", .max = 1}),
         u"\"mill.csv\" was written by a newer NMC Panel: its format is 7; this version reads formats up to 1."_s);
 }

@@ -9,9 +9,11 @@
 #include <QMimeData>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
+#include <regex>
 
 #include "model/recording/recordingreader.h"
 #include "scopehistory.h"
+#include "widgets/common/palettes.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopeplot.h"
 #include "windowtest.h"
@@ -174,6 +176,48 @@ TEST_F(ScopeFilesTest, APageHoldsThePictureInVectors) {
     EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos) << "vectors only";
 }
 
+/// A page without what its writer puts in of the day and of chance.
+std::string pageIn(std::string pdf) {
+    static const std::regex chance("/CreationDate[^\n]*|/ID[^\n]*|<xmp[^\n]*");
+    return std::regex_replace(pdf, chance, "");
+}
+
+TEST_F(ScopeFilesTest, PaperKnowsNothingOfTheScreensColours) {
+    HandMadeHistory made = twoModules();
+    show(made, 30);
+    const std::string png = exported(u"Png"_s, made, 30);
+    const std::string svg = exported(u"Svg"_s, made, 30);
+    const std::string pdf = exported(u"Pdf"_s, made, 30);
+    const QImage light = QImage::fromData(QByteArray::fromStdString(png), "PNG");
+    EXPECT_EQ(light.pixelColor(2, light.height() - 2), QColor(Qt::white));
+    window->setPalette(darkPalette());
+    show(made, 30);
+    EXPECT_TRUE(exported(u"Png"_s, made, 30) == png);
+    EXPECT_TRUE(exported(u"Svg"_s, made, 30) == svg);
+    EXPECT_TRUE(pageIn(exported(u"Pdf"_s, made, 30)) == pageIn(pdf));
+    EXPECT_EQ(find(u"scopeStrips"_s)->palette().color(QPalette::Base), darkPalette().color(QPalette::Base))
+        << "the screen stays as it was";
+    window->setPalette(look::paletteOf(look::Colours::HighContrast));
+    EXPECT_EQ(find(u"scopeStrips"_s)->palette().color(QPalette::Base), QColor(Qt::black))
+        << "and follows its palette as before";
+}
+
+/// Nor does a page know of the size of the window and of its letters, which a screen's scale decides.
+TEST_F(ScopeFilesTest, APageIsLaidOutForItsPaper) {
+    HandMadeHistory made = twoModules();
+    show(made, 30);
+    const std::string page = pageIn(exported(u"Pdf"_s, made, 30));
+    window->resize(1'500, 1'100);
+    QFont large = window->font();
+    large.setPointSize(large.pointSize() * 3 / 2);
+    window->setFont(large);
+    QApplication::processEvents();
+    show(made, 30);
+    const QSize before = find(u"scopeStrips"_s)->size();
+    EXPECT_TRUE(pageIn(exported(u"Pdf"_s, made, 30)) == page);
+    EXPECT_EQ(find(u"scopeStrips"_s)->size(), before);
+}
+
 TEST_F(ScopeFilesTest, ACopyIsAPictureAndItsFewSamples) {
     HandMadeHistory made = twoModules();
     show(made, 30);
@@ -205,6 +249,8 @@ TEST_F(ScopeFilesTest, SaysThatItRecordsAndEndsWhenAsked) {
     files().showRecording(ScopeFiles::Recording{u"/home/anna/mill.csv"_s, 12.7, 1'258'291});
     EXPECT_TRUE(find(u"scopeRecordingLabel"_s)->isVisible());
     EXPECT_EQ(text(u"scopeRecordingLabel"_s), u"● Recording mill.csv, 12 s, 1.2 MB"_s);
+    EXPECT_EQ(button(u"scopeRecordButton"_s)->text(), u"Stop recording"_s);
+    EXPECT_EQ(button(u"scopeRecordButton"_s)->accessibleName(), u"Stop recording"_s);
     QSignalSpy ended(&files(), &ScopeFiles::recordingEndRequested);
     click(u"scopeRecordingEndButton"_s);
     EXPECT_EQ(ended.count(), 1);
@@ -214,6 +260,7 @@ TEST_F(ScopeFilesTest, SaysThatItRecordsAndEndsWhenAsked) {
     EXPECT_TRUE(button(u"scopeRecordButton"_s)->isEnabled()) << "until it has ended";
     files().showRecording({});
     EXPECT_FALSE(find(u"scopeRecordingLabel"_s)->isVisible());
+    EXPECT_EQ(button(u"scopeRecordButton"_s)->accessibleName(), u"Record…"_s);
 }
 
 TEST_F(ScopeFilesTest, SaysHowFarItHasOpenedAndCanBeCancelled) {

@@ -11,6 +11,7 @@
 #include <QTableWidget>
 
 #include "responserecords.h"
+#include "widgets/common/look.h"
 #include "widgets/response/responsedock.h"
 #include "widgets/response/responseplot.h"
 
@@ -466,6 +467,25 @@ TEST_F(Responses, TheListKeepsTheLastHundredAndWhatIsShown) {
     EXPECT_EQ(listed(0, 2), u"103"_s);
     EXPECT_EQ(listed(98, 2), u"5"_s);
     EXPECT_EQ(listed(99, 2), u"1"_s) << "it is B";
+}
+
+TEST_F(Responses, APictureIsAsOnPaperAndSaysThatItIsSimulated) {
+    openWith();
+    window->showResponse(ramp(120));
+    const auto saved = [this] {
+        QSignalSpy saves(window.get(), &MainWindow::saveRequested);
+        window->findChild<QAction*>(u"responseSvgAction"_s)->trigger();
+        auto* dialog = find<QFileDialog>(u"responsePicturesvgDialog"_s);
+        emit dialog->fileSelected(u"/home/anna/step.svg"_s);
+        dialog->close();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return saves.value(0).value(1).value<FileContent>()();
+    };
+    const std::string svg = saved();
+    EXPECT_NE(svg.find("SIMULATOR, no real motor moved"), std::string::npos);
+    window->setPalette(darkPalette());
+    EXPECT_TRUE(saved() == svg);
+    EXPECT_TRUE(look::isDark(find(u"responsePlot"_s)->palette())) << "the screen stays as it was";
 }
 
 TEST_F(Responses, ExportIsReadableWhateverTheLocale) {

@@ -11,6 +11,7 @@
 #include "model/module/stepperdefaults.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/positiontexts.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -179,8 +180,17 @@ void AxisRow::refresh() {
     look::setText(m_state, texts::activity(module.activity()));
     m_state->setToolTip(texts::activityMeaning(module.activity()));
     const auto position = module.latest ? module.latest->position : std::nullopt;
-    look::setReadout(
-        m_position, position ? texts::fixedPosition(scale, *position) + u' ' + texts::unitOf(scale) : u"–"_s);
+    const bool old = m_context.age().has_value();
+    QString where = position ? texts::fixedPosition(scale, *position) + u' ' + texts::unitOf(scale) : u"–"_s;
+    if (position && old)
+        where += u", "_s + texts::age(0, module.positionDoubtful());  // it is not told how its age grows
+    look::setReadout(m_position, where);
+    QFont digits = m_position->font();
+    if (digits.strikeOut() != old) {
+        digits.setStrikeOut(old);
+        m_position->setFont(digits);
+        m_position->setForegroundRole(old ? QPalette::PlaceholderText : QPalette::WindowText);
+    }
     look::setPossible(m_holdForward, whyNotHeld(false), tr("Moves forward while held, then stops."));
     look::setPossible(m_holdReverse, whyNotHeld(true), tr("Moves in reverse while held, then stops."));
     m_stepForward->setPossible(whyNotStepped(false), tr("Moves forward by the step above, then holds."));

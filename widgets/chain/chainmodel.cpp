@@ -5,6 +5,7 @@
 
 #include "model/module/modulescale.h"
 #include "widgets/common/homewords.h"
+#include "widgets/common/positiontexts.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
 
@@ -26,6 +27,7 @@ ChainModel::Facts ChainModel::factsOf(const ModuleState& module, const Machine& 
     facts.swings = facts.activity == Activity::Holding && module.swing.swing();
     if (const auto run = procedures.find(module.info.index); run != procedures.end() && !run->second.over())
         facts.procedure = run->second;
+    facts.motor = module.isServo() || module.isStepper();
     facts.scale = scaleOf(module, settings);
     facts.home = module.home.place();
     return facts;
@@ -37,9 +39,10 @@ bool ChainModel::show(Row& row, Facts facts, const LinkState& link, const Module
     const auto counts = module.latest ? module.latest->position : std::nullopt;
     const bool old = !isLive(link, module);
     const bool moved = others || counts != row.counts;
-    const bool news = moved || old != row.old;
+    const bool news = moved || old != row.old || module.positionDoubtful() != row.doubtful;
     row.seen = module.latestTime;
     row.old = old;
+    row.doubtful = module.positionDoubtful();
     if (others) {
         row.facts = std::move(facts);
         row.title = row.facts.axis.empty() ? row.facts.name : QString::fromStdString(row.facts.axis);
@@ -60,6 +63,7 @@ bool ChainModel::show(Row& row, Facts facts, const LinkState& link, const Module
 
 void ChainModel::showLink(const LinkState& state, const Machine& machine, const Procedures& procedures) {
     const bool open = state.phase != LinkPhase::Disconnected || state.unplugged;
+    m_now = state.now;
     const std::size_t count = open ? state.modules.size() : 0;
     const bool others = open != m_open || count != m_rows.size();
     if (others) {
@@ -83,6 +87,18 @@ void ChainModel::showLink(const LinkState& state, const Machine& machine, const 
         const QModelIndex changed = index(moduleCount());
         emit dataChanged(changed, changed);
     }
+}
+
+/// What the row shows, and what a struck out position means.
+QString ChainModel::spoken(const Row& row) const {
+    const QString who =
+        tr("%1, address %2, %3, %4").arg(row.facts.name).arg(row.facts.address).arg(row.type, row.activity);
+    if (!row.facts.motor)
+        return who;
+    QString where = row.counts ? row.position + u' ' + row.unit : tr("unknown");
+    if (row.counts && row.old)
+        where += u", "_s + texts::age(m_now ? toSeconds(*m_now - row.seen) : 0, row.doubtful);
+    return tr("%1, position %2").arg(who, where) + u". "_s + texts::home(row.facts.home, row.facts.scale);
 }
 
 int ChainModel::rowCount(const QModelIndex& parent) const {
@@ -121,24 +137,23 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
                        ? row.activity
                        : tr("%1 · %2").arg(row.activity, tr("%1/s").arg(texts::readout(row.facts.rate)));
         case Position:
-            return row.facts.scale.native() ? row.position : row.position + u' ' + row.unit;
+            return !row.facts.motor           ? QString()
+                   : row.facts.scale.native() ? row.position
+                                              : row.position + u' ' + row.unit;
         case HomeIsKnown:
             return row.facts.home && row.facts.home->verified();
         case PositionIsOld:
             return row.old;
         case Qt::AccessibleTextRole:
-            return tr("%1, address %2, %3, %4, position %5 %6")
-                       .arg(row.facts.name)
-                       .arg(row.facts.address)
-                       .arg(row.type, row.activity, row.position, row.unit) +
-                   u". "_s + texts::home(row.facts.home, row.facts.scale);
+            return spoken(row);
         case Qt::ToolTipRole:
             // Whole, since there may be no room for all of it in the list.
             return tr("%1, %2, at address %3 on the wire")
                        .arg(row.facts.name, row.type)
                        .arg(row.facts.address) +
-                   u'\n' + row.activity + u": "_s + texts::activityMeaning(row.facts.activity) + u'\n' +
-                   texts::homeMeaning(row.facts.home, row.seen, row.facts.scale);
+                   u'\n' + row.activity + u": "_s + texts::activityMeaning(row.facts.activity) +
+                   (row.facts.motor ? u'\n' + texts::homeMeaning(row.facts.home, row.seen, row.facts.scale)
+                                    : QString());
         default:
             return {};
     }

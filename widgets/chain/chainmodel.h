@@ -25,7 +25,7 @@ public:
         TypeText,  ///< "PIC-SERVO v4"
         ActivityValue,
         ActivityText,  ///< "Holding · 92/s", with the status replies per second; of a procedure its stage
-        Position,      ///< "12 345", "1.250 mm", or a dash
+        Position,      ///< "12 345", "1.250 mm", or a dash; empty where there is no motor
         HomeIsKnown,
         PositionIsOld  ///< the module does not answer
     };
@@ -52,6 +52,7 @@ private:
         Activity activity = Activity::Unknown;
         bool swings = false;
         bool lookedFor = false;
+        bool motor = false;                        ///< that has a position and a home
         std::optional<ProcedureReport> procedure;  ///< while it runs
         AxisScale scale;
         std::optional<HomeFact::Place> home;
@@ -61,6 +62,7 @@ private:
         Facts facts;
         std::optional<std::int32_t> counts;
         bool old = false;
+        bool doubtful = false;  ///< and why
         TimePoint seen;
         // The words:
         QString title;
@@ -73,8 +75,10 @@ private:
                                        const Procedures& procedures);
     /// Whether anything in it is news.
     static bool show(Row& row, Facts facts, const LinkState& link, const ModuleState& module);
+    [[nodiscard]] QString spoken(const Row& row) const;
 
     std::vector<Row> m_rows;
+    std::optional<TimePoint> m_now;
     QString m_host;
     bool m_open = false;
 };

@@ -153,7 +153,10 @@ QFont tabular(const QFont& base) {
     for (char16_t digit = u'1'; digit <= u'9'; ++digit) {
         if (std::abs(metrics.horizontalAdvance(QChar(digit)) - metrics.horizontalAdvance(u'0')) > 0.01) {
             QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-            fixed.setPointSizeF(base.pointSizeF());
+            if (base.pointSizeF() > 0)
+                fixed.setPointSizeF(base.pointSizeF());
+            else
+                fixed.setPixelSize(base.pixelSize());
             fixed.setWeight(base.weight());
             return fixed;
         }

@@ -7,6 +7,7 @@
 #include <QProxyStyle>
 #include <QStyleOption>
 #include <QWidget>
+#include <array>
 
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -18,6 +19,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double kReadable = 4.5;       // WCAG 2.1, 1.4.3
+constexpr double kSeen = 3.0;           // WCAG 2.1, 1.4.11: what is no text
 constexpr double kHighContrast = 20.0;  // of 21
 
 struct Colouring {
@@ -30,6 +32,11 @@ constexpr Colouring kDark{0x2B2D30, 0xE8E8E8, 0x1E1F22, 0x3A3D41, 0x2A6FB0,
                           0xFFFFFF, 0x6CB6F5, 0xC9A6EC, 0x8C8C8C};
 constexpr Colouring kHighContrastColours{0x000000, 0xFFFFFF, 0x000000, 0x000000, 0xFFFF00,
                                          0x000000, 0x66CCFF, 0xFFB3FF, 0xA0A0A0};
+
+QColor mixed(const QColor& a, const QColor& b, float shareOfB) {
+    const auto mix = [shareOfB](float x, float y) { return x * (1.0F - shareOfB) + y * shareOfB; };
+    return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()));
+}
 
 QPalette paletteOf(const Colouring& colouring) {
     const QColor text(colouring.text);
@@ -49,16 +56,37 @@ QPalette paletteOf(const Colouring& colouring) {
     return palette;
 }
 
-/// Fusion makes its frames of the window's colour, darkened: of black nothing is left.
+/// The colour of a role, moved towards the text until Fusion's shades of it, `drawn`, are seen on all that a
+/// frame stands upon.
+template <typename Drawn>
+QColor seenAs(QPalette::ColorRole wanted, const QPalette& palette, const Drawn& drawn) {
+    const QColor colour = palette.color(QPalette::Active, wanted);
+    const QColor text = palette.color(QPalette::Active, QPalette::WindowText);
+    const auto seen = [&](const QColor& tried) {
+        for (const QColor& shade : drawn(tried))
+            for (const auto role : {QPalette::Window, QPalette::Base})
+                if (contrast(shade, palette.color(QPalette::Active, role)) < kSeen)
+                    return false;
+        return true;
+    };
+    constexpr int kSteps = 50;
+    for (int step = 0; step < kSteps; ++step)
+        if (const QColor tried = mixed(colour, text, static_cast<float>(step) / kSteps); seen(tried))
+            return tried;
+    return text;
+}
+
+/// Fusion makes its frames of the window's colour, darkened, and of the highlight where the focus is: upon
+/// dark windows nothing is left of them.
 class Style : public QProxyStyle {
 public:
     Style() : QProxyStyle(u"Fusion"_s) {}
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
-        const bool framed = element == PE_FrameLineEdit || element == PE_PanelButtonCommand ||
-                            element == PE_IndicatorCheckBox || element == PE_IndicatorRadioButton ||
-                            element == PE_FrameTabWidget;
+        const bool framed = element == PE_Frame || element == PE_FrameLineEdit ||
+                            element == PE_PanelButtonCommand || element == PE_IndicatorCheckBox ||
+                            element == PE_IndicatorRadioButton || element == PE_FrameTabWidget;
         const Frames frames(framed, *this, option);
         QProxyStyle::drawPrimitive(element, option, painter, widget);
     }
@@ -69,7 +97,9 @@ public:
     }
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override {
-        const Frames frames(control == CC_ComboBox || control == CC_SpinBox, *this, option);
+        const Frames frames(control == CC_ComboBox || control == CC_SpinBox || control == CC_Slider ||
+                                control == CC_ScrollBar,
+                            *this, option);
         QProxyStyle::drawComplexControl(control, option, painter, widget);
     }
     /// Kept, since Fusion decodes its images each time, and each dock asks for two of them again and again.
@@ -85,12 +115,11 @@ public:
     }
 
 private:
-    /// While it lives, the option's window is light where `framed` and its frame could not be seen.
+    /// While it lives, the option's colours are those that Fusion makes frames of that are seen.
     class Frames {
     public:
         Frames(bool framed, const Style& style, const QStyleOption* option)
-            : m_option(framed && option != nullptr && isHighContrast(option->palette) &&
-                               isDark(option->palette)
+            : m_option(framed && option != nullptr
                            ? const_cast<QStyleOption*>(option)  // its maker's, and back as it was
                            : nullptr) {
             if (m_option != nullptr)
@@ -108,18 +137,34 @@ private:
     };
 
     /// The same one each time, by which Fusion finds what it has drawn before.
-    const QPalette& framed(const QPalette& palette) const {
-        if (m_framedFor != palette.cacheKey()) {
-            m_framedFor = palette.cacheKey();
-            m_framed = palette;
-            m_framed.setColor(QPalette::Window, palette.color(QPalette::Active, QPalette::WindowText));
-        }
-        return m_framed;
+    QPalette framed(const QPalette& palette) const {
+        constexpr qsizetype kMostPalettes = 100;
+        if (const auto known = m_framed.constFind(palette.cacheKey()); known != m_framed.cend())
+            return framedFor(*known, palette);
+        if (m_framed.size() >= kMostPalettes)
+            m_framed.clear();
+        QPalette framed = palette;
+        const auto frame = [](const QColor& c) {
+            return std::array{c.darker(140), c.darker(140).lighter(110)};
+        };
+        framed.setColor(QPalette::Window, isHighContrast(palette)
+                                              ? palette.color(QPalette::Active, QPalette::WindowText)
+                                              : seenAs(QPalette::Window, palette, frame));
+        framed.setColor(QPalette::Highlight, seenAs(QPalette::Highlight, palette, [](const QColor& c) {
+                            return std::array{c.darker(125)};
+                        }));
+        m_framed.insert(framed.cacheKey(), framed);  // a choice draws a button, by the same option
+        m_framed.insert(palette.cacheKey(), framed);
+        return framedFor(framed, palette);
+    }
+    /// Enabled or not, as the control is.
+    static QPalette framedFor(QPalette framed, const QPalette& palette) {
+        framed.setCurrentColorGroup(palette.currentColorGroup());
+        return framed;
     }
 
     mutable QHash<int, QIcon> m_icons;
-    mutable qint64 m_framedFor = 0;
-    mutable QPalette m_framed;
+    mutable QHash<qint64, QPalette> m_framed;  ///< by the cache key of what it was made of
 };
 
 }  // namespace
@@ -150,10 +195,7 @@ bool isHighContrast(const QPalette& palette) {
 QColor selectionTint(const QPalette& palette) {
     const QColor base = palette.color(QPalette::Active, QPalette::Base);
     const QColor highlight = palette.color(QPalette::Active, QPalette::Highlight);
-    const float share = isDark(palette) ? 0.30F : 0.16F;
-    const auto mixed = [share](float a, float b) { return a * (1.0F - share) + b * share; };
-    return QColor::fromRgbF(mixed(base.redF(), highlight.redF()), mixed(base.greenF(), highlight.greenF()),
-                            mixed(base.blueF(), highlight.blueF()));
+    return mixed(base, highlight, isDark(palette) ? 0.30F : 0.16F);
 }
 
 void adoptReadable(QWidget* window) {

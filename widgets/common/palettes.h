@@ -32,7 +32,7 @@ void useColours(Colours colours);
 /// of its palette.
 void adoptReadable(QWidget* window);
 
-/// Fusion; upon a black window, where its frames can't be seen, with light ones.
+/// Fusion, with frames that have 3:1 upon whatever palette there is.
 [[nodiscard]] QStyle* newStyle();
 
 }  // namespace nmc::look

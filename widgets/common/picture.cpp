@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/picture.h"
 
+#include <QApplication>
 #include <QBuffer>
 #include <QFontMetrics>
 #include <QLocale>
@@ -9,27 +10,42 @@
 #include <QPdfWriter>
 #include <QSvgGenerator>
 #include <QWidget>
-#include <algorithm>
+
+#include "widgets/common/palettes.h"
 
 namespace nmc {
 
 namespace {
 
-constexpr double kSharpness = 2.0;
 constexpr double kMargin = 10.0;  ///< mm of a page
+/// A picture's pixel is that of CSS: 1/96 inch of paper.
+constexpr int kResolution = 96;
+constexpr int kLetters = 12;  ///< pixels: 9 pt of paper
 
-[[nodiscard]] QSize sizeOf(const Picture& picture) {
-    const QFontMetrics metrics(picture.font);
-    const int lines = static_cast<int>(picture.caption.size()) * metrics.lineSpacing();
-    return {picture.size.width(), picture.size.height() + lines + metrics.height()};
+[[nodiscard]] QFont paperFont() {
+    QFont font = QApplication::font();
+    font.setPixelSize(kLetters);
+    return font;
 }
 
-void paint(QPainter& painter, const Picture& picture) {
-    const QFontMetrics metrics(picture.font);
+[[nodiscard]] int captionHeight(const Picture& picture) {
+    const QFontMetrics metrics(paperFont());
+    return static_cast<int>(picture.caption.size()) * metrics.lineSpacing() + metrics.height();
+}
+
+[[nodiscard]] QSize sizeOf(const Picture& picture) {
+    return picture.widget->size() + QSize(0, captionHeight(picture));
+}
+
+/// `size`: of what is painted below the caption.
+void paint(QPainter& painter, const Picture& picture, const QSize& size) {
+    const OnPaper paper(*picture.widget, size);
+    const QPalette& palette = picture.widget->palette();
+    const QFontMetrics metrics(paperFont());
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(QRect(QPoint(), sizeOf(picture)), picture.palette.color(QPalette::Base));
-    painter.setPen(picture.palette.color(QPalette::Text));
-    painter.setFont(picture.font);
+    painter.fillRect(QRect(QPoint(), sizeOf(picture)), palette.color(QPalette::Base));
+    painter.setPen(palette.color(QPalette::Text));
+    painter.setFont(paperFont());
     int y = metrics.height() / 4;
     for (const QString& line : picture.caption) {
         painter.drawText(metrics.height() / 2, y + metrics.ascent(), line);
@@ -41,16 +57,29 @@ void paint(QPainter& painter, const Picture& picture) {
 
 }  // namespace
 
-Picture pictureOf(const QWidget& widget, const QStringList& caption,
-                  const std::function<void(QPainter&)>& paint) {
-    return {widget.size(), widget.palette(), widget.font(), widget.logicalDpiX(), caption, paint};
+OnPaper::OnPaper(QWidget& widget, const QSize& size) : m_widget(widget), m_place(widget.geometry()) {
+    if (widget.testAttribute(Qt::WA_SetPalette))
+        m_palette = widget.palette();
+    if (widget.testAttribute(Qt::WA_SetFont))
+        m_font = widget.font();
+    widget.setPalette(look::paletteOf(look::Colours::Light));
+    widget.setFont(paperFont());
+    if (size.isValid())
+        widget.resize(size);
+}
+
+OnPaper::~OnPaper() {
+    m_widget.setGeometry(m_place);
+    // What it has from its window it takes from there again, as that changes.
+    m_widget.setPalette(m_palette.value_or(QPalette()));
+    m_widget.setFont(m_font.value_or(QFont()));
 }
 
 QImage imageOf(const Picture& picture) {
     QImage image((sizeOf(picture).toSizeF() * kSharpness).toSize(), QImage::Format_RGB32);
     image.setDevicePixelRatio(kSharpness);
     QPainter painter(&image);
-    paint(painter, picture);
+    paint(painter, picture, picture.widget->size());
     return image;
 }
 
@@ -68,10 +97,10 @@ QByteArray svgOf(const Picture& picture) {
     generator.setOutputDevice(&buffer);
     generator.setSize(sizeOf(picture));
     generator.setViewBox(QRect(QPoint(), sizeOf(picture)));
-    generator.setResolution(picture.dpi);
+    generator.setResolution(kResolution);
     generator.setTitle(picture.caption.value(0));
     QPainter painter(&generator);
-    paint(painter, picture);
+    paint(painter, picture, picture.widget->size());
     painter.end();
     return svg;
 }
@@ -81,8 +110,7 @@ QByteArray pdfOf(const Picture& picture) {
     QBuffer buffer(&pdf);
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
-    // That of the screen: its fonts and lines have the size that they have there, and are vectors anyway.
-    writer.setResolution(picture.dpi);
+    writer.setResolution(kResolution);
     const bool imperial = QLocale().measurementSystem() == QLocale::ImperialUSSystem;
     writer.setPageLayout({QPageSize(imperial ? QPageSize::Letter : QPageSize::A4),
                           QPageLayout::Landscape,
@@ -90,11 +118,7 @@ QByteArray pdfOf(const Picture& picture) {
                           QPageLayout::Millimeter});
     writer.setTitle(picture.caption.value(0));
     QPainter painter(&writer);
-    const QSizeF room = painter.viewport().size();
-    const QSizeF size = sizeOf(picture);
-    const double scale = std::min(room.width() / size.width(), room.height() / size.height());
-    painter.scale(scale, scale);
-    paint(painter, picture);
+    paint(painter, picture, painter.viewport().size() - QSize(0, captionHeight(picture)));
     painter.end();
     return pdf;
 }

@@ -3,13 +3,22 @@
 
 #include <QDateTime>
 #include <QLocale>
+#include <cmath>
 
 #include "widgets/common/textparts.h"
 #include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
 
 namespace nmc::texts {
 
 using namespace Qt::StringLiterals;
+
+QString age(double seconds, bool doubtful) {
+    if (doubtful)
+        return Texts::tr("doubtful");
+    return seconds >= 0.1 ? Texts::tr("%1 s old").arg(readout(std::floor(seconds * 10) / 10, 3))
+                          : Texts::tr("out of date");
+}
 
 Message positionRemembered(const PositionMemory::Offer& offer, const AxisScale& scale) {
     const RememberedPosition& last = offer.remembered;

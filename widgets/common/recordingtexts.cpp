@@ -64,6 +64,7 @@ QString wrongInLine(const RecordingProblem& problem) {
     switch (problem.kind) {
         case Kind::Empty:
         case Kind::OtherFormat:
+        case Kind::OtherForm:
         case Kind::NewerVersion:
             return {};
         case Kind::NoColumns:
@@ -133,6 +134,10 @@ QString recordingProblem(const QString& file, const RecordingProblem& problem) {
         return Texts::tr("\"%1\" is empty.").arg(file);
     if (problem.kind == Kind::OtherFormat)
         return Texts::tr("\"%1\" is not a recording of NMC Panel.").arg(file);
+    if (problem.kind == Kind::OtherForm)
+        return Texts::
+            tr("\"%1\" has one column per signal, a form for other programs. The scope opens files with one row per reply.")
+                .arg(file);
     if (problem.kind == Kind::NewerVersion)
         return Texts::
             tr("\"%1\" was written by a newer NMC Panel: its format is %2; this version reads formats up to %3.")

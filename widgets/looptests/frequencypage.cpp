@@ -8,7 +8,6 @@
 #include <QPushButton>
 
 #include "model/intent/looptestplan.h"
-#include "model/response/frequencyfile.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/looptests/bodeplot.h"
@@ -90,7 +89,8 @@ void FrequencyPage::showReport(const ProcedureReport& report) {
     if (report.frequencies.empty())
         return;
     m_found[report.module] = {report.frequencies,
-                              report.stage == ProcedureStage::Done && report.round < report.rounds};
+                              report.stage == ProcedureStage::Done && report.round < report.rounds,
+                              QDateTime::currentDateTime()};
     refresh();
 }
 
@@ -121,7 +121,8 @@ void FrequencyPage::chooseFile() {
     dialog->setDefaultSuffix(u"csv"_s);
     dialog->selectFile(u"frequency-response"_s);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        emit saveRequested(path, [points = points()] { return frequencyCsv(points); });
+        if (const auto found = m_shown ? m_found.find(*m_shown) : m_found.end(); found != m_found.end())
+            emit saveWanted(path, found->second.measured);
     });
     dialog->show();
 }

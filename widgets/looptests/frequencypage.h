@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDateTime>
 #include <QWidget>
 #include <map>
 #include <vector>
@@ -38,7 +39,8 @@ public:
 
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
-    void saveRequested(const QString& path, const nmc::FileContent& content);
+    /// points(), which were measured then.
+    void saveWanted(const QString& path, const QDateTime& measured);
 
 private:
     void refresh();
@@ -54,6 +56,7 @@ private:
     struct Found {
         std::vector<FrequencyPoint> points;
         bool endedEarly = false;
+        QDateTime measured{};
     };
     std::map<ModuleIndex, Found> m_found;
     std::optional<ModuleIndex> m_shown;

@@ -36,7 +36,7 @@ void LoopTestsDock::build() {
     connect(m_square, &SquareWavePage::asked, this, &LoopTestsDock::asked);
     connect(m_square, &SquareWavePage::runKept, this, &LoopTestsDock::runKept);
     connect(m_frequency, &FrequencyPage::asked, this, &LoopTestsDock::asked);
-    connect(m_frequency, &FrequencyPage::saveRequested, this, &LoopTestsDock::saveRequested);
+    connect(m_frequency, &FrequencyPage::saveWanted, this, &LoopTestsDock::frequenciesWanted);
     setWidget(scrolled(m_tabs));
 }
 

@@ -35,7 +35,8 @@ signals:
     void runKept(const nmc::KeptResponse& run);
     /// Of all that is known of the selected module's loop.
     void reportWanted();
-    void saveRequested(const QString& path, const nmc::FileContent& content);
+    /// The selected module's frequency response, which was measured then.
+    void frequenciesWanted(const QString& path, const QDateTime& measured);
 
 private:
     void build() override;

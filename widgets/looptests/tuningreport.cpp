@@ -29,20 +29,13 @@ class Report {
 
 constexpr QSize kStepPicture{380, 200};
 constexpr QSize kBodePicture{380, 290};
-constexpr double kSharp = 2.0;  ///< pixels of a picture for one of the page
 
-/// As on white paper, whatever the window looks like.
 QString picture(QWidget& plot, const QSize& size, const QString& what) {
-    QPalette paper(Qt::white);
-    paper.setColor(QPalette::Base, Qt::white);
-    paper.setColor(QPalette::Text, Qt::black);
-    paper.setColor(QPalette::WindowText, Qt::black);
+    const OnPaper paper(plot, size);
     plot.setAttribute(Qt::WA_DontShowOnScreen);
-    plot.setPalette(paper);
-    plot.resize(size);
     plot.ensurePolished();
-    QImage image(size * kSharp, QImage::Format_RGB32);
-    image.setDevicePixelRatio(kSharp);
+    QImage image(size * kSharpness, QImage::Format_RGB32);
+    image.setDevicePixelRatio(kSharpness);
     image.fill(Qt::white);
     plot.render(&image);
     return u"<img width=\"%1\" height=\"%2\" alt=\"%3\" src=\"data:image/png;base64,%4\">"_s.arg(size.width())

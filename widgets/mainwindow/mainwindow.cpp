@@ -153,6 +153,7 @@ void MainWindow::connectParts() {
     connect(&m_session, &Session::phaseChanged, this, &MainWindow::showPhase);
     connect(&m_session, &Session::changed, this, &MainWindow::showModules);
     connect(&m_session, &Session::aged, this, [this] {
+        m_chain->showLink(m_session.link(), m_session.machine(), m_session.procedures());
         if (const ModuleState* module = selectedState(); module != nullptr && m_session.viewOf(*module).age)
             showSelected();
     });

@@ -188,6 +188,8 @@ signals:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    /// What nothing in the window has taken.
+    void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool focusNextPrevChild(bool next) override;
     [[nodiscard]] QMenu* createPopupMenu() override { return nullptr; }
@@ -216,6 +218,7 @@ private:
     void chooseReportFile();
     void addLoopTestsDock(QDockWidget& scope, QDockWidget& messages);
     void addMotionDocks(QDockWidget& scope, QDockWidget& messages);
+    void saveFrequencies(const QString& path, const QDateTime& measured);
     void showAllAxes();
     void makeRoomForSimulator();
     void makeRoomForMotions(int higher);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every command of the window in one place: the Module menu, and the palette that finds them by their words.
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
@@ -140,6 +141,20 @@ void MainWindow::openPalette() {
     if (m_palette == nullptr)
         m_palette = new CommandPalette(this);
     m_palette->showEntries(std::move(entries));
+}
+
+/// Where digits are typed with Shift (AZERTY), Ctrl and the key of a digit are another shortcut than Ctrl+1,
+/// which is meant by who presses it.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    constexpr quint32 kKeyOf1 = 10;  // of X11, and of Wayland: the kernel's KEY_1, and 8
+    constexpr quint32 kDigits = 8;
+    const quint32 above1 = event->nativeScanCode() - kKeyOf1;
+    if (event->modifiers() != Qt::ControlModifier || event->isAutoRepeat() || above1 >= kDigits)
+        return QMainWindow::keyPressEvent(event);
+    const QKeySequence wanted(QKeyCombination(Qt::CTRL, static_cast<Qt::Key>(Qt::Key_1 + above1)));
+    for (QAction* action : findChildren<QAction*>())
+        if (action->isEnabled() && action->shortcut() == wanted)
+            return action->trigger();
 }
 
 }  // namespace nmc

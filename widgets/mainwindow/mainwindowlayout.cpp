@@ -125,7 +125,7 @@ void MainWindow::addLoopTestsDock(QDockWidget& scope, QDockWidget& messages) {
     connect(m_loopTests, &LoopTestsDock::runKept, this,
             [this](const KeptResponse& run) { showResponse(run); });
     connect(m_loopTests, &LoopTestsDock::reportWanted, this, &MainWindow::chooseReportFile);
-    connect(m_loopTests, &LoopTestsDock::saveRequested, this, &MainWindow::saveRequested);
+    connect(m_loopTests, &LoopTestsDock::frequenciesWanted, this, &MainWindow::saveFrequencies);
     connect(m_loopTests, &LoopTestsDock::asked, this, &MainWindow::intentRequested);
 }
 

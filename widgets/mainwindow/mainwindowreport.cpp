@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileDialog>
 
+#include "model/response/frequencyfile.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/common/texts.h"
 #include "widgets/looptests/frequencypage.h"
@@ -10,6 +11,7 @@
 #include "widgets/looptests/tuningreport.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/response/responsedock.h"
+#include "widgets/scope/scoperecord.h"
 
 namespace nmc {
 
@@ -37,6 +39,17 @@ std::optional<TuningReport> MainWindow::tuningReport() {
     report.motor = m_response->page().motorWords();
     report.frequencies = m_loopTests->frequency().points();
     return report;
+}
+
+void MainWindow::saveFrequencies(const QString& path, const QDateTime& measured) {
+    const ModuleState* module = selectedState();
+    if (module == nullptr)
+        return;
+    const LinkState& link = m_session.link();
+    emit saveRequested(
+        path, [origin = recordingHeader({}, QString::fromStdString(link.port), link.simulated, {}, measured),
+               name = texts::moduleName(module->info.index).toStdString(),
+               points = m_loopTests->frequency().points()] { return frequencyCsv(origin, name, points); });
 }
 
 void MainWindow::chooseReportFile() {

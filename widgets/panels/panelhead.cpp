@@ -10,6 +10,7 @@
 #include "widgets/common/glyphs.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
+#include "widgets/common/positiontexts.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
@@ -270,18 +271,16 @@ void PanelHead::refreshPosition() {
                                             : texts::fixedPosition(scale, *position);
     look::setReadout(m_position, number);
     m_position->setProperty("counts", position ? QVariant(*position) : QVariant());
-    m_position->setAccessibleName(position ? tr("Position %1 %2").arg(number, unit) : tr("Position unknown"));
+    const QString unitAndAge = age ? unit + u", "_s + texts::age(*age, module.positionDoubtful()) : unit;
+    m_position->setAccessibleName(position ? tr("Position %1 %2").arg(number, unitAndAge)
+                                           : tr("Position unknown"));
     QFont font = m_position->font();
     if (font.strikeOut() != age.has_value()) {
         font.setStrikeOut(age.has_value());
         m_position->setFont(font);
         m_position->setForegroundRole(age ? QPalette::PlaceholderText : QPalette::WindowText);
     }
-    const QString ageText = m_context.state().positionDoubtful() ? tr("doubtful")
-                            : age && *age >= 0.1
-                                ? tr("%1 s old").arg(texts::readout(std::floor(*age * 10) / 10, 3))
-                                : tr("out of date");
-    look::setText(m_positionUnit, age ? unit + u", "_s + ageText : unit);
+    look::setText(m_positionUnit, unitAndAge);
     look::setReadout(m_otherPosition, position ? texts::otherPosition(scale, *position) : QString());
     const auto velocity = age ? std::nullopt : module.speed.perSecond();
     look::setReadout(m_velocity, velocity ? texts::measuredVelocity(scale, *velocity) : u"–"_s);

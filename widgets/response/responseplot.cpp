@@ -548,6 +548,8 @@ void ResponsePlot::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
         adoptPalette();
+    if (event->type() == QEvent::FontChange)
+        fit();
 }
 
 QSize ResponsePlot::sizeHint() const {

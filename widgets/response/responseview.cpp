@@ -113,6 +113,8 @@ void ResponseView::showRuns(const KeptResponse* a, const KeptResponse* b,
                             .arg(QString::number(kept->number), QString::fromStdString(kept->moduleName),
                                  QString::fromStdString(kept->startedAt),
                                  texts::portName(QString::fromStdString(kept->port)));
+        if (kept->simulated)
+            words += u" · "_s + tr("SIMULATOR, no real motor moved");
         for (const std::string* own : {&kept->name, &kept->note})
             if (!own->empty())
                 words += u" · "_s + QString::fromStdString(*own);
@@ -155,9 +157,7 @@ Picture ResponseView::picture() const {
     caption << m_shown;
     for (const auto& row : m_plot->readings())
         caption << tr("%1: cursor 1 %2, cursor 2 %3, difference %4").arg(row[0], row[1], row[2], row[3]);
-    Picture picture = pictureOf(*m_plot, caption, [this](QPainter& painter) { m_plot->renderTo(painter); });
-    picture.font = font();
-    return picture;
+    return {m_plot, caption, [this](QPainter& painter) { m_plot->renderTo(painter); }};
 }
 
 void ResponseView::choose(Kind kind) {

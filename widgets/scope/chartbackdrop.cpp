@@ -69,6 +69,7 @@ void ChartBackdrop::setLook(const QPalette& palette, const QFont& font) {
     m_grid->setLook({font, text, look::mutedText(palette), look::faintLine(palette)});
     m_chart->legend()->setLabelColor(text);
     m_chart->legend()->setFont(font);
+    m_chart->layout()->activate();
     invalidate();
 }
 

@@ -58,6 +58,8 @@ QToolButton* ScopeBar::addButton(QAction* action, const QString& objectName) {
     button->setToolButtonStyle(action->icon().isNull() ? Qt::ToolButtonTextOnly
                                                        : Qt::ToolButtonTextBesideIcon);
     look::name(button, objectName, action->text());
+    connect(action, &QAction::changed, button,
+            [button] { button->setAccessibleName(button->defaultAction()->text()); });
     m_buttons->insertWidget(m_buttons->indexOf(m_which), button);
     return button;
 }

@@ -60,11 +60,12 @@ Seen seenOf(const ScopeStrips& strips, const History& history, int form = Long) 
 
 /// In the order of the forms.
 QStringList csvForms() {
-    return {Scope::tr("One row per reply (*.csv)"), Scope::tr("One column per signal (*.csv)"),
-            Scope::tr("One column per signal, every millisecond (*.csv)")};
+    return {Scope::tr("One row per reply, can be reopened here (*.csv)"),
+            Scope::tr("One column per signal, for other programs only (*.csv)"),
+            Scope::tr("One column per signal, every millisecond, for other programs only (*.csv)")};
 }
 
-/// Only the long form can be opened here again.
+/// Only the long form can be opened here again, and the others say so (recordingtexts.cpp).
 FileContent contentOf(const Seen& seen, const std::vector<ScopeModule>& modules, const ScopeOrigin& origin,
                       int form = Long) {
     constexpr Duration kInterval = std::chrono::milliseconds(1);
@@ -111,8 +112,9 @@ ScopeExport::ScopeExport(QWidget* panel) : QObject(panel), m_panel(panel), m_men
     m_menu->setTitle(tr("Export"));
     m_menu->setToolTipsVisible(true);
     look::name(m_menu, u"scopeExportMenu"_s, tr("Export"));
-    addAction(Kind::Csv, u"scopeExportCsvAction"_s, tr("&Samples (CSV)…"),
-              tr("All samples of all modules in the visible time. Can be reopened here."));
+    addAction(
+        Kind::Csv, u"scopeExportCsvAction"_s, tr("&Samples (CSV)…"),
+        tr("All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only."));
     addAction(Kind::Png, u"scopeExportPngAction"_s, tr("&Picture (PNG)…"),
               tr("The visible plot as an image."));
     addAction(Kind::Svg, u"scopeExportSvgAction"_s, tr("&Vector picture (SVG)…"),
@@ -163,13 +165,16 @@ void ScopeExport::want(const Wanted& wanted) {
     emit frameWanted();
 }
 
-void ScopeExport::take(ScopeStrips& strips, const History& history, const ScopeOrigin& origin,
+void ScopeExport::take(ScopeStrips& strips, const History& history, double now, const ScopeOrigin& origin,
                        const QString& title) {
     if (!m_wanted)
         return;
     const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
-    const Picture picture = pictureOf(strips, captionOf(origin, title, strips.time().left()),
-                                      [&strips](QPainter& painter) { strips.renderTo(painter); });
+    const Picture picture{&strips, captionOf(origin, title, strips.time().left()), [&](QPainter& painter) {
+                              strips.showFrame(history, now, kSharpness);
+                              strips.showFrame(history, now, kSharpness);  // the first has found the margins
+                              strips.renderTo(painter);
+                          }};
     switch (wanted.kind) {
         case Kind::Csv:
             emit saveRequested(wanted.path, contentOf(seenOf(strips, history, wanted.form), strips.modules(),
@@ -192,6 +197,7 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, const ScopeO
             copy(imageOf(picture), fewSamples(seenOf(strips, history), strips.modules(), origin));
             break;
     }
+    strips.showFrame(history, now);  // as the screen has it
 }
 
 void ScopeExport::copy(const QImage& image, const std::string& samples) {

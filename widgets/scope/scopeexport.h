@@ -28,8 +28,10 @@ public:
     explicit ScopeExport(QWidget* panel);
 
     [[nodiscard]] QMenu* menu() const { return m_menu; }
-    /// What a frame shows: to be called after each one. `title`: what it is called when it is not live.
-    void take(ScopeStrips& strips, const History& history, const ScopeOrigin& origin, const QString& title);
+    /// What a frame shows: to be called after each one, with its time. `title`: what it is called when it is
+    /// not live.
+    void take(ScopeStrips& strips, const History& history, double now, const ScopeOrigin& origin,
+              const QString& title);
 
 signals:
     /// take() is to be called soon.

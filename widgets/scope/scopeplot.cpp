@@ -82,7 +82,7 @@ void ScopePlot::showFrame(const View& view, const History& history, double now, 
             const DerivedSignals::Source source = sourceOf({m_traces[i].module, m_traces[i].signal});
             if (source.samples != nullptr)
                 drawings[i].take(*source.samples, source.signal, m_traces[i].scale, zero, m_geometry,
-                                 devicePixelRatioF());
+                                 view.sharpness);
             else
                 drawings[i].clear();
         }

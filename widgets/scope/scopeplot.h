@@ -41,6 +41,7 @@ public:
         double left = 0;
         double right = 10;
         double division = 1;
+        double sharpness = 1;  ///< device pixels in a pixel
         bool operator==(const View&) const = default;
     };
 

@@ -220,13 +220,17 @@ std::vector<ModuleSignal> ScopeStrips::shownSignals() const {
     return shown;
 }
 
-void ScopeStrips::showFrame(const History& history, double now) {
+void ScopeStrips::showFrame(const History& history, double now, std::optional<double> sharpness) {
+    if (sharpness) {
+        layout()->activate();
+        shareHeight();  // anew: a splitter that was resized rounds what it had before
+    }
     m_time.follow(now);
     m_derived.want(shownSignals());
     m_behind = !m_derived.follow(history);
     label(history, now);
     const ScopePlot::View view{history.zero().value_or(TimePoint{}), m_time.left(), m_time.right(),
-                               m_time.division()};
+                               m_time.division(), sharpness.value_or(devicePixelRatioF())};
     for (ScopePlot* plot : shownPlots()) {
         plot->showFrame(view, history, now, m_derived, m_under);
         std::optional<double> level;

@@ -29,7 +29,8 @@ public:
     /// How to read the samples; `selected`: whose signals stand for "the selected module's".
     void setModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected);
     /// One frame; `now` in seconds since the history's zero. The rates are counted anew once a second.
-    void showFrame(const History& history, double now);
+    /// `sharpness`: device pixels in a pixel, where they are not the screen's.
+    void showFrame(const History& history, double now, std::optional<double> sharpness = {});
     /// Other data.
     void forget();
 

@@ -18,7 +18,6 @@ constexpr unsigned kServoOn = 0x04U << 8U;
 
 StatusLane::StatusLane(QWidget* parent) : QWidget(parent) {
     look::name(this, u"scopeStatusLane"_s, tr("Status bits over time"));
-    setFont(look::scaled(font(), 0.85));
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_geometry.bottom = 0;
     m_geometry.top = 1;
@@ -37,19 +36,23 @@ void StatusLane::setBits(const ScopeModule& module, std::vector<ScopeBit> bits) 
     update();
 }
 
+QFont StatusLane::ownFont() const {
+    return look::scaled(font(), 0.85);
+}
+
 int StatusLane::rowHeight() const {
-    return fontMetrics().height();
+    return QFontMetrics(ownFont()).height();
 }
 
 int StatusLane::labelWidth() const {
     int width = 0;
     for (const QString& name : m_names)
-        width = qMax(width, fontMetrics().horizontalAdvance(name));
-    return width + fontMetrics().height() / 2;
+        width = qMax(width, QFontMetrics(ownFont()).horizontalAdvance(name));
+    return width + QFontMetrics(ownFont()).height() / 2;
 }
 
 QSize StatusLane::sizeHint() const {
-    return {fontMetrics().height() * 20, rowHeight() * static_cast<int>(m_bits.size())};
+    return {QFontMetrics(ownFont()).height() * 20, rowHeight() * static_cast<int>(m_bits.size())};
 }
 
 void StatusLane::setArea(double left, double right) {
@@ -62,7 +65,7 @@ void StatusLane::showFrame(const ScopePlot::View& view, const ModuleHistory* his
     m_pieces.clear();
     if (history != nullptr && !m_geometry.area.isEmpty()) {
         const Duration widest =
-            fromSeconds((view.right - view.left) / (m_geometry.area.width() * devicePixelRatioF()));
+            fromSeconds((view.right - view.left) / (m_geometry.area.width() * view.sharpness));
         history->visit(
             view.zero + fromSeconds(view.left), view.zero + fromSeconds(view.right), widest,
             [&](const ScopeSpan& span) {
@@ -90,15 +93,15 @@ void StatusLane::paintEvent(QPaintEvent* /*event*/) {
 void StatusLane::renderTo(QPainter& painter) {
     painter.save();
     painter.fillRect(rect(), palette().color(QPalette::Base));
-    painter.setFont(font());
+    painter.setFont(ownFont());
     for (std::size_t i = 0; i < m_bits.size(); ++i) {
         const QRectF row(m_geometry.area.left(), rowHeight() * static_cast<double>(i),
                          m_geometry.area.width(), rowHeight());
         painter.setClipping(false);
         painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(QRectF(0, row.top(), row.left() - fontMetrics().height() / 3.0, row.height()),
-                         Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
-                         m_names[static_cast<qsizetype>(i)]);
+        painter.drawText(
+            QRectF(0, row.top(), row.left() - QFontMetrics(ownFont()).height() / 3.0, row.height()),
+            Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, m_names[static_cast<qsizetype>(i)]);
         painter.setClipRect(row);
         paintBit(painter, m_bits[i], row);
     }

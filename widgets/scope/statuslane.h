@@ -42,6 +42,7 @@ private:
         unsigned all, any;   ///< status in the low byte
         bool joined;
     };
+    [[nodiscard]] QFont ownFont() const;
     [[nodiscard]] int rowHeight() const;
     void paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& row) const;
 

@@ -122,13 +122,15 @@ void appendPins(std::string& out, const ScopeSample& sample) {
 
 }  // namespace
 
+void appendOrigin(std::string& out, const RecordingHeader& header) {
+    words::forEachOrigin(
+        header, [&out](std::string_view key, std::string_view value) { appendEntry(out, key, value); });
+}
+
 std::string recordingHead(const RecordingHeader& header) {
     std::string out(kRecordingMagic);
     out += std::to_string(kRecordingVersion) + '\n';
-    appendEntry(out, words::kProgram, header.program);
-    appendEntry(out, words::kStarted, header.startedAt);
-    appendEntry(out, words::kPort, header.port);
-    appendEntry(out, words::kSimulated, header.simulated ? "yes (no real motor moved)" : "no");
+    appendOrigin(out, header);
     for (const RecordingModule& module : header.modules)
         appendModule(out, module);
     out += kMeaning;

@@ -89,6 +89,9 @@ inline constexpr std::array<std::string_view, 15> kRecordingColumns{
     "error",  "error_low", "error_high", "analog",         "status",
     "aux",    "gap",       "analog2",    "analog3",        "counted"};
 
+/// Comments that say where the samples of a file are from: program, start, port, and whether it is simulated.
+void appendOrigin(std::string& out, const RecordingHeader& header);
+
 /// Everything above the first row.
 [[nodiscard]] std::string recordingHead(const RecordingHeader& header);
 

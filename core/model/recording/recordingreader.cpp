@@ -7,6 +7,7 @@
 
 #include "model/recording/recordingcells.h"
 #include "model/recording/recordingcomments.h"
+#include "model/recording/widerecording.h"
 
 namespace nmc {
 
@@ -101,7 +102,7 @@ void RecordingReader::takeFirstLine(std::string_view line) {
         line.remove_prefix(kByteOrderMark.size());
     const std::string text = cells::unquoted(line);
     if (!text.starts_with(kRecordingMagic))
-        return refuse({.kind = Kind::OtherFormat});
+        return refuse({.kind = text.starts_with(kWideTime) ? Kind::OtherForm : Kind::OtherFormat});
     std::string_view version = std::string_view(text).substr(kRecordingMagic.size());
     if (const std::size_t end = version.find_first_of(kSeparators); end != std::string_view::npos) {
         m_padding = version[end];

@@ -19,6 +19,7 @@ struct RecordingProblem {
     enum class Kind : std::uint8_t {
         Empty,
         OtherFormat,    ///< it does not say that it is a recording
+        OtherForm,      ///< one column per signal (model/recording/widerecording.h)
         NewerVersion,   ///< `found` is its version, `max` the newest this program knows
         NoColumns,      ///< it ends above the line that names the columns
         MissingColumn,  ///< `field`

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/recording/numbertext.h"
+#include "model/recording/recordingwords.h"
 #include "model/recording/timetext.h"
 #include "model/scope/signalmaker.h"
 
@@ -35,6 +36,15 @@ namespace {
         },
         '_');
     return word;
+}
+
+/// The names of the columns that say what the table is.
+[[nodiscard]] std::string aboutNames(const RecordingHeader& header) {
+    std::string names;
+    words::forEachOrigin(header, [&names](std::string_view key, std::string_view value) {
+        names.append(",about/").append(key) += '_' + wordOf(value);
+    });
+    return names;
 }
 
 [[nodiscard]] std::string unitOf(const RecordingModule& module) {
@@ -169,7 +179,9 @@ private:
     std::vector<Made> m_made;
 };
 
-void appendSparse(std::string& out, const std::vector<WideModule>& modules, TimePoint zero) {
+/// `about`: the empty cells at the end of each row, and the end of its line; here and below.
+void appendSparse(std::string& out, const std::vector<WideModule>& modules, TimePoint zero,
+                  const std::string& about) {
     struct Row {
         ScopeSample sample;
         std::size_t module;
@@ -184,11 +196,12 @@ void appendSparse(std::string& out, const std::vector<WideModule>& modules, Time
         appendTime(out, row.sample.time - zero);
         for (std::size_t i = 0; i < modules.size(); ++i)
             i == row.module ? modules[i].append(out, row.sample) : modules[i].appendEmpty(out);
-        out += '\n';
+        out += about;
     }
 }
 
-void appendEven(std::string& out, const std::vector<WideModule>& modules, TimePoint zero, Duration interval) {
+void appendEven(std::string& out, const std::vector<WideModule>& modules, TimePoint zero,
+                const std::string& about, Duration interval) {
     std::optional<TimePoint> first, last;
     for (const WideModule& module : modules) {
         const auto samples = module.history().keptSince();
@@ -207,7 +220,7 @@ void appendEven(std::string& out, const std::vector<WideModule>& modules, TimePo
         appendTime(out, step * interval);
         for (const WideModule& module : modules)
             module.appendAt(out, zero + step * interval);
-        out += '\n';
+        out += about;
     }
 }
 
@@ -227,14 +240,17 @@ std::string wideRecordingOf(const RecordingHeader& header, const History& histor
         modules.emplace_back(told != header.modules.end() ? *told : RecordingModule{index, {}, {}, {}, {}},
                              samples, history);
     }
-    std::string out = "time_s";
+    std::string out(kWideTime);
     for (const WideModule& module : modules)
         module.appendNames(out);
-    out += '\n';
+    const std::string names = aboutNames(header);
+    out += names + '\n';
+    const auto columns = static_cast<std::size_t>(std::count(names.begin(), names.end(), ','));
+    const std::string about = std::string(columns, ',') + '\n';
     if (interval > Duration::zero())
-        appendEven(out, modules, header.zero, interval);
+        appendEven(out, modules, header.zero, about, interval);
     else
-        appendSparse(out, modules, header.zero);
+        appendSparse(out, modules, header.zero, about);
     return out;
 }
 

@@ -9,7 +9,8 @@
 
 namespace nmc {
 
-std::string frequencyCsv(std::span<const FrequencyPoint> points) {
+std::string frequencyCsv(const RecordingHeader& origin, std::string_view module,
+                         std::span<const FrequencyPoint> points) {
     std::vector<std::complex<double>> closed;
     std::vector<std::complex<double>> open;
     for (const FrequencyPoint& point : points) {
@@ -18,7 +19,10 @@ std::string frequencyCsv(std::span<const FrequencyPoint> points) {
     }
     const std::vector<double> closedPhases = phases(closed);
     const std::vector<double> openPhases = phases(open);
-    std::string out = "frequency_hz,closed_db,closed_deg,closed_doubt,open_db,open_deg\n";
+    std::string out = "# NMC Panel frequency response 1\n";
+    appendOrigin(out, origin);
+    out.append("# module: ").append(module) +=
+        "\nfrequency_hz,closed_db,closed_deg,closed_doubt,open_db,open_deg\n";
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (const double value :
              {points[i].hertz, decibels(closed[i]), closedPhases[i], points[i].doubt, decibels(open[i])}) {

@@ -3,15 +3,24 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "model/frequency/frequencypoint.h"
+#include "model/recording/recording.h"
 
 namespace nmc {
 
 /// For spreadsheets: one row per frequency, magnitudes in dB, phases in degrees; the C locale whatever the
-/// user's, line feeds:
+/// user's, line feeds. `origin`: its modules are not told, but the one that was measured, by its name.
 ///
+///     # NMC Panel frequency response 1
+///     # program: NMC Panel 0.6.0
+///     # started: 2026-11-21T21:21:02.123+01:00
+///     # port: simulator
+///     # simulated: yes (no real motor moved)
+///     # module: Module 1
 ///     frequency_hz,closed_db,closed_deg,closed_doubt,open_db,open_deg
-[[nodiscard]] std::string frequencyCsv(std::span<const FrequencyPoint> points);
+[[nodiscard]] std::string frequencyCsv(const RecordingHeader& origin, std::string_view module,
+                                       std::span<const FrequencyPoint> points);
 
 }  // namespace nmc
