@@ -46,6 +46,7 @@ struct ModuleOptions {
     bool unpaced = false;      ///< replies take no wire time
     bool deafWhenAddressInputRises = false;
     MotorParameters motor{};  ///< of a PIC-SERVO
+    std::uint64_t seed = 1;   ///< of the noise of its encoder, with its index
 };
 
 /// What every NMC chip has, whatever it drives: UART and receive buffer, address and group, the daisy-chained

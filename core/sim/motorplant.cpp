@@ -91,6 +91,16 @@ void MotorPlant::setParameters(const MotorParameters& p) {
     m_coastGain = coast[1][4];
     m_coastTravel = coast[2][1];
     m_coastTravelGain = coast[2][4];
+
+    constexpr double kDampingRatio = 0.02;
+    const double second = p.elasticInertiaKgM2;
+    const double reduced = second * p.inertiaKgM2 / (second + p.inertiaKgM2);
+    const double swing = 2.0 * std::numbers::pi * p.resonanceHz;
+    m_elastic.stiffness = swing * swing * reduced;
+    m_elastic.damping = 2.0 * kDampingRatio * swing * reduced;
+    if (second == 0.0)
+        m_elastic = {};
+    m_loadNm = p.loadNm;
     keepWithinTravel();
 }
 
@@ -102,16 +112,45 @@ void MotorPlant::hold(bool held) {
 
 void MotorPlant::advanceTick(double pwm, bool bridgeEnabled) {
     if (!bridgeEnabled) {
-        for (int i = 0; i < kSubsteps && !atRest(); ++i)
+        for (int i = 0; i < kSubsteps && !atRest(); ++i) {
+            twist();
             substepOpen();
+            swing();
+        }
         return;
     }
     const double magnitude = std::max(0.0, std::abs(pwm) - m_parameters.amplifierDeadbandPwm);
     const double volts = (pwm < 0 ? -magnitude : magnitude) * m_voltsPerPwm;
     if (magnitude == 0.0 && atRest())
         return;
-    for (int i = 0; i < kSubsteps; ++i)
+    for (int i = 0; i < kSubsteps; ++i) {
+        twist();
         substepClosed(volts);
+        swing();
+    }
+}
+
+void MotorPlant::twist() {
+    if (m_parameters.elasticInertiaKgM2 == 0.0)
+        return;
+    const double faster = m_state.radPerSecond - m_elastic.radPerSecond;
+    m_elastic.twist += 0.5 * kSubstepSeconds * faster;
+    m_loadNm = m_parameters.loadNm + m_elastic.stiffness * m_elastic.twist + m_elastic.damping * faster;
+}
+
+/// The second mass takes what the spring has given in this sub-step.
+void MotorPlant::swing() {
+    constexpr double kNoRadPerSecond = 1e-6;
+    const double second = m_parameters.elasticInertiaKgM2;
+    if (second == 0.0)
+        return;
+    m_elastic.radPerSecond += (m_loadNm - m_parameters.loadNm) / second * kSubstepSeconds;
+    m_elastic.twist += 0.5 * kSubstepSeconds * (m_state.radPerSecond - m_elastic.radPerSecond);
+    // By the energy of both, the spring's as the speed that it would give the mass.
+    const double energy = m_elastic.radPerSecond * m_elastic.radPerSecond +
+                          m_elastic.stiffness / second * m_elastic.twist * m_elastic.twist;
+    if (m_state.radPerSecond == 0.0 && energy < kNoRadPerSecond * kNoRadPerSecond)
+        m_elastic.twist = m_elastic.radPerSecond = 0.0;
 }
 
 MotorPlant::State MotorPlant::solved(double volts, double torque) const {
@@ -129,7 +168,7 @@ void MotorPlant::substepClosed(double volts) {
         substepAtRest(m_state.amperes * m_stalledDecay + volts * m_stalledGain, volts);
         return;
     }
-    State next = solved(volts, -p.loadNm - p.coulombNm * signOf(before));
+    State next = solved(volts, -m_loadNm - p.coulombNm * signOf(before));
     if (before * next.radPerSecond <= 0.0)
         reverse(before, next);
     m_state = next;
@@ -139,9 +178,9 @@ void MotorPlant::substepClosed(double volts) {
 /// The shaft stands: dry friction takes whatever torque there is, up to its limit.
 void MotorPlant::substepAtRest(double nextAmperes, double volts) {
     const MotorParameters& p = m_parameters;
-    const double torque = p.motorConstant * nextAmperes - p.loadNm;
+    const double torque = p.motorConstant * nextAmperes - m_loadNm;
     if (!m_held && std::abs(torque) > p.coulombNm && !isStopped(torque)) {
-        const State next = solved(volts, -p.loadNm - p.coulombNm * signOf(torque));
+        const State next = solved(volts, -m_loadNm - p.coulombNm * signOf(torque));
         // Within the sub-step in which it breaks away, friction may still have been the stronger on the
         // whole.
         if (next.radPerSecond * torque > 0.0) {
@@ -160,7 +199,7 @@ void MotorPlant::reverse(double speedBefore, State& next) const {
     const double share = change == 0.0 ? 1.0 : speedBefore / change;
     const double rest = (1.0 - share) * kSubstepSeconds;
     const double amperes = m_state.amperes + share * (next.amperes - m_state.amperes);
-    const double torque = p.motorConstant * amperes - p.loadNm;
+    const double torque = p.motorConstant * amperes - m_loadNm;
     next.radPerSecond = std::abs(torque) <= p.coulombNm
                             ? 0.0
                             : (torque - p.coulombNm * signOf(torque)) / p.inertiaKgM2 * rest;
@@ -173,9 +212,9 @@ void MotorPlant::substepOpen() {
     const MotorParameters& p = m_parameters;
     m_state.amperes = 0.0;
     const double before = m_state.radPerSecond;
-    if (m_held || (before == 0.0 && std::abs(p.loadNm) <= p.coulombNm))
+    if (m_held || (before == 0.0 && std::abs(m_loadNm) <= p.coulombNm))
         return;
-    const double torque = -p.loadNm - p.coulombNm * signOf(before == 0.0 ? -p.loadNm : before);
+    const double torque = -m_loadNm - p.coulombNm * signOf(before == 0.0 ? -m_loadNm : before);
     State next{0.0, m_coastDecay * before + m_coastGain * torque,
                m_state.counts + m_coastTravel * before + m_coastTravelGain * torque};
     if (before * next.radPerSecond < 0.0)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace nmc::sim {
 
@@ -24,6 +26,12 @@ public:
 
     /// 0 <= result < 1.
     double unit() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
+
+    /// Normally distributed about 0, standard deviation 1 (Box and Muller).
+    double normal() {
+        const double radius = std::sqrt(-2.0 * std::log(1.0 - unit()));
+        return radius * std::cos(2.0 * std::numbers::pi * unit());
+    }
 
 private:
     std::uint64_t m_state;

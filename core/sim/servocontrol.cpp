@@ -23,6 +23,7 @@ std::string_view toText(ServoMode mode) {
 void ServoLoop::reset() {
     ServoLoop fresh(m_version);
     fresh.m_plant = m_plant;
+    fresh.m_noise = m_noise;
     fresh.m_encoderShaft = m_encoderShaft;
     // The counter starts from 0 wherever the shaft stands.
     fresh.m_encoder = m_encoder;
@@ -259,6 +260,13 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::Load:
         case Input::Inertia:
         case Input::Friction:
+        case Input::Play:
+        case Input::CountsPerTurn:
+        case Input::Deadband:
+        case Input::Gain:
+        case Input::EncoderNoise:
+        case Input::ElasticInertia:
+        case Input::Resonance:
         case Input::TravelMin:
         case Input::TravelMax:
             setLoad(input, value);
@@ -316,6 +324,20 @@ void ServoLoop::setLoad(Input input, std::optional<double> value) {
         p.inertiaKgM2 = value.value_or(p.inertiaKgM2);
     if (input == Input::Friction)
         p.coulombNm = value.value_or(p.coulombNm);
+    if (input == Input::Play)
+        p.playCounts = static_cast<std::int64_t>(value.value_or(0.0));
+    if (input == Input::CountsPerTurn)
+        p.countsPerTurn = value.value_or(p.countsPerTurn);
+    if (input == Input::Deadband)
+        p.amplifierDeadbandPwm = static_cast<int>(value.value_or(0.0));
+    if (input == Input::Gain)
+        p.setGain(value.value_or(p.gain()));
+    if (input == Input::EncoderNoise)
+        p.encoderNoiseCounts = value.value_or(0.0);
+    if (input == Input::ElasticInertia)
+        p.elasticInertiaKgM2 = value.value_or(0.0);
+    if (input == Input::Resonance)
+        p.resonanceHz = value.value_or(p.resonanceHz);
     if (input == Input::TravelMin)
         p.travelMinCounts = value.value_or(-kInfinity);
     if (input == Input::TravelMax)

@@ -16,7 +16,7 @@ void ServoLoop::run(std::uint64_t ticks) {
 void ServoLoop::tick() {
     m_plant.advanceTick(static_cast<double>(m_pwm) / pwmSteps(), m_ampEnabled && isPowered());
     m_encoderShaft = std::clamp(m_encoderShaft, m_plant.shaft() - motor().playCounts, m_plant.shaft());
-    m_encoder.read(m_encoderShaft);
+    m_encoder.read(m_encoderShaft + encoderNoise());
     m_tripped = false;
     limitCurrent();
     if (undervoltage() && (m_servoOn || m_magnitude != 0))
@@ -31,7 +31,13 @@ void ServoLoop::tick() {
     if (m_homing.inProgress())
         watchHome();
     m_quiet = !m_servoOn && m_pwm == 0 && m_velocity == 0 && m_adjustment == 0 && !m_limiting &&
-              m_pulses == 0 && m_lastServoPosition == m_encoder.position() && m_plant.atRest();
+              m_pulses == 0 && motor().encoderNoiseCounts == 0.0 &&
+              m_lastServoPosition == m_encoder.position() && m_plant.atRest();
+}
+
+std::int64_t ServoLoop::encoderNoise() {
+    const double rms = motor().encoderNoiseCounts;
+    return rms == 0.0 ? 0 : std::llround(rms * m_noise.normal());
 }
 
 void ServoLoop::servoTick() {
@@ -194,14 +200,11 @@ ServoSnapshot ServoLoop::snapshot() const {
     s.limit2 = limitPin(1);
     s.index = indexPin();
     s.limitsAutomatic = m_limitsAutomatic;
-    const MotorParameters& motor = m_plant.parameters();
-    s.loadNm = motor.loadNm;
-    s.inertiaKgM2 = motor.inertiaKgM2;
-    s.frictionNm = motor.coulombNm;
-    if (std::isfinite(motor.travelMinCounts))
-        s.travelMin = motor.travelMinCounts;
-    if (std::isfinite(motor.travelMaxCounts))
-        s.travelMax = motor.travelMaxCounts;
+    s.motor = motor();
+    if (std::isfinite(s.motor.travelMinCounts))
+        s.travelMin = s.motor.travelMinCounts;
+    if (std::isfinite(s.motor.travelMaxCounts))
+        s.travelMax = s.motor.travelMaxCounts;
     s.gains = m_gains;
     if (isLater())
         s.later = laterSnapshot();

@@ -10,6 +10,7 @@
 #include "sim/path.h"
 #include "sim/pid.h"
 #include "sim/profile.h"
+#include "sim/random.h"
 #include "sim/snapshot.h"
 
 namespace nmc::sim {
@@ -109,8 +110,11 @@ public:
 
     /// The value must be in the range that Input states.
     void set(Input input, std::optional<double> value);
-    /// In place of the usual one.
-    void setMotor(const MotorParameters& motor) { m_plant.setParameters(motor); }
+    /// In place of the usual one; `seed` is of its encoder's noise.
+    void setMotor(const MotorParameters& motor, std::uint64_t seed = 1) {
+        m_plant.setParameters(motor);
+        m_noise = Random(seed);
+    }
     /// Something holds the shaft where it is.
     void holdShaft(bool held);
     /// The encoder's channels are exchanged.
@@ -129,6 +133,7 @@ private:
 
     [[nodiscard]] LaterServoSnapshot laterSnapshot() const;
     void tick();
+    [[nodiscard]] std::int64_t encoderNoise();
     void servoTick();
     void stepProfile();
     void startPwm();
@@ -159,6 +164,7 @@ private:
     std::uint8_t m_version;
     MotorPlant m_plant;
     std::int64_t m_encoderShaft = 0;  ///< counts, behind the shaft by at most the play
+    Random m_noise{1};
     Encoder m_encoder;
     Profile m_profile;
     Path m_path;

@@ -13,7 +13,7 @@ public:
     ServoModule(ModuleIdentity identity, std::uint8_t index, const ModuleOptions& options,
                 ViolationLog& violations)
         : Module(identity, index, options, violations), m_loop(identity.version) {
-        m_loop.setMotor(options.motor);
+        m_loop.setMotor(options.motor, options.seed + index);
     }
 
     void set(Input input, std::optional<double> value, unsigned) override { m_loop.set(input, value); }

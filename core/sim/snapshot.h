@@ -9,6 +9,7 @@
 #include "base/time.h"
 #include "protocol/moduletype.h"
 #include "sim/homing.h"
+#include "sim/motorplant.h"
 #include "sim/pid.h"
 #include "sim/stepperparameters.h"
 
@@ -59,9 +60,7 @@ struct ServoSnapshot {
     bool limit2 = false;
     bool index = false;
     bool limitsAutomatic = false;  ///< the limit pins follow the travel
-    double loadNm = 0;
-    double inertiaKgM2 = 0;
-    double frictionNm = 0;
+    MotorParameters motor;
     std::optional<double> travelMin;  ///< hard stops, in shaft counts
     std::optional<double> travelMax;
     Gains gains;
@@ -150,18 +149,26 @@ struct ModuleSnapshot {
 
 /// What `set` can change from outside (simulator.md, Control).
 enum class Input : std::uint8_t {
-    Limit1,        ///< 0 or 1
-    Limit2,        ///< 0 or 1
-    Index,         ///< 0 or 1, until the shaft moves on
-    Power,         ///< 0 or 1
-    Analog,        ///< 0..255; nothing: the motor's current (servo only)
-    Load,          ///< N·m
-    Inertia,       ///< kg·m², > 0
-    Friction,      ///< N·m, >= 0
-    TravelMin,     ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: none
-    TravelMax,     ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: none
-    Limits,        ///< 1: the limit pins follow travel_min and travel_max, 0: they are set
-    ServoOverrun,  ///< 1: as if a tick had taken too long
+    Limit1,    ///< 0 or 1
+    Limit2,    ///< 0 or 1
+    Index,     ///< 0 or 1, until the shaft moves on
+    Power,     ///< 0 or 1
+    Analog,    ///< 0..255; nothing: the motor's current (servo only)
+    Load,      ///< N·m
+    Inertia,   ///< kg·m², > 0
+    Friction,  ///< N·m, >= 0
+    // Of a servo only, with the three before them and Analog's nothing.
+    Play,            ///< counts, >= 0
+    CountsPerTurn,   ///< of the encoder, > 0
+    Deadband,        ///< PWM counts of the amplifier, 0..254
+    Gain,            ///< counts per second for a PWM count, > 0
+    EncoderNoise,    ///< counts rms, >= 0
+    ElasticInertia,  ///< kg·m² of a second mass on a spring, >= 0
+    Resonance,       ///< Hz of shaft and second mass, > 0
+    TravelMin,       ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: none
+    TravelMax,       ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: none
+    Limits,          ///< 1: the limit pins follow travel_min and travel_max, 0: they are set
+    ServoOverrun,    ///< 1: as if a tick had taken too long
     // Of a stepper only. It has Limit1, Limit2, Power, Analog and the travel too, and none of the others.
     Estop,         ///< 0 or 1
     In1,           ///< 0 or 1

@@ -51,6 +51,13 @@ void StepperMachine::set(Input input, std::optional<double> value) {
         case Input::Load:
         case Input::Inertia:
         case Input::Friction:
+        case Input::Play:
+        case Input::CountsPerTurn:
+        case Input::Deadband:
+        case Input::Gain:
+        case Input::EncoderNoise:
+        case Input::ElasticInertia:
+        case Input::Resonance:
         case Input::ServoOverrun:
         case Input::Pulses:
         case Input::VoltSense:

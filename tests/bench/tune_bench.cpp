@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unknown motors: found from three steps each, given gains, and these tried on the motor (issue 16, C).
+// Unknown motors in unknown machines: found from three steps each, given gains, and these tried on the motor
+// (issue 16, C).
 //   tune_bench [MOTORS [SEED [ONLY]]]    ONLY: the number of one motor
 #include <algorithm>
 #include <cmath>
@@ -100,7 +101,7 @@ int main(int argc, char** argv) {
         overshoot;
     std::vector<double> identifySeconds, suggestSeconds, ratios, gainOff, tauOff, overshootOff;
     for (int i = 0; i < motors; ++i) {
-        const sim::MotorParameters motor = unknownMotor(random);
+        const sim::MotorParameters motor = unknownMachine(random);
         const std::uint64_t seed = random.next();
         if (only >= 0 && i != only)
             continue;

@@ -226,7 +226,7 @@ TEST(Terminal, AControlLineThatIsTooLongIsRefusedAsAWhole) {
     Host host;
     // Whatever part of it is read by itself, the end would set the load.
     for (const std::size_t blanks : {4'096U, 5'000U, 70'000U}) {
-        const auto answer = host.sim.control("stats" + std::string(blanks, ' ') + "\rset 1 load 0.02");
+        auto answer = host.sim.control("stats" + std::string(blanks, ' ') + "\rset 1 load 0.02");
         EXPECT_EQ(answer["error"], "too long a line; allowed are 4096 bytes") << blanks;
         EXPECT_EQ(host.sim.state(1)["load"], 0.0);
     }

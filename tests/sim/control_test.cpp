@@ -296,8 +296,9 @@ TEST_F(Control, ANameOfTheOtherKindOfModuleIsAnErrorThatNamesWhatIsAllowed) {
     EXPECT_THAT(errorOf("set 2 analog auto"), HasSubstr("0 to 255"));
     for (const char* line : {"set 1 estop 1", "set 1 in1 1", "set 1 home_switch 1", "set 1 home_switch_at 5"})
         EXPECT_THAT(errorOf(line), HasSubstr("allowed are limit1, limit2, index, power, analog, load, "
-                                             "inertia, friction, travel_min, travel_max, limits, "
-                                             "servo_overrun"));
+                                             "inertia, friction, play, counts_per_turn, deadband, gain, "
+                                             "encoder_noise, elastic_inertia, resonance, travel_min, "
+                                             "travel_max, limits, servo_overrun"));
 }
 
 TEST_F(Control, PinsAndAdInputsOfAPicIoHaveNumbers) {

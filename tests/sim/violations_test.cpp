@@ -96,8 +96,9 @@ TEST_F(Violations, WaitingHalfAMillisecondBehindAGroupCommandIsEnough) {
 }
 
 TEST_F(Violations, ASecondCommandBeforeTheFirstIsExecutedOverwritesIt) {
-    wire.gains(gainData(0, 0, 0, 0, 0, 0, 0, 2, 0));  // at half the servo rate 250 kBd are no violation
-    wire.command(0xFF, 0x1A, {4});                    // a command takes 160 us
+    // At half the servo rate 250 kBd are no violation; a command takes 160 us.
+    wire.gains(gainData(0, 0, 0, 0, 0, 0, 0, 2, 0), 0xFF);
+    wire.command(0xFF, 0x1A, {4});
     wire.chain.setHostBaud(250'000);
     for (int i = 0; i < 20 && wire.violations().empty(); ++i) {
         Bytes two = packet(1, 0x12, {0x20});

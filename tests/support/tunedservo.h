@@ -19,18 +19,21 @@
 namespace nmc::testing_support {
 
 /// What the motor's physics make of it: K = V / 255 / k in counts, tau = J R / k^2, c = M R / k in PWM counts
-/// (viscous friction left out: below a permille here).
+/// (viscous friction left out: below a permille here). A second mass is part of J, since below its resonance
+/// it swings along; the amplifier's deadband D adds to c, and the PWM counts above it are worth the more.
 [[nodiscard]] inline MotorConstants physics(const sim::MotorParameters& p) {
-    const double pwmPerNm = p.resistanceOhm / p.motorConstant * 255 / p.supplyVolts;
-    return {p.supplyVolts / 255 / p.motorConstant * p.countsPerTurn / (2 * std::numbers::pi),
-            p.inertiaKgM2 * p.resistanceOhm / (p.motorConstant * p.motorConstant), p.coulombNm * pwmPerNm,
-            -p.loadNm * pwmPerNm, p.inductanceHenry / p.resistanceOhm};
+    const double voltsPerPwm = p.supplyVolts / (255 - p.amplifierDeadbandPwm);
+    const double pwmPerNm = p.resistanceOhm / p.motorConstant / voltsPerPwm;
+    return {voltsPerPwm / p.motorConstant * p.countsPerTurn / (2 * std::numbers::pi),
+            (p.inertiaKgM2 + p.elasticInertiaKgM2) * p.resistanceOhm / (p.motorConstant * p.motorConstant),
+            p.coulombNm * pwmPerNm + p.amplifierDeadbandPwm, -p.loadNm * pwmPerNm,
+            p.inductanceHenry / p.resistanceOhm};
 }
 
 class TunedServo {
 public:
     TunedServo(const sim::MotorParameters& motor, const servo::SetGain& gains, std::uint64_t seed)
-        : m_plant(motor), m_random(seed) {
+        : m_plant(motor), m_random(seed), m_noise(seed + 1), m_backlash(motor.playCounts) {
         setGains(gains);
     }
 
@@ -90,7 +93,8 @@ private:
     void tick() {
         m_plant.advanceTick(m_pwm, m_power);
         m_driven = std::clamp(m_driven, m_plant.shaft() - m_backlash, m_plant.shaft());
-        m_encoder.read(m_driven);
+        const double noise = m_plant.parameters().encoderNoiseCounts;
+        m_encoder.read(m_driven + (noise > 0 ? std::llround(noise * m_noise.normal()) : 0));
         if (--m_untilServo > 0)
             return;
         m_untilServo = m_gains.sr;
@@ -107,7 +111,8 @@ private:
     sim::Gains m_gains;
     servo::SetGain m_set;
     sim::Random m_random;
-    std::int64_t m_backlash = 0;
+    sim::Random m_noise;
+    std::int64_t m_backlash;
     std::int64_t m_driven = 0;  ///< counts, what the encoder sits on
     std::int32_t m_command = 0;
     int m_pwm = 0;

@@ -24,6 +24,21 @@ namespace nmc::testing_support {
     return motor;
 }
 
+/// Such a motor in a machine: every other one has a play of 1 to 3 counts, an amplifier with a deadband of up
+/// to 12 PWM counts, an encoder that is off by up to 0.4 counts rms, a supply for a third to three times the
+/// gain, or on a spring up to half of its inertia once more, at 60 to 400 Hz.
+[[nodiscard]] inline sim::MotorParameters unknownMachine(sim::Random& random) {
+    sim::MotorParameters motor = unknownMotor(random);
+    const auto half = [&random] { return random.below(2) == 0; };
+    motor.playCounts = half() ? 1 + static_cast<std::int64_t>(random.below(3)) : 0;
+    motor.amplifierDeadbandPwm = half() ? static_cast<int>(random.below(13)) : 0;
+    motor.encoderNoiseCounts = half() ? 0.4 * random.unit() : 0.0;
+    motor.setGain(motor.gain() * (half() ? std::pow(9, random.unit()) / 3 : 1.0));
+    motor.elasticInertiaKgM2 = half() ? 0.5 * random.unit() * motor.inertiaKgM2 : 0.0;
+    motor.resonanceHz = 60 + 340 * random.unit();
+    return motor;
+}
+
 /// Those that a motor is begun with, then, as a person would if it swings or stays far off, more damping.
 [[nodiscard]] inline std::array<servo::SetGain, 4> gainsToTry() {
     const auto gains = [](std::uint16_t kp, std::uint16_t kd, std::uint16_t ki, std::uint16_t il) {
