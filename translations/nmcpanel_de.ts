@@ -824,18 +824,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>von 255</translation>
     </message>
     <message>
-        <source>One row per reply (*.csv)</source>
-        <translation>Eine Zeile je Antwort (*.csv)</translation>
-    </message>
-    <message>
-        <source>One column per signal (*.csv)</source>
-        <translation>Eine Spalte je Signal (*.csv)</translation>
-    </message>
-    <message>
-        <source>One column per signal, every millisecond (*.csv)</source>
-        <translation>Eine Spalte je Signal, jede Millisekunde (*.csv)</translation>
-    </message>
-    <message>
         <source>A/D 2</source>
         <translation>A/D 2</translation>
     </message>
@@ -862,6 +850,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>counts/s</source>
         <translation>Zählwerte/s</translation>
+    </message>
+    <message>
+        <source>One row per reply, can be reopened here (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One column per signal, for other programs only (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4617,6 +4617,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
         <translation>Der Servotakt-Teiler SR dieses Moduls ist unbekannt, und damit jede Geschwindigkeit pro Sekunde. Zuerst seine Reglerwerte anwenden: SR gehört dazu.</translation>
     </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>%1 s old</source>
+        <translation type="unfinished">%1 s alt</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation type="unfinished">veraltet</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5525,10 +5541,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>PC</translation>
     </message>
     <message>
-        <source>%1, address %2, %3, %4, position %5 %6</source>
-        <translation>%1, Adresse %2, %3, %4, Position %5 %6</translation>
-    </message>
-    <message>
         <source>%1/s</source>
         <translation>%1/s</translation>
     </message>
@@ -5547,6 +5559,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 · looking for modules…</source>
         <translation>%1 · Module werden gesucht…</translation>
+    </message>
+    <message>
+        <source>%1, address %2, %3, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished">unbekannt</translation>
+    </message>
+    <message>
+        <source>%1, position %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9667,14 +9691,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Position unbekannt</translation>
     </message>
     <message>
-        <source>%1 s old</source>
-        <translation>%1 s alt</translation>
-    </message>
-    <message>
-        <source>out of date</source>
-        <translation>veraltet</translation>
-    </message>
-    <message>
         <source>%1, address %2</source>
         <translation>%1, Adresse %2</translation>
     </message>
@@ -9833,10 +9849,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Looking for modules… This is what it said last.</source>
         <translation>Module werden gesucht… Das ist der letzte gemeldete Stand.</translation>
-    </message>
-    <message>
-        <source>doubtful</source>
-        <translation>zweifelhaft</translation>
     </message>
 </context>
 <context>
@@ -11019,6 +11031,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Prints the visible plot on one of this computer&apos;s printers.</source>
         <translation>Druckt das sichtbare Diagramm auf einem Drucker dieses Rechners.</translation>
     </message>
+    <message>
+        <source>SIMULATOR, no real motor moved</source>
+        <translation type="unfinished">SIMULATOR, kein echter Motor bewegt</translation>
+    </message>
 </context>
 <context>
     <name>nmc::RowDelegate</name>
@@ -11231,10 +11247,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Messwerte (CSV)…</translation>
     </message>
     <message>
-        <source>All samples of all modules in the visible time. Can be reopened here.</source>
-        <translation>Jeder Messwert aller Module in der sichtbaren Zeit; lässt sich hier wieder öffnen.</translation>
-    </message>
-    <message>
         <source>&amp;Picture (PNG)…</source>
         <translation>&amp;Bild (PNG)…</translation>
     </message>
@@ -11289,6 +11301,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Prints the visible plot on one of this computer&apos;s printers.</source>
         <translation>Druckt das sichtbare Diagramm auf einem Drucker dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -824,18 +824,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>de 255</translation>
     </message>
     <message>
-        <source>One row per reply (*.csv)</source>
-        <translation>Una fila por respuesta (*.csv)</translation>
-    </message>
-    <message>
-        <source>One column per signal (*.csv)</source>
-        <translation>Una columna por señal (*.csv)</translation>
-    </message>
-    <message>
-        <source>One column per signal, every millisecond (*.csv)</source>
-        <translation>Una columna por señal, cada milisegundo (*.csv)</translation>
-    </message>
-    <message>
         <source>A/D 2</source>
         <translation>A/D 2</translation>
     </message>
@@ -862,6 +850,18 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>counts/s</source>
         <translation>cuentas/s</translation>
+    </message>
+    <message>
+        <source>One row per reply, can be reopened here (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One column per signal, for other programs only (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4617,6 +4617,22 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
         <translation>El ciclo de servo de este módulo se desconoce, y con él toda velocidad por segundo. Aplique primero sus ganancias: SR va con ellas.</translation>
     </message>
+    <message>
+        <source>doubtful</source>
+        <translation>dudosa</translation>
+    </message>
+    <message>
+        <source>%1 s old</source>
+        <translation type="unfinished">hace %1 s</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation type="unfinished">desactualizado</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5525,10 +5541,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>PC</translation>
     </message>
     <message>
-        <source>%1, address %2, %3, %4, position %5 %6</source>
-        <translation>%1, dirección %2, %3, %4, posición %5 %6</translation>
-    </message>
-    <message>
         <source>%1/s</source>
         <translation>%1/s</translation>
     </message>
@@ -5547,6 +5559,18 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>%1 · looking for modules…</source>
         <translation>%1 · buscando módulos…</translation>
+    </message>
+    <message>
+        <source>%1, address %2, %3, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished">desconocido</translation>
+    </message>
+    <message>
+        <source>%1, position %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9667,14 +9691,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Posición desconocida</translation>
     </message>
     <message>
-        <source>%1 s old</source>
-        <translation>hace %1 s</translation>
-    </message>
-    <message>
-        <source>out of date</source>
-        <translation>desactualizado</translation>
-    </message>
-    <message>
         <source>%1, address %2</source>
         <translation>%1, dirección %2</translation>
     </message>
@@ -9833,10 +9849,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Looking for modules… This is what it said last.</source>
         <translation>Buscando módulos… Esto es lo último que dijo.</translation>
-    </message>
-    <message>
-        <source>doubtful</source>
-        <translation>dudosa</translation>
     </message>
 </context>
 <context>
@@ -11019,6 +11031,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Prints the visible plot on one of this computer&apos;s printers.</source>
         <translation>Imprime la gráfica visible en una de las impresoras de este equipo.</translation>
     </message>
+    <message>
+        <source>SIMULATOR, no real motor moved</source>
+        <translation type="unfinished">SIMULADOR, no se movió ningún motor real</translation>
+    </message>
 </context>
 <context>
     <name>nmc::RowDelegate</name>
@@ -11231,10 +11247,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Mue&amp;stras (CSV)…</translation>
     </message>
     <message>
-        <source>All samples of all modules in the visible time. Can be reopened here.</source>
-        <translation>Todas las muestras de todos los módulos en el tiempo visible. Se pueden volver a abrir aquí.</translation>
-    </message>
-    <message>
         <source>&amp;Picture (PNG)…</source>
         <translation>I&amp;magen (PNG)…</translation>
     </message>
@@ -11289,6 +11301,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Prints the visible plot on one of this computer&apos;s printers.</source>
         <translation>Imprime la gráfica visible en una de las impresoras de este equipo.</translation>
+    </message>
+    <message>
+        <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -824,18 +824,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>sur 255</translation>
     </message>
     <message>
-        <source>One row per reply (*.csv)</source>
-        <translation>Une ligne par réponse (*.csv)</translation>
-    </message>
-    <message>
-        <source>One column per signal (*.csv)</source>
-        <translation>Une colonne par signal (*.csv)</translation>
-    </message>
-    <message>
-        <source>One column per signal, every millisecond (*.csv)</source>
-        <translation>Une colonne par signal, toutes les millisecondes (*.csv)</translation>
-    </message>
-    <message>
         <source>A/D 2</source>
         <translation>A/D 2</translation>
     </message>
@@ -862,6 +850,18 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>counts/s</source>
         <translation>incr./s</translation>
+    </message>
+    <message>
+        <source>One row per reply, can be reopened here (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One column per signal, for other programs only (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4617,6 +4617,22 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
         <translation>La cadence servo de ce module est inconnue, donc toute vitesse par seconde aussi. Appliquez d’abord ses gains : SR en fait partie.</translation>
     </message>
+    <message>
+        <source>doubtful</source>
+        <translation>douteuse</translation>
+    </message>
+    <message>
+        <source>%1 s old</source>
+        <translation type="unfinished">il y a %1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation type="unfinished">périmée</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5525,10 +5541,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>PC</translation>
     </message>
     <message>
-        <source>%1, address %2, %3, %4, position %5 %6</source>
-        <translation>%1, adresse %2, %3, %4, position %5 %6</translation>
-    </message>
-    <message>
         <source>%1/s</source>
         <translation>%1/s</translation>
     </message>
@@ -5547,6 +5559,18 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1 · looking for modules…</source>
         <translation>%1 · recherche des modules…</translation>
+    </message>
+    <message>
+        <source>%1, address %2, %3, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished">inconnu</translation>
+    </message>
+    <message>
+        <source>%1, position %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9667,14 +9691,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Position inconnue</translation>
     </message>
     <message>
-        <source>%1 s old</source>
-        <translation>il y a %1&#xa0;s</translation>
-    </message>
-    <message>
-        <source>out of date</source>
-        <translation>périmée</translation>
-    </message>
-    <message>
         <source>%1, address %2</source>
         <translation>%1, adresse %2</translation>
     </message>
@@ -9833,10 +9849,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Looking for modules… This is what it said last.</source>
         <translation>Recherche des modules… Voici ce qu’il a indiqué en dernier.</translation>
-    </message>
-    <message>
-        <source>doubtful</source>
-        <translation>douteuse</translation>
     </message>
 </context>
 <context>
@@ -11019,6 +11031,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Prints the visible plot on one of this computer&apos;s printers.</source>
         <translation>Imprime le graphique visible sur l’une des imprimantes de cet ordinateur.</translation>
     </message>
+    <message>
+        <source>SIMULATOR, no real motor moved</source>
+        <translation type="unfinished">SIMULATEUR, aucun moteur réel n’a bougé</translation>
+    </message>
 </context>
 <context>
     <name>nmc::RowDelegate</name>
@@ -11231,10 +11247,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Échantillon&amp;s (CSV)…</translation>
     </message>
     <message>
-        <source>All samples of all modules in the visible time. Can be reopened here.</source>
-        <translation>Tous les échantillons de tous les modules dans le temps visible. Le fichier peut être rouvert ici.</translation>
-    </message>
-    <message>
         <source>&amp;Picture (PNG)…</source>
         <translation>&amp;Image (PNG)…</translation>
     </message>
@@ -11289,6 +11301,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Prints the visible plot on one of this computer&apos;s printers.</source>
         <translation>Imprime le graphique visible sur l’une des imprimantes de cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

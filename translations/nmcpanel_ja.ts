@@ -823,18 +823,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>/ 255</translation>
     </message>
     <message>
-        <source>One row per reply (*.csv)</source>
-        <translation>応答ごとに1行 (*.csv)</translation>
-    </message>
-    <message>
-        <source>One column per signal (*.csv)</source>
-        <translation>信号ごとに1列 (*.csv)</translation>
-    </message>
-    <message>
-        <source>One column per signal, every millisecond (*.csv)</source>
-        <translation>信号ごとに1列、1 msごと (*.csv)</translation>
-    </message>
-    <message>
         <source>A/D 2</source>
         <translation>A/D 2</translation>
     </message>
@@ -861,6 +849,18 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>counts/s</source>
         <translation>カウント/s</translation>
+    </message>
+    <message>
+        <source>One row per reply, can be reopened here (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One column per signal, for other programs only (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4601,6 +4601,22 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
         <translation>このモジュールのサーボレートが不明なため、1秒あたりの速度も不明です。先にゲインを適用してください。SRはゲインに含まれます。</translation>
     </message>
+    <message>
+        <source>doubtful</source>
+        <translation>疑わしい値</translation>
+    </message>
+    <message>
+        <source>%1 s old</source>
+        <translation type="unfinished">%1秒前</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation type="unfinished">古い値</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5509,10 +5525,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>PC</translation>
     </message>
     <message>
-        <source>%1, address %2, %3, %4, position %5 %6</source>
-        <translation>%1、アドレス%2、%3、%4、位置%5 %6</translation>
-    </message>
-    <message>
         <source>%1/s</source>
         <translation>%1/s</translation>
     </message>
@@ -5531,6 +5543,18 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>%1 · looking for modules…</source>
         <translation>%1 · モジュールを検索中…</translation>
+    </message>
+    <message>
+        <source>%1, address %2, %3, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished">不明</translation>
+    </message>
+    <message>
+        <source>%1, position %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9649,14 +9673,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>位置不明</translation>
     </message>
     <message>
-        <source>%1 s old</source>
-        <translation>%1秒前</translation>
-    </message>
-    <message>
-        <source>out of date</source>
-        <translation>古い値</translation>
-    </message>
-    <message>
         <source>%1, address %2</source>
         <translation>%1、アドレス%2</translation>
     </message>
@@ -9815,10 +9831,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Looking for modules… This is what it said last.</source>
         <translation>モジュールを検索中… これは最後に報告された状態です。</translation>
-    </message>
-    <message>
-        <source>doubtful</source>
-        <translation>疑わしい値</translation>
     </message>
 </context>
 <context>
@@ -11001,6 +11013,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Prints the visible plot on one of this computer&apos;s printers.</source>
         <translation>表示中のグラフを、このコンピューターのプリンターで印刷します。</translation>
     </message>
+    <message>
+        <source>SIMULATOR, no real motor moved</source>
+        <translation type="unfinished">シミュレーター：実際のモーターは動いていません</translation>
+    </message>
 </context>
 <context>
     <name>nmc::RowDelegate</name>
@@ -11212,10 +11228,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>サンプル (CSV)(&amp;S)…</translation>
     </message>
     <message>
-        <source>All samples of all modules in the visible time. Can be reopened here.</source>
-        <translation>表示時間内の全モジュールの全サンプルです。ここで開き直せます。</translation>
-    </message>
-    <message>
         <source>&amp;Picture (PNG)…</source>
         <translation>画像 (PNG)(&amp;P)…</translation>
     </message>
@@ -11270,6 +11282,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Prints the visible plot on one of this computer&apos;s printers.</source>
         <translation>表示中のグラフを、このコンピューターのプリンターで印刷します。</translation>
+    </message>
+    <message>
+        <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
