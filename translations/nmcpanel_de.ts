@@ -853,15 +853,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>One row per reply, can be reopened here (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile je Antwort, hier wieder zu öffnen (*.csv)</translation>
     </message>
     <message>
         <source>One column per signal, for other programs only (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Spalte je Signal, nur für andere Programme (*.csv)</translation>
     </message>
     <message>
         <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Spalte je Signal, jede Millisekunde, nur für andere Programme (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -4623,15 +4623,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 s old</source>
-        <translation type="unfinished">%1 s alt</translation>
+        <translation>%1 s alt</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished">veraltet</translation>
+        <translation>veraltet</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ hat eine Spalte je Signal, eine Form für andere Programme. Das Oszilloskop öffnet Dateien mit einer Zeile je Antwort.</translation>
     </message>
 </context>
 <context>
@@ -5562,15 +5562,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1, address %2, %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Adresse %2, %3, %4</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished">unbekannt</translation>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>%1, position %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Position %2</translation>
     </message>
 </context>
 <context>
@@ -11033,7 +11033,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>SIMULATOR, no real motor moved</source>
-        <translation type="unfinished">SIMULATOR, kein echter Motor bewegt</translation>
+        <translation>SIMULATOR, kein echter Motor bewegt</translation>
     </message>
 </context>
 <context>
@@ -11304,7 +11304,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Messwert aller Module in der sichtbaren Zeit. Eine Datei mit einer Zeile je Antwort lässt sich hier wieder öffnen; eine mit einer Spalte je Signal ist nur für andere Programme.</translation>
     </message>
 </context>
 <context>

@@ -853,15 +853,15 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>One row per reply, can be reopened here (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fila por respuesta, se puede volver a abrir aquí (*.csv)</translation>
     </message>
     <message>
         <source>One column per signal, for other programs only (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Una columna por señal, solo para otros programas (*.csv)</translation>
     </message>
     <message>
         <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Una columna por señal, cada milisegundo, solo para otros programas (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -4623,15 +4623,15 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>%1 s old</source>
-        <translation type="unfinished">hace %1 s</translation>
+        <translation>hace %1 s</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished">desactualizado</translation>
+        <translation>desactualizado</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1” tiene una columna por señal, una forma para otros programas. El osciloscopio abre archivos con una fila por respuesta.</translation>
     </message>
 </context>
 <context>
@@ -5562,15 +5562,15 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>%1, address %2, %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, dirección %2, %3, %4</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished">desconocido</translation>
+        <translation>desconocida</translation>
     </message>
     <message>
         <source>%1, position %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, posición %2</translation>
     </message>
 </context>
 <context>
@@ -11033,7 +11033,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>SIMULATOR, no real motor moved</source>
-        <translation type="unfinished">SIMULADOR, no se movió ningún motor real</translation>
+        <translation>SIMULADOR, no se movió ningún motor real</translation>
     </message>
 </context>
 <context>
@@ -11304,7 +11304,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas las muestras de todos los módulos en el tiempo visible. Un archivo con una fila por respuesta se puede volver a abrir aquí; con una columna por señal es solo para otros programas.</translation>
     </message>
 </context>
 <context>

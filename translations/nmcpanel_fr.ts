@@ -853,15 +853,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>One row per reply, can be reopened here (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Une ligne par réponse, peut être rouvert ici (*.csv)</translation>
     </message>
     <message>
         <source>One column per signal, for other programs only (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Une colonne par signal, uniquement pour d’autres programmes (*.csv)</translation>
     </message>
     <message>
         <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Une colonne par signal, toutes les millisecondes, uniquement pour d’autres programmes (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -4623,15 +4623,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1 s old</source>
-        <translation type="unfinished">il y a %1&#xa0;s</translation>
+        <translation>il y a %1 s</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished">périmée</translation>
+        <translation>périmée</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » a une colonne par signal, une forme pour d’autres programmes. L’oscilloscope ouvre les fichiers avec une ligne par réponse.</translation>
     </message>
 </context>
 <context>
@@ -5562,15 +5562,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1, address %2, %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, adresse %2, %3, %4</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished">inconnu</translation>
+        <translation>inconnue</translation>
     </message>
     <message>
         <source>%1, position %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, position %2</translation>
     </message>
 </context>
 <context>
@@ -11033,7 +11033,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>SIMULATOR, no real motor moved</source>
-        <translation type="unfinished">SIMULATEUR, aucun moteur réel n’a bougé</translation>
+        <translation>SIMULATEUR, aucun moteur réel n’a bougé</translation>
     </message>
 </context>
 <context>
@@ -11304,7 +11304,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tous les échantillons de tous les modules dans le temps visible. Un fichier avec une ligne par réponse peut être rouvert ici ; avec une colonne par signal, il est uniquement pour d’autres programmes.</translation>
     </message>
 </context>
 <context>

@@ -852,15 +852,15 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>One row per reply, can be reopened here (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>応答ごとに1行、ここで開き直せます (*.csv)</translation>
     </message>
     <message>
         <source>One column per signal, for other programs only (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>信号ごとに1列、ほかのプログラム専用 (*.csv)</translation>
     </message>
     <message>
         <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>信号ごとに1列、1 msごと、ほかのプログラム専用 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -4607,15 +4607,15 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1 s old</source>
-        <translation type="unfinished">%1秒前</translation>
+        <translation>%1秒前</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished">古い値</translation>
+        <translation>古い値</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」は信号ごとに1列で、ほかのプログラム用の形式です。スコープで開けるのは、応答ごとに1行のファイルです。</translation>
     </message>
 </context>
 <context>
@@ -5546,15 +5546,15 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>%1, address %2, %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、アドレス%2、%3、%4</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished">不明</translation>
+        <translation>不明</translation>
     </message>
     <message>
         <source>%1, position %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、位置%2</translation>
     </message>
 </context>
 <context>
@@ -11015,7 +11015,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>SIMULATOR, no real motor moved</source>
-        <translation type="unfinished">シミュレーター：実際のモーターは動いていません</translation>
+        <translation>シミュレーター：実際のモーターは動いていません</translation>
     </message>
 </context>
 <context>
@@ -11285,7 +11285,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
     <message>
         <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
-        <translation type="unfinished"></translation>
+        <translation>表示時間内の全モジュールの全サンプルです。応答ごとに1行のファイルはここで開き直せます。信号ごとに1列のファイルは、ほかのプログラム専用です。</translation>
     </message>
 </context>
 <context>
