@@ -345,9 +345,15 @@ void Discovery::onRecheck(const ReplyEnd& end) {
         const auto after = std::find_if(m_modules.begin(), m_modules.end(),
                                         [&](const ModuleInfo& m) { return address < m.address; });
         m_modules.insert(after, {{}, address, {}, GroupPlace{}});
+        m_recheckFound = true;
     }
-    if (m_unheard.empty())
-        endOfChain();
+    if (!m_unheard.empty())
+        return;
+    // Where one was silent and is there, the silence behind it was no end either.
+    if (!std::exchange(m_recheckFound, false))
+        return endOfChain();
+    m_unheardInRow = 0;
+    enter(Phase::Set);
 }
 
 void Discovery::onIdentity(const ReplyEnd& end) {

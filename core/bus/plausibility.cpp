@@ -58,6 +58,7 @@ struct Plausibility::Sent {
     void operator()(const stepper::LoadTrajectory&) const { p.m_motion.open(latched); }
     void operator()(const stepper::StopMotor&) const { p.m_motion.open(latched); }
     void operator()(const StartMotion&) const {
+        p.m_mayRun = runs(p.m_loaded);
         p.m_mayEnable = latched;
         p.m_motion.open(latched);
         p.jerk(latched, p.reachOf(p.m_loaded));
@@ -68,11 +69,13 @@ struct Plausibility::Sent {
             p.m_goal = load.position->value();
         if (!load.startNow)
             return;
+        p.m_mayRun = runs(load);
         p.m_mayEnable = latched;
         p.jerk(latched, p.reachOf(load));
     }
     void operator()(const servo::StopMotor& stop) const {
         p.m_mayEnable = latched;
+        p.m_mayRun = p.m_mayRun && stop.manner == servo::StopManner::AmplifierOnly;
         const bool known = stop.manner == servo::StopManner::Here && p.m_known.position;
         const double travelled = known ? std::abs(distance(*p.m_known.position, stop.here.value())) : 0.0;
         p.jerk(latched, 2 * travelled + kSwing);
@@ -89,6 +92,7 @@ struct Plausibility::Sent {
     void operator()(const servo::SetPosition&) const { p.m_position.open(latched); }
     /// A path knows no acceleration: from one point to the next it may go at another speed.
     void operator()(const servo::AddPathPoints& add) const {
+        p.m_mayRun = true;
         p.m_mayEnable = latched;
         double fastest = 0;  // counts per tick
         for (const unsigned word : add.words())
@@ -98,6 +102,9 @@ struct Plausibility::Sent {
     void operator()(const AnyOf<servo::ScIoControl, servo::HardReset> auto&) const {}
     void operator()(const io::OwnCommand auto&) const {}
 
+    [[nodiscard]] static bool runs(const servo::LoadTrajectory& load) {
+        return !load.servo || load.profile == servo::ProfileMode::Velocity;
+    }
     void homing() const {
         p.m_homing.open(latched);
         p.m_home.open(latched);
@@ -122,11 +129,10 @@ bool Plausibility::restsUntold(const Known& known, TimePoint at) const {
            m_divisor == 1;
 }
 
-/// A servo that is on switches off before its motor is that far from where it should be, on either side.
-double Plausibility::nudge(const Known& known, const StatusReport& report) const {
-    const bool on = known.aux && servo::AuxByte{*known.aux}.servoOn() &&
-                    (!report.aux || servo::AuxByte{*report.aux}.servoOn());
-    return on && m_errorLimit ? std::min(kNudge, 2.0 * *m_errorLimit + kMargin) : kNudge;
+/// At one place: it would have switched off before it got farther from there than EL, on either side.
+bool Plausibility::holds(const Known& known, const StatusReport& report) const {
+    return m_errorLimit && !m_mayRun && known.aux && servo::AuxByte{*known.aux}.servoOn() &&
+           (!report.aux || servo::AuxByte{*report.aux}.servoOn());
 }
 
 /// How far a motor may get from a straight line in so many ticks.
@@ -341,7 +347,11 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
         // Its own velocity is no witness for a reply that may be another module's.
         fast = slack;
         slow = -slack;
-        around = std::min(around, nudge(known, end.report));
+        around = std::min(around, kNudge);
+    }
+    if (rests && holds(known, end.report)) {
+        fast = slow = 0.0;
+        around = std::min(bend(end.latched, most), 2.0 * *m_errorLimit + kMargin);
     }
     const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - around;
     const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + around;

@@ -32,7 +32,7 @@ public:
     static constexpr double kSwing = 2000.0;
     /// How far a motor that stands still may be moved by a hand or its load before another reply has to say
     /// so too, in counts. Another module of its type can only be told from it by that.
-    static constexpr double kNudge = 512.0;
+    static constexpr double kNudge = 1024.0;
     /// Rounding, and a shaft that gives a little, in counts.
     static constexpr double kMargin = 16.0;
     /// Fastest stepper: 50 000 steps/s (DS-S 4.1), per tick.
@@ -89,7 +89,7 @@ private:
     [[nodiscard]] double reachOf(const servo::LoadTrajectory& load) const;
     [[nodiscard]] bool jerked(TimePoint at) const;
     [[nodiscard]] bool restsUntold(const Known& known, TimePoint at) const;
-    [[nodiscard]] double nudge(const Known& known, const StatusReport& report) const;
+    [[nodiscard]] bool holds(const Known& known, const StatusReport& report) const;
     [[nodiscard]] double bend(TimePoint at, double most) const;
     [[nodiscard]] static double unexplained(const Known& known, const ReplyEnd& end);
     void take(Known& known, const ReplyEnd& end) const;
@@ -114,8 +114,9 @@ private:
     /// The last command that may move the motor, until a reply from behind it shows that it stands.
     std::optional<TimePoint> m_told;
     std::optional<std::uint16_t> m_errorLimit;  ///< EL as sent last
-    std::optional<TimePoint> m_mayEnable;       ///< the last command that may have switched the servo on
-    std::optional<std::int32_t> m_goal;         ///< stays loaded
+    bool m_mayRun = true;  ///< slower than its velocity item shows, until a stop or a move is sent
+    std::optional<TimePoint> m_mayEnable;  ///< the last command that may have switched the servo on
+    std::optional<std::int32_t> m_goal;    ///< stays loaded
     servo::LoadTrajectory m_loaded;
     std::uint8_t m_divisor = 1;  ///< SR: velocities count per so many ticks (DS-V 5.2)
 };

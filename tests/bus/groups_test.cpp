@@ -77,6 +77,7 @@ TEST(Groups, OfAnotherHostAreNotKnownAndGetNoCommand) {
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.put(0, 0x81).outcome, Outcome::Done);
     ASSERT_EQ(bus.put(1, 0x81, true).outcome, Outcome::Done);
+    bus.newHost();
     ASSERT_TRUE(bus.connect());
     const auto found = bus.last<ChainFound>();
     ASSERT_TRUE(found && found->attached);

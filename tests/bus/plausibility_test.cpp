@@ -218,7 +218,7 @@ TEST(Plausibility, RejectsAnotherModulesPositionForAMotorThatStands) {
                               .aux = on ? std::uint8_t{0x04} : std::uint8_t{0x00}};
         };
         for (const std::int16_t velocity : {std::int16_t{0}, std::int16_t{50}})
-            for (const std::int32_t other : {1'200, 3'386, 8'951, -8'951}) {
+            for (const std::int32_t other : {2'000, 3'386, 8'951, -8'951}) {
                 Servo servo(says(0));
                 EXPECT_EQ(servo.says(says(other, velocity), kEverything, 250ms).has_value(), true) << other;
                 EXPECT_EQ(servo.says(says(0), kShort, 250ms), std::nullopt) << "its own";
@@ -245,14 +245,17 @@ TEST(Plausibility, TakesAMotionThatSomebodyElseBeganForNoJump) {
 TEST(Plausibility, RejectsAHoldingServoBeyondItsErrorLimit) {
     Servo servo;
     servo.sends(ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, 1, std::uint8_t{0}}));
+    servo.sends(enable(0).command);
     for (int i = 0; i < 60; ++i)
         EXPECT_EQ(servo.says({}, i % 2 == 0 ? kEverything : kShort), std::nullopt);
-    EXPECT_EQ(servo.says({.position = 190}), std::nullopt) << "from one end of its error to the other";
+    EXPECT_EQ(servo.says({.position = 190}, kEverything, 250ms), std::nullopt)
+        << "from one end of its error to the other";
     Servo other;
     other.sends(ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, 1, std::uint8_t{0}}));
+    other.sends(enable(0).command);
     for (int i = 0; i < 60; ++i)
         EXPECT_EQ(other.says({}, i % 2 == 0 ? kEverything : kShort), std::nullopt);
-    EXPECT_EQ(other.says({.position = 300}), Rejection::PositionJump);
+    EXPECT_EQ(other.says({.position = 300}, kEverything, 250ms), Rejection::PositionJump);
 }
 
 /// After a command it goes as far as it may, however long nobody has asked it.

@@ -203,6 +203,7 @@ TEST(ChainRate, IsNotChangedWhenThatWouldLeaveSomebody) {
     ASSERT_EQ(bus.put(2, 0x81).outcome, Outcome::Done);
     EXPECT_TRUE(bus.change(115'200));
     ASSERT_EQ(bus.perform({motorOff(0), motorOff(1), motorOff(2)}), Outcome::Done);
+    bus.newHost();
     ASSERT_TRUE(bus.connect());
     bus.runFor(1s);
     EXPECT_EQ(refused(19'200).reason, Reason::GroupsUnknown) << "another host's chain";
