@@ -39,7 +39,8 @@ constexpr int kPathsWidth = 52;
 constexpr int kSequencesWidth = 62;
 constexpr int kSequencesHeight = 24;
 constexpr int kLowestScope = 12;
-constexpr int kColumn = 20;  ///< beside the plots
+constexpr int kColumn = 20;   ///< beside the plots
+constexpr int kTitleBar = 3;  ///< above the window; how high it is is known only once it is there
 }  // namespace
 
 QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
@@ -228,7 +229,7 @@ void MainWindow::restoreLayout() {
     m_firstState = saveState();
     const QSize room = screen()->availableSize();
     const int em = fontMetrics().height();
-    resize(qMin(em * 104, room.width()), qMin(em * 68, room.height()));
+    resize(qMin(em * 104, room.width()), qMin(em * 68, room.height() - em * kTitleBar));
     restoreGeometry(m_settings.value(kGeometry).toByteArray());
     m_layouts->restore();
     m_simulator->showLink(m_session.link());

@@ -61,6 +61,21 @@ void AxisBox::addBelow(QWidget* box) {
     qobject_cast<QFormLayout*>(layout())->addRow(box);
 }
 
+void AxisBox::addBelowUnit(QWidget* box) {
+    auto* form = qobject_cast<QFormLayout*>(layout());
+    int row = 0;
+    QFormLayout::ItemRole role{};
+    form->getWidgetPosition(m_symbol, &row, &role);
+    form->insertRow(row + 1, box);
+    // Tab comes by where it stands.
+    QWidget* before = m_symbol;
+    for (QWidget* control : box->findChildren<QWidget*>())
+        if ((control->focusPolicy() & Qt::TabFocus) != 0) {
+            setTabOrder(before, control);
+            before = control;
+        }
+}
+
 NumberField* AxisBox::addNumber(QFormLayout* form, const QString& label, const QString& objectName,
                                 const QString& meaning) {
     auto* field = new NumberField(kScaleDecimals, this);

@@ -28,6 +28,8 @@ public:
 
     /// Another box, below its fields.
     void addBelow(QWidget* box);
+    /// The same where a first session looks: below name and unit.
+    void addBelowUnit(QWidget* box);
 
 private:
     [[nodiscard]] QString named(const QString& name) const;

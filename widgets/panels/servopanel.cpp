@@ -49,8 +49,8 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     m_pages->addTab(new HomingBox(m_context, this), tr("Homing"));
     m_pages->addTab(new PwmBox(m_context, this), tr("PWM"));
     auto* axis = new AxisBox(m_context, this);
+    axis->addBelowUnit(new DirectionCheckBox(m_context, axis));
     axis->addBelow(new TravelBox(m_context, axis));
-    axis->addBelow(new DirectionCheckBox(m_context, axis));
     m_pages->addTab(axis, tr("Axis"));
     if (isSc(m_context.state().info.identity))
         m_pages->addTab(new AmplifierBox(m_context, this), tr("Amplifier"));
