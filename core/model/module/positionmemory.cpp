@@ -62,6 +62,9 @@ std::vector<PositionMemory::Offer> PositionMemory::look(const LinkState& link, s
     std::vector<Offer> offers;
     for (const ModuleState& module : link.modules) {
         const ModuleIndex index = module.info.index;
+        // A jump has withdrawn its home, and what is remembered goes with it.
+        if (module.positionDoubtful() && !module.home.place() && !module.home.offered())
+            m_remembered.erase(index);
         if (!isLive(link, module) || !module.latest || !module.latest->position)
             continue;
         const auto justFound = m_new.find(index);
