@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/intent/intent.h"
+
 namespace nmc {
 namespace {
 
@@ -101,6 +103,20 @@ TEST(LinkState, AModuleThatIsNotAskedAnyMoreDoesNotAnswer) {
         EXPECT_FALSE(isLive(link, link.modules[0]));
         EXPECT_EQ(asShown(link).modules[0].activity(), Activity::Unresponsive);
     }
+}
+
+TEST(LinkState, AChainThatIsOnlyLookedForHasNoFault) {
+    LinkState link = linkWith({kServo});
+    link.phase = LinkPhase::Connecting;
+    link.looking = true;
+    EXPECT_FALSE(isLive(link, link.modules[0])) << "what it said last gets older";
+    const ModuleState shown = asShown(link).modules[0];
+    EXPECT_NE(shown.activity(), Activity::Unresponsive);
+    EXPECT_EQ(whyNotTold(IntentKind::Move, shown), Refusal::Looking);
+    EXPECT_NE(whyNotTold(IntentKind::StopMotion, shown), Refusal::Looking);
+    const auto chain = diagnose(machineOf({kServo}), asShown(link));
+    EXPECT_EQ(chain.finding, Finding::Looking);
+    EXPECT_EQ(chain.places[0].state, State::Fine);
 }
 
 TEST(LinkState, AValueIsOldByHowOftenItsModuleIsAsked) {

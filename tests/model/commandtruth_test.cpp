@@ -39,7 +39,12 @@ protected:
             return ++m_commands % 40 == 0 ? conditions().heldCommand : Duration{};
         };
     }
-    void SetUp() override { ASSERT_TRUE(m_rig.enable()); }
+    /// What is late begins here, however many questions it took to find the chain.
+    void SetUp() override {
+        ASSERT_TRUE(m_rig.enable());
+        m_random.seed(kSeed);
+        m_commands = 0;
+    }
 
     /// scope.md: "Measured against the simulator's ground truth".
     void TearDown() override {

@@ -161,7 +161,7 @@ TEST(Path, IsRefusedBeforeAnythingIsSent) {
     module.pathControl->stepAndDirection = true;
     EXPECT_EQ(kindOf(one), Kind::StepAndDirection);
     module = good;
-    module.gains->sr = 2;
+    module.servoRate = 2;
     EXPECT_EQ(kindOf(one), Kind::ServoRate);
     module = good;
     module.travel.fastest = 0.5;  // counts per tick: 16 in a segment of 32 ticks

@@ -15,6 +15,7 @@
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/quantitygrid.h"
 #include "widgets/panels/unitdialog.h"
 
 namespace nmc {
@@ -192,8 +193,10 @@ void AxisBox::showModule() {
     m_holdCap->setScale(m_context.scale());
     m_holdCap->setNativeRange(servodefaults::kSmallest, servodefaults::kLargest);
     const double cap = servodefaults::motionOf(settings).holdCap;
-    if (!m_shown || m_holdCap->native() != cap)
+    if (!m_shown)
         m_holdCap->showNative(cap);
+    else  // what is being typed stays as it is
+        quantitygrid::follow(m_holdCap, cap, servodefaults::motionOf(*m_shown).holdCap);
     showNumber(m_analogPerCount, settings.analog.perCount,
                before([](const AxisSettings& axis) { return axis.analog.perCount; }));
     showNumber(m_analogAtZero, settings.analog.atZero,
