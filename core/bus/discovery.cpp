@@ -346,10 +346,13 @@ void Discovery::onRecheck(const ReplyEnd& end) {
                                         [&](const ModuleInfo& m) { return address < m.address; });
         m_modules.insert(after, {{}, address, {}, GroupPlace{}});
         m_recheckFound = true;
+    } else {
+        m_stillUnheard.push_back(address);
     }
     if (!m_unheard.empty())
         return;
-    // Where one was silent and is there, the silence behind it was no end either.
+    // Where one was silent and is there, the silence of others, and that behind it, is no end either.
+    m_unheard = std::exchange(m_stillUnheard, {});
     if (!std::exchange(m_recheckFound, false))
         return endOfChain();
     m_unheardInRow = 0;

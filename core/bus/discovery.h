@@ -113,9 +113,10 @@ private:
     unsigned m_unheardInRow = 0;  ///< numbers that nobody seems to have heard
     unsigned m_aliveInVain = 0;   ///< questions in a row that a module which has answered did not
     std::vector<BusAddress> m_unheard;
-    bool m_recheckFound = false;  ///< one of them, in this recheck
-    bool m_heardNoise = false;    ///< while giving addresses: then nobody found is Garbled
-    bool m_resumed = false;       ///< the port has to be taken to the rate of power-up first
+    std::vector<BusAddress> m_stillUnheard;  ///< of these, in this recheck
+    bool m_recheckFound = false;             ///< one of them has answered in it
+    bool m_heardNoise = false;               ///< while giving addresses: then nobody found is Garbled
+    bool m_resumed = false;                  ///< the port has to be taken to the rate of power-up first
     std::optional<RateChange> m_rateChange;
     ConnectFailed m_failure{};
     std::optional<ConnectProgress> m_progress;

@@ -342,20 +342,14 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     }
     slow = std::max(slow, -kFastest);
     fast = std::min(fast, kFastest);
-    double around = bend(end.latched, most);
-    if (rests) {
-        // Its own velocity is no witness for a reply that may be another module's.
-        fast = slack;
-        slow = -slack;
-        around = std::min(around, kNudge);
-    }
-    if (rests && holds(known, end.report)) {
-        fast = slow = 0.0;
-        around = std::min(bend(end.latched, most), 2.0 * *m_errorLimit + kMargin);
-    }
+    const double around = bend(end.latched, most);
     const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - around;
     const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + around;
     const double travelled = distance(*known.position, *end.report.position);
+    // Its own velocity is no witness for a reply that may be another module's.
+    const double pushed = holds(known, end.report) ? 2.0 * *m_errorLimit + kMargin : kNudge + slack * most;
+    if (rests && std::abs(travelled) > pushed)
+        return Rejection::PositionJump;
     return travelled < lowest || travelled > highest ? std::optional(Rejection::PositionJump) : std::nullopt;
 }
 

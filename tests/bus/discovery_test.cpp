@@ -298,7 +298,7 @@ TEST(Discovery, NamesTheModuleThatDoesNotFollowToTheNewRate) {
     EXPECT_EQ(failed[0].reason, ConnectFailure::RateChange);
     EXPECT_EQ(failed[0].modules, std::vector{ModuleIndex(1)});
     EXPECT_EQ(failed[0].baud, 115'200U);
-    EXPECT_EQ(bus.sends("AA 02 0E 10") - 2, 3U) << "asked three times, and twice at the end of the chain";
+    EXPECT_EQ(bus.sends("AA 02 0E 10"), 3U) << "asked three times";
 }
 
 TEST(Discovery, RefusesARateThatTheChipsCannotMakeBeforeItResetsAnything) {

@@ -57,8 +57,7 @@ void StepperState::watchAmplifier(bool wasOn) {
         return;
     }
     m_offByItself = true;
-    const auto still = whatActs();
-    m_ended = still ? *still : m_offCause.value_or(Activity::WentOff);
+    m_ended = m_offCause ? *m_offCause : whatActs().value_or(Activity::WentOff);
 }
 
 /// What may have switched it off, worst first.
