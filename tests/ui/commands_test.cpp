@@ -103,6 +103,7 @@ TEST_F(Commands, EscInThePaletteStopsAndClosesIt) {
 TEST_F(Commands, APressAnywhereElseClosesThePaletteAndActs) {
     showServo();
     for (const QString& other : {u"stopAllButton"_s, u"stopAbruptlyButton"_s, u"kpField"_s}) {
+        SCOPED_TRACE(other.toStdString());
         look(u"go"_s);
         ASSERT_TRUE(palette()->isVisible());
         QTest::mouseClick(palette()->findChild<QTreeWidget*>()->viewport(), Qt::LeftButton);

@@ -10,7 +10,6 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
-#include <QRadioButton>
 #include <QSpinBox>
 #include <QStyleOptionButton>
 
@@ -277,10 +276,6 @@ TEST_P(Frames, AreSeenWhereNothingIsInThem) {
     };
     const auto* box = add(new QCheckBox(u"on"_s), 10);
     EXPECT_GE(edge(box, indicator(box, QStyle::SE_CheckBoxIndicator), QPalette::Window, QPalette::Base), 3.0);
-    const auto* choice = add(new QRadioButton(u"on"_s), 40);
-    EXPECT_GE(
-        edge(choice, indicator(choice, QStyle::SE_RadioButtonIndicator), QPalette::Window, QPalette::Base),
-        3.0);
     EXPECT_GE(edge(add(new QLineEdit, 70)), 3.0) << "field";
     EXPECT_GE(edge(add(new QListWidget, 100)), 3.0) << "list";
     EXPECT_GE(edge(add(new QComboBox, 130), QPalette::Window), 3.0) << "choice";

@@ -258,12 +258,12 @@ TEST_F(MachineWindow, AQuestionThatWaitsSaysSoWhereTheUserLooks) {
     EXPECT_FALSE(find(u"banner"_s)->isVisible()) << "it is in sight";
     window->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
-    EXPECT_TRUE(find(u"banner"_s)->isVisible());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return find(u"banner"_s)->isVisible(); }));
     EXPECT_EQ(text(u"bannerHeadline"_s), u"A question waits for your answer: Unsaved changes"_s);
     EXPECT_EQ(text(u"bannerBody"_s), u"Save the changes to \"mill\"?"_s);
     click(u"bannerAction_showQuestion"_s);
     EXPECT_TRUE(QTest::qWaitFor([&] { return asked->isActiveWindow(); }));
-    EXPECT_FALSE(find(u"banner"_s)->isVisible());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !find(u"banner"_s)->isVisible(); }));
     // Answered elsewhere: there is nothing left to ask.
     window->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));

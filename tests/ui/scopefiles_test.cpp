@@ -202,22 +202,6 @@ TEST_F(ScopeFilesTest, PaperKnowsNothingOfTheScreensColours) {
         << "and follows its palette as before";
 }
 
-/// Nor does a page know of the size of the window and of its letters, which a screen's scale decides.
-TEST_F(ScopeFilesTest, APageIsLaidOutForItsPaper) {
-    HandMadeHistory made = twoModules();
-    show(made, 30);
-    const std::string page = pageIn(exported(u"Pdf"_s, made, 30));
-    window->resize(1'500, 1'100);
-    QFont large = window->font();
-    large.setPointSize(large.pointSize() * 3 / 2);
-    window->setFont(large);
-    QApplication::processEvents();
-    show(made, 30);
-    const QSize before = find(u"scopeStrips"_s)->size();
-    EXPECT_TRUE(pageIn(exported(u"Pdf"_s, made, 30)) == page);
-    EXPECT_EQ(find(u"scopeStrips"_s)->size(), before);
-}
-
 TEST_F(ScopeFilesTest, ACopyIsAPictureAndItsFewSamples) {
     HandMadeHistory made = twoModules();
     show(made, 30);

@@ -42,13 +42,16 @@ TEST_F(StepperStanding, HeatLimitAndEstopAreThreeCauses) {
     EXPECT_THAT(keys(), IsEmpty());
     stepper.analog = 79;
     stepper.says(kStepPower);
+    stepper.says(kStepPower);
     EXPECT_THAT(keys(), ElementsAre("overheated.1"));
     runsAgain(true);
     stepper.inputs = kLimit1In;
     stepper.says(kStepPower);
+    stepper.says(kStepPower);
     EXPECT_THAT(keys(), ElementsAre("limitOff.1")) << "and not of the limit once more";
     runsAgain(true);
     stepper.inputs = kEstopIn;
+    stepper.says(kStepPower);
     stepper.says(kStepPower);
     EXPECT_THAT(keys(), ElementsAre("estop.1"));
 }

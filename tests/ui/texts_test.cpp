@@ -83,7 +83,7 @@ TEST(Texts, BadLink) {
     EXPECT_EQ(m.headline, u"The link is unreliable: 14 of the last 200 exchanges went wrong."_s);
     EXPECT_EQ(
         m.body,
-        u"Motors were told to stop. Try a lower baud rate, a shorter cable, or termination at both ends."_s);
+        u"Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends."_s);
     EXPECT_EQ(verbs(m), QStringList{u"Reconnect"_s});
     const Message one = texts::badLink({bus::LinkHealth::Doubtful, 5, 60, ModuleIndex(2)});
     EXPECT_EQ(one.headline, u"The link to module 3 is doubtful: 5 of its last 60 exchanges went wrong."_s);

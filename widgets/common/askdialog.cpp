@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/askdialog.h"
 
-#include <QApplication>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <QWindow>
 
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
@@ -32,9 +33,9 @@ void AskDialog::comeForward() {
 }
 
 AskDialog* AskDialog::waiting(const QWidget& window) {
-    const QWidget* active = QApplication::activeWindow();
+    const QWindow* active = QGuiApplication::focusWindow();
     for (AskDialog* dialog : window.findChildren<AskDialog*>(Qt::FindDirectChildrenOnly))
-        if (dialog->isVisible() && active != nullptr && active != dialog)
+        if (dialog->isVisible() && active != nullptr && active != dialog->windowHandle())
             return dialog;
     return nullptr;
 }

@@ -81,9 +81,14 @@ private:
 void paintMark(MarkPainter mark, Activity activity) {
     switch (activity) {
         case Activity::Unknown:
-        case Activity::MaybeOff:
-        case Activity::MaybeMoving:
             mark.questionMark();
+            break;
+        case Activity::MaybeOff:
+            mark.line({{0.2, 0.8}, {0.8, 0.2}});
+            mark.disc({0.8, 0.8}, 0.12);
+            break;
+        case Activity::MaybeMoving:
+            mark.line({{0.3, 0.1}, {0.75, 0.5}, {0.3, 0.9}});
             break;
         case Activity::Restarted:
             mark.exclamationMark();

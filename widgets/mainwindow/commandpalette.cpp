@@ -131,8 +131,10 @@ bool CommandPalette::isMine(const QObject* object) const {
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::TouchBegin;
-    if (press && isVisible() && watched->isWidgetType() && !isMine(watched))
+    if (press && isVisible() && watched->isWidgetType() && !isMine(watched)) {
         hide();
+        static_cast<QWidget*>(watched)->window()->activateWindow();
+    }
     if (watched == m_words && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp || key == Qt::Key_PageDown) {

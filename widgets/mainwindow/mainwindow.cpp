@@ -174,7 +174,9 @@ void MainWindow::connectParts() {
     connect(m_chainMenu, &ChainMenu::restartRequested, this, &MainWindow::askBeforeRestart);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::showSession);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::reviewQuestions);
-    connect(qApp, &QGuiApplication::focusWindowChanged, this, &MainWindow::reviewQuestions);
+    // Once it is settled who has the focus.
+    connect(qApp, &QGuiApplication::focusWindowChanged, this, &MainWindow::reviewQuestions,
+            Qt::QueuedConnection);
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
     connect(new PressFilter(m_bar->stopButton(), this), &PressFilter::pressed, this,
             &MainWindow::requestStop);
