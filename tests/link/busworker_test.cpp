@@ -190,8 +190,8 @@ TEST(BusWorker, RecordsEveryExchangeWhileAsked) {
     EXPECT_TRUE(connection.worker().takeRecords().empty());
 }
 
-/// One that answers at its address has not restarted: it has the gains that it was sent, and where it holds is
-/// known.
+/// One that answers at its address has not restarted: it has the gains that it was sent, and where it holds
+/// is known.
 TEST(BusStore, KeepsWhatModulesWereToldThatAreFoundAgain) {
     Connection connection;
     connection.open(simulator(2), 115'200);
