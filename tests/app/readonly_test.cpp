@@ -56,7 +56,7 @@ TEST_F(H02_ReadOnly, StopAllStopsAndTheConnectionStaysReadOnly) {
     EXPECT_TRUE(moves(sim));
     QTest::keyClick(&panel.window(), Qt::Key_Escape);
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
-    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("1 of 1 stopped")) == 1; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("1 stopped and holding")) == 1; }));
     EXPECT_TRUE(looks());
     EXPECT_TRUE(ribbon());
 }
