@@ -242,8 +242,8 @@ class Completion(Folder):
                          "nmcpanel --baud --enable-faults --help --list-ports --port --read-only --simulator "
                          "--version".split())
         self.assertEqual(self.completed("nmcsim --", "\x1b*"),
-                         "nmcsim --chain --deaf-when-addr-in-rises --enable-faults --help --link --reset-dead-time "
-                         "--seed --speed --stepped --unpaced --version".split())
+                         "nmcsim --chain --deaf-when-addr-in-rises --enable-faults --help --line-margin --link "
+                         "--reset-dead-time --seed --speed --stepped --unpaced --version".split())
 
     def test_knows_rates_files_and_ports(self):
         (self.folder / "mill.json").touch()
