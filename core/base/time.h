@@ -25,6 +25,10 @@ inline constexpr Duration kServoTick = std::chrono::microseconds(512);
 [[nodiscard]] constexpr double toSeconds(Duration d) {
     return static_cast<double>(d.count()) * 1e-9;
 }
+/// Servo ticks per second at a servo rate, SR, which stretches each tick (DS-V 4.3); 0 counts as 1.
+[[nodiscard]] constexpr double ticksPerSecond(int servoRate) {
+    return 1.0 / (toSeconds(kServoTick) * (servoRate < 1 ? 1 : servoRate));
+}
 [[nodiscard]] constexpr Duration fromSeconds(double s) {
     return Duration(static_cast<Duration::rep>(s * 1e9 + (s < 0 ? -0.5 : 0.5)));
 }

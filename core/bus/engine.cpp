@@ -517,8 +517,7 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
     const Chain before = std::exchange(m_chain, Chain(found.modules, found.baud, found.readOnly));
     const auto knownBefore = [&](const ModuleInfo& info) -> const Chain::Module* {
         const auto same = std::ranges::find_if(before.modules(), [&](const Chain::Module& old) {
-            return old.belief.info().address == info.address && old.belief.info().identity == info.identity &&
-                   !old.belief.restarted();
+            return sameModule(old.belief.info(), info) && !old.belief.restarted();
         });
         return found.attached && same != before.modules().end() ? &*same : nullptr;
     };

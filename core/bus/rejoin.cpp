@@ -8,12 +8,14 @@ namespace nmc::bus {
 namespace {
 
 [[nodiscard]] auto findIn(const std::vector<ModuleInfo>& modules, const ModuleInfo& info) {
-    return std::find_if(modules.begin(), modules.end(), [&](const ModuleInfo& other) {
-        return other.address == info.address && other.identity == info.identity;
-    });
+    return std::ranges::find_if(modules, [&](const ModuleInfo& other) { return sameModule(other, info); });
 }
 
 }  // namespace
+
+bool sameModule(const ModuleInfo& one, const ModuleInfo& other) {
+    return one.address == other.address && one.identity == other.identity;
+}
 
 std::optional<Rejoined> rejoin(const std::vector<ModuleInfo>& known, const std::vector<ModuleInfo>& found,
                                std::optional<ModuleIdentity> unaddressed) {

@@ -16,6 +16,9 @@ struct Rejoined {
     std::optional<ModuleIndex> restarted;
 };
 
+/// Of two looks at the chain.
+[[nodiscard]] bool sameModule(const ModuleInfo& one, const ModuleInfo& other);
+
 /// Modules are the same where address, type and version are; a place in the chain alone says nothing, since
 /// one that restarted is missing among the addresses and all behind it would move up. Nothing when some
 /// module that was found is not of that chain: then it is another one, and is taken as it was found.

@@ -31,8 +31,8 @@ struct Rule {
                                      servo::SetPosition, SaveAsHome, servo::ClearStickyBits> auto&) const {
         return kGiveUp;
     }
-    /// Home may have been found meanwhile, the count begins anew, and what is put out or latched at one
-    /// moment would be so at another.
+    /// The first one may have been carried out: home found, the counter set to 0, outputs set or inputs
+    /// latched. A second one would undo that, or do it at another moment.
     RetryRule operator()(const AnyOf<servo::SetHoming, stepper::SetHoming, io::SetTimerMode, io::SynchOutput,
                                      io::SynchInput> auto&) const {
         return kGiveUp;

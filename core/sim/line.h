@@ -56,7 +56,7 @@ private:
     std::uint64_t m_lost = 0;
 };
 
-// A UART takes 16 samples a bit and starts anew with every byte, so a mismatch of the rates adds up to the
+// A UART takes 16 samples a bit and starts over with every byte, so a mismatch of the rates adds up to the
 // stop bit, whose middle is 9.5 bit times behind the edge of the start bit. There half a bit is left, of
 // which the edge may take one sample, and the outer one of the three that decide a bit another: simulator.md.
 inline constexpr double kStopBitMiddle = 9.5;

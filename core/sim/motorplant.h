@@ -21,7 +21,7 @@ struct MotorParameters {
     double loadNm = 0.0;                   ///< external torque; positive pulls the shaft backwards
     double countsPerTurn = 2000.0;         ///< encoder edges per turn
     std::int64_t playCounts = 0;           ///< that the shaft turns before the encoder turns with it
-    double encoderNoiseCounts = 0.0;       ///< rms of what the encoder is off by, anew each tick
+    double encoderNoiseCounts = 0.0;       ///< rms error of the encoder, another one each tick
     double elasticInertiaKgM2 = 0.0;       ///< of a second mass that hangs on the shaft by a spring; 0: none
     double resonanceHz = 50.0;             ///< at which shaft and second mass swing against each other
     double adCountsPerAmpere = 255.0 / 5;  ///< current sense: 1 V per ampere, 255 = 5 V

@@ -157,7 +157,7 @@ enum class Input : std::uint8_t {
     Load,      ///< N·m
     Inertia,   ///< kg·m², > 0
     Friction,  ///< N·m, >= 0
-    // Of a servo only, with the three before them and Analog's nothing.
+    // Only a servo has these and the three above. Only a servo's Analog may be nothing.
     Play,            ///< counts, >= 0
     CountsPerTurn,   ///< of the encoder, > 0
     Deadband,        ///< PWM counts of the amplifier, 0..254

@@ -101,7 +101,7 @@ TEST(WideRecording, SaysWhatItIsInThePlaceThatEveryReaderPassesOver) {
     }
 }
 
-/// Who tries it nevertheless is told why, and not that it is none of ours.
+/// The reader knows it as our own, so that a user who opens it is told why it cannot be read.
 TEST(WideRecording, IsNoRecordingAndTheReaderSaysSo) {
     History history(1);
     history.append(ModuleIndex(0), sampleAt(10ms, 3));

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "responserecords.h"
+#include "tests/support/choosefile.h"
 #include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/looptests/squarewavepage.h"
@@ -135,8 +136,7 @@ TEST_F(LoopTestsInTheWindow, AFileOfFrequenciesSaysWhatItIs) {
     QSignalSpy saves(window.get(), &MainWindow::saveRequested);
     click(u"frequencyExportButton"_s);
     auto* dialog = find<QFileDialog>(u"frequencyFileDialog"_s);
-    emit dialog->fileSelected(u"/home/anna/loop.csv"_s);
-    dialog->close();
+    testing_support::chooseFile(*dialog, u"/home/anna/loop.csv"_s);
     ASSERT_EQ(saves.size(), 1);
     const std::string text = saves[0][1].value<FileContent>()();
     for (const char* const line :

@@ -11,6 +11,7 @@
 #include <QTableWidget>
 
 #include "responserecords.h"
+#include "tests/support/choosefile.h"
 #include "widgets/common/look.h"
 #include "widgets/response/responsedock.h"
 #include "widgets/response/responseplot.h"
@@ -476,8 +477,7 @@ TEST_F(Responses, APictureIsAsOnPaperAndSaysThatItIsSimulated) {
         QSignalSpy saves(window.get(), &MainWindow::saveRequested);
         window->findChild<QAction*>(u"responseSvgAction"_s)->trigger();
         auto* dialog = find<QFileDialog>(u"responsePicturesvgDialog"_s);
-        emit dialog->fileSelected(u"/home/anna/step.svg"_s);
-        dialog->close();
+        testing_support::chooseFile(*dialog, u"/home/anna/step.svg"_s);
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         return saves.value(0).value(1).value<FileContent>()();
     };

@@ -185,12 +185,7 @@ void AxisRow::refresh() {
     if (position && old)
         where += u", "_s + texts::age(0, module.positionDoubtful());  // it is not told how its age grows
     look::setReadout(m_position, where);
-    QFont digits = m_position->font();
-    if (digits.strikeOut() != old) {
-        digits.setStrikeOut(old);
-        m_position->setFont(digits);
-        m_position->setForegroundRole(old ? QPalette::PlaceholderText : QPalette::WindowText);
-    }
+    look::setOld(m_position, old);
     look::setPossible(m_holdForward, whyNotHeld(false), tr("Moves forward while held, then stops."));
     look::setPossible(m_holdReverse, whyNotHeld(true), tr("Moves in reverse while held, then stops."));
     m_stepForward->setPossible(whyNotStepped(false), tr("Moves forward by the step above, then holds."));

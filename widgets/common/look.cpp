@@ -186,6 +186,15 @@ void setText(QLabel* label, const QString& text) {
         label->setText(text);
 }
 
+void setOld(QLabel* label, bool old) {
+    QFont font = label->font();
+    if (font.strikeOut() == old)
+        return;
+    font.setStrikeOut(old);
+    label->setFont(font);
+    label->setForegroundRole(old ? QPalette::PlaceholderText : QPalette::WindowText);
+}
+
 void setReadout(QLabel* label, const QString& text) {
     if (label->text() == text)
         return;

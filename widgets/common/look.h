@@ -51,6 +51,8 @@ void setText(QLabel* label, const QString& text);
 /// The same of a number that changes all the time: the label grows with it, never shrinks, and what is laid
 /// out around it stays as it is.
 void setReadout(QLabel* label, const QString& text);
+/// Struck out and pale: what it shows was so once, and may not be so now.
+void setOld(QLabel* label, bool old);
 /// Quiet secondary text that follows the palette.
 [[nodiscard]] QLabel* newMutedLabel(const QString& text, QWidget* parent);
 

@@ -187,7 +187,7 @@ QString gainRemark(Gain gain, int value) {
         case Gain::El:
             return texts::unitCounts();
         case Gain::Sr:
-            return Gains::tr("%1 Hz").arg(texts::readout(1.0 / (toSeconds(kServoTick) * qMax(1, value)), 4));
+            return Gains::tr("%1 Hz").arg(texts::readout(ticksPerSecond(value), 4));
     }
     return {};
 }

@@ -274,12 +274,7 @@ void PanelHead::refreshPosition() {
     const QString unitAndAge = age ? unit + u", "_s + texts::age(*age, module.positionDoubtful()) : unit;
     m_position->setAccessibleName(position ? tr("Position %1 %2").arg(number, unitAndAge)
                                            : tr("Position unknown"));
-    QFont font = m_position->font();
-    if (font.strikeOut() != age.has_value()) {
-        font.setStrikeOut(age.has_value());
-        m_position->setFont(font);
-        m_position->setForegroundRole(age ? QPalette::PlaceholderText : QPalette::WindowText);
-    }
+    look::setOld(m_position, age.has_value());
     look::setText(m_positionUnit, unitAndAge);
     look::setReadout(m_otherPosition, position ? texts::otherPosition(scale, *position) : QString());
     const auto velocity = age ? std::nullopt : module.speed.perSecond();

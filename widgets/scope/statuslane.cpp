@@ -40,19 +40,24 @@ QFont StatusLane::ownFont() const {
     return look::scaled(font(), 0.85);
 }
 
+QFontMetrics StatusLane::ownMetrics() const {
+    return QFontMetrics(ownFont());
+}
+
 int StatusLane::rowHeight() const {
-    return QFontMetrics(ownFont()).height();
+    return ownMetrics().height();
 }
 
 int StatusLane::labelWidth() const {
+    const QFontMetrics metrics = ownMetrics();
     int width = 0;
     for (const QString& name : m_names)
-        width = qMax(width, QFontMetrics(ownFont()).horizontalAdvance(name));
-    return width + QFontMetrics(ownFont()).height() / 2;
+        width = qMax(width, metrics.horizontalAdvance(name));
+    return width + metrics.height() / 2;
 }
 
 QSize StatusLane::sizeHint() const {
-    return {QFontMetrics(ownFont()).height() * 20, rowHeight() * static_cast<int>(m_bits.size())};
+    return {rowHeight() * 20, rowHeight() * static_cast<int>(m_bits.size())};
 }
 
 void StatusLane::setArea(double left, double right) {
@@ -94,14 +99,15 @@ void StatusLane::renderTo(QPainter& painter) {
     painter.save();
     painter.fillRect(rect(), palette().color(QPalette::Base));
     painter.setFont(ownFont());
+    const int rowHigh = rowHeight();
     for (std::size_t i = 0; i < m_bits.size(); ++i) {
-        const QRectF row(m_geometry.area.left(), rowHeight() * static_cast<double>(i),
-                         m_geometry.area.width(), rowHeight());
+        const QRectF row(m_geometry.area.left(), rowHigh * static_cast<double>(i), m_geometry.area.width(),
+                         rowHigh);
         painter.setClipping(false);
         painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(
-            QRectF(0, row.top(), row.left() - QFontMetrics(ownFont()).height() / 3.0, row.height()),
-            Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, m_names[static_cast<qsizetype>(i)]);
+        painter.drawText(QRectF(0, row.top(), row.left() - rowHigh / 3.0, row.height()),
+                         Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
+                         m_names[static_cast<qsizetype>(i)]);
         painter.setClipRect(row);
         paintBit(painter, m_bits[i], row);
     }

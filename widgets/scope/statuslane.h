@@ -43,6 +43,7 @@ private:
         bool joined;
     };
     [[nodiscard]] QFont ownFont() const;
+    [[nodiscard]] QFontMetrics ownMetrics() const;
     [[nodiscard]] int rowHeight() const;
     void paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& row) const;
 

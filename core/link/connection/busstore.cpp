@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/overloaded.h"
+#include "bus/rejoin.h"
 
 namespace nmc {
 
@@ -355,8 +356,7 @@ void BusStore::note(const bus::ChainFound& chain) {
     m_records.resize(chain.modules.size());
     for (const bus::ModuleInfo& info : chain.modules) {
         const auto same = std::ranges::find_if(before, [&](const ModuleState& old) {
-            return old.info.address == info.address && old.info.identity == info.identity &&
-                   !old.hasRestarted;
+            return bus::sameModule(old.info, info) && !old.hasRestarted;
         });
         const bool again = chain.attached && same != before.end();
         ModuleState module = again ? *same : ModuleState{};

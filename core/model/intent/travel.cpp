@@ -230,8 +230,7 @@ struct DirectProblem {
     return std::nullopt;
 }
 
-/// Counts (steps) per second squared of the stop that is sent; 0: it knows no ramp. `perSecond` as in
-/// AxisScale.
+/// Counts (steps) per second squared of the stop that is sent; 0: it knows no ramp. `perSecond`: ticks.
 [[nodiscard]] double rampOf(const ModuleState& module, double perSecond) {
     if (module.isStepper()) {
         const auto time = module.stepper.accelerationTime();
@@ -353,7 +352,7 @@ std::optional<Intent> stopBeforeLimit(const ModuleState& module, Duration latenc
         return std::nullopt;
     // With SR unknown the longest way is that of ticks as short as they can be: the ramp, in counts, is the
     // same for all, and what goes by until the stop arrives is most.
-    const double perSecond = *AxisScale::servo({}, module.servoRate.value_or(1)).perSecond();
+    const double perSecond = ticksPerSecond(module.servoRate.value_or(1));
     const double wanted =
         module.motion == MotionMode::Velocity ? std::abs(module.goalVelocity) * perSecond : 0.0;
     const double fast = std::max(std::abs(speed), wanted);

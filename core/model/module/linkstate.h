@@ -43,7 +43,7 @@ struct LinkState {
 };
 
 /// The same as it may be shown: a module that is not asked any more, since the link is lost or the chain is
-/// given its addresses anew, does not answer, whatever it said last. While it is only looked for, that is no
+/// given its addresses again, does not answer, whatever it said last. While it is only looked for, that is no
 /// news of the module. What shows modules shows these.
 [[nodiscard]] LinkState asShown(LinkState link);
 /// Whether what this module said last may be shown as what is so now. The one rule for everything that does.

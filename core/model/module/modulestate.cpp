@@ -197,7 +197,7 @@ void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before, std::opti
 
 /// `velocity`: counts per tick. Before the command has changed anything here.
 void ModuleState::noteCommand(TimePoint time, int direction, double velocity) {
-    const double perSecond = AxisScale::servo({}, servoRate).perSecond().value_or(0.0);
+    const double perSecond = servoRate ? ticksPerSecond(*servoRate) : 0.0;
     m_trip.apply({time, !servoOn(), !moving(), direction, std::abs(velocity) * perSecond});
 }
 
@@ -470,7 +470,7 @@ Activity ModuleState::activityWhileOff() const {
         return Activity::PowerLost;
     if (switchedItselfOff)
         return Activity::Tripped;
-    if (m_looksWhileOff > 0 && m_looksWhileOff < 2)
+    if (m_looksWhileOff == 1)
         return Activity::MaybeOff;
     if (!latest->servoStatus().powerOn())
         return Activity::NoPower;

@@ -44,7 +44,7 @@ public:
         for (const PathTable::Column& column : m_table.columns) {
             const AxisSettings& settings = m_machine.axis(column.module);
             const MotionSettings motion = servodefaults::motionOf(settings);
-            const double perSecond = *AxisScale::servo({}, 1).perSecond();  // or no path is run
+            const double perSecond = ticksPerSecond(1);  // with another SR no path is run
             const std::int32_t place = m_places.at(column.module);
             leg.axes.push_back({column.module,
                                 motion.velocity * move.percent / 100.0 * perSecond,

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "model/intent/homingplan.h"
-#include "model/module/modulescale.h"
 
 namespace nmc {
 
@@ -35,7 +34,7 @@ constexpr Duration kLastCount = std::chrono::seconds(5);
     auto range = travelRange(module);
     if (!range)
         return std::nullopt;
-    const double perSecond = *AxisScale::servo({}, module.servoRate.value_or(1)).perSecond();
+    const double perSecond = ticksPerSecond(module.servoRate.value_or(1));
     const auto slack = static_cast<std::int64_t>(std::ceil(slackOf(recipe, perSecond)));
     const std::int64_t home = module.home.place()->counts;
     const auto counter = [](std::int64_t place) {

@@ -122,9 +122,16 @@ void appendPins(std::string& out, const ScopeSample& sample) {
 
 }  // namespace
 
+std::array<std::pair<std::string_view, std::string_view>, 4> originOf(const RecordingHeader& header) {
+    return {{{words::kProgram, header.program},
+             {words::kStarted, header.startedAt},
+             {words::kPort, header.port},
+             {words::kSimulated, header.simulated ? "yes (no real motor moved)" : "no"}}};
+}
+
 void appendOrigin(std::string& out, const RecordingHeader& header) {
-    words::forEachOrigin(
-        header, [&out](std::string_view key, std::string_view value) { appendEntry(out, key, value); });
+    for (const auto& [key, value] : originOf(header))
+        appendEntry(out, key, value);
 }
 
 std::string recordingHead(const RecordingHeader& header) {

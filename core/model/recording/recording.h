@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/strong.h"
@@ -89,6 +90,9 @@ inline constexpr std::array<std::string_view, 15> kRecordingColumns{
     "error",  "error_low", "error_high", "analog",         "status",
     "aux",    "gap",       "analog2",    "analog3",        "counted"};
 
+/// Key and value of what a file says of where its samples are from. The views live as long as `header`.
+[[nodiscard]] std::array<std::pair<std::string_view, std::string_view>, 4> originOf(
+    const RecordingHeader& header);
 /// Comments that say where the samples of a file are from: program, start, port, and whether it is simulated.
 void appendOrigin(std::string& out, const RecordingHeader& header);
 

@@ -15,15 +15,6 @@ inline constexpr std::string_view kProgram = "program";
 inline constexpr std::string_view kStarted = "started";
 inline constexpr std::string_view kPort = "port";
 inline constexpr std::string_view kSimulated = "simulated";
-/// Calls entry(key, value) for what a file says of where its samples are from. RecordingHeader is a parameter
-/// to keep these words free of it.
-template <typename Header, typename Entry>
-void forEachOrigin(const Header& header, const Entry& entry) {
-    entry(kProgram, header.program);
-    entry(kStarted, header.startedAt);
-    entry(kPort, header.port);
-    entry(kSimulated, header.simulated ? "yes (no real motor moved)" : "no");
-}
 /// Followed by the module's number, a space and one of the keys below.
 inline constexpr std::string_view kModule = "module ";
 inline constexpr std::string_view kType = "type";

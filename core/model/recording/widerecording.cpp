@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "model/recording/numbertext.h"
-#include "model/recording/recordingwords.h"
 #include "model/recording/timetext.h"
 #include "model/scope/signalmaker.h"
 
@@ -41,9 +40,8 @@ namespace {
 /// The names of the columns that say what the table is.
 [[nodiscard]] std::string aboutNames(const RecordingHeader& header) {
     std::string names;
-    words::forEachOrigin(header, [&names](std::string_view key, std::string_view value) {
+    for (const auto& [key, value] : originOf(header))
         names.append(",about/").append(key) += '_' + wordOf(value);
-    });
     return names;
 }
 

@@ -13,9 +13,7 @@ AxisScale::AxisScale(AxisUnit unit, std::optional<double> perSecond, bool steps)
     : m_unit(std::move(unit)), m_perSecond(perSecond), m_steps(steps) {}
 
 AxisScale AxisScale::servo(AxisUnit unit, std::optional<int> servoRate) {
-    if (!servoRate)
-        return {std::move(unit), std::nullopt, false};
-    return {std::move(unit), 1.0 / (toSeconds(kServoTick) * std::max(1, *servoRate)), false};
+    return {std::move(unit), servoRate ? std::optional(ticksPerSecond(*servoRate)) : std::nullopt, false};
 }
 
 AxisScale AxisScale::step(AxisUnit unit) {

@@ -52,8 +52,8 @@ public:
 
     [[nodiscard]] double position(double counts) const { return counts / countsPerUnit(); }
     [[nodiscard]] double counts(double position) const { return position * countsPerUnit(); }
-    /// Of a native velocity: user's units per second, or native with UnitKind::Native. These four are empty
-    /// unless timed().
+    /// In the user's units per second; with UnitKind::Native it stays native. These four are empty unless
+    /// timed().
     [[nodiscard]] std::optional<double> velocity(double nativeVelocity) const;
     [[nodiscard]] std::optional<double> nativeVelocity(double velocity) const;
     [[nodiscard]] std::optional<double> acceleration(double nativeAcceleration) const;
