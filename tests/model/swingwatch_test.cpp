@@ -62,6 +62,20 @@ TEST(SwingWatch, LookedAtRarelyTheRateIsNotTold) {
     EXPECT_LE(swing->amplitude, 200);
 }
 
+/// To and fro by 4 counts every 2 s, which one count of the encoder's does not hide.
+TEST(SwingWatch, TellsAMotorThatHunts) {
+    const auto hunts = [](double t) { return std::fmod(t, 2.0) < 1.0 ? 2.0 : -2.0; };
+    EXPECT_FALSE(seen(hunts, 0.01, 3.5)) << "to and fro twice";
+    const auto swing = seen(hunts, 0.01, 8);
+    ASSERT_TRUE(swing && swing->hertz);
+    EXPECT_TRUE(swing->hunts);
+    EXPECT_NEAR(swing->amplitude, 2, 0.01);
+    EXPECT_NEAR(1 / *swing->hertz, 2.0, 0.1);
+    EXPECT_FALSE(seen([&](double t) { return t < 8 ? hunts(t) : 2.0; }, 0.01, 14)) << "it has come to rest";
+    EXPECT_FALSE(seen([](double t) { return std::fmod(t, 2.0) < 1.0 ? 1.0 : -1.0; }, 0.01, 8))
+        << "an encoder between two counts";
+}
+
 TEST(SwingWatch, IsOverWhenItIs) {
     SwingWatch watch;
     const auto swings = sine(200, 12);

@@ -212,6 +212,47 @@ TEST_F(Head, AServoThatHoldsAndSwingsSaysSo) {
     EXPECT_TRUE(listed().contains(u"Holding, oscillating"_s)) << listed().toStdString();
 }
 
+/// Held at 0 by Kp 100 and an integral of Ki 80, IL 50: at 24 counts that asks for (2400 + 4000) / 256 = 25
+/// PWM counts, at 400 for 171.
+TEST_F(Head, SaysHowFarAServoIsOffThePositionItShouldHold) {
+    const auto standAt = [this](std::int32_t position, std::uint8_t ol) {
+        ModuleState module = Servo{.held = true}.state();
+        module.gains = servo::SetGain{100, 1'000, 80, 50, ol, 0, 4'000, 1, std::uint8_t{0}};
+        const TimePoint from = module.latestTime + SwingWatch::kCalm;
+        for (int i = 0; i < 3; ++i) {
+            bus::Sample sample{module.info.index, from + std::chrono::milliseconds(10 * i), *module.latest};
+            sample.report.position = position;
+            module.apply(sample);
+        }
+        window->showLink(connectedTo({module}));
+    };
+    standAt(1, 127);
+    EXPECT_EQ(text(u"stateMeaning"_s), u"The motor holds its position."_s);
+    EXPECT_TRUE(listed().contains(u"Holding"_s) && !listed().contains(u"off"_s));
+    standAt(-24, 127);
+    EXPECT_TRUE(text(u"stateMeaning"_s).startsWith(u"24 counts off the position to hold: friction"_s));
+    EXPECT_TRUE(listed().contains(u"Holding, 24 counts off"_s)) << listed().toStdString();
+    standAt(400, 127);
+    EXPECT_TRUE(text(u"stateMeaning"_s).startsWith(u"400 counts off the position to hold, and pushing"_s));
+    EXPECT_TRUE(listed().contains(u"Holding, pushing at OL"_s)) << listed().toStdString();
+    standAt(400, 255);
+    EXPECT_TRUE(listed().contains(u"Holding, 400 counts off"_s)) << listed().toStdString();
+}
+
+TEST_F(Head, AServoThatATestDrivesIsNotSaidToHold) {
+    ModuleState module = Servo{.held = true}.state();
+    window->showLink(connectedTo({module}));
+    ProcedureReport report;
+    report.kind = ProcedureKind::FrequencyResponse;
+    report.stage = ProcedureStage::Recording;
+    window->showProcedure(report);
+    EXPECT_EQ(text(u"stateLabel"_s), u"Driven by a test"_s);
+    EXPECT_EQ(text(u"stateMeaning"_s), u"The test moves the motor around the position that it held."_s);
+    report.stage = ProcedureStage::Done;
+    window->showProcedure(report);
+    EXPECT_EQ(text(u"stateMeaning"_s), u"The motor holds its position."_s);
+}
+
 TEST_F(Head, AServoWithoutKpIsNotSaidToHold) {
     ModuleState module = Servo{}.state();
     module.gains->kp = 0;

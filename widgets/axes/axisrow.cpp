@@ -178,7 +178,7 @@ void AxisRow::refresh() {
     const AxisScale scale = m_context.scale();
     look::setText(m_name, texts::moduleName(module.info.index));
     look::setText(m_state, texts::activity(module.activity()));
-    m_state->setToolTip(texts::activityMeaning(module.activity()));
+    m_state->setToolTip(texts::activityMeaning(module, scale));
     const auto position = module.latest ? module.latest->position : std::nullopt;
     const bool old = m_context.age().has_value();
     QString where = position ? texts::fixedPosition(scale, *position) + u' ' + texts::unitOf(scale) : u"–"_s;

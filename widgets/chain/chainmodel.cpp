@@ -24,11 +24,11 @@ ChainModel::Facts ChainModel::factsOf(const ModuleState& module, const Machine& 
     facts.lookedFor = module.lookedFor;
     facts.rate = facts.lookedFor ? 0 : qRound(module.repliesPerSecond);
     facts.activity = module.activity();
-    facts.swings = facts.activity == Activity::Holding && module.swing.swing();
     if (const auto run = procedures.find(module.info.index); run != procedures.end() && !run->second.over())
         facts.procedure = run->second;
     facts.motor = module.isServo() || module.isStepper();
     facts.scale = scaleOf(module, settings);
+    facts.word = texts::activity(module, facts.scale);
     facts.home = module.home.place();
     return facts;
 }
@@ -47,9 +47,7 @@ bool ChainModel::show(Row& row, Facts facts, const LinkState& link, const Module
         row.facts = std::move(facts);
         row.title = row.facts.axis.empty() ? row.facts.name : QString::fromStdString(row.facts.axis);
         row.type = texts::moduleType(row.facts.identity);
-        row.activity = row.facts.procedure ? texts::procedureStage(*row.facts.procedure)
-                       : row.facts.swings  ? tr("%1, oscillating").arg(texts::activity(row.facts.activity))
-                                           : texts::activity(row.facts.activity);
+        row.activity = row.facts.procedure ? texts::procedureStage(*row.facts.procedure) : row.facts.word;
         if (row.facts.lookedFor)
             row.activity = tr("%1 · looking for modules…").arg(row.activity);
         row.unit = texts::unitOf(row.facts.scale);

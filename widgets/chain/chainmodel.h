@@ -50,7 +50,7 @@ private:
         int address = 0;
         int rate = 0;  ///< status replies a second
         Activity activity = Activity::Unknown;
-        bool swings = false;
+        QString word;  ///< for it
         bool lookedFor = false;
         bool motor = false;                        ///< that has a position and a home
         std::optional<ProcedureReport> procedure;  ///< while it runs

@@ -132,7 +132,7 @@ std::vector<Message> standing(const LinkState& link, TimePoint now,
             all.push_back(withRecord(wentOff(module)));
         if (module.currentWasLimited())
             all.push_back(withRecord(currentLimited(index)));
-        if (module.swing.swing() && !module.silent)
+        if (module.swing.swing() && !module.swing.swing()->hunts && !module.silent)
             all.push_back(withRecord(swings(module)));
         for (const int limit : {1, 2})
             if (tellsOfLimit(module, limit))

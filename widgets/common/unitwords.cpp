@@ -4,7 +4,10 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
+#include <cstdlib>
 
+#include "model/module/holding.h"
+#include "model/module/modulestate.h"
 #include "widgets/common/words.h"
 
 namespace nmc::texts {
@@ -23,6 +26,10 @@ QString equal(std::optional<double> value, const QString& unit) {
 
 QString countsOf(const AxisScale& scale) {
     return scale.steps() ? unitSteps() : unitCounts();
+}
+
+QString offBy(const Holding& holding, const AxisScale& scale) {
+    return position(scale, static_cast<double>(std::abs(holding.off)));
 }
 
 QString nativeVelocityUnit(const AxisScale& scale) {
@@ -97,8 +104,40 @@ QString position(const AxisScale& scale, double counts) {
 
 QString swing(const SwingWatch::Swing& swing, const AxisScale& scale) {
     const QString far = readout(scale.position(swing.amplitude), 2) + u' ' + unitOf(scale);
+    if (swing.hunts)
+        return Units::tr("Hunting ± %1 every %2 s. Lower Ki.").arg(far, readout(1 / *swing.hertz, 2));
     return swing.hertz ? Units::tr("Oscillating ± %1 at about %2 Hz").arg(far, readout(*swing.hertz, 2))
                        : Units::tr("Oscillating ± %1").arg(far);
+}
+
+QString activity(const ModuleState& module, const AxisScale& scale) {
+    const QString word = activity(module.activity());
+    const auto& swing = module.swing.swing();
+    if (module.activity() == Activity::Holding && swing)
+        return (swing->hunts ? Units::tr("%1, hunting") : Units::tr("%1, oscillating")).arg(word);
+    const auto holding = holdingOf(module);
+    if (!holding || std::abs(holding->off) <= kHeldWithin)
+        return word;
+    return holding->atLimit ? Units::tr("%1, pushing at OL").arg(word)
+                            : Units::tr("%1, %2 off").arg(word, offBy(*holding, scale));
+}
+
+QString activityMeaning(const ModuleState& module, const AxisScale& scale) {
+    if (module.activity() == Activity::Holding) {
+        if (const auto& swing = module.swing.swing())
+            return texts::swing(*swing, scale);
+        if (module.isServo() && module.gains && module.gains->kp == 0)
+            return Units::tr("Kp is 0: the servo brakes the motor but holds no position.");
+    }
+    const auto holding = holdingOf(module);
+    if (!holding || std::abs(holding->off) <= kHeldWithin)
+        return activityMeaning(module.activity());
+    return (holding->atLimit
+                ? Units::tr(
+                      "%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.")
+                : Units::tr(
+                      "%1 off the position to hold: friction or a load needs a higher Kp, or an integral (Ki, IL) that carries it."))
+        .arg(offBy(*holding, scale));
 }
 
 QString otherPosition(const AxisScale& scale, double counts) {

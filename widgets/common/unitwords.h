@@ -8,6 +8,10 @@
 #include "model/settings/machine.h"
 
 /// Numbers of an axis in words, in the unit that its user reads it in.
+namespace nmc {
+struct ModuleState;
+}
+
 namespace nmc::texts {
 
 /// "counts", "turns", "°", "mm", or the user's own.
@@ -32,6 +36,10 @@ namespace nmc::texts {
 [[nodiscard]] QString position(const AxisScale& scale, double counts);
 /// Of a servo that should hold: "Oscillating ± 200 counts at about 37 Hz"
 [[nodiscard]] QString swing(const SwingWatch::Swing& swing, const AxisScale& scale);
+/// What it is doing in a few words: "Moving", "Holding, oscillating", "Holding, 24 counts off".
+[[nodiscard]] QString activity(const ModuleState& module, const AxisScale& scale);
+/// The same as a sentence that says what to make of it.
+[[nodiscard]] QString activityMeaning(const ModuleState& module, const AxisScale& scale);
 /// A native number in the view that a field does not have: "= 977 counts/s" beside counts/tick, "= 0.5
 /// counts/tick" beside turns/s, "= – counts/s" while SR is not known. Empty where there is only one view.
 [[nodiscard]] QString otherPosition(const AxisScale& scale, double counts);

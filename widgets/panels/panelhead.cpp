@@ -241,16 +241,12 @@ void PanelHead::refresh() {
     look::setText(
         m_type,
         tr("%1, address %2").arg(texts::moduleType(module.info.identity)).arg(module.info.address.value()));
-    look::setText(m_state, texts::activity(activity));
-    const bool brakes =
-        activity == Activity::Holding && module.isServo() && module.gains && module.gains->kp == 0;
-    const auto& swing = module.swing.swing();
-    look::setText(m_meaning, module.lookedFor ? tr("Looking for modules… This is what it said last.")
-                             : activity == Activity::Holding && swing
-                                 ? texts::swing(*swing, m_context.scale())
-                             : brakes ? tr("Kp is 0: the servo brakes the motor but holds no position.")
-                                      : texts::activityMeaning(activity));
     const auto procedure = m_context.runningProcedure();
+    const bool driven = activity == Activity::Holding && procedure && movesAround(procedure->kind);
+    look::setText(m_state, driven ? tr("Driven by a test") : texts::activity(activity));
+    look::setText(m_meaning, module.lookedFor ? tr("Looking for modules… This is what it said last.")
+                             : driven ? tr("The test moves the motor around the position that it held.")
+                                      : texts::activityMeaning(module, m_context.scale()));
     look::setText(m_procedure, procedure ? u"▶ "_s + texts::procedureStage(*procedure) : QString());
     m_glyph->showActivity(activity);
     m_glyph->setToolTip(texts::activityMeaning(activity));

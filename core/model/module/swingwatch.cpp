@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "base/strong.h"
@@ -21,6 +22,12 @@ constexpr std::size_t kFewestForRate = 16;
 constexpr double kMinAmplitude = 8.0;
 /// Less than that of the half second before: it calms down by itself.
 constexpr double kStays = 0.7;
+/// Hunting: more than an encoder between two counts tells, and seen to and fro twice.
+constexpr std::int64_t kTurnedBy = 3;
+constexpr std::size_t kTurnsKept = 4;
+constexpr double kShortestHalf = 0.1, kLongestHalf = 10.0;  // s
+/// So many halves after the last turn it has come to rest.
+constexpr double kOverdue = 2.5;
 /// Of all that is seen, what one sine has to account for.
 constexpr double kOneRate = 0.5;
 
@@ -93,6 +100,8 @@ Sine bestSine(const std::vector<double>& seconds, const std::vector<double>& off
 }  // namespace
 
 void SwingWatch::forget() {
+    m_turns.clear();
+    m_farthest.reset();
     m_readings.clear();
     m_swing.reset();
     m_lookedInto = {};
@@ -102,6 +111,7 @@ void SwingWatch::look(TimePoint time, std::int32_t position) {
     if (!m_readings.empty() && time <= m_readings.back().time)
         return;
     m_readings.push_back({time, position});
+    watchTurns(m_readings.back());
     auto kept = m_readings.begin();
     while (time - kept->time > kWindow && m_readings.end() - kept > kFewestReadings)
         ++kept;
@@ -110,6 +120,43 @@ void SwingWatch::look(TimePoint time, std::int32_t position) {
         return;
     m_lookedInto = time;
     m_swing = lookInto();
+    if (!m_swing)
+        m_swing = hunting(time);
+}
+
+void SwingWatch::watchTurns(const Reading& reading) {
+    if (!m_farthest) {
+        m_farthest = reading;
+        return;
+    }
+    const std::int64_t on = std::int64_t{reading.position} - m_farthest->position;
+    if (m_forward ? on >= 0 : on <= 0) {
+        if (on != 0)
+            m_farthest = reading;
+        return;
+    }
+    if (std::abs(on) < kTurnedBy)
+        return;
+    m_turns.push_back(*m_farthest);
+    if (m_turns.size() > kTurnsKept)
+        m_turns.erase(m_turns.begin());
+    m_farthest = reading;
+    m_forward = !m_forward;
+}
+
+std::optional<SwingWatch::Swing> SwingWatch::hunting(TimePoint now) const {
+    if (m_turns.size() < kTurnsKept)
+        return std::nullopt;
+    const double halves = static_cast<double>(m_turns.size() - 1);
+    const double half = toSeconds(m_turns.back().time - m_turns.front().time) / halves;
+    double gone = 0;
+    for (std::size_t i = 1; i < m_turns.size(); ++i)
+        gone += std::abs(static_cast<double>(m_turns[i].position) - m_turns[i - 1].position);
+    const double amplitude = gone / halves / 2;
+    const bool goesOn = toSeconds(now - m_turns.back().time) < kOverdue * half;
+    if (!goesOn || half < kShortestHalf || half > kLongestHalf)
+        return std::nullopt;
+    return Swing{amplitude, 0.5 / half, true};
 }
 
 std::optional<SwingWatch::Swing> SwingWatch::lookInto() const {

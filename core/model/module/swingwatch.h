@@ -10,13 +10,15 @@
 namespace nmc {
 
 /// A servo that should hold and swings (too much Kp or Ki, or too little Kd: DS-V 4.3), as its positions of
-/// the last second tell. Pure.
+/// the last second tell; or hunts, as its turns of the last ones do. Pure.
 class SwingWatch {
 public:
     struct Swing {
         double amplitude = 0.0;  ///< counts to either side
         std::optional<double>
             hertz{};  ///< empty: it is looked at too rarely for that, or swings at no one rate
+        /// Slowly, by a few counts: what the integral gathers breaks friction, again and again.
+        bool hunts = false;
         bool operator==(const Swing&) const = default;
     };
 
@@ -36,7 +38,12 @@ private:
         std::int32_t position = 0;
     };
     [[nodiscard]] std::optional<Swing> lookInto() const;
+    void watchTurns(const Reading& reading);
+    [[nodiscard]] std::optional<Swing> hunting(TimePoint now) const;
 
+    std::vector<Reading> m_turns;  ///< where it was farthest before it turned round, oldest first
+    std::optional<Reading> m_farthest;
+    bool m_forward = false;           ///< how it went there
     std::vector<Reading> m_readings;  ///< oldest first; a vector, since states are copied, and most hold none
     std::optional<Swing> m_swing;
     TimePoint m_lookedInto{};

@@ -35,6 +35,11 @@ enum class ProcedureKind : std::uint8_t {
     return kind == StepResponse || kind == SquareWave || kind == FrequencyResponse || kind == TryGains;
 }
 
+/// It drives the motor about the position that was held.
+[[nodiscard]] constexpr bool movesAround(ProcedureKind kind) {
+    return isTest(kind) && kind != ProcedureKind::TryGains;
+}
+
 /// Where a procedure is; not every kind has every stage.
 enum class ProcedureStage : std::uint8_t {
     Preparing,
