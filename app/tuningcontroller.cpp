@@ -35,8 +35,8 @@ void TuningController::suggest(const SuggestionTask& task) {
         found.id = asked.id;
         found.gains = nmc::suggest(asked.motor, asked.wish, asked.now, asked.taken.goal - asked.taken.from);
         if (found.gains)
-            found.prediction = predict(asked.motor.constants(), *found.gains, asked.taken.from,
-                                       asked.taken.goal, asked.taken.record, asked.bandPercent);
+            found.prediction = predict(asked.motor, *found.gains, asked.taken.from, asked.taken.goal,
+                                       asked.taken.record, asked.bandPercent);
     });
 }
 

@@ -2,6 +2,8 @@
 // Unknown motors in unknown machines: found from three steps each, given gains, and these tried on the motor
 // (issue 16, C).
 //   tune_bench [MOTORS [SEED [ONLY]]]    ONLY: the number of one motor
+// First motors by themselves, then such motors in machines whose play, deadband, encoder noise and spring the
+// model does not have.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,12 +13,16 @@
 #include <vector>
 
 #include "model/tuning/suggest.h"
+#include "tests/support/truemargins.h"
 #include "tests/support/unknownmotor.h"
 
 namespace {
 
 using namespace nmc;
 using namespace nmc::testing_support;
+
+/// As fast as any rule permits, to be compared with the fastest there is.
+constexpr LoopWish kFastest{1.0, 0.5, 1.0, kMinPhaseMargin};
 
 struct Tally {
     int of = 0;
@@ -85,23 +91,48 @@ struct Best {
     return best;
 }
 
+[[nodiscard]] bool isWithinTwo(const Measured& predicted, double truth) {
+    return std::abs(predicted.value - truth) <= 2 * predicted.doubt;
+}
+
+/// Which figures of a step with suggested gains were within two stated standard deviations of the truth.
+struct Predictions {
+    Tally overshoot, settling, error, phase, gain;
+
+    void count(const Prediction& predicted, const ResponseRecord& truth, const TrueMargins& margins) {
+        if (truth.metrics.overshoot)
+            overshoot.count(isWithinTwo(predicted.overshoot, truth.metrics.overshoot->value));
+        settling.count(truth.metrics.settling ? isWithinTwo(predicted.settling, truth.metrics.settling->value)
+                                              : predicted.unsettled > 0.05);
+        error.count(isWithinTwo(predicted.errorAtRest, truth.taken.goal - truth.points.back().position));
+        phase.count(isWithinTwo(predicted.phaseMargin, margins.phaseDegrees));
+        if (std::isfinite(margins.gain) && predicted.gainMargin)
+            gain.count(isWithinTwo(*predicted.gainMargin, margins.gain));
+    }
+    void print() const {
+        overshoot.print("overshoot within two stated standard deviations");
+        settling.print("settling within two stated standard deviations, or said to be doubtful");
+        error.print("error at rest within two stated standard deviations");
+        phase.print("phase margin within two stated standard deviations");
+        gain.print("gain margin within two stated standard deviations");
+    }
+};
+
 /// Within `part` of the truth, or within two of the stated standard deviations.
 [[nodiscard]] bool isNear(const Measured& found, double truth, double part) {
     const double off = std::abs(found.value - truth);
     return off <= part * std::abs(truth) || off <= 2 * found.doubt;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    const int motors = argc > 1 ? std::atoi(argv[1]) : 300;
-    sim::Random random(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 16);
-    const int only = argc > 3 ? std::atoi(argv[3]) : -1;
+/// `only`: the number of one motor; below 0: all of them.
+void campaign(sim::MotorParameters (*draw)(sim::Random&), int motors, std::uint64_t firstSeed, int only) {
+    sim::Random random(firstSeed);
+    Predictions predictions;
     Tally identified, gain, tau, friction, gainSure, tauSure, frictionSure, suggested, stable, fast,
         overshoot;
     std::vector<double> identifySeconds, suggestSeconds, ratios, gainOff, tauOff, overshootOff;
     for (int i = 0; i < motors; ++i) {
-        const sim::MotorParameters motor = unknownMachine(random);
+        const sim::MotorParameters motor = draw(random);
         const std::uint64_t seed = random.next();
         if (only >= 0 && i != only)
             continue;
@@ -138,7 +169,7 @@ int main(int argc, char** argv) {
         servo::SetGain now = gainsToTry().front();
         now.ol = 255;
         began = processorSeconds();
-        const auto gains = suggest(model, {}, now, step);
+        const auto gains = suggest(model, kFastest, now, step);
         suggestSeconds.push_back(processorSeconds() - began);
         suggested.count(gains.has_value());
         if (!gains) {
@@ -150,8 +181,11 @@ int main(int argc, char** argv) {
         TunedServo servo(motor, *gains, seed);
         servo.wait(0.3);
         const ResponseRecord run = servo.step(step, kMedianRecord);
-        const Prediction predicted = predict(model.constants(), *gains, 0, step, kMedianRecord, kFirstBand);
-        const double off = run.metrics.overshoot->value - predicted.run.metrics.overshoot->value;
+        const Prediction predicted = predict(model, *gains, 0, step, kMedianRecord, kFirstBand);
+        const double off = run.metrics.overshoot->value - predicted.overshoot.value;
+        TunedServo exact(motor, *gains, seed);
+        exact.wait(0.3);
+        predictions.count(predicted, exact.trueStep(step, kMedianRecord), trueMargins(motor, *gains));
         overshoot.count(std::abs(off) <= 5);
         overshootOff.push_back(std::abs(off));
         const double settled = medianSettling(motor, *gains, step, seed);
@@ -165,7 +199,7 @@ int main(int argc, char** argv) {
                 "margin %.0f, gain margin %.1f\n",
                 i, truth.gain, truth.timeConstant * 1e3, truth.friction, truth.load,
                 calm ? "stable" : "NOT STABLE", settled * 1e3, run.metrics.overshoot->value,
-                predicted.run.metrics.overshoot->value, gains->kp, gains->kd, gains->ki, gains->il, gains->sr,
+                predicted.overshoot.value, gains->kp, gains->kd, gains->ki, gains->il, gains->sr,
                 best.settled * 1e3, best.gains.kp, best.gains.kd, best.gains.sr,
                 marginsOf(truth, best.gains).phaseDegrees, marginsOf(truth, best.gains).gain);
         std::fflush(stdout);
@@ -183,8 +217,21 @@ int main(int argc, char** argv) {
     stable.print("suggested gains stable");
     fast.print("settling at most 1.5 times the best found");
     printShares("settling over the best found", ratios, "");
+    predictions.print();
     overshoot.print("overshoot within 5 points of the predicted");
     printShares("overshoot off by", overshootOff, "points");
     printShares("identify: processor time", identifySeconds, "s");
     printShares("suggest: processor time", suggestSeconds, "s");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int motors = argc > 1 ? std::atoi(argv[1]) : 300;
+    const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 16;
+    const int only = argc > 3 ? std::atoi(argv[3]) : -1;
+    std::printf("tune: motors by themselves\n");
+    campaign(unknownMotor, motors, seed, only);
+    std::printf("tune: motors in machines\n");
+    campaign(unknownMachine, motors, seed, only);
 }

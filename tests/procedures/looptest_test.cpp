@@ -198,7 +198,9 @@ TEST_F(LoopTests, EdgesFoldIntoAFinerOne) {
     EXPECT_GT(all, 2 * one);
     EXPECT_LE(all, static_cast<long>(0.05 / 512e-6) + 1);
     // The step of this motor by its own model, in the same places.
-    const ResponseRecord reckoned = reckonStep(linearMotor(), kGains, 0, 100, 0.2, kFirstBand);
+    const ResponseRecord reckoned =
+        reckonStep(linearMotor(), {{}, 0, 100, 0.2, ResponseMethod::Profile, kGains},
+                   standing(linearMotor(), kGains, 0, 0), kFirstBand);
     for (const FoldedPoint& point : folded) {
         if (point.seconds < 0.002 || point.seconds > 0.15)
             continue;

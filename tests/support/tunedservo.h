@@ -85,6 +85,20 @@ public:
         return run;
     }
 
+    /// A step as it truly is, from the tick that sees it on: at each tick, where that is which the encoder
+    /// sits on.
+    [[nodiscard]] ResponseRecord trueStep(std::int32_t counts, double record) {
+        ResponseRecord run;
+        run.taken = {{}, m_command, m_command + counts, record, ResponseMethod::Profile, m_set};
+        m_command += counts;
+        for (double t = 0; t <= record; t += kTick) {
+            tick();
+            run.points.push_back({t, static_cast<double>(m_driven)});
+        }
+        setBand(run, kFirstBand);
+        return run;
+    }
+
 private:
     static constexpr double kTick = 512e-6;
 

@@ -67,7 +67,28 @@ TEST_F(BadSteps, ThatHitALimit) {
     sim::MotorParameters motor;
     motor.travelMaxCounts = 120;
     TunedServo servo(motor, gainsOf(200, 2'000), 5);
-    expect(thereAndBack(servo), IdentifyFailure::NotExplained);
+    expect(thereAndBack(servo), IdentifyFailure::Obstacle);
+}
+
+TEST_F(BadSteps, ThatEndAtAHardStop) {
+    for (const std::uint16_t kp : {std::uint16_t{100}, std::uint16_t{700}}) {
+        sim::MotorParameters motor;
+        motor.travelMaxCounts = 60;
+        TunedServo servo(
+            motor, {kp, static_cast<std::uint16_t>(kp * 10), 80, 50, 127, 0, 4'000, 1, std::uint8_t{0}}, 5);
+        servo.wait(0.2);
+        expect({servo.step(100, 0.5)}, IdentifyFailure::Obstacle);
+    }
+}
+
+/// Friction that holds 40 counts short of the goal lets the motor run down first.
+TEST_F(BadSteps, ThatFrictionEndsAreNoObstacle) {
+    sim::MotorParameters motor;
+    motor.coulombNm = 0.04;  // 12.3 PWM counts; Kp e / 256 is no more at 31 counts
+    TunedServo servo(motor, gainsOf(100, 1'000), 5);
+    servo.wait(0.2);
+    const auto found = identify(std::vector{servo.step(100, 0.5)});
+    EXPECT_TRUE(found || found.error() != IdentifyFailure::Obstacle);
 }
 
 TEST_F(BadSteps, ThatOscillate) {

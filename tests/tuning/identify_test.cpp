@@ -92,6 +92,27 @@ TEST(Identify, FindsFrictionAndLoadThatAnIntegralCanHardlyCarry) {
     EXPECT_TRUE(isNear(found->motor.load, truth.load, 0.25)) << found->motor.load.value;
 }
 
+/// 80 mN m are 24.6 PWM counts, of which the integral carries 15.6; an error of 23 counts holds the rest.
+TEST(Identify, FindsALoadThatTheIntegralCannotCarry) {
+    for (const double load : {0.080, -0.080}) {
+        sim::MotorParameters motor;
+        motor.loadNm = load;
+        TunedServo servo(motor, gainsToTry().front(), 5);
+        servo.wait(1.0);
+        std::vector<ResponseRecord> runs;
+        for (const int counts : {100, -100, 200}) {
+            runs.push_back(servo.step(counts, 0.5));
+            servo.wait(0.5);
+        }
+        const auto found = identify(runs);
+        ASSERT_TRUE(found) << load;
+        const MotorConstants truth = physics(motor);
+        EXPECT_TRUE(isNear(found->motor.load, truth.load, 0.05)) << found->motor.load.value;
+        EXPECT_TRUE(isNear(found->motor.gain, truth.gain, 0.1)) << found->motor.gain.value;
+        EXPECT_TRUE(isNear(found->motor.friction, truth.friction, 0.25)) << found->motor.friction.value;
+    }
+}
+
 class UnknownMotors : public testing::TestWithParam<std::uint64_t> {};
 
 /// Ten motors each; the figures of three hundred are scripts/bench tune's.

@@ -17,10 +17,8 @@ using namespace testing_support;
 constexpr servo::SetGain kNow{100, 1'000, 80, 50, 200, 33, 4'000, 1, std::uint8_t{5}};
 constexpr servo::SetGain kAtFullOutput{100, 1'000, 80, 50, 255, 0, 4'000, 1, std::uint8_t{0}};
 
-[[nodiscard]] MotorModel modelOf(const MotorConstants& motor) {
-    return {{motor.gain, 0}, {motor.timeConstant, 0}, {motor.friction, 0}, {motor.load, 0}, {motor.delay, 0}};
-}
-
+/// As fast as any rule permits.
+constexpr LoopWish kFastest{1.0, 0.5, 1.0, kMinPhaseMargin};
 const MotorConstants kSmallMotor{788, 0.013, 1.2, 0, 0.55e-3};
 
 TEST(LoopFigures, AreTheFormulas) {
@@ -37,7 +35,7 @@ TEST(LoopFigures, AreTheFormulas) {
 }
 
 TEST(Suggest, KeepsWhatProtectsTheMotorAndTheMargins) {
-    const auto gains = suggest(modelOf(kSmallMotor), {}, kNow, 200);
+    const auto gains = suggest(MotorModel::exactly(kSmallMotor), {}, kNow, 200);
     ASSERT_TRUE(gains);
     EXPECT_EQ(gains->ol, kNow.ol);
     EXPECT_EQ(gains->cl, kNow.cl);
@@ -46,15 +44,29 @@ TEST(Suggest, KeepsWhatProtectsTheMotorAndTheMargins) {
     EXPECT_LE(gains->el, 800);
     const LoopMargins margins = marginsOf(kSmallMotor, *gains);
     EXPECT_TRUE(margins.stable);
-    EXPECT_GE(margins.phaseDegrees, kMinPhaseMargin);
+    EXPECT_GE(margins.phaseDegrees, LoopWish{}.phaseMargin);
     EXPECT_GE(margins.gain, kMinGainMargin);
+}
+
+TEST(Suggest, HasThePhaseMarginThatWasWished) {
+    double before = 1e9;  // Hz
+    for (const double wished : {30.0, 45.0, 60.0, 70.0}) {
+        LoopWish wish;
+        wish.phaseMargin = wished;
+        const auto gains = suggest(MotorModel::exactly(kSmallMotor), wish, kNow, 200);
+        ASSERT_TRUE(gains);
+        const LoopMargins margins = marginsOf(kSmallMotor, *gains);
+        EXPECT_GE(margins.phaseDegrees, wished);
+        EXPECT_LT(margins.crossover, before) << "a margin costs speed";
+        before = margins.crossover;
+    }
 }
 
 TEST(Suggest, IsNoLouderThanWished) {
     for (const double noise : {0.1, 0.4, 1.0}) {
         LoopWish wish;
         wish.noise = noise;
-        const auto gains = suggest(modelOf(kSmallMotor), wish, kNow, 200);
+        const auto gains = suggest(MotorModel::exactly(kSmallMotor), wish, kNow, 200);
         ASSERT_TRUE(gains);
         EXPECT_LE(figuresOf(kSmallMotor, *gains).noise, noise * kMaxNoise * 1.01);
     }
@@ -63,7 +75,7 @@ TEST(Suggest, IsNoLouderThanWished) {
 TEST(Suggest, IsStifferTheMoreItIsWished) {
     double before = 0;
     for (const double stiffness : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        const auto gains = suggest(modelOf(kSmallMotor), {stiffness, 0.5, 1.0}, kNow, 200);
+        const auto gains = suggest(MotorModel::exactly(kSmallMotor), {stiffness, 0.5, 1.0}, kNow, 200);
         ASSERT_TRUE(gains);
         const double now = figuresOf(kSmallMotor, *gains).naturalFrequency;
         EXPECT_GT(now, before * 1.3) << stiffness;
@@ -75,26 +87,26 @@ TEST(Suggest, HasAnIntegralOnlyForAnErrorThatItRemovesAndNoMoreThanCarriesIt) {
     // Kp is some hundreds: half a PWM count and no friction leave less than a count.
     MotorConstants motor = kSmallMotor;
     motor.friction = 0;
-    auto gains = suggest(modelOf(motor), {}, kNow, 200);
+    auto gains = suggest(MotorModel::exactly(motor), {}, kNow, 200);
     ASSERT_TRUE(gains);
     EXPECT_EQ(gains->ki, 0);
     EXPECT_EQ(gains->il, 0);
     // Friction 6 and load 8 are 14 PWM counts: more than ten counts of error.
     motor.friction = 6;
     motor.load = -8;
-    gains = suggest(modelOf(motor), {}, kNow, 200);
+    gains = suggest(MotorModel::exactly(motor), {}, kNow, 200);
     ASSERT_TRUE(gains);
     const double carries = gains->ki * gains->il / 256.0;
     EXPECT_GE(carries, 14);
     EXPECT_LE(carries, 14 * 1.4);
-    EXPECT_LE(std::abs(predict(motor, *gains, 0, 200, 3, 2).errorAtRest), 1);
+    EXPECT_LE(std::abs(predict(MotorModel::exactly(motor), *gains, 0, 200, 3, 2).errorAtRest.value), 1);
 }
 
 TEST(Suggest, LowersTheServoRateForALargeInertiaAndACoarseEncoder) {
-    EXPECT_EQ(suggest(modelOf(kSmallMotor), {}, kNow, 200)->sr, 1);
+    EXPECT_EQ(suggest(MotorModel::exactly(kSmallMotor), {}, kNow, 200)->sr, 1);
     // Kd would not fit at SR 1: 2 zeta wn = 150 /s needs (150 x 0.5 - 1) x 256 / (160 x 0.512 ms) = 231 000.
     const MotorConstants heavy{160, 0.5, 1.2, 0, 0.55e-3};
-    const auto gains = suggest(modelOf(heavy), {}, kNow, 40);
+    const auto gains = suggest(MotorModel::exactly(heavy), {}, kNow, 40);
     ASSERT_TRUE(gains);
     EXPECT_GT(gains->sr, 1);
     EXPECT_LE(figuresOf(heavy, *gains).noise, kMaxNoise * 1.01);
@@ -102,7 +114,7 @@ TEST(Suggest, LowersTheServoRateForALargeInertiaAndACoarseEncoder) {
 
 TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {
     // Even Kp 1 is 1e9 / 256 / 0.01 = 3.9e8: wn = 20 000 rad/s, ten times the servo rate.
-    EXPECT_FALSE(suggest(modelOf({1e9, 0.01, 1, 0, 0.5e-3}), {}, kNow, 200));
+    EXPECT_FALSE(suggest(MotorModel::exactly({1e9, 0.01, 1, 0, 0.5e-3}), {}, kNow, 200));
 }
 
 /// The simulator's motor with these constants; physics() the other way round.
@@ -133,7 +145,7 @@ TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {
 TEST(SuggestOnTheMotor, SettlesWhicheverWayFrictionHeldTheLoad) {
     for (const double load : {-4.8, 4.8}) {
         const MotorConstants motor{1'025, 0.0135, 3.0, load, 0.55e-3};
-        const auto gains = suggest(modelOf(motor), {}, kAtFullOutput, 260);
+        const auto gains = suggest(MotorModel::exactly(motor), {}, kAtFullOutput, 260);
         ASSERT_TRUE(gains);
         for (const int step : {260, -260})
             EXPECT_LT(settlingOf(motor, *gains, step), twiceTheTextbook(motor)) << load << ' ' << step;
@@ -142,7 +154,7 @@ TEST(SuggestOnTheMotor, SettlesWhicheverWayFrictionHeldTheLoad) {
 
 TEST(SuggestOnTheMotor, IsNoSlowerForALoadThatIsNotKnown) {
     const MotorConstants motor{583, 0.0088, 0.8, 0, 0.55e-3};
-    MotorModel model = modelOf(motor);
+    MotorModel model = MotorModel::exactly(motor);
     model.load = {-4.4, 10.4};
     const auto gains = suggest(model, {}, kAtFullOutput, 147);
     ASSERT_TRUE(gains);
@@ -152,7 +164,7 @@ TEST(SuggestOnTheMotor, IsNoSlowerForALoadThatIsNotKnown) {
 /// It may still come nearer, but does not go away again.
 TEST(SuggestOnTheMotor, DoesNotHuntAroundItsGoal) {
     const MotorConstants motor{2'658, 0.0079, 0.9, 6.9, 0.55e-3};
-    const auto gains = suggest(modelOf(motor), {}, kAtFullOutput, 674);
+    const auto gains = suggest(MotorModel::exactly(motor), {}, kAtFullOutput, 674);
     ASSERT_TRUE(gains);
     TunedServo servo(plantOf(motor), *gains, 5);
     servo.wait(0.3);
@@ -170,7 +182,7 @@ TEST(SuggestOnTheMotor, DoesNotHuntAroundItsGoal) {
 TEST(Suggest, PushesByOneStepOfTheIntegralNoMoreThanByOneCount) {
     for (const double friction : {0.5, 4.0, 12.0})
         for (const double tau : {0.008, 0.05, 0.5}) {
-            const auto gains = suggest(modelOf({800, tau, friction, 5, 0.55e-3}), {}, kNow, 200);
+            const auto gains = suggest(MotorModel::exactly({800, tau, friction, 5, 0.55e-3}), {}, kNow, 200);
             ASSERT_TRUE(gains);
             EXPECT_LE(gains->ki, gains->kp) << friction << ' ' << tau;
         }
@@ -178,7 +190,8 @@ TEST(Suggest, PushesByOneStepOfTheIntegralNoMoreThanByOneCount) {
 
 TEST(Suggest, HasGainsForEveryStiffnessWhereFrictionIsLarge) {
     for (const double stiffness : {0.0, 0.3, 1.0})
-        EXPECT_TRUE(suggest(modelOf({800, 0.012, 8, 3, 0.55e-3}), {stiffness, 0.5, 1.0}, kNow, 200))
+        EXPECT_TRUE(
+            suggest(MotorModel::exactly({800, 0.012, 8, 3, 0.55e-3}), {stiffness, 0.5, 1.0}, kNow, 200))
             << stiffness;
 }
 
@@ -204,7 +217,7 @@ TEST_P(SuggestedForSticking, SettleWithinOneAndAHalfTimesTheFastest) {
     servo::SetGain now = gainsToTry().front();
     now.ol = 255;
     const auto step = static_cast<std::int32_t>(motor.countsPerTurn / 10);
-    const auto gains = suggest(found->motor, {}, now, step);
+    const auto gains = suggest(found->motor, kFastest, now, step);
     ASSERT_TRUE(gains);
     EXPECT_LE(medianSettling(motor, *gains, step, seed), 1.5 * GetParam().fastest);
 }
@@ -229,14 +242,14 @@ TEST_P(SuggestedGains, SettleOnTheMotorThatWasFound) {
         servo::SetGain now = kNow;
         now.db = std::uint8_t{0};
         const auto step = static_cast<std::int32_t>(motor.countsPerTurn / 10);
-        const auto gains = suggest(found->motor, {}, now, step);
+        const auto gains = suggest(found->motor, kFastest, now, step);
         ASSERT_TRUE(gains);
         TunedServo servo(motor, *gains, seed);
         ASSERT_TRUE(comesToRest(servo));
         const ResponseRecord run = servo.step(step, 1.0);
         ASSERT_TRUE(run.metrics.settling) << "Kp " << gains->kp << " Kd " << gains->kd;
         EXPECT_LT(run.metrics.settling->value, 0.4);
-        const Prediction prediction = predict(found->motor.constants(), *gains, 0, step, 1.0, kFirstBand);
+        const Prediction prediction = predict(found->motor, *gains, 0, step, 1.0, kFirstBand);
         EXPECT_NEAR(run.metrics.overshoot->value, prediction.run.metrics.overshoot->value,
                     5 + run.metrics.overshoot->doubt);
     }

@@ -37,7 +37,7 @@ protected:
     [[nodiscard]] Suggestion answerTo(const SuggestionTask& task) {
         Suggestion suggestion{task.id, someGains(), {}};
         suggestion.gains->kp = 321;
-        suggestion.prediction = predict(task.motor.constants(), *suggestion.gains, 500, 600, 0.1, 2.0);
+        suggestion.prediction = predict(task.motor, *suggestion.gains, 500, 600, 0.1, 2.0);
         return suggestion;
     }
     [[nodiscard]] SuggestionTask task() {
@@ -84,6 +84,55 @@ TEST_F(ModelPage, ShowsTheMotorAndFillsInWhatIsSuggested) {
     EXPECT_EQ(intents.size(), 0) << "nothing is sent";
 }
 
+TEST_F(ModelPage, SaysHowSureAPredictionIs) {
+    find();
+    SuggestionTask asked = task();
+    asked.motor.friction = {11, 9};
+    Suggestion answer = answerTo(asked);
+    answer.prediction->overshoot = {4.3, 2.0};
+    answer.prediction->settling = {7.9e-3, 3e-3};
+    answer.prediction->unsettled = 0.2;
+    answer.prediction->errorAtRest = {0, 4};
+    answer.prediction->phaseMargin = {46, 9};
+    answer.prediction->gainMargin = Measured{3.2, 0.6};
+    dock().showSuggestion(answer);
+    const QString words = text(u"suggestedGains"_s);
+    for (const auto& part : {u"Overshoot 4 ± 2 %, settling 8 ± 3 ms"_s, u"Steady-state error 0 ± 4 counts"_s,
+                             u"In 20 of 100 cases"_s, u"Phase margin 46 ± 9°, gain margin 3.2 ± 0.6"_s})
+        EXPECT_TRUE(words.contains(part)) << part.toStdString() << " in " << words.toStdString();
+}
+
+/// Gain known to 21 %: the same button steps, then finds again; gains are careful until it is known.
+TEST_F(ModelPage, AsksForOneMoreStepWhereTheMotorIsUncertain) {
+    window->showResponse(ramp());
+    click(u"identifyButton"_s);
+    Identified uncertain = motor();
+    uncertain.motor.gain.doubt = 165;
+    dock().showMotor(ModuleIndex(0), uncertain);
+    EXPECT_TRUE(text(u"motorModel"_s).contains(u"Uncertain"_s));
+    EXPECT_EQ(task().wish.phaseMargin, 60);
+    EXPECT_EQ(button(u"identifyButton"_s)->text(), u"One more step"_s);
+    EXPECT_TRUE(button(u"identifyButton"_s)->accessibleName().startsWith(u"One more step"_s));
+    click(u"identifyButton"_s);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_TRUE(std::holds_alternative<intent::StepResponse>(intents.last().at(1).value<Intent>()));
+    EXPECT_EQ(wanted.size(), 1) << "not looked for again";
+    window->showResponse(ramp(100));
+    EXPECT_EQ(button(u"identifyButton"_s)->text(), u"Find the motor"_s);
+    click(u"identifyButton"_s);
+    EXPECT_EQ(wanted.size(), 2);
+    dock().showMotor(ModuleIndex(0), motor());
+    EXPECT_EQ(button(u"identifyButton"_s)->text(), u"Find the motor"_s);
+    EXPECT_EQ(task().wish.phaseMargin, 45);
+}
+
+TEST_F(ModelPage, SuggestsWithThePhaseMarginThatIsChosen) {
+    find();
+    EXPECT_EQ(task().wish.phaseMargin, 45);
+    type(u"phaseMarginField"_s, u"55"_s);
+    EXPECT_EQ(task().wish.phaseMargin, 55);
+}
+
 TEST_F(ModelPage, OnlyTheAnswerToTheLatestQuestionCounts) {
     find();
     const SuggestionTask first = task();
@@ -108,14 +157,14 @@ TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
     QSet<QString> sentences;
     for (const auto failure :
          {IdentifyFailure::TooFewSamples, IdentifyFailure::DoesNotMove, IdentifyFailure::WrongWay,
-          IdentifyFailure::Oscillates, IdentifyFailure::NotExplained, IdentifyFailure::GainUnclear,
-          IdentifyFailure::TimeConstantUnclear}) {
+          IdentifyFailure::Oscillates, IdentifyFailure::NotExplained, IdentifyFailure::Obstacle,
+          IdentifyFailure::GainUnclear, IdentifyFailure::TimeConstantUnclear}) {
         window->showResponse(ramp());
         click(u"identifyButton"_s);
         dock().showMotor(ModuleIndex(0), tl::unexpected(failure));
         sentences << text(u"motorModel"_s);
     }
-    EXPECT_EQ(sentences.size(), 7);
+    EXPECT_EQ(sentences.size(), 8);
     EXPECT_FALSE(sentences.contains(QString()));
     EXPECT_TRUE(tasks.isEmpty());
 }

@@ -2,6 +2,7 @@
 #include "widgets/response/modelbox.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -11,6 +12,7 @@
 #include "model/response/responsefile.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/numberfield.h"
 #include "widgets/response/modelwords.h"
 
 namespace nmc {
@@ -19,8 +21,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr int kSliderSteps = 100;
-constexpr int kMotorLines = 5;
-constexpr int kSuggestionLines = 5;
+constexpr int kMotorLines = 6;
+constexpr int kSuggestionLines = 6;
 
 /// As many lines as it may need are always its own, so that no button moves.
 QLabel* newParagraph(const QString& objectName, const QString& what, int lines, QWidget* parent) {
@@ -34,7 +36,8 @@ QLabel* newParagraph(const QString& objectName, const QString& what, int lines, 
 }
 }  // namespace
 
-ModelBox::ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent) : QWidget(parent), m_runs(runs) {
+ModelBox::ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent)
+    : QWidget(parent), m_runs(runs), m_margin(LoopWish{}.phaseMargin) {
     look::name(this, u"modelBox"_s, tr("Motor model"));
     m_identify = new QPushButton(icons::tinted(u"wand"_s), tr("Find the motor"), this);
     look::name(m_identify, u"identifyButton"_s, tr("Find the motor model from the steps"));
@@ -64,6 +67,28 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent) : QWi
         grid->addWidget(label, line, 0);
         grid->addWidget(slider, line++, 1);
     }
+    m_phase = new NumberField(0, this);
+    look::name(m_phase, u"phaseMarginField"_s, tr("Phase margin"));
+    m_phase->setWords(tr("The phase margin"), tr("°"));
+    m_phase->setRange(kMinPhaseMargin, kMaxPhaseMargin);
+    m_phase->setMeaning(tr(
+        "How far the suggested loop is from oscillating, at least. 30°: fast, rings. 45° to 60°: moderate."));
+    m_phase->showValue(m_margin);
+    m_phase->setDigits(3);
+    auto* label = new QLabel(tr("Phase margin"), this);
+    label->setBuddy(m_phase);
+    auto* margin = new QHBoxLayout;
+    margin->addWidget(m_phase);
+    margin->addWidget(new QLabel(tr("° at least"), this));
+    margin->addStretch(1);
+    grid->addWidget(label, line, 0);
+    grid->addLayout(margin, line++, 1);
+    connect(m_phase, &NumberField::edited, this, [this] {
+        if (const auto margin = m_phase->value()) {
+            m_margin = *margin;
+            suggest();
+        }
+    });
     grid->addWidget(m_suggested, line++, 0, 1, 2);
     grid->addWidget(m_fill, line++, 0, 1, 2, Qt::AlignLeft);
     grid->setRowStretch(line, 1);
@@ -103,7 +128,16 @@ const ModelBox::Found* ModelBox::found() const {
     return entry != m_found.end() ? &entry->second : nullptr;
 }
 
+bool ModelBox::wantsStep() const {
+    const Found* found = this->found();
+    const std::vector<const KeptResponse*> mine = ofThisModule();
+    return found != nullptr && found->motor && !found->motor->motor.isSure() && !mine.empty() &&
+           mine.back()->number == found->from;
+}
+
 void ModelBox::identify() {
+    if (wantsStep())
+        return emit stepWanted();
     const std::vector<const KeptResponse*> mine = ofThisModule();
     if (mine.empty() || m_looking)
         return;
@@ -130,7 +164,9 @@ void ModelBox::forget() {
     suggest();
 }
 
-void ModelBox::showModule(const PanelView& view) {
+void ModelBox::showModule(const PanelView& view, const QString& stepProblem) {
+    const bool problem = stepProblem != m_stepProblem;
+    m_stepProblem = stepProblem;
     const auto servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
     const ProcedureReport* running = view.procedure;
     const bool tries = running != nullptr && running->kind == ProcedureKind::TryGains && !running->over();
@@ -141,6 +177,8 @@ void ModelBox::showModule(const PanelView& view) {
     m_gains = gains;
     if (news)
         suggest();
+    else if (problem)
+        refresh();
 }
 
 void ModelBox::showNothing() {
@@ -170,12 +208,14 @@ void ModelBox::suggest() {
             };
             m_about = number;
             m_fitted = found->motor->runs.back().points;
-            emit suggestionWanted({id,
-                                   found->motor->motor,
-                                   {part(m_stiffness), part(m_damping), part(m_noise)},
-                                   m_gains.value_or(last->run.taken.gains),
-                                   last->run.taken,
-                                   last->run.bandPercent});
+            emit suggestionWanted(
+                {id,
+                 found->motor->motor,
+                 {part(m_stiffness), part(m_damping), part(m_noise),
+                  found->motor->motor.isSure() ? m_margin : std::max(m_margin, kCarefulPhaseMargin)},
+                 m_gains.value_or(last->run.taken.gains),
+                 last->run.taken,
+                 last->run.bandPercent});
         }
     }
     refresh();
@@ -190,24 +230,30 @@ void ModelBox::showSuggestion(const Suggestion& suggestion) {
     emit curvesChanged();
 }
 
-const std::vector<ResponsePoint>& ModelBox::predictedPoints() const {
-    static const std::vector<ResponsePoint> kNone;
-    return m_suggestion.prediction ? m_suggestion.prediction->run.points : kNone;
+const Prediction* ModelBox::prediction() const {
+    return m_suggestion.prediction ? &*m_suggestion.prediction : nullptr;
 }
 
 void ModelBox::refresh() {
+    const bool wantsStep = this->wantsStep();
+    m_identify->setText(wantsStep ? tr("One more step") : tr("Find the motor"));
+    m_identify->setAccessibleName(m_identify->text());
     look::setPossible(
         m_identify,
         m_looking                ? tr("The motor model is being calculated.")
         : ofThisModule().empty() ? tr("Record a step with this module first.")
+        : wantsStep              ? m_stepProblem
                                  : QString(),
-        tr("Calculates the motor model from up to %1 recent steps of this module. Sends nothing.")
-            .arg(kMaxRuns));
+        wantsStep
+            ? tr("Steps once more. The more steps there are, in both directions and of two sizes, the better the model.")
+            : tr("Calculates the motor model from up to %1 recent steps of this module. Sends nothing.")
+                  .arg(kMaxRuns));
     look::setPossible(m_fill,
                       m_suggestion.gains ? QString() : tr("No suggested gains. Find the motor first."),
                       tr("Copies the suggested gains to the Gains page. Sends nothing."));
     for (QSlider* slider : {m_stiffness, m_damping, m_noise})
         slider->setEnabled(found() != nullptr && found()->motor.has_value());
+    m_phase->setEnabled(m_noise->isEnabled());
     showWords();
 }
 

@@ -18,6 +18,8 @@ class QSlider;
 
 namespace nmc {
 
+class NumberField;
+
 using FoundMotor = tl::expected<Identified, IdentifyFailure>;
 
 /// What a suggestion is asked for with.
@@ -45,7 +47,8 @@ public:
     explicit ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent = nullptr);
 
     // Emit nothing but curvesChanged().
-    void showModule(const PanelView& view);
+    /// `stepProblem`: why this module can make no step now; empty: it can.
+    void showModule(const PanelView& view, const QString& stepProblem);
     void showNothing();
     /// The runs of the list are others.
     void showRuns();
@@ -56,9 +59,9 @@ public:
     /// The modules are others.
     void forget();
 
-    /// What a step like the last of this module would do with the suggested gains; empty: nothing is
+    /// What a step like the last of this module would do with the suggested gains; null: nothing is
     /// suggested.
-    [[nodiscard]] const std::vector<ResponsePoint>& predictedPoints() const;
+    [[nodiscard]] const Prediction* prediction() const;
     /// How the motor that was found explains that last one.
     [[nodiscard]] const std::vector<ResponsePoint>& fittedPoints() const { return m_fitted; }
     /// The motor that was found, a line each; empty: none was.
@@ -72,6 +75,8 @@ signals:
     void suggestionWanted(const nmc::SuggestionTask& task);
     void gainsWanted(const nmc::servo::SetGain& gains);
     void curvesChanged();
+    /// One more step with the settings of the form: what was found is not sure yet.
+    void stepWanted();
 
 private:
     struct Looking {
@@ -88,6 +93,8 @@ private:
     void refresh();
     void suggest();
     void showWords();
+    /// The motor was found, though not surely, and of all runs that there are.
+    [[nodiscard]] bool wantsStep() const;
     [[nodiscard]] std::vector<const KeptResponse*> ofThisModule() const;
     [[nodiscard]] const Found* found() const;
 
@@ -98,12 +105,15 @@ private:
     QSlider* m_stiffness = nullptr;
     QSlider* m_damping = nullptr;
     QSlider* m_noise = nullptr;
+    NumberField* m_phase = nullptr;
     const std::vector<KeptResponse>& m_runs;
     std::map<ModuleIndex, Found> m_found;
     std::optional<Looking> m_looking;
     std::optional<ModuleIndex> m_servo;
     std::optional<servo::SetGain> m_gains;  ///< that it has
-    int m_asked = 0;                        ///< suggestions, so far
+    QString m_stepProblem;
+    double m_margin;  ///< degrees; the last one that was a number
+    int m_asked = 0;  ///< suggestions, so far
     Suggestion m_suggestion;
     std::vector<ResponsePoint> m_fitted;
     std::optional<int> m_about;

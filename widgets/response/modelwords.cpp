@@ -24,13 +24,17 @@ Measured inMilliseconds(const Measured& seconds) {
 
 QStringList motorFound(const Identified& found) {
     const MotorModel& motor = found.motor;
-    return {ModelTexts::tr("Gain %1").arg(plusMinus(motor.gain, ModelTexts::tr("counts/s per PWM count"))),
-            ModelTexts::tr("Time constant %1")
-                .arg(plusMinus(inMilliseconds(motor.timeConstant), ModelTexts::tr("ms"))),
-            ModelTexts::tr("Friction %1").arg(plusMinus(motor.friction, ModelTexts::tr("of 255 PWM"))),
-            ModelTexts::tr("Load %1").arg(plusMinus(motor.load, ModelTexts::tr("of 255 PWM"))),
-            ModelTexts::tr("Model error %1 counts RMS; encoder and timing account for %2.")
-                .arg(readout(found.missed, 2), readout(found.expected, 2))};
+    QStringList lines{
+        ModelTexts::tr("Gain %1").arg(plusMinus(motor.gain, ModelTexts::tr("counts/s per PWM count"))),
+        ModelTexts::tr("Time constant %1")
+            .arg(plusMinus(inMilliseconds(motor.timeConstant), ModelTexts::tr("ms"))),
+        ModelTexts::tr("Friction %1").arg(plusMinus(motor.friction, ModelTexts::tr("of 255 PWM"))),
+        ModelTexts::tr("Load %1").arg(plusMinus(motor.load, ModelTexts::tr("of 255 PWM"))),
+        ModelTexts::tr("Model error %1 counts RMS; encoder and timing account for %2.")
+            .arg(readout(found.missed, 2), readout(found.expected, 2))};
+    if (!motor.isSure())
+        lines << ModelTexts::tr("Uncertain: step once more. Until then the suggested gains are careful.");
+    return lines;
 }
 
 QString motorNotFound(IdentifyFailure failure) {
@@ -48,6 +52,9 @@ QString motorNotFound(IdentifyFailure failure) {
         case IdentifyFailure::NotExplained:
             return ModelTexts::tr(
                 "The model does not fit the step. Check for backlash, an elastic belt, a hard stop or a current limit.");
+        case IdentifyFailure::Obstacle:
+            return ModelTexts::tr(
+                "The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.");
         case IdentifyFailure::GainUnclear:
             return ModelTexts::tr(
                 "These steps do not determine the motor gain. Add a larger step, so that the motor gets close to a steady speed.");
@@ -67,15 +74,19 @@ QString gainsInShort(const servo::SetGain& gains) {
 }
 
 QStringList predicted(const Prediction& prediction) {
-    const LoopMargins& margins = prediction.margins;
-    return {ModelTexts::tr("Overshoot %1, settling %2")
-                .arg(responseOvershoot(prediction.run.metrics.overshoot),
-                     responseTime(prediction.run.metrics.settling)),
-            ModelTexts::tr("Steady-state error %1 counts").arg(readout(prediction.errorAtRest, 2)),
-            std::isfinite(margins.gain)
-                ? ModelTexts::tr("Phase margin %1°, gain margin %2")
-                      .arg(readout(margins.phaseDegrees, 2), readout(margins.gain, 2))
-                : ModelTexts::tr("Phase margin %1°").arg(readout(margins.phaseDegrees, 2))};
+    // Two standard deviations leave out as many cases anyway.
+    constexpr double kSeldom = 0.05;
+    QStringList lines{ModelTexts::tr("Overshoot %1, settling %2")
+                          .arg(responseOvershoot(prediction.overshoot), responseTime(prediction.settling)),
+                      ModelTexts::tr("Steady-state error %1 counts").arg(plusMinus(prediction.errorAtRest))};
+    if (prediction.unsettled > kSeldom)
+        lines << ModelTexts::tr("In %1 of 100 cases the motor stops too far from its goal.")
+                     .arg(std::lround(prediction.unsettled * 100));
+    const QString phase = plusMinus(prediction.phaseMargin);
+    lines << (prediction.gainMargin ? ModelTexts::tr("Phase margin %1°, gain margin %2")
+                                          .arg(phase, plusMinus(*prediction.gainMargin))
+                                    : ModelTexts::tr("Phase margin %1°").arg(phase));
+    return lines;
 }
 
 }  // namespace nmc::texts

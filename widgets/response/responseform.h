@@ -31,6 +31,9 @@ public:
     /// As by its button.
     void step();
 
+    /// Why no step can be made now; empty: one can.
+    [[nodiscard]] QString whyNotNow() const;
+
     /// Percent of the step; the last one that was a number.
     [[nodiscard]] double band() const { return m_lastBand; }
 
@@ -50,7 +53,6 @@ private:
     void askWhichGains(const intent::StepResponse& step);
     [[nodiscard]] std::optional<Refusal> refusal() const;
     [[nodiscard]] std::optional<intent::StepResponse> entered() const;
-    [[nodiscard]] QString whyNotNow() const;
     [[nodiscard]] QString unsentGains() const;
 
     QuantityField* m_distance = nullptr;

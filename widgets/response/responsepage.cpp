@@ -45,6 +45,7 @@ ResponsePage::ResponsePage(QWidget* parent)
     keepFocusOnTabs(*m_findings);
     connect(m_model, &ModelBox::identifyWanted, this, &ResponsePage::identifyWanted);
     connect(m_model, &ModelBox::suggestionWanted, this, &ResponsePage::suggestionWanted);
+    connect(m_model, &ModelBox::stepWanted, m_form, &ResponseForm::step);
     connect(m_model, &ModelBox::gainsWanted, this, &ResponsePage::gainsWanted);
     connect(m_model, &ModelBox::curvesChanged, this, &ResponsePage::showModelCurves);
     lay();
@@ -153,7 +154,7 @@ void ResponsePage::lay() {
 
 void ResponsePage::showModule(const PanelView& view) {
     m_form->showModule(view);
-    m_model->showModule(view);
+    m_model->showModule(view, m_form->whyNotNow());
     m_servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
     refreshButtons();
 }
@@ -286,7 +287,7 @@ void ResponsePage::showModelCurves() {
                shown->run.taken.goal - shown->run.taken.from == about->run.taken.goal - about->run.taken.from;
     };
     const bool drawn = about != nullptr && (alike(find(m_shown[0])) || alike(find(m_shown[1])));
-    m_view->plot().showModel(drawn ? about : nullptr, m_model->fittedPoints(), m_model->predictedPoints());
+    m_view->plot().showModel(drawn ? about : nullptr, m_model->fittedPoints(), m_model->prediction());
 }
 
 QString ResponsePage::whyNotUsable(const KeptResponse* run) const {

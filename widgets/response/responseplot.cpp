@@ -4,10 +4,13 @@
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
+#include "model/tuning/predict.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
@@ -119,9 +122,16 @@ QPolygonF ResponsePlot::lineOf(const KeptResponse& about, const std::vector<Resp
 }
 
 void ResponsePlot::showModel(const KeptResponse* about, const std::vector<ResponsePoint>& fitted,
-                             const std::vector<ResponsePoint>& predicted) {
+                             const Prediction* predicted) {
     m_fitted = about != nullptr ? lineOf(*about, fitted) : QPolygonF();
-    m_predicted = about != nullptr ? lineOf(*about, predicted) : QPolygonF();
+    m_predicted.clear();
+    m_range.clear();
+    if (about != nullptr && predicted != nullptr) {
+        m_predicted = lineOf(*about, predicted->run.points);
+        m_range = lineOf(*about, predicted->high);
+        const QPolygonF low = lineOf(*about, predicted->low);
+        std::copy(low.rbegin(), low.rend(), std::back_inserter(m_range));
+    }
     adoptPalette();
     fit();
 }
@@ -163,6 +173,7 @@ ResponsePlot::View ResponsePlot::fitted() const {
         std::for_each(curve.parts.begin(), curve.parts.end(), takeIn);
     takeIn(m_fitted);
     takeIn(m_predicted);
+    takeIn(m_range);
     const double left = -toSeconds(kBeforeStep);
     return right == 0 ? View{left, kUsualRecord, low, 1} : View{left, right, low, high};
 }
@@ -232,6 +243,7 @@ void ResponsePlot::paintOver(QPainter& painter) {
     if (m_curves[1] && !(m_curves[0] && m_curves[0]->sameGoal(*m_curves[1])))
         paintGoal(painter, *m_curves[1]);
     paintOthers(painter);
+    paintRange(painter);
     paintCurve(painter, 1);
     paintCurve(painter, 0);
     painter.setPen(QPen(colour(kModel), kPenWidth, Qt::DotLine, Qt::FlatCap));
@@ -315,6 +327,18 @@ void ResponsePlot::paintCurve(QPainter& painter, std::size_t which) const {
     painter.setPen(pen);
     for (const QPolygonF& part : m_curves[which]->parts)
         paintLine(painter, part);
+}
+
+/// As far as it is in the area: an SVG file knows no clipping.
+void ResponsePlot::paintRange(QPainter& painter) const {
+    QPolygonF places;
+    for (const QPointF& point : m_range)
+        places << pointAt(point.x(), point.y());
+    QColor fill = colour(kPrediction);
+    fill.setAlpha(kBandAlpha);
+    QPainterPath path;
+    path.addPolygon(places.intersected(QPolygonF(m_geometry.area)));
+    painter.fillPath(path, fill);
 }
 
 void ResponsePlot::paintOthers(QPainter& painter) const {

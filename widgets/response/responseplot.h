@@ -14,6 +14,8 @@
 
 namespace nmc {
 
+struct Prediction;
+
 /// One or two step responses over the time since their step, from where they began: A solid, B dashed, with
 /// the goal and the settling band. As long as the transient lasts; a double click shows the whole record, or
 /// that again. Wheel, mouse and keys zoom and move it as a strip of the scope.
@@ -27,9 +29,9 @@ public:
     void showRuns(const KeptResponse* a, const KeptResponse* b,
                   const std::vector<const KeptResponse*>& others = {});
     /// Over `about`, which may be null: what the motor that was found would have done, and what it would do
-    /// with suggested gains.
+    /// with suggested gains, which may be null.
     void showModel(const KeptResponse* about, const std::vector<ResponsePoint>& fitted,
-                   const std::vector<ResponsePoint>& predicted);
+                   const Prediction* predicted);
 
     /// Two cursors to measure with; they come where they can be seen.
     void showCursors(bool shown);
@@ -93,6 +95,7 @@ private:
     };
 
     void paintLine(QPainter& painter, const QPolygonF& line) const;
+    void paintRange(QPainter& painter) const;
     void paintLevel(QPainter& painter, double value, double from, double to) const;
     void paintOver(QPainter& painter);
     void paintCursors(QPainter& painter) const;
@@ -117,6 +120,7 @@ private:
     std::vector<Curve> m_others;
     QPolygonF m_fitted;
     QPolygonF m_predicted;
+    QPolygonF m_range;  ///< around m_predicted, closed
     PlotGeometry m_geometry;
     bool m_whole = false;  ///< the whole record, and not the transient alone
     std::optional<View> m_view;

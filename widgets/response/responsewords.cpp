@@ -67,7 +67,7 @@ QString responseMethodMeaning(ResponseMethod method) {
     return {};
 }
 
-QString plusMinus(const Measured& measured, const QString& unit) {
+QString plusMinus(const Measured& measured) {
     constexpr int kMax = 6;
     const double doubt = std::max(measured.doubt, 1e-9);
     int decimals = -static_cast<int>(std::floor(std::log10(doubt)));
@@ -78,7 +78,11 @@ QString plusMinus(const Measured& measured, const QString& unit) {
     // Rounded up: no more certain than it is.
     const double power = std::pow(10, decimals);
     const double shown = std::ceil(doubt * power - 1e-6) / power;
-    return u"%1 ± %2 %3"_s.arg(number(measured.value, decimals), number(shown, decimals), unit);
+    return u"%1 ± %2"_s.arg(number(measured.value, decimals), number(shown, decimals));
+}
+
+QString plusMinus(const Measured& measured, const QString& unit) {
+    return plusMinus(measured) + u' ' + unit;
 }
 
 QString responseTime(const ResponseMetrics::Result<Measured>& seconds) {

@@ -18,6 +18,8 @@ namespace nmc::texts {
 
 /// "12.3 ± 0.4 ms": with as many digits as the doubt leaves a meaning.
 [[nodiscard]] QString plusMinus(const Measured& measured, const QString& unit);
+/// The same without a unit.
+[[nodiscard]] QString plusMinus(const Measured& measured);
 // The same, or why it could not be measured.
 [[nodiscard]] QString responseTime(const ResponseMetrics::Result<Measured>& seconds);
 /// In a few words: to the goal, or else beside it.

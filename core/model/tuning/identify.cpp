@@ -213,6 +213,20 @@ public:
             most = std::max(most, record.gains().ki * record.gains().il / 256.0);
         return most;
     }
+    /// PWM counts: what is more than the integral can carry is held by an error, which is there before the
+    /// steps. 0 where there is none to speak of.
+    [[nodiscard]] double beyondIntegral() const {
+        constexpr double kOff = 3.0;  // counts
+        double held = 0.0;
+        for (const Record& record : m_records) {
+            const double off = record.from() - record.stood;
+            if (std::abs(off) < kOff)
+                return 0.0;
+            held -= record.gains().kp * off / 256;
+        }
+        held /= static_cast<double>(m_records.size());
+        return held + std::copysign(carried(), held);
+    }
     [[nodiscard]] const Bounds& bounds(Index i) const { return m_bounds[static_cast<std::size_t>(i)]; }
 
 private:
@@ -305,6 +319,7 @@ struct Found {
                 x[kPush] = std::log(push);
                 x[kTau] = std::log(tau);
                 x[kFriction] = friction;
+                x[kLoad] = fit.beyondIntegral();
                 const double cost = fit.misses(x).squaredNorm();
                 if (cost < best.cost)
                     best = {x, cost};
@@ -333,14 +348,6 @@ struct Found {
     }
     return {descend(fit, best.x, 60), others};
 }
-
-}  // namespace
-
-MotorConstants MotorModel::constants() const {
-    return {gain.value, timeConstant.value, friction.value, load.value, delay.value};
-}
-
-namespace {
 
 /// Where it went and how far, in the direction of the step.
 [[nodiscard]] std::optional<IdentifyFailure> motionProblem(const Record& record) {
@@ -387,6 +394,47 @@ namespace {
     return late > early * kCalming * kCalming;
 }
 
+/// It comes to rest short of its goal, and did the last fifth of its way nearly as fast as any other. What
+/// runs down by friction from half-way on takes 3.2 times as long for it.
+[[nodiscard]] bool stopsDead(const Record& record) {
+    constexpr double kShort = 0.05;  // of the step
+    constexpr double kFifth = 0.2;
+    constexpr double kNearly = 2.5;
+    const double direction = record.step() < 0 ? -1.0 : 1.0;
+    const double step = std::abs(record.step());
+    const auto gone = [&](const Reading& reading) { return (reading.position - record.stood) * direction; };
+    const double end = gone(record.readings.back());
+    // What comes back from the stop and goes there again is as far in the end.
+    const auto far = [&](const Reading& reading) {
+        return gone(reading) > end + std::max(2.0, kShort * end);
+    };
+    if (step - end < std::max(3.0, kShort * step) ||
+        std::any_of(record.readings.begin(), record.readings.end(), far))
+        return false;
+    // The times at which each fifth of the way was done.
+    std::array<double, 6> at{};
+    std::size_t fifth = 1;
+    for (std::size_t i = 1; i < record.readings.size() && fifth < at.size(); ++i) {
+        const Reading& before = record.readings[i - 1];
+        const Reading& here = record.readings[i];
+        // The last one ends a count early: the very last is where it rests.
+        for (double wanted = 0; fifth < at.size(); ++fifth) {
+            wanted = fifth + 1 < at.size() ? static_cast<double>(fifth) * kFifth * end : end - 1;
+            if (gone(here) < wanted)
+                break;
+            const double way = gone(here) - gone(before);
+            const double part = way > 0 ? std::clamp((wanted - gone(before)) / way, 0.0, 1.0) : 0.0;
+            at[fifth] = before.seconds + part * (here.seconds - before.seconds);
+        }
+    }
+    if (fifth < at.size())
+        return false;
+    double quickest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 2; i < at.size(); ++i)
+        quickest = std::min(quickest, at[i] - at[i - 1]);
+    return at.back() - at[at.size() - 2] < kNearly * quickest;
+}
+
 [[nodiscard]] Identified identified(const Fit& fit, const std::vector<Record>& records,
                                     const Found& solution) {
     Identified found;
@@ -422,25 +470,31 @@ namespace {
     const MatrixXd jacobian = fit.jacobian(x);
     const MatrixXd square = jacobian.transpose() * jacobian;
     const MatrixXd covariance = square.ldlt().solve(MatrixXd::Identity(x.size(), x.size())) * inflation;
-    const auto doubt = [&covariance](Index i) { return std::sqrt(std::max(0.0, covariance(i, i))); };
-    const MotorConstants motor = Fit::motor(x);
-    const double ofGain = covariance(kPush, kPush) + covariance(kTau, kTau) + 2 * covariance(kPush, kTau);
+    // K is what pushes, times tau; the other constants are unknowns themselves.
+    MatrixXd constants = MatrixXd::Identity(kOfMotor, kOfMotor);
+    constants(kPush, kTau) = 1;
+    MatrixXd spread = constants * covariance.topLeftCorner(kOfMotor, kOfMotor) * constants.transpose();
     // The model is not the motor: what an inductance delays belongs to tau in part; PWM values are whole.
-    const auto withOwn = [](double value, double fitted, double more) {
-        return Measured{value, std::hypot(fitted, more)};
-    };
+    const MotorConstants motor = Fit::motor(x);
     const double own = std::hypot(0.015, motor.delay / motor.timeConstant);
-    found.motor.gain = withOwn(motor.gain, motor.gain * std::sqrt(std::max(0.0, ofGain)), own * motor.gain);
-    found.motor.timeConstant =
-        withOwn(motor.timeConstant, motor.timeConstant * doubt(kTau), own * motor.timeConstant);
-    found.motor.friction = withOwn(motor.friction, doubt(kFriction), kPwmSpread);
-    found.motor.load = withOwn(motor.load, doubt(kLoad), kPwmSpread);
+    VectorXd more(kOfMotor);
+    more << own, own, kPwmSpread, kPwmSpread, 0.25;
+    spread.diagonal() += more.cwiseAbs2();
+    const VectorXd doubt = spread.diagonal().cwiseSqrt();
+    for (Index i = 0; i < kOfMotor; ++i)
+        for (Index j = 0; j < kOfMotor; ++j)
+            found.motor.correlation[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+                spread(i, j) / (doubt[i] * doubt[j]);
+    found.motor.gain = {motor.gain, motor.gain * doubt[kPush]};
+    found.motor.timeConstant = {motor.timeConstant, motor.timeConstant * doubt[kTau]};
+    found.motor.friction = {motor.friction, doubt[kFriction]};
+    found.motor.load = {motor.load, doubt[kLoad]};
+    found.motor.delay = {motor.delay, doubt[kDelay] * kTick};
     // Others that explain the steps as well have another load, and nobody knows which it is.
     constexpr double kAsWell = 9.0;
     for (const Solution& other : solution.others)
         if (other.cost < solution.best.cost + kAsWell * inflation)
             found.motor.load.doubt = std::max(found.motor.load.doubt, std::abs(other.x[kLoad] - motor.load));
-    found.motor.delay = {motor.delay, doubt(kDelay) * kTick};
     return found;
 }
 
@@ -478,12 +532,16 @@ tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecor
     Identified found = identified(fit, records, solve(fit, kFrictions));
     if (!isExplained(found))
         found = identified(fit, records, solve(fit, kMuchFriction));
+    constexpr double kClear = 0.5;
+    const auto isClear = [](const Measured& measured) { return measured.doubt <= kClear * measured.value; };
+    const bool good = isExplained(found) && isClear(found.motor.gain) && isClear(found.motor.timeConstant);
+    if (!good && std::any_of(records.begin(), records.end(), stopsDead))
+        return tl::unexpected(IdentifyFailure::Obstacle);
     if (!isExplained(found))
         return tl::unexpected(IdentifyFailure::NotExplained);
-    constexpr double kClear = 0.5;
-    if (found.motor.gain.doubt > kClear * found.motor.gain.value)
+    if (!isClear(found.motor.gain))
         return tl::unexpected(IdentifyFailure::GainUnclear);
-    if (found.motor.timeConstant.doubt > kClear * found.motor.timeConstant.value)
+    if (!isClear(found.motor.timeConstant))
         return tl::unexpected(IdentifyFailure::TimeConstantUnclear);
     return found;
 }

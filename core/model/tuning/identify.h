@@ -8,21 +8,9 @@
 #include <tl/expected.hpp>
 
 #include "model/response/responserecord.h"
-#include "model/tuning/loopmodel.h"
+#include "model/tuning/motormodel.h"
 
 namespace nmc {
-
-/// A motor found from how it answered, each constant with one standard deviation as its doubt; meanings and
-/// units as in MotorConstants.
-struct MotorModel {
-    Measured gain;
-    Measured timeConstant;
-    Measured friction;
-    Measured load;
-    Measured delay;
-
-    [[nodiscard]] MotorConstants constants() const;
-};
 
 /// Why step responses give no motor.
 enum class IdentifyFailure : std::uint8_t {
@@ -33,6 +21,8 @@ enum class IdentifyFailure : std::uint8_t {
     /// The best motor there is misses what was measured by far more than the encoder and the times explain:
     /// a hard stop, backlash, a belt, a limited current.
     NotExplained,
+    /// It stops dead short of its goal, out of full speed: something is in the way.
+    Obstacle,
     GainUnclear,          ///< K may be anything: nowhere did the motor come near a steady speed
     TimeConstantUnclear,  ///< so may tau
 };

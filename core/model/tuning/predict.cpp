@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <random>
 
 namespace nmc {
 
@@ -14,78 +15,81 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// From PWM to position over one servo tick, which begins with the rest of the delay: `late` comes from the
-/// PWM value of the tick that is a whole delay ago, `early` from the one before that.
+/// A motor over one servo tick, exactly: what its position, its velocity and the PWM value that its torque
+/// corresponds to make of one another, and what the PWM value that is held makes of them.
 struct TickOfMotor {
-    double keeps = 0.0;                          ///< part of the velocity that is left
-    double coasts = 0.0;                         ///< s; counts by counts/s
-    double lateSpeed = 0.0, earlySpeed = 0.0;    ///< counts/s by PWM count
-    double lateTravel = 0.0, earlyTravel = 0.0;  ///< counts by PWM count
-    int wholeDelay = 0;                          ///< ticks
+    double keepsSpeed = 0.0, keepsTorque = 0.0;                      ///< parts that are left
+    double travelOfSpeed = 0.0, travelOfTorque = 0.0, travel = 0.0;  ///< counts by counts/s, and by PWM count
+    double speedOfTorque = 0.0, speed = 0.0;                         ///< counts/s by PWM count
 };
 
+/// The delay is that of a torque which follows PWM as the current in an inductance does.
 [[nodiscard]] TickOfMotor tickOf(const MotorConstants& motor, double tick) {
+    const double tau = motor.timeConstant;
+    // Two lags that are equal have a closed form of their own; so they never are quite.
+    constexpr double kNearly = 1e-4;
+    const double lag = std::clamp(motor.delay, kNearly * tick, tick * double{Loop::kLongestDelay});
+    const double late = std::abs(lag / tau - 1) < kNearly ? tau * (1 + kNearly) : lag;
+    const auto kept = [tick](double constant) { return std::exp(-tick / constant); };
+    const auto coasts = [tick](double constant) { return -constant * std::expm1(-tick / constant); };
     TickOfMotor of;
-    const double delay = std::clamp(motor.delay, 0.0, tick * double{Loop::kLongestDelay});
-    of.wholeDelay = static_cast<int>(delay / tick);
-    const double late = tick - (delay - of.wholeDelay * tick);
-    const auto gone = [&](double seconds) { return -std::expm1(-seconds / motor.timeConstant); };
-    of.keeps = 1 - gone(tick);
-    of.coasts = motor.timeConstant * gone(tick);
-    of.lateSpeed = motor.gain * gone(late);
-    of.earlySpeed = motor.gain * gone(tick) - of.lateSpeed;
-    of.lateTravel = motor.gain * (late - motor.timeConstant * gone(late));
-    of.earlyTravel = motor.gain * (tick - motor.timeConstant * gone(tick)) - of.lateTravel;
+    of.keepsSpeed = kept(tau);
+    of.keepsTorque = kept(late);
+    of.travelOfSpeed = coasts(tau);
+    const double share = late / (tau - late);
+    of.speedOfTorque = motor.gain * share * (of.keepsSpeed - of.keepsTorque);
+    of.travelOfTorque = motor.gain * share * (coasts(tau) - coasts(late));
+    of.speed = motor.gain * (1 - of.keepsSpeed) - of.speedOfTorque;
+    of.travel = motor.gain * (tick - coasts(tau)) - of.travelOfTorque;
     return of;
 }
 
 [[nodiscard]] Complex openLoop(const TickOfMotor& motor, const servo::SetGain& gains, Complex z) {
-    const Complex before = 1.0 / z;
-    Complex filter = 1.0 * gains.kp + 1.0 * gains.kd * (1.0 - before);
+    const Complex change = 1.0 - 1.0 / z;
+    Complex filter = 1.0 * gains.kp + 1.0 * gains.kd * change;
     if (gains.ki > 0 && gains.il > 0)
-        filter += gains.ki / 256.0 / (1.0 - before);
-    const Complex speed = (motor.lateSpeed + motor.earlySpeed * before) / (z - motor.keeps);
-    const Complex way = (motor.lateTravel + motor.earlyTravel * before + motor.coasts * speed) / (z - 1.0);
-    return filter / 256.0 * way * std::pow(before, motor.wholeDelay);
+        filter += gains.ki / 256.0 / change;
+    const Complex torque = (1.0 - motor.keepsTorque) / (z - motor.keepsTorque);
+    const Complex speed = (motor.speedOfTorque * torque + motor.speed) / (z - motor.keepsSpeed);
+    const Complex position =
+        (motor.travelOfSpeed * speed + motor.travelOfTorque * torque + motor.travel) / (z - 1.0);
+    return filter / 256.0 * position;
 }
 
-/// Position, velocity, running sum over 256, error before, PWM values of the ticks before: what a tick makes
-/// of them, for a command of 0.
+/// Position, velocity, torque, running sum over 256, error before: what a tick makes of them, for a command
+/// of 0.
 [[nodiscard]] bool isStable(const TickOfMotor& motor, const servo::SetGain& gains) {
-    constexpr Eigen::Index kPosition = 0, kVelocity = 1, kSum = 2, kBefore = 3, kSent = 4;
-    const Eigen::Index size = kSent + motor.wholeDelay + 1;
-    const bool integrates = gains.ki > 0 && gains.il > 0;
-    // The PWM value of this tick, in terms of the state.
-    Eigen::VectorXd sent = Eigen::VectorXd::Zero(size);
-    const double ki = integrates ? gains.ki : 0.0;
+    using State = Eigen::Matrix<double, 5, 1>;
+    constexpr Eigen::Index kPosition = 0, kVelocity = 1, kTorque = 2, kSum = 3, kBefore = 4;
+    const double ki = gains.il > 0 ? gains.ki : 0.0;
+    State sent = State::Zero();  // the PWM value of this tick, in terms of the state
     sent[kPosition] = -(gains.kp + 1.0 * gains.kd + ki / 256) / 256;
     sent[kBefore] = -1.0 * gains.kd / 256;
     sent[kSum] = ki / 256;
-    const auto pwm = [&](Eigen::Index ago) {
-        return ago == 0 ? sent : Eigen::VectorXd(Eigen::VectorXd::Unit(size, kSent + ago - 1));
-    };
-    const Eigen::VectorXd late = pwm(motor.wholeDelay);
-    const Eigen::VectorXd early = pwm(motor.wholeDelay + 1);
-    Eigen::MatrixXd next = Eigen::MatrixXd::Zero(size, size);
-    next(kPosition, kPosition) = 1;
-    next(kPosition, kVelocity) = motor.coasts;
-    next.row(kPosition) += (motor.lateTravel * late + motor.earlyTravel * early).transpose();
-    next(kVelocity, kVelocity) = motor.keeps;
-    next.row(kVelocity) += (motor.lateSpeed * late + motor.earlySpeed * early).transpose();
-    if (integrates) {
+    State heldBy = State::Zero();
+    heldBy[kPosition] = motor.travel;
+    heldBy[kVelocity] = motor.speed;
+    heldBy[kTorque] = 1 - motor.keepsTorque;
+    Eigen::Matrix<double, 5, 5> next = heldBy * sent.transpose();
+    next(kPosition, kPosition) += 1;
+    next(kPosition, kVelocity) += motor.travelOfSpeed;
+    next(kPosition, kTorque) += motor.travelOfTorque;
+    next(kVelocity, kVelocity) += motor.keepsSpeed;
+    next(kVelocity, kTorque) += motor.speedOfTorque;
+    next(kTorque, kTorque) += motor.keepsTorque;
+    if (ki > 0) {
         next(kSum, kSum) = 1;
         next(kSum, kPosition) = -1.0 / 256;
     }
     next(kBefore, kPosition) = -1;
-    for (Eigen::Index ago = 1; ago <= motor.wholeDelay + 1; ++ago)
-        next.row(kSent + ago - 1) = pwm(ago - 1).transpose();
     return next.eigenvalues().cwiseAbs().maxCoeff() < 1;
 }
 
 }  // namespace
 
-LoopStart standing(const MotorConstants& motor, const servo::SetGain& gains, double command, double held) {
-    LoopStart start{command + 0.5, command, 0.0};
+LoopStart standing(const MotorConstants& motor, const servo::SetGain& gains, double command, double held,
+                   double within) {
+    LoopStart start{command + within, command, 0.0};
     if (gains.ki > 0)
         start.integral = std::clamp((held * motor.friction - motor.load) * 256 / gains.ki, -1.0 * gains.il,
                                     1.0 * gains.il);
@@ -141,23 +145,89 @@ LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) 
     return margins;
 }
 
-ResponseRecord reckonStep(const MotorConstants& motor, const servo::SetGain& gains, std::int32_t from,
-                          std::int32_t goal, double record, double bandPercent) {
+ResponseRecord reckonStep(const MotorConstants& motor, const ResponseTaken& taken, const LoopStart& start,
+                          double bandPercent) {
     ResponseRecord run;
-    run.taken = {{}, from, goal, record, ResponseMethod::Profile, gains};
-    Loop loop(motor, gains, standing(motor, gains, from, 0.0), goal, Rounding::Chip);
-    for (double t = 0; t <= record; t += loop.tick())
+    run.taken = taken;
+    Loop loop(motor, taken.gains, start, taken.goal, Rounding::Chip);
+    for (double t = 0; t <= taken.record; t += loop.tick())
         run.points.push_back({t, loop.reading(loop.at(t).position)});
     setBand(run, bandPercent);
     return run;
 }
 
-Prediction predict(const MotorConstants& motor, const servo::SetGain& gains, std::int32_t from,
-                   std::int32_t goal, double record, double bandPercent) {
+namespace {
+
+/// A figure of the motor that was found, and how far others are from it, rms.
+class Varying {
+public:
+    explicit Varying(double value) : m_value(value) {}
+    void add(double other) {
+        m_squares += (other - m_value) * (other - m_value);
+        ++m_count;
+    }
+    [[nodiscard]] Measured with(double own) const {
+        return {m_value, std::hypot(own, m_count > 0 ? std::sqrt(m_squares / m_count) : 0.0)};
+    }
+
+private:
+    double m_value;
+    double m_squares = 0.0;
+    int m_count = 0;
+};
+
+}  // namespace
+
+Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::int32_t from, std::int32_t goal,
+                   double record, double bandPercent) {
+    constexpr std::size_t kDrawn = 60;
+    constexpr std::size_t kOutside = 1;  // at either end
     Prediction prediction;
-    prediction.run = reckonStep(motor, gains, from, goal, record, bandPercent);
-    prediction.errorAtRest = goal - prediction.run.points.back().position;
-    prediction.margins = marginsOf(motor, gains);
+    const MotorConstants found = motor.constants();
+    const ResponseTaken taken{{}, from, goal, record, ResponseMethod::Profile, gains};
+    prediction.run = reckonStep(found, taken, standing(found, gains, from, 0.0), bandPercent);
+    const LoopMargins margins = marginsOf(found, gains);
+    const ResponseMetrics& metrics = prediction.run.metrics;
+    const auto restOf = [goal](const ResponseRecord& run) { return goal - run.points.back().position; };
+    const Measured ownOvershoot = metrics.overshoot.value_or(Measured{});
+    const Measured ownSettling = metrics.settling.value_or(Measured{record, 0.0});
+    Varying overshoot(ownOvershoot.value);
+    Varying settling(ownSettling.value);
+    Varying rest(restOf(prediction.run));
+    Varying phase(margins.phaseDegrees);
+    Varying gain(margins.gain);
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> part;
+    std::vector<std::vector<double>> positions(prediction.run.points.size());
+    for (const MotorConstants& other : motor.drawn(kDrawn)) {
+        const double held = 2 * part(random) - 1;
+        const ResponseRecord run =
+            reckonStep(other, taken, standing(other, gains, from, held, part(random)), bandPercent);
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            positions[i].push_back(run.points[i].position);
+        overshoot.add(run.metrics.overshoot.value_or(Measured{}).value);
+        rest.add(restOf(run));
+        if (run.metrics.settling)
+            settling.add(run.metrics.settling->value);
+        else
+            prediction.unsettled += 1.0 / kDrawn;
+        const LoopMargins its = marginsOf(other, gains);
+        phase.add(its.phaseDegrees);
+        if (std::isfinite(its.gain))
+            gain.add(its.gain);
+    }
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const double seconds = prediction.run.points[i].seconds;
+        std::sort(positions[i].begin(), positions[i].end());
+        prediction.low.push_back({seconds, positions[i][kOutside]});
+        prediction.high.push_back({seconds, positions[i][kDrawn - 1 - kOutside]});
+    }
+    prediction.overshoot = overshoot.with(ownOvershoot.doubt);
+    prediction.settling = settling.with(ownSettling.doubt);
+    prediction.errorAtRest = rest.with(0.5);  // the encoder tells no less than a count
+    prediction.phaseMargin = phase.with(0.0);
+    if (std::isfinite(margins.gain))
+        prediction.gainMargin = gain.with(0.0);
     return prediction;
 }
 

@@ -3,9 +3,11 @@
 
 #include <complex>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "model/response/responserecord.h"
-#include "model/tuning/loopmodel.h"
+#include "model/tuning/motormodel.h"
 
 namespace nmc {
 
@@ -24,27 +26,36 @@ struct LoopMargins {
 
 [[nodiscard]] LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains);
 
-/// In the middle of a count, held by the integral, and by an error as far as that cannot. `held`: where in
-/// the range that friction leaves it the integral is, -1..1.
+/// Held by the integral, and by an error as far as that cannot. `held`: where in the range that friction
+/// leaves it the integral is, -1..1. `within`: where in its count the shaft is, 0..1.
 [[nodiscard]] LoopStart standing(const MotorConstants& motor, const servo::SetGain& gains, double command,
-                                 double held);
+                                 double held, double within = 0.5);
 
-/// A step of the command from `from` to `goal`, counts, which differ, as if it had been measured: points once
-/// a servo tick from the step on, as the encoder would tell, and what they are judged by; of no module and no
-/// time. The shaft stood, its load carried by the integral, and by an error as far as that cannot. `record`:
-/// s. `bandPercent`: of the step, as in ResponseRecord. Pure.
-[[nodiscard]] ResponseRecord reckonStep(const MotorConstants& motor, const servo::SetGain& gains,
-                                        std::int32_t from, std::int32_t goal, double record,
-                                        double bandPercent);
+/// In counts, as the encoder would tell, of a step that `start` comes before: points once a servo tick from
+/// the step on, judged by a band of `bandPercent` of the step as in ResponseRecord. Pure.
+[[nodiscard]] ResponseRecord reckonStep(const MotorConstants& motor, const ResponseTaken& taken,
+                                        const LoopStart& start, double bandPercent);
 
+/// A step that has not been made. Each doubt is one standard deviation: how the figure varies with motors
+/// that explain what was measured as well, and with where friction and encoder leave the shaft before the
+/// step.
 struct Prediction {
+    /// Of the motor that was found: points once a servo tick from the step on, as the encoder would tell.
     ResponseRecord run;
-    double errorAtRest = 0.0;  ///< counts, at the end of the record: goal less position
-    LoopMargins margins;
+    /// Where the motor is at the same times in 95 of 100 cases.
+    std::vector<ResponsePoint> low, high;
+    Measured overshoot;                  ///< % of the step
+    Measured settling;                   ///< s; the record where it does not settle
+    double unsettled = 0.0;              ///< part of the cases in which it does not settle, 0..1
+    Measured errorAtRest;                ///< counts, at the end of the record: goal less position
+    Measured phaseMargin;                ///< degrees
+    std::optional<Measured> gainMargin;  ///< empty where no gain is too high
 };
 
-/// reckonStep() and marginsOf(); about a millisecond.
-[[nodiscard]] Prediction predict(const MotorConstants& motor, const servo::SetGain& gains, std::int32_t from,
+/// A step of the command from `from` to `goal`, counts, which differ, of `record` seconds, judged by a band
+/// of `bandPercent` as in ResponseRecord. The shaft stood, its load carried by the integral, and by an error
+/// as far as that cannot. Pure; some hundredths of a second: for a background job.
+[[nodiscard]] Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::int32_t from,
                                  std::int32_t goal, double record, double bandPercent);
 
 }  // namespace nmc

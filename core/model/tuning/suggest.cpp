@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/time.h"
 
@@ -25,6 +26,7 @@ struct Terms {
     MotorConstants motor;
     double zeta = 0.0;
     double noise = 0.0;    ///< at most
+    double phase = 0.0;    ///< degrees, at least
     double carried = 0.0;  ///< PWM counts, by the integral
     double periods = 0.0;  ///< of 1 / omega, in which the integral does what Kp does at once
     servo::SetGain now;
@@ -82,9 +84,13 @@ void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
     return gains;
 }
 
-[[nodiscard]] bool hasMargins(const MotorConstants& motor, const servo::SetGain& gains) {
-    const LoopMargins margins = marginsOf(motor, gains);
-    return margins.stable && margins.phaseDegrees >= kMinPhaseMargin && margins.gain >= kMinGainMargin;
+[[nodiscard]] bool hasMargins(const Terms& terms, const servo::SetGain& gains) {
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    const LoopMargins margins = marginsOf(terms.motor, gains);
+    // Should the delay be a dead time, it turns the phase further than the lag that margins count it as.
+    const double delayed = 2 * std::numbers::pi * margins.crossover * terms.motor.delay;
+    const double phase = margins.phaseDegrees - (delayed - std::atan(delayed)) * kDegrees;
+    return margins.stable && phase >= terms.phase && margins.gain >= kMinGainMargin;
 }
 
 struct Course {
@@ -184,7 +190,7 @@ struct Candidate {
             auto gains = gainsAt(terms, omega);
             const auto settled = gains ? settling(terms, omega, most, *gains) : std::nullopt;
             // Margins take longer to find than most courses, so they come last.
-            if (!settled || !hasMargins(terms.motor, *gains))
+            if (!settled || !hasMargins(terms, *gains))
                 continue;
             most = *settled;
             best = {*gains, most};
@@ -214,6 +220,7 @@ std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& w
     const double unsure = std::hypot(motor.load.doubt, motor.friction.doubt);
     terms.carried = kReserve * (std::abs(motor.load.value) + motor.friction.value + kCutOff +
                                 std::min(unsure, kMaxUnsure * now.ol));
+    terms.phase = std::clamp(wish.phaseMargin, kMinPhaseMargin, kMaxPhaseMargin);
     terms.now = now;
     terms.step = step;
 

@@ -11,17 +11,21 @@ namespace nmc {
 
 /// What a person wants of a loop, each 0..1.
 struct LoopWish {
-    double stiffness = 1.0;  ///< 1: as fast as noise, output limit and margins permit; 0: a tenth of that
-    double damping = 0.5;    ///< zeta, from kMinDamping to kMaxDamping
-    double noise = 1.0;      ///< how loud it may be, up to kMaxNoise
+    double stiffness = 1.0;     ///< 1: as fast as noise, output limit and margins permit; 0: a tenth of that
+    double damping = 0.5;       ///< zeta, from kMinDamping to kMaxDamping
+    double noise = 1.0;         ///< how loud it may be, up to kMaxNoise
+    double phaseMargin = 45.0;  ///< degrees, at least; kMinPhaseMargin to kMaxPhaseMargin
 };
 
 inline constexpr double kMinDamping = 0.5;
 inline constexpr double kMaxDamping = 1.1;
 /// Counts by which a tick goes on when the encoder tells one count more, by way of Kd.
 inline constexpr double kMaxNoise = 0.3;
-/// What a suggested loop has at least.
 inline constexpr double kMinPhaseMargin = 30.0;  ///< degrees
+inline constexpr double kMaxPhaseMargin = 70.0;
+/// For a motor that is not sure (MotorModel::isSure).
+inline constexpr double kCarefulPhaseMargin = 60.0;
+/// What a suggested loop has at least.
 inline constexpr double kMinGainMargin = 2.0;
 
 struct LoopFigures {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "model/response/responsemetrics.h"
+#include "model/tuning/loopmodel.h"
+
+namespace nmc {
+
+/// A motor found from how it answered, each constant with one standard deviation as its doubt; meanings and
+/// units as in MotorConstants.
+struct MotorModel {
+    static constexpr std::size_t kConstants = 5;
+    using Matrix = std::array<std::array<double, kConstants>, kConstants>;
+
+    Measured gain;
+    Measured timeConstant;
+    Measured friction;
+    Measured load;
+    Measured delay;
+    /// Of the doubts, in the order above: a motor that is stronger than was found may only be so where its
+    /// time constant is longer as well.
+    Matrix correlation = independent();
+
+    [[nodiscard]] MotorConstants constants() const;
+    /// Gain and friction are known to 15 %, friction at least to a PWM count: gains can be built on it.
+    [[nodiscard]] bool isSure() const;
+    /// Motors that explain the steps as well, drawn from the doubts; the same ones with every call. Pure.
+    [[nodiscard]] std::vector<MotorConstants> drawn(std::size_t count) const;
+
+    [[nodiscard]] static MotorModel exactly(const MotorConstants& motor);
+
+private:
+    [[nodiscard]] static constexpr Matrix independent() {
+        Matrix one{};
+        for (std::size_t i = 0; i < kConstants; ++i)
+            one[i][i] = 1.0;
+        return one;
+    }
+};
+
+}  // namespace nmc
