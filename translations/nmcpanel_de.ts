@@ -610,6 +610,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Phase margin %1°</source>
         <translation>Phasenreserve %1°</translation>
     </message>
+    <message>
+        <source>Uncertain: step once more. Until then the suggested gains are careful.</source>
+        <translation>Unsicher: noch einen Sprung aufzeichnen. Bis dahin sind die vorgeschlagenen Reglerwerte vorsichtig.</translation>
+    </message>
+    <message>
+        <source>The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.</source>
+        <translation>Der Motor blieb vor seinem Ziel schlagartig stehen. Etwas ist im Weg: ein Anschlag oder das, was er antreibt. Platz schaffen oder in die andere Richtung springen.</translation>
+    </message>
+    <message>
+        <source>In %1 of 100 cases the motor stops too far from its goal.</source>
+        <translation>In %1 von 100 Fällen bleibt der Motor zu weit von seinem Ziel stehen.</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -4763,6 +4775,38 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Oscillating ± %1</source>
         <translation>Schwingt um ± %1</translation>
     </message>
+    <message>
+        <source>Hunting ± %1 every %2 s. Lower Ki.</source>
+        <translation>Pendelt um ± %1 alle %2 s. Ki verkleinern.</translation>
+    </message>
+    <message>
+        <source>%1, hunting</source>
+        <translation>%1, pendelt</translation>
+    </message>
+    <message>
+        <source>%1, oscillating</source>
+        <translation>%1, schwingt</translation>
+    </message>
+    <message>
+        <source>%1, pushing at OL</source>
+        <translation>%1, drückt mit OL</translation>
+    </message>
+    <message>
+        <source>%1, %2 off</source>
+        <translation>%1, %2 daneben</translation>
+    </message>
+    <message>
+        <source>Kp is 0: the servo brakes the motor but holds no position.</source>
+        <translation>Kp ist 0: Der Servo bremst den Motor, hält aber keine Position.</translation>
+    </message>
+    <message>
+        <source>%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.</source>
+        <translation>%1 neben der Position, die zu halten ist, und drückt mit bis zur ganzen Ausgangsgrenze. Vielleicht ist etwas im Weg.</translation>
+    </message>
+    <message>
+        <source>%1 off the position to hold: friction or a load needs a higher Kp, or an integral (Ki, IL) that carries it.</source>
+        <translation>%1 neben der Position, die zu halten ist: Reibung oder eine Last braucht ein größeres Kp oder einen Integralanteil (Ki, IL), der sie trägt.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AmplifierBox</name>
@@ -5551,10 +5595,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1, %2, at address %3 on the wire</source>
         <translation>%1, %2, mit Adresse %3 an der Leitung</translation>
-    </message>
-    <message>
-        <source>%1, oscillating</source>
-        <translation>%1, schwingt</translation>
     </message>
     <message>
         <source>%1 · looking for modules…</source>
@@ -8775,6 +8815,34 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>No gains keep this motor stable and quiet.</source>
         <translation>Mit keinen Reglerwerten ist dieser Motor stabil und ruhig.</translation>
     </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>The phase margin</source>
+        <translation>Die Phasenreserve</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How far the suggested loop is from oscillating, at least. 30°: fast, rings. 45° to 60°: moderate.</source>
+        <translation>Wie weit der vorgeschlagene Regelkreis mindestens vom Schwingen entfernt ist. 30°: schnell, schwingt nach. 45° bis 60°: gemäßigt.</translation>
+    </message>
+    <message>
+        <source>° at least</source>
+        <translation>° mindestens</translation>
+    </message>
+    <message>
+        <source>One more step</source>
+        <translation>Noch ein Sprung</translation>
+    </message>
+    <message>
+        <source>Steps once more. The more steps there are, in both directions and of two sizes, the better the model.</source>
+        <translation>Macht noch einen Sprung. Je mehr Sprünge in beide Richtungen und in zwei Größen, desto besser das Modell.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModuleBench</name>
@@ -9839,16 +9907,20 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Fahrweggrenzen</translation>
     </message>
     <message>
-        <source>Kp is 0: the servo brakes the motor but holds no position.</source>
-        <translation>Kp ist 0: Der Servo bremst den Motor, hält aber keine Position.</translation>
-    </message>
-    <message>
         <source>Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.</source>
         <translation>Schaltet den Verstärker ein, hält den Motor an seiner Position und löscht die Sticky-Bits: Das Bit des Positionsfehlers ist gesetzt, solange der Servo aus ist.</translation>
     </message>
     <message>
         <source>Looking for modules… This is what it said last.</source>
         <translation>Module werden gesucht… Das ist der letzte gemeldete Stand.</translation>
+    </message>
+    <message>
+        <source>Driven by a test</source>
+        <translation>Von einem Test bewegt</translation>
+    </message>
+    <message>
+        <source>The test moves the motor around the position that it held.</source>
+        <translation>Der Test bewegt den Motor um die Position, die er hielt.</translation>
     </message>
 </context>
 <context>

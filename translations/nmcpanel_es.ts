@@ -610,6 +610,18 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>Phase margin %1°</source>
         <translation>Margen de fase %1°</translation>
     </message>
+    <message>
+        <source>Uncertain: step once more. Until then the suggested gains are careful.</source>
+        <translation>Incierto: haga un escalón más. Hasta entonces, las ganancias propuestas son prudentes.</translation>
+    </message>
+    <message>
+        <source>The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.</source>
+        <translation>El motor se detuvo en seco antes de su destino. Algo le estorba: un tope o lo que mueve. Despeje el recorrido o haga el escalón en el otro sentido.</translation>
+    </message>
+    <message>
+        <source>In %1 of 100 cases the motor stops too far from its goal.</source>
+        <translation>En %1 de cada 100 casos, el motor se detiene demasiado lejos de su destino.</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -4763,6 +4775,38 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>Oscillating ± %1</source>
         <translation>Oscila ± %1</translation>
     </message>
+    <message>
+        <source>Hunting ± %1 every %2 s. Lower Ki.</source>
+        <translation>Oscila lentamente ± %1 cada %2 s. Reduzca Ki.</translation>
+    </message>
+    <message>
+        <source>%1, hunting</source>
+        <translation>%1, oscila lentamente</translation>
+    </message>
+    <message>
+        <source>%1, oscillating</source>
+        <translation>%1, oscila</translation>
+    </message>
+    <message>
+        <source>%1, pushing at OL</source>
+        <translation>%1, empuja con OL</translation>
+    </message>
+    <message>
+        <source>%1, %2 off</source>
+        <translation>%1, desviado %2</translation>
+    </message>
+    <message>
+        <source>Kp is 0: the servo brakes the motor but holds no position.</source>
+        <translation>Kp es 0: el servo frena el motor pero no mantiene ninguna posición.</translation>
+    </message>
+    <message>
+        <source>%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.</source>
+        <translation>A %1 de la posición que debe mantener, y empuja hasta con todo el límite de salida. Puede que algo estorbe.</translation>
+    </message>
+    <message>
+        <source>%1 off the position to hold: friction or a load needs a higher Kp, or an integral (Ki, IL) that carries it.</source>
+        <translation>A %1 de la posición que debe mantener: la fricción o una carga necesita un Kp mayor, o una integral (Ki, IL) que la soporte.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AmplifierBox</name>
@@ -5551,10 +5595,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>%1, %2, at address %3 on the wire</source>
         <translation>%1, %2, en la dirección %3 de la línea</translation>
-    </message>
-    <message>
-        <source>%1, oscillating</source>
-        <translation>%1, oscila</translation>
     </message>
     <message>
         <source>%1 · looking for modules…</source>
@@ -8775,6 +8815,34 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>No gains keep this motor stable and quiet.</source>
         <translation>Ninguna ganancia mantiene este motor estable y silencioso.</translation>
     </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Margen de fase</translation>
+    </message>
+    <message>
+        <source>The phase margin</source>
+        <translation>El margen de fase</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How far the suggested loop is from oscillating, at least. 30°: fast, rings. 45° to 60°: moderate.</source>
+        <translation>A qué distancia de la oscilación queda como mínimo el lazo propuesto. 30°: rápido, con rebotes. 45° a 60°: moderado.</translation>
+    </message>
+    <message>
+        <source>° at least</source>
+        <translation>° como mínimo</translation>
+    </message>
+    <message>
+        <source>One more step</source>
+        <translation>Un escalón más</translation>
+    </message>
+    <message>
+        <source>Steps once more. The more steps there are, in both directions and of two sizes, the better the model.</source>
+        <translation>Hace un escalón más. Cuantos más escalones haya, en ambos sentidos y de dos tamaños, mejor será el modelo.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModuleBench</name>
@@ -9839,16 +9907,20 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Límites de recorrido</translation>
     </message>
     <message>
-        <source>Kp is 0: the servo brakes the motor but holds no position.</source>
-        <translation>Kp es 0: el servo frena el motor pero no mantiene ninguna posición.</translation>
-    </message>
-    <message>
         <source>Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.</source>
         <translation>Enciende el amplificador, mantiene el motor en su sitio y borra los bits enclavados: el del error de posición está activo mientras el servo está apagado.</translation>
     </message>
     <message>
         <source>Looking for modules… This is what it said last.</source>
         <translation>Buscando módulos… Esto es lo último que dijo.</translation>
+    </message>
+    <message>
+        <source>Driven by a test</source>
+        <translation>Movido por una prueba</translation>
+    </message>
+    <message>
+        <source>The test moves the motor around the position that it held.</source>
+        <translation>La prueba mueve el motor alrededor de la posición que mantenía.</translation>
     </message>
 </context>
 <context>

@@ -610,6 +610,18 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>Phase margin %1°</source>
         <translation>Marge de phase %1°</translation>
     </message>
+    <message>
+        <source>Uncertain: step once more. Until then the suggested gains are careful.</source>
+        <translation>Incertain : faites encore un échelon. D’ici là, les gains proposés sont prudents.</translation>
+    </message>
+    <message>
+        <source>The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.</source>
+        <translation>Le moteur s’est arrêté net avant sa cible. Quelque chose le gêne : une butée ou ce qu’il entraîne. Dégagez le passage ou faites l’échelon dans l’autre sens.</translation>
+    </message>
+    <message>
+        <source>In %1 of 100 cases the motor stops too far from its goal.</source>
+        <translation>Dans %1 cas sur 100, le moteur s’arrête trop loin de sa cible.</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -4763,6 +4775,38 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>Oscillating ± %1</source>
         <translation>Oscille de ± %1</translation>
     </message>
+    <message>
+        <source>Hunting ± %1 every %2 s. Lower Ki.</source>
+        <translation>Pompage de ± %1 toutes les %2 s. Diminuez Ki.</translation>
+    </message>
+    <message>
+        <source>%1, hunting</source>
+        <translation>%1, pompage</translation>
+    </message>
+    <message>
+        <source>%1, oscillating</source>
+        <translation>%1, oscille</translation>
+    </message>
+    <message>
+        <source>%1, pushing at OL</source>
+        <translation>%1, pousse à OL</translation>
+    </message>
+    <message>
+        <source>%1, %2 off</source>
+        <translation>%1, écart de %2</translation>
+    </message>
+    <message>
+        <source>Kp is 0: the servo brakes the motor but holds no position.</source>
+        <translation>Kp est à 0&#xa0;: le servo freine le moteur mais ne maintient aucune position.</translation>
+    </message>
+    <message>
+        <source>%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.</source>
+        <translation>À %1 de la position à maintenir, et pousse jusqu’à toute la limite de sortie. Quelque chose gêne peut-être.</translation>
+    </message>
+    <message>
+        <source>%1 off the position to hold: friction or a load needs a higher Kp, or an integral (Ki, IL) that carries it.</source>
+        <translation>À %1 de la position à maintenir : le frottement ou une charge demande un Kp plus grand, ou une intégrale (Ki, IL) qui la porte.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AmplifierBox</name>
@@ -5551,10 +5595,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1, %2, at address %3 on the wire</source>
         <translation>%1, %2, à l’adresse %3 sur la ligne</translation>
-    </message>
-    <message>
-        <source>%1, oscillating</source>
-        <translation>%1, oscille</translation>
     </message>
     <message>
         <source>%1 · looking for modules…</source>
@@ -8775,6 +8815,34 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>No gains keep this motor stable and quiet.</source>
         <translation>Aucun gain ne rend ce moteur stable et silencieux.</translation>
     </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Marge de phase</translation>
+    </message>
+    <message>
+        <source>The phase margin</source>
+        <translation>La marge de phase</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How far the suggested loop is from oscillating, at least. 30°: fast, rings. 45° to 60°: moderate.</source>
+        <translation>À quelle distance de l’oscillation la boucle proposée reste au moins. 30° : rapide, avec rebonds. 45° à 60° : modéré.</translation>
+    </message>
+    <message>
+        <source>° at least</source>
+        <translation>° au moins</translation>
+    </message>
+    <message>
+        <source>One more step</source>
+        <translation>Encore un échelon</translation>
+    </message>
+    <message>
+        <source>Steps once more. The more steps there are, in both directions and of two sizes, the better the model.</source>
+        <translation>Fait encore un échelon. Plus il y a d’échelons, dans les deux sens et de deux tailles, meilleur est le modèle.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModuleBench</name>
@@ -9839,16 +9907,20 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Limites de course</translation>
     </message>
     <message>
-        <source>Kp is 0: the servo brakes the motor but holds no position.</source>
-        <translation>Kp est à 0&#xa0;: le servo freine le moteur mais ne maintient aucune position.</translation>
-    </message>
-    <message>
         <source>Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.</source>
         <translation>Active l’amplificateur, maintient le moteur en place et efface les bits mémorisés&#xa0;: le bit d’erreur de position est à 1 tant que le servo est coupé.</translation>
     </message>
     <message>
         <source>Looking for modules… This is what it said last.</source>
         <translation>Recherche des modules… Voici ce qu’il a indiqué en dernier.</translation>
+    </message>
+    <message>
+        <source>Driven by a test</source>
+        <translation>Entraîné par un essai</translation>
+    </message>
+    <message>
+        <source>The test moves the motor around the position that it held.</source>
+        <translation>L’essai déplace le moteur autour de la position qu’il maintenait.</translation>
     </message>
 </context>
 <context>

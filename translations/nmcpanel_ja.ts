@@ -609,6 +609,18 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>Phase margin %1°</source>
         <translation>位相余裕 %1°</translation>
     </message>
+    <message>
+        <source>Uncertain: step once more. Until then the suggested gains are careful.</source>
+        <translation>不確かです。もう一度ステップを実行してください。それまで提案ゲインは控えめになります。</translation>
+    </message>
+    <message>
+        <source>The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.</source>
+        <translation>モーターが目標の手前で急に止まりました。メカストッパーや駆動対象など、何かが妨げています。空間を空けるか、逆方向にステップしてください。</translation>
+    </message>
+    <message>
+        <source>In %1 of 100 cases the motor stops too far from its goal.</source>
+        <translation>100回中%1回は、モーターが目標から離れすぎて止まります。</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -4747,6 +4759,38 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>Oscillating ± %1</source>
         <translation>発振 ± %1</translation>
     </message>
+    <message>
+        <source>Hunting ± %1 every %2 s. Lower Ki.</source>
+        <translation>ハンチング ± %1、周期 %2 s。Kiを下げてください。</translation>
+    </message>
+    <message>
+        <source>%1, hunting</source>
+        <translation>%1、ハンチング</translation>
+    </message>
+    <message>
+        <source>%1, oscillating</source>
+        <translation>%1、発振中</translation>
+    </message>
+    <message>
+        <source>%1, pushing at OL</source>
+        <translation>%1、OLで押しています</translation>
+    </message>
+    <message>
+        <source>%1, %2 off</source>
+        <translation>%1、ずれ %2</translation>
+    </message>
+    <message>
+        <source>Kp is 0: the servo brakes the motor but holds no position.</source>
+        <translation>Kpが0です。サーボはモーターを制動しますが、位置は保持しません。</translation>
+    </message>
+    <message>
+        <source>%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.</source>
+        <translation>保持すべき位置から%1ずれ、最大で出力制限いっぱいまで押しています。何かが妨げている可能性があります。</translation>
+    </message>
+    <message>
+        <source>%1 off the position to hold: friction or a load needs a higher Kp, or an integral (Ki, IL) that carries it.</source>
+        <translation>保持すべき位置から%1ずれています。摩擦や負荷には、より大きいKpか、それを支える積分（Ki、IL）が必要です。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AmplifierBox</name>
@@ -5535,10 +5579,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>%1, %2, at address %3 on the wire</source>
         <translation>%1、%2、回線上のアドレス%3</translation>
-    </message>
-    <message>
-        <source>%1, oscillating</source>
-        <translation>%1、発振中</translation>
     </message>
     <message>
         <source>%1 · looking for modules…</source>
@@ -8757,6 +8797,34 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>No gains keep this motor stable and quiet.</source>
         <translation>このモーターを安定かつ静かに保てるゲインがありません。</translation>
     </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>位相余裕</translation>
+    </message>
+    <message>
+        <source>The phase margin</source>
+        <translation>位相余裕</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How far the suggested loop is from oscillating, at least. 30°: fast, rings. 45° to 60°: moderate.</source>
+        <translation>提案するループが発振までに持つ最小の余裕。30°：速いが振動が残る。45°～60°：中程度。</translation>
+    </message>
+    <message>
+        <source>° at least</source>
+        <translation>° 以上</translation>
+    </message>
+    <message>
+        <source>One more step</source>
+        <translation>もう一度ステップ</translation>
+    </message>
+    <message>
+        <source>Steps once more. The more steps there are, in both directions and of two sizes, the better the model.</source>
+        <translation>もう一度ステップを実行します。両方向、2種類の大きさのステップが多いほど、モデルは正確になります。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModuleBench</name>
@@ -9821,16 +9889,20 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>移動範囲</translation>
     </message>
     <message>
-        <source>Kp is 0: the servo brakes the motor but holds no position.</source>
-        <translation>Kpが0です。サーボはモーターを制動しますが、位置は保持しません。</translation>
-    </message>
-    <message>
         <source>Switches the amplifier on, holds the motor in place and clears the sticky bits: the position error bit is set while the servo is off.</source>
         <translation>アンプをオンにしてモーターをその場で保持し、スティッキービットをクリアします。サーボがオフの間、位置偏差のビットはセットされています。</translation>
     </message>
     <message>
         <source>Looking for modules… This is what it said last.</source>
         <translation>モジュールを検索中… これは最後に報告された状態です。</translation>
+    </message>
+    <message>
+        <source>Driven by a test</source>
+        <translation>テストで駆動中</translation>
+    </message>
+    <message>
+        <source>The test moves the motor around the position that it held.</source>
+        <translation>テストは、保持していた位置のまわりでモーターを動かします。</translation>
     </message>
 </context>
 <context>
