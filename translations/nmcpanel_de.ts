@@ -370,9 +370,12 @@
 </context>
 <context>
     <name>LoopTestTexts</name>
-    <message>
-        <source>%1 frequencies up to %2 Hz</source>
-        <translation>%1 Frequenzen bis %2 Hz</translation>
+    <message numerus="yes">
+        <source>%n frequencies up to %1 Hz</source>
+        <translation>
+            <numerusform>%n Frequenz bis %1 Hz</numerusform>
+            <numerusform>%n Frequenzen bis %1 Hz</numerusform>
+        </translation>
     </message>
     <message>
         <source>Bandwidth (-3 dB) %1 Hz</source>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US">
 <context>
+    <name>LoopTestTexts</name>
+    <message numerus="yes">
+        <source>%n frequencies up to %1 Hz</source>
+        <translation>
+            <numerusform>%n frequency up to %1 Hz</numerusform>
+            <numerusform>%n frequencies up to %1 Hz</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MessageLines</name>
     <message numerus="yes">
         <source>%n times</source>

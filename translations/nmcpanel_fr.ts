@@ -370,9 +370,12 @@
 </context>
 <context>
     <name>LoopTestTexts</name>
-    <message>
-        <source>%1 frequencies up to %2 Hz</source>
-        <translation>%1 fréquences jusqu’à %2&#xa0;Hz</translation>
+    <message numerus="yes">
+        <source>%n frequencies up to %1 Hz</source>
+        <translation>
+            <numerusform>%n fréquence jusqu’à %1&#xa0;Hz</numerusform>
+            <numerusform>%n fréquences jusqu’à %1&#xa0;Hz</numerusform>
+        </translation>
     </message>
     <message>
         <source>Bandwidth (-3 dB) %1 Hz</source>

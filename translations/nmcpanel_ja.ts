@@ -370,9 +370,11 @@
 </context>
 <context>
     <name>LoopTestTexts</name>
-    <message>
-        <source>%1 frequencies up to %2 Hz</source>
-        <translation>%1点の周波数、%2 Hzまで</translation>
+    <message numerus="yes">
+        <source>%n frequencies up to %1 Hz</source>
+        <translation>
+            <numerusform>%n点の周波数、%1 Hzまで</numerusform>
+        </translation>
     </message>
     <message>
         <source>Bandwidth (-3 dB) %1 Hz</source>

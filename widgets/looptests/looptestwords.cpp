@@ -18,8 +18,7 @@ QStringList frequencyFigures(std::span<const FrequencyPoint> points) {
         return {};
     const FrequencyFigures figures = figuresOf(points);
     QStringList lines;
-    lines << LoopTestTexts::tr("%1 frequencies up to %2 Hz")
-                 .arg(points.size())
+    lines << LoopTestTexts::tr("%n frequencies up to %1 Hz", nullptr, static_cast<int>(points.size()))
                  .arg(readout(points.back().hertz, 3));
     lines << (figures.bandwidth
                   ? LoopTestTexts::tr("Bandwidth (-3 dB) %1 Hz").arg(readout(*figures.bandwidth, 3))

@@ -174,6 +174,11 @@ ResponsePlot::View ResponsePlot::fitted() const {
     takeIn(m_fitted);
     takeIn(m_predicted);
     takeIn(m_range);
+    // What is farthest is not drawn on the edge.
+    constexpr double kHeadroom = 0.04;
+    const double room = kHeadroom * (high - low);
+    low -= room;
+    high += room;
     const double left = -toSeconds(kBeforeStep);
     return right == 0 ? View{left, kUsualRecord, low, 1} : View{left, right, low, high};
 }
