@@ -231,7 +231,9 @@ void Composition::showProcedure(const ProcedureReport& report) {
     if (report.kind == ProcedureKind::FrequencyResponse && !report.frequencies.empty())
         m_window.loopTests().frequency().showReport(report);
     const ModuleState* module = m_store.module(report.module);
-    if (!report.over() || module == nullptr)
+    if (!report.over())
+        return m_messages.end(texts::key::procedure(report.module));
+    if (module == nullptr)
         return;
     const AxisScale scale = scaleOf(*module, m_machine.machine().axis(report.module));
     if (const auto message = texts::procedureEnded(report, scale))

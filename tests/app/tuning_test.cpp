@@ -129,6 +129,15 @@ TEST_F(Tuning, UnstableGainsThatAreTriedAreTakenBack) {
     }));
     EXPECT_TRUE(panel.module().servoOn());
     EXPECT_EQ(sim.violations(), "");
+    // What is said of this one ends with the next.
+    const auto standing = [&] {
+        return panel.standing(u"it began to oscillate"_s) != nullptr ||
+               panel.standing(u"its output reached the limit OL"_s) != nullptr;
+    };
+    EXPECT_TRUE(standing());
+    ASSERT_NO_FATAL_FAILURE(panel.click("tryGainsButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 5'000; }));
+    EXPECT_TRUE(panel.waitFor([&] { return !standing(); }));
 }
 
 TEST_F(Tuning, GainsThatAreKeptStay) {

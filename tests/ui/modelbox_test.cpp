@@ -49,6 +49,12 @@ protected:
         click(u"identifyButton"_s);
         dock().showMotor(ModuleIndex(0), motor());
     }
+    /// Counts, of the step that was asked for last.
+    [[nodiscard]] int steppedBy() {
+        const Intent intent = intents.isEmpty() ? Intent{} : intents.last().at(1).value<Intent>();
+        const auto* step = std::get_if<intent::StepResponse>(&intent);
+        return step != nullptr ? step->counts : 0;
+    }
     using WindowTest::find;
     QSignalSpy wanted{&dock(), &ResponseDock::identifyWanted};
     QSignalSpy tasks{&dock(), &ResponseDock::suggestionWanted};
@@ -102,6 +108,23 @@ TEST_F(ModelPage, SaysHowSureAPredictionIs) {
         EXPECT_TRUE(words.contains(part)) << part.toStdString() << " in " << words.toStdString();
 }
 
+/// There and back by 100, then by 200: both ways, and two sizes.
+TEST_F(ModelPage, StepsToAndFroByTwoSizes) {
+    Identified uncertain = motor();
+    uncertain.motor.gain.doubt = 165;
+    int last = 100;
+    for (const int next : {-100, 200, -200, 100}) {
+        KeptResponse run = ramp(last);
+        run.run.taken.goal = run.run.taken.from + last;
+        window->showResponse(run);
+        click(u"identifyButton"_s);
+        dock().showMotor(ModuleIndex(0), uncertain);
+        click(u"identifyButton"_s);
+        EXPECT_EQ(steppedBy(), next);
+        last = next;
+    }
+}
+
 /// Gain known to 21 %: the same button steps, then finds again; gains are careful until it is known.
 TEST_F(ModelPage, AsksForOneMoreStepWhereTheMotorIsUncertain) {
     window->showResponse(ramp());
@@ -115,7 +138,7 @@ TEST_F(ModelPage, AsksForOneMoreStepWhereTheMotorIsUncertain) {
     EXPECT_TRUE(button(u"identifyButton"_s)->accessibleName().startsWith(u"One more step"_s));
     click(u"identifyButton"_s);
     ASSERT_EQ(intents.size(), 1);
-    EXPECT_TRUE(std::holds_alternative<intent::StepResponse>(intents.last().at(1).value<Intent>()));
+    EXPECT_EQ(steppedBy(), -100) << "the other way, so that the motor stays where it is";
     EXPECT_EQ(wanted.size(), 1) << "not looked for again";
     window->showResponse(ramp(100));
     EXPECT_EQ(button(u"identifyButton"_s)->text(), u"Find the motor"_s);

@@ -313,6 +313,9 @@ QString refused(ModuleIndex module) {
 QString garbled(ModuleIndex module) {
     return ofModule(u"garbled"_s, module);
 }
+QString procedure(ModuleIndex module) {
+    return ofModule(u"procedure"_s, module);
+}
 QString tripped(ModuleIndex module) {
     return ofModule(u"tripped"_s, module);
 }

@@ -246,6 +246,8 @@ namespace key {
 [[nodiscard]] QString silent(ModuleIndex module);
 [[nodiscard]] QString refused(ModuleIndex module);
 [[nodiscard]] QString garbled(ModuleIndex module);
+/// How its last procedure ended, until the next begins.
+[[nodiscard]] QString procedure(ModuleIndex module);
 [[nodiscard]] QString tripped(ModuleIndex module);
 [[nodiscard]] QString power(ModuleIndex module);
 [[nodiscard]] QString current(ModuleIndex module);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "model/intent/looptestplan.h"
 #include "model/response/responsefile.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -33,6 +34,21 @@ QLabel* newParagraph(const QString& objectName, const QString& what, int lines, 
     label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
     return label;
+}
+/// The other way after each step, so that the motor stays where it is; then to and fro by twice as much, and
+/// by the first distance again: friction and load differ by direction, gain and friction by size.
+std::int32_t nextDistance(const std::vector<const KeptResponse*>& runs) {
+    const auto distance = [](const KeptResponse* kept) {
+        return kept->run.taken.goal - kept->run.taken.from;
+    };
+    const std::int32_t last = distance(runs.back());
+    const bool backAgain = runs.size() > 1 && distance(runs[runs.size() - 2]) == -last;
+    if (!backAgain)
+        return -last;
+    std::int32_t least = std::abs(last);
+    for (const KeptResponse* kept : runs)
+        least = std::min(least, std::abs(distance(kept)));
+    return std::abs(last) == least ? std::min(2 * least, kLongestStep) : least;
 }
 }  // namespace
 
@@ -137,7 +153,7 @@ bool ModelBox::wantsStep() const {
 
 void ModelBox::identify() {
     if (wantsStep())
-        return emit stepWanted();
+        return emit stepWanted(nextDistance(ofThisModule()));
     const std::vector<const KeptResponse*> mine = ofThisModule();
     if (mine.empty() || m_looking)
         return;

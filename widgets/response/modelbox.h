@@ -75,8 +75,8 @@ signals:
     void suggestionWanted(const nmc::SuggestionTask& task);
     void gainsWanted(const nmc::servo::SetGain& gains);
     void curvesChanged();
-    /// One more step with the settings of the form: what was found is not sure yet.
-    void stepWanted();
+    /// One more step by that, and otherwise with the settings of the form: what was found is not sure yet.
+    void stepWanted(std::int32_t counts);
 
 private:
     struct Looking {

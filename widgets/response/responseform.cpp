@@ -114,7 +114,7 @@ void ResponseForm::buildButton(QGridLayout* grid) {
     const int line = grid->rowCount();
     grid->addWidget(m_step, line, 0);
     grid->addWidget(m_hold, line, 1, 1, 3, Qt::AlignLeft);
-    connect(m_step, &QPushButton::clicked, this, &ResponseForm::step);
+    connect(m_step, &QPushButton::clicked, this, [this] { step(); });
     connect(m_hold, &HoldFirstButton::asked, this, &ResponseForm::asked);
 }
 
@@ -175,10 +175,11 @@ void ResponseForm::refresh() {
                                     : reason);
 }
 
-void ResponseForm::step() {
-    const auto step = entered();
+void ResponseForm::step(std::optional<std::int32_t> counts) {
+    auto step = entered();
     if (!m_step->isEnabled() || !step)
         return;
+    step->counts = counts.value_or(step->counts);
     if (const QString unsent = unsentGains(); unsent.isEmpty())
         emit asked(m_module->info.index, *step);
     else

@@ -28,8 +28,8 @@ public:
     void showModule(const PanelView& view);
     void showNothing();
 
-    /// As by its button.
-    void step();
+    /// As by its button; `counts`: another distance, once.
+    void step(std::optional<std::int32_t> counts = std::nullopt);
 
     /// Why no step can be made now; empty: one can.
     [[nodiscard]] QString whyNotNow() const;
