@@ -54,10 +54,11 @@ protected:
         };
         return {number(1), number(2)};
     }
-    /// Within this part, or two standard deviations.
+    /// Within this part, or four standard deviations: in real time each run has other samples, and two are
+    /// missed by one in twenty of them.
     void expectFound(const QString& word, double truth, double part) {
         const auto [value, doubt] = found(word);
-        EXPECT_LE(std::abs(value - truth), std::max(part * truth, 2 * doubt))
+        EXPECT_LE(std::abs(value - truth), std::max(part * truth, 4 * doubt))
             << word.toStdString() << ' ' << value << " ± " << doubt << ", truly " << truth;
     }
     /// There is no run to find a motor in, and nothing is suggested.
