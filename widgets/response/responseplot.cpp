@@ -14,6 +14,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/response/plotline.h"
 #include "widgets/scope/axisrange.h"
 #include "widgets/scope/scopewords.h"
 #include "widgets/scope/timewindow.h"
@@ -36,28 +37,6 @@ constexpr double kKeyZoom = 1.5;
 constexpr double kPan = 0.1;  ///< of what is seen
 /// s, and the unit of the axis: zooming ends here.
 constexpr double kNarrowest = 1e-5, kWidest = 100, kMaxValues = 1e13;
-
-/// The part of a line that is in an area (Liang and Barsky).
-std::optional<QLineF> within(const QRectF& area, const QLineF& line) {
-    double from = 0, to = 1;
-    const double dx = line.dx(), dy = line.dy();
-    for (const auto& [step, room] :
-         {std::pair{-dx, line.x1() - area.left()}, std::pair{dx, area.right() - line.x1()},
-          std::pair{-dy, line.y1() - area.top()}, std::pair{dy, area.bottom() - line.y1()}}) {
-        if (step == 0) {
-            if (room < 0)
-                return std::nullopt;
-        } else if (step < 0) {
-            from = std::max(from, room / step);
-        } else {
-            to = std::min(to, room / step);
-        }
-    }
-    if (from > to)
-        return std::nullopt;
-    const QPointF start = from > 0 ? line.pointAt(from) : line.p1();
-    return QLineF(start, to < 1 ? line.pointAt(to) : line.p2());
-}
 }  // namespace
 
 ResponsePlot::ResponsePlot(QWidget* parent) : QWidget(parent) {
@@ -110,6 +89,8 @@ void ResponsePlot::showRuns(const KeptResponse* a, const KeptResponse* b,
     // The user may have changed the unit between two runs of a module.
     const bool oneModule = a != nullptr && b != nullptr && a->run.module == b->run.module;
     m_curves[1] = b != nullptr ? std::optional(curveOf(*b, oneModule ? a->scale : b->scale)) : std::nullopt;
+    m_strips.show(a, b);
+    m_backdrop.resize(QSizeF(width(), height() - stripsHeight()));
     adoptPalette();
     fit();
 }
@@ -185,7 +166,7 @@ ResponsePlot::View ResponsePlot::fitted() const {
 
 void ResponsePlot::fit() {
     const int em = fontMetrics().height();
-    const int rows = std::clamp((height() - 4 * em) * 2 / (em * 3), 2, 8);
+    const int rows = std::clamp((height() - stripsHeight() - 4 * em) * 2 / (em * 3), 2, 8);
     View view = m_view.value_or(fitted());
     AxisRange::Range range{view.bottom, view.top, TimeWindow::nice((view.top - view.bottom) / rows)};
     if (!m_view)
@@ -212,6 +193,7 @@ QPointF ResponsePlot::pointAt(double seconds, double value) const {
 
 void ResponsePlot::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
+    painter.fillRect(rect(), palette().color(QPalette::Base));
     painter.drawPixmap(0, 0, m_backdrop.picture(devicePixelRatioF()));
     paintOver(painter);
 }
@@ -237,6 +219,8 @@ void ResponsePlot::paintOver(QPainter& painter) {
         painter.restore();
         return;
     }
+    if (const int strips = stripsHeight(); strips > 0)
+        m_strips.paint(painter, QRectF(0, height() - strips, width(), strips), m_geometry, palette());
     // What runs along the edge is drawn whole.
     painter.setClipRect(m_geometry.area.adjusted(0, -kPenWidth, 0, kPenWidth));
     painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DotLine));
@@ -252,11 +236,11 @@ void ResponsePlot::paintOver(QPainter& painter) {
     paintCurve(painter, 1);
     paintCurve(painter, 0);
     painter.setPen(QPen(colour(kModel), kPenWidth, Qt::DotLine, Qt::FlatCap));
-    paintLine(painter, m_fitted);
+    paintLine(painter, m_geometry, m_fitted);
     QPen pen(colour(kPrediction), kPenWidth, Qt::SolidLine, Qt::FlatCap);
     pen.setDashPattern(kDashes);
     painter.setPen(pen);
-    paintLine(painter, m_predicted);
+    paintLine(painter, m_geometry, m_predicted);
     paintCursors(painter);
     if (m_drag == Drag::Choose) {
         QColor fill = palette().color(QPalette::Highlight);
@@ -331,7 +315,7 @@ void ResponsePlot::paintCurve(QPainter& painter, std::size_t which) const {
         pen.setDashPattern(kDashes);
     painter.setPen(pen);
     for (const QPolygonF& part : m_curves[which]->parts)
-        paintLine(painter, part);
+        paintLine(painter, m_geometry, part);
 }
 
 /// As far as it is in the area: an SVG file knows no clipping.
@@ -354,29 +338,8 @@ void ResponsePlot::paintOthers(QPainter& painter) const {
         pale.setAlphaF(static_cast<float>(kPalest + (kStrongest - kPalest) * strength));
         painter.setPen(QPen(pale, 1));
         for (const QPolygonF& part : curve.parts)
-            paintLine(painter, part);
+            paintLine(painter, m_geometry, part);
     }
-}
-
-/// As far as it is in the area: an SVG file knows no clipping. In whole lines, so that dashes run through.
-void ResponsePlot::paintLine(QPainter& painter, const QPolygonF& line) const {
-    QPolygonF places;
-    const auto paint = [&] {
-        painter.drawPolyline(places);
-        places.clear();
-    };
-    for (qsizetype i = 1; i < line.size(); ++i) {
-        const auto part = within(
-            m_geometry.area, {pointAt(line[i - 1].x(), line[i - 1].y()), pointAt(line[i].x(), line[i].y())});
-        if (!part)
-            continue;
-        if (places.empty() || places.back() != part->p1()) {
-            paint();
-            places << part->p1();
-        }
-        places << part->p2();
-    }
-    paint();
 }
 
 // ---- cursors ----
@@ -569,7 +532,7 @@ void ResponsePlot::keyPressEvent(QKeyEvent* event) {
 
 void ResponsePlot::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    m_backdrop.resize(size());
+    m_backdrop.resize(QSizeF(width(), height() - stripsHeight()));
     fit();
 }
 
@@ -579,6 +542,12 @@ void ResponsePlot::changeEvent(QEvent* event) {
         adoptPalette();
     if (event->type() == QEvent::FontChange)
         fit();
+}
+
+int ResponsePlot::stripsHeight() const {
+    const double em = fontMetrics().height();
+    const bool room = height() >= em * (10 + ResponseStrips::kLines);
+    return room && (m_curves[0] || m_curves[1]) ? qRound(em * ResponseStrips::kLines) : 0;
 }
 
 QSize ResponsePlot::sizeHint() const {

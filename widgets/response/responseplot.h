@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/response/responsefile.h"
+#include "widgets/response/responsestrips.h"
 #include "widgets/scope/chartbackdrop.h"
 #include "widgets/scope/tracedrawing.h"
 
@@ -17,8 +18,8 @@ namespace nmc {
 struct Prediction;
 
 /// One or two step responses over the time since their step, from where they began: A solid, B dashed, with
-/// the goal and the settling band. As long as the transient lasts; a double click shows the whole record, or
-/// that again. Wheel, mouse and keys zoom and move it as a strip of the scope.
+/// the goal and the settling band; below them error and PWM. As long as the transient lasts; a double click
+/// shows the whole record, or that again. Wheel, mouse and keys zoom and move it as a strip of the scope.
 class ResponsePlot : public QWidget {
     Q_OBJECT
 
@@ -94,7 +95,6 @@ private:
         double left, right, bottom, top;
     };
 
-    void paintLine(QPainter& painter, const QPolygonF& line) const;
     void paintRange(QPainter& painter) const;
     void paintLevel(QPainter& painter, double value, double from, double to) const;
     void paintOver(QPainter& painter);
@@ -110,6 +110,8 @@ private:
     [[nodiscard]] std::optional<std::size_t> cursorAt(const QPointF& position) const;
     void adoptPalette();
     void fit();
+    /// Of the strips below the plot; 0 where there is no room.
+    [[nodiscard]] int stripsHeight() const;
     void paintGoal(QPainter& painter, const Curve& curve) const;
     void paintCurve(QPainter& painter, std::size_t which) const;
     void paintOthers(QPainter& painter) const;
@@ -122,6 +124,7 @@ private:
     QPolygonF m_predicted;
     QPolygonF m_range;  ///< around m_predicted, closed
     PlotGeometry m_geometry;
+    ResponseStrips m_strips;
     bool m_whole = false;  ///< the whole record, and not the transient alone
     std::optional<View> m_view;
     std::optional<std::array<double, 2>> m_cursors;  ///< s

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPolygonF>
+
+class QPainter;
+
+namespace nmc {
+
+struct PlotGeometry;
+
+/// `line`, in seconds and values, as far as it is in the area: an SVG file knows no clipping. In whole lines,
+/// so that dashes run through.
+void paintLine(QPainter& painter, const PlotGeometry& geometry, const QPolygonF& line);
+
+}  // namespace nmc

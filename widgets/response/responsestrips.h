@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPolygonF>
+#include <QString>
+#include <array>
+
+#include "model/response/responsefile.h"
+#include "widgets/scope/tracedrawing.h"
+
+class QPainter;
+class QPalette;
+
+namespace nmc {
+
+/// Below the step plot, on its time axis: the position error, zoomed to where it settles, and the PWM value
+/// that the filter makes of it. A solid, B dashed.
+class ResponseStrips {
+public:
+    /// Either may be null.
+    void show(const KeptResponse* a, const KeptResponse* b);
+    /// In lines of text.
+    static constexpr double kLines = 9.0;
+    /// `place`: from side to side. `above`: of the plot, whose time it shares.
+    void paint(QPainter& painter, const QRectF& place, const PlotGeometry& above,
+               const QPalette& palette) const;
+
+private:
+    struct Curve {
+        QPolygonF error;  ///< in the unit of A's axis
+        QPolygonF pwm;
+    };
+    void paintStrip(QPainter& painter, const PlotGeometry& geometry, const QString& title, double band,
+                    QPolygonF Curve::*line, const QPalette& palette) const;
+
+    std::array<Curve, 2> m_curves;
+    QString m_unit;
+    double m_band = 1.0;
+    double m_zoom = 1.0;     ///< the unit of the axis, to either side
+    double m_limit = 255.0;  ///< PWM counts, to either side
+};
+
+}  // namespace nmc
