@@ -143,6 +143,16 @@ TEST_F(StandingTexts, AServoIsSaidToGoOnAndAStepperToBeHeld) {
     EXPECT_TRUE(step.body.contains(u"the module blocks this direction"_s));
 }
 
+/// pos_wrap is bit 1 of the auxiliary byte, and sticks until it is cleared (DS-V 5.2).
+TEST_F(StandingTexts, APositionThatWrappedIsTold) {
+    constexpr std::uint8_t kWrapped = 0x02;
+    servo().apply(sampleOf(3.0, kOk, kServoOn | kWrapped));
+    ASSERT_THAT(keys(), ElementsAre("wrapped.1"));
+    EXPECT_TRUE(texts::standing(link, atSeconds(3)).front().body.contains(u"find home"_s));
+    servo().apply(sampleOf(3.1, kOk, kServoOn));
+    EXPECT_THAT(keys(), IsEmpty());
+}
+
 TEST_F(StandingTexts, AMotorThatSwingsIsToldWithAWayBack) {
     const auto hold = [this](double from, int amplitude) {
         for (int i = 0; i < 200; ++i) {

@@ -76,6 +76,23 @@ Message swings(const ModuleState& module) {
 
 namespace {
 
+/// A sticky bit, at the same place in every version's auxiliary byte.
+bool hasWrapped(const ModuleState& module) {
+    const auto aux = module.isServo() && module.latest ? module.latest->aux : std::nullopt;
+    return aux && servo::AuxByte{*aux}.positionWrap();
+}
+
+Message wrapped(const ModuleState& module) {
+    const ModuleIndex index = module.info.index;
+    return {
+        .key = ofModule(u"wrapped"_s, index),
+        .module = index,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("The position of module %1 has wrapped.").arg(moduleNumber(index)),
+        .body = Texts::tr(
+            "It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.")};
+}
+
 /// A servo tells by a bit why it is off, a stepper by what is the case.
 Message wentOff(const ModuleState& module) {
     const ModuleIndex index = module.info.index;
@@ -134,6 +151,8 @@ std::vector<Message> standing(const LinkState& link, TimePoint now,
             all.push_back(withRecord(currentLimited(index)));
         if (module.swing.swing() && !module.swing.swing()->hunts && !module.silent)
             all.push_back(withRecord(swings(module)));
+        if (hasWrapped(module))
+            all.push_back(withRecord(wrapped(module)));
         for (const int limit : {1, 2})
             if (tellsOfLimit(module, limit))
                 all.push_back(withRecord(limitClosed(module, limit)));
