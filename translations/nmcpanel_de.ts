@@ -1014,6 +1014,17 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
+    <name>StripTexts</name>
+    <message>
+        <source>error, zoomed (%1)</source>
+        <translation>Abweichung, vergrößert (%1)</translation>
+    </message>
+    <message>
+        <source>PWM, calculated (of 255)</source>
+        <translation>PWM, berechnet (von 255)</translation>
+    </message>
+</context>
+<context>
     <name>Texts</name>
     <message>
         <source>Port &quot;%1&quot; not found. Only the simulator is available: --simulator.</source>
@@ -4647,6 +4658,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
         <translation>„%1“ hat eine Spalte je Signal, eine Form für andere Programme. Das Oszilloskop öffnet Dateien mit einer Zeile je Antwort.</translation>
+    </message>
+    <message>
+        <source>The position of module %1 has wrapped.</source>
+        <translation>Die Position von Modul %1 ist übergelaufen.</translation>
+    </message>
+    <message>
+        <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
+        <translation>Sie hat 32 Bit und ging am anderen Ende ihres Bereichs weiter. Positionen und Verfahrgrenzen von vorher sind nicht mehr, wo sie waren: Referenz suchen, dann auf der Seite Details die Sticky-Bits löschen.</translation>
     </message>
 </context>
 <context>

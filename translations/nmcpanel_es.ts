@@ -1014,6 +1014,17 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
 </context>
 <context>
+    <name>StripTexts</name>
+    <message>
+        <source>error, zoomed (%1)</source>
+        <translation>error, ampliado (%1)</translation>
+    </message>
+    <message>
+        <source>PWM, calculated (of 255)</source>
+        <translation>PWM, calculado (de 255)</translation>
+    </message>
+</context>
+<context>
     <name>Texts</name>
     <message>
         <source>Port &quot;%1&quot; not found. Only the simulator is available: --simulator.</source>
@@ -4647,6 +4658,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
         <translation>“%1” tiene una columna por señal, una forma para otros programas. El osciloscopio abre archivos con una fila por respuesta.</translation>
+    </message>
+    <message>
+        <source>The position of module %1 has wrapped.</source>
+        <translation>La posición del módulo %1 se ha desbordado.</translation>
+    </message>
+    <message>
+        <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
+        <translation>Tiene 32 bits y continuó en el otro extremo de su rango. Las posiciones y los límites de recorrido anteriores ya no están donde estaban: busque el origen y luego borre los bits enclavados en la página Detalles.</translation>
     </message>
 </context>
 <context>

@@ -1014,6 +1014,17 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
 </context>
 <context>
+    <name>StripTexts</name>
+    <message>
+        <source>error, zoomed (%1)</source>
+        <translation>écart, agrandi (%1)</translation>
+    </message>
+    <message>
+        <source>PWM, calculated (of 255)</source>
+        <translation>PWM, calculé (sur 255)</translation>
+    </message>
+</context>
+<context>
     <name>Texts</name>
     <message>
         <source>Port &quot;%1&quot; not found. Only the simulator is available: --simulator.</source>
@@ -4647,6 +4658,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
         <translation>« %1 » a une colonne par signal, une forme pour d’autres programmes. L’oscilloscope ouvre les fichiers avec une ligne par réponse.</translation>
+    </message>
+    <message>
+        <source>The position of module %1 has wrapped.</source>
+        <translation>La position du module %1 a débordé.</translation>
+    </message>
+    <message>
+        <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
+        <translation>Elle a 32 bits et a continué à l’autre bout de leur plage. Les positions et limites de course d’avant ne sont plus où elles étaient : cherchez l’origine, puis effacez les bits mémorisés à la page Détails.</translation>
     </message>
 </context>
 <context>

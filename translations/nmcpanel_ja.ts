@@ -1012,6 +1012,17 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
 </context>
 <context>
+    <name>StripTexts</name>
+    <message>
+        <source>error, zoomed (%1)</source>
+        <translation>偏差、拡大（%1）</translation>
+    </message>
+    <message>
+        <source>PWM, calculated (of 255)</source>
+        <translation>PWM、計算値（255中）</translation>
+    </message>
+</context>
+<context>
     <name>Texts</name>
     <message>
         <source>Port &quot;%1&quot; not found. Only the simulator is available: --simulator.</source>
@@ -4630,6 +4641,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
         <translation>「%1」は信号ごとに1列で、ほかのプログラム用の形式です。スコープで開けるのは、応答ごとに1行のファイルです。</translation>
+    </message>
+    <message>
+        <source>The position of module %1 has wrapped.</source>
+        <translation>モジュール%1の位置が桁あふれしました。</translation>
+    </message>
+    <message>
+        <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
+        <translation>32ビットの範囲の反対側の端から続いています。以前の位置や移動範囲はもう元の場所を指しません。原点復帰を行い、「詳細」ページでスティッキービットをクリアしてください。</translation>
     </message>
 </context>
 <context>

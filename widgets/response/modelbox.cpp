@@ -93,12 +93,12 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent)
     m_phase->setDigits(3);
     auto* label = new QLabel(tr("Phase margin"), this);
     label->setBuddy(m_phase);
-    auto* margin = new QHBoxLayout;
-    margin->addWidget(m_phase);
-    margin->addWidget(new QLabel(tr("° at least"), this));
-    margin->addStretch(1);
+    auto* marginRow = new QHBoxLayout;
+    marginRow->addWidget(m_phase);
+    marginRow->addWidget(new QLabel(tr("° at least"), this));
+    marginRow->addStretch(1);
     grid->addWidget(label, line, 0);
-    grid->addLayout(margin, line++, 1);
+    grid->addLayout(marginRow, line++, 1);
     connect(m_phase, &NumberField::edited, this, [this] {
         if (const auto margin = m_phase->value()) {
             m_margin = *margin;
