@@ -4826,8 +4826,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 neben der Position, die zu halten ist, und drückt mit bis zur ganzen Ausgangsgrenze. Vielleicht ist etwas im Weg.</translation>
     </message>
     <message>
-        <source>%1 off the position to hold: friction or a load needs a higher Kp, or an integral (Ki, IL) that carries it.</source>
-        <translation>%1 neben der Position, die zu halten ist: Reibung oder eine Last braucht ein größeres Kp oder einen Integralanteil (Ki, IL), der sie trägt.</translation>
+        <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
+        <translation>%1 neben der Position, die zu halten ist: Reibung, eine Last oder ein Hindernis ist stärker. Ein größeres Kp oder ein Integralanteil (Ki, IL) drückt mehr.</translation>
     </message>
 </context>
 <context>

@@ -4665,7 +4665,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
-        <translation>Tiene 32 bits y continuó en el otro extremo de su rango. Las posiciones y los límites de recorrido anteriores ya no están donde estaban: busque el origen y luego borre los bits enclavados en la página Detalles.</translation>
+        <translation>Tiene 32 bits y continuó en el otro extremo de su rango. Las posiciones y los límites de recorrido anteriores ya no están donde estaban: busque la referencia y luego borre los bits enclavados en la página Detalles.</translation>
     </message>
 </context>
 <context>
@@ -4826,8 +4826,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>A %1 de la posición que debe mantener, y empuja hasta con todo el límite de salida. Puede que algo estorbe.</translation>
     </message>
     <message>
-        <source>%1 off the position to hold: friction or a load needs a higher Kp, or an integral (Ki, IL) that carries it.</source>
-        <translation>A %1 de la posición que debe mantener: la fricción o una carga necesita un Kp mayor, o una integral (Ki, IL) que la soporte.</translation>
+        <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
+        <translation>A %1 de la posición que debe mantener: la fricción, una carga o un obstáculo es más fuerte. Un Kp mayor, o una integral (Ki, IL), empuja más.</translation>
     </message>
 </context>
 <context>

@@ -4826,8 +4826,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>À %1 de la position à maintenir, et pousse jusqu’à toute la limite de sortie. Quelque chose gêne peut-être.</translation>
     </message>
     <message>
-        <source>%1 off the position to hold: friction or a load needs a higher Kp, or an integral (Ki, IL) that carries it.</source>
-        <translation>À %1 de la position à maintenir : le frottement ou une charge demande un Kp plus grand, ou une intégrale (Ki, IL) qui la porte.</translation>
+        <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
+        <translation>À %1 de la position à maintenir : un frottement, une charge ou un obstacle est plus fort. Un Kp plus grand, ou une intégrale (Ki, IL), pousse davantage.</translation>
     </message>
 </context>
 <context>

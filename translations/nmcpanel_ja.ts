@@ -4809,8 +4809,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>保持すべき位置から%1ずれ、最大で出力制限いっぱいまで押しています。何かが妨げている可能性があります。</translation>
     </message>
     <message>
-        <source>%1 off the position to hold: friction or a load needs a higher Kp, or an integral (Ki, IL) that carries it.</source>
-        <translation>保持すべき位置から%1ずれています。摩擦や負荷には、より大きいKpか、それを支える積分（Ki、IL）が必要です。</translation>
+        <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
+        <translation>保持すべき位置から%1ずれています。摩擦、負荷、または障害物の力が上回っています。Kpを上げるか、積分（Ki、IL）を使うと、より強く押します。</translation>
     </message>
 </context>
 <context>

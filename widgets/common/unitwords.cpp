@@ -136,7 +136,7 @@ QString activityMeaning(const ModuleState& module, const AxisScale& scale) {
                 ? Units::tr(
                       "%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.")
                 : Units::tr(
-                      "%1 off the position to hold: friction or a load needs a higher Kp, or an integral (Ki, IL) that carries it."))
+                      "%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more."))
         .arg(offBy(*holding, scale));
 }
 

@@ -22,8 +22,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr int kSliderSteps = 100;
-constexpr int kMotorLines = 6;
-constexpr int kSuggestionLines = 6;
+constexpr int kMotorLines = 5;
+constexpr int kSuggestionLines = 5;
 
 /// As many lines as it may need are always its own, so that no button moves.
 QLabel* newParagraph(const QString& objectName, const QString& what, int lines, QWidget* parent) {

@@ -52,7 +52,7 @@ void ResponseStrips::show(const KeptResponse* a, const KeptResponse* b) {
 void ResponseStrips::paint(QPainter& painter, const QRectF& place, const PlotGeometry& above,
                            const QPalette& palette) const {
     const double em = QFontMetricsF(painter.font()).height();
-    const double gap = em / 2;
+    const double gap = em;  // for the numbers at the edges of both
     const double high = (place.height() - 3 * gap) / 2;
     PlotGeometry geometry = above;
     geometry.area = QRectF(above.area.left(), place.top() + gap, above.area.width(), high);
