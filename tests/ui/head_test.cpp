@@ -244,7 +244,7 @@ TEST_F(Head, AServoThatATestDrivesIsNotSaidToHold) {
     window->showLink(connectedTo({module}));
     ProcedureReport report;
     report.kind = ProcedureKind::FrequencyResponse;
-    report.stage = ProcedureStage::Recording;
+    report.stage = ProcedureStage::Moving;
     window->showProcedure(report);
     EXPECT_EQ(text(u"stateLabel"_s), u"Driven by a test"_s);
     EXPECT_EQ(text(u"stateMeaning"_s), u"The test moves the motor around the position that it held."_s);

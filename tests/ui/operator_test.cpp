@@ -14,6 +14,9 @@
 namespace nmc {
 namespace {
 
+/// With letters that no hexadecimal digit is: a hash of it may have any four digits in a row.
+const QString kPin = u"lathe-4711"_s;
+
 class OperatorMode : public WindowTest {
 protected:
     OperatorMode() {
@@ -41,8 +44,8 @@ protected:
     }
     void begin() {
         open();
-        typePin(u"operatorPinField"_s, u"4711"_s);
-        typePin(u"operatorPinAgainField"_s, u"4711"_s);
+        typePin(u"operatorPinField"_s, kPin);
+        typePin(u"operatorPinAgainField"_s, kPin);
         click(u"operatorBeginButton"_s);
         ASSERT_TRUE(window->operatorLock().isLocked());
         settle();
@@ -95,7 +98,7 @@ TEST_F(OperatorMode, IsLeftWithThePinOnly) {
     click(u"operatorLeaveButton"_s);
     EXPECT_TRUE(window->operatorLock().isLocked());
     EXPECT_TRUE(text(u"operatorProblem"_s).startsWith(u"Wrong PIN."_s));
-    typePin(u"operatorPinField"_s, u"4711"_s);
+    typePin(u"operatorPinField"_s, kPin);
     QTest::keyClick(find<QLineEdit>(u"operatorPinField"_s), Qt::Key_Return);
     EXPECT_FALSE(window->operatorLock().isLocked());
     EXPECT_TRUE(enabled("runForwardButton"));
@@ -109,7 +112,7 @@ TEST_F(OperatorMode, APinHasFourCharactersTwiceTheSame) {
     typePin(u"operatorPinAgainField"_s, u"471"_s);
     click(u"operatorBeginButton"_s);
     EXPECT_TRUE(text(u"operatorProblem"_s).contains(u"too short"_s));
-    typePin(u"operatorPinField"_s, u"4711"_s);
+    typePin(u"operatorPinField"_s, kPin);
     click(u"operatorBeginButton"_s);
     EXPECT_TRUE(text(u"operatorProblem"_s).contains(u"differ"_s));
     EXPECT_FALSE(window->operatorLock().isLocked());
@@ -118,7 +121,7 @@ TEST_F(OperatorMode, APinHasFourCharactersTwiceTheSame) {
 TEST_F(OperatorMode, OutlivesTheSessionAndThePinIsNotInTheSettings) {
     begin();
     for (const QString& key : settings.allKeys())
-        EXPECT_FALSE(settings.value(key).toString().contains(u"4711"_s)) << key.toStdString();
+        EXPECT_FALSE(settings.value(key).toString().contains(kPin)) << key.toStdString();
     window = std::make_unique<MainWindow>(settings);
     EXPECT_TRUE(window->operatorLock().isLocked());
 }
@@ -130,8 +133,8 @@ TEST_F(OperatorMode, TheUserChoosesWhatIsLeftForTheMachine) {
     auto* jog = button(u"operatorJogBox"_s);
     for (auto* box : {homing, jog})
         QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
-    typePin(u"operatorPinField"_s, u"4711"_s);
-    typePin(u"operatorPinAgainField"_s, u"4711"_s);
+    typePin(u"operatorPinField"_s, kPin);
+    typePin(u"operatorPinAgainField"_s, kPin);
     click(u"operatorBeginButton"_s);
     ASSERT_EQ(edited.size(), 1);
     const auto rights = edited.at(0).at(0).value<OperatorRights>();

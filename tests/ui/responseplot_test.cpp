@@ -188,7 +188,9 @@ TEST_F(ResponsePlotHands, NothingIsDrawnBesideAZoomedPlot) {
     const QRect area = now().area.toAlignedRect().adjusted(-3, -3, 3, 3);
     for (int y = area.top(); y < picture.height(); ++y)  // the legend is above
         for (int x = 0; x < picture.width(); ++x) {
-            if (area.contains(x, y))
+            const bool inStrips =
+                y > area.bottom() + 2 * plot.fontMetrics().height() && x >= area.left() && x <= area.right();
+            if (area.contains(x, y) || inStrips)
                 continue;
             ASSERT_FALSE(near(picture.pixelColor(x, y), colour)) << x << ' ' << y;
         }
