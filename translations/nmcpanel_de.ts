@@ -8862,8 +8862,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Noch ein Sprung</translation>
     </message>
     <message>
-        <source>Steps once more. The more steps there are, in both directions and of two sizes, the better the model.</source>
-        <translation>Macht noch einen Sprung. Je mehr Sprünge in beide Richtungen und in zwei Größen, desto besser das Modell.</translation>
+        <source>Wanted where a motor was found that is uncertain.</source>
+        <translation>Erst nötig, wenn ein Motor gefunden wurde, der unsicher ist.</translation>
+    </message>
+    <message>
+        <source>Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model.</source>
+        <translation>Macht noch einen Sprung: zurück, dann doppelt so weit hin und zurück. Je mehr Sprünge in beide Richtungen und in zwei Größen, desto besser das Modell.</translation>
     </message>
 </context>
 <context>

@@ -8862,8 +8862,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Un escalón más</translation>
     </message>
     <message>
-        <source>Steps once more. The more steps there are, in both directions and of two sizes, the better the model.</source>
-        <translation>Hace un escalón más. Cuantos más escalones haya, en ambos sentidos y de dos tamaños, mejor será el modelo.</translation>
+        <source>Wanted where a motor was found that is uncertain.</source>
+        <translation>Hace falta cuando el motor identificado es incierto.</translation>
+    </message>
+    <message>
+        <source>Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model.</source>
+        <translation>Hace un escalón más: de vuelta, luego ida y vuelta el doble de lejos. Cuantos más escalones en ambos sentidos y de dos tamaños, mejor será el modelo.</translation>
     </message>
 </context>
 <context>

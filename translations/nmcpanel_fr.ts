@@ -8862,8 +8862,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Encore un échelon</translation>
     </message>
     <message>
-        <source>Steps once more. The more steps there are, in both directions and of two sizes, the better the model.</source>
-        <translation>Fait encore un échelon. Plus il y a d’échelons, dans les deux sens et de deux tailles, meilleur est le modèle.</translation>
+        <source>Wanted where a motor was found that is uncertain.</source>
+        <translation>Utile quand le moteur identifié est incertain.</translation>
+    </message>
+    <message>
+        <source>Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model.</source>
+        <translation>Fait encore un échelon : retour, puis aller et retour deux fois plus loin. Plus il y a d’échelons, dans les deux sens et de deux tailles, meilleur est le modèle.</translation>
     </message>
 </context>
 <context>

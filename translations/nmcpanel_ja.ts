@@ -8843,8 +8843,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>もう一度ステップ</translation>
     </message>
     <message>
-        <source>Steps once more. The more steps there are, in both directions and of two sizes, the better the model.</source>
-        <translation>もう一度ステップを実行します。両方向、2種類の大きさのステップが多いほど、モデルは正確になります。</translation>
+        <source>Wanted where a motor was found that is uncertain.</source>
+        <translation>同定したモーターが不確かな場合に使います。</translation>
+    </message>
+    <message>
+        <source>Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model.</source>
+        <translation>もう一度ステップします。まず戻り、次に2倍の距離を往復します。両方向、2種類の大きさのステップが多いほど、モデルは正確になります。</translation>
     </message>
 </context>
 <context>

@@ -65,7 +65,16 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent)
     const int unit = look::gridUnit(this);
     grid->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
     grid->setVerticalSpacing(unit / 3);
-    grid->addWidget(m_identify, 0, 0, 1, 2, Qt::AlignLeft);
+    // A button of its own: Find sends nothing, and whoever clicks it twice must not move a motor.
+    m_another = new QPushButton(icons::tinted(u"player-play"_s), tr("One more step"), this);
+    look::name(m_another, u"anotherStepButton"_s, tr("One more step"));
+    connect(m_another, &QPushButton::clicked, this,
+            [this] { emit stepWanted(nextDistance(ofThisModule())); });
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_identify);
+    buttons->addWidget(m_another);
+    buttons->addStretch(1);
+    grid->addLayout(buttons, 0, 0, 1, 2);
     grid->addWidget(m_motor, 1, 0, 1, 2);
     m_stiffness = newSlider(
         u"stiffnessSlider"_s, tr("Stiff"),
@@ -152,8 +161,6 @@ bool ModelBox::wantsStep() const {
 }
 
 void ModelBox::identify() {
-    if (wantsStep())
-        return emit stepWanted(nextDistance(ofThisModule()));
     const std::vector<const KeptResponse*> mine = ofThisModule();
     if (mine.empty() || m_looking)
         return;
@@ -251,19 +258,16 @@ const Prediction* ModelBox::prediction() const {
 }
 
 void ModelBox::refresh() {
-    const bool wantsStep = this->wantsStep();
-    m_identify->setText(wantsStep ? tr("One more step") : tr("Find the motor"));
-    m_identify->setAccessibleName(m_identify->text());
     look::setPossible(
         m_identify,
         m_looking                ? tr("The motor model is being calculated.")
         : ofThisModule().empty() ? tr("Record a step with this module first.")
-        : wantsStep              ? m_stepProblem
                                  : QString(),
-        wantsStep
-            ? tr("Steps once more. The more steps there are, in both directions and of two sizes, the better the model.")
-            : tr("Calculates the motor model from up to %1 recent steps of this module. Sends nothing.")
-                  .arg(kMaxRuns));
+        tr("Calculates the motor model from up to %1 recent steps of this module. Sends nothing.")
+            .arg(kMaxRuns));
+    look::setPossible(
+        m_another, wantsStep() ? m_stepProblem : tr("Wanted where a motor was found that is uncertain."),
+        tr("Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model."));
     look::setPossible(m_fill,
                       m_suggestion.gains ? QString() : tr("No suggested gains. Find the motor first."),
                       tr("Copies the suggested gains to the Gains page. Sends nothing."));

@@ -99,6 +99,7 @@ private:
     [[nodiscard]] const Found* found() const;
 
     QPushButton* m_identify = nullptr;
+    QPushButton* m_another = nullptr;
     QPushButton* m_fill = nullptr;
     QLabel* m_motor = nullptr;
     QLabel* m_suggested = nullptr;

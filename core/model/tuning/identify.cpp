@@ -474,11 +474,13 @@ struct Found {
     MatrixXd constants = MatrixXd::Identity(kOfMotor, kOfMotor);
     constants(kPush, kTau) = 1;
     MatrixXd spread = constants * covariance.topLeftCorner(kOfMotor, kOfMotor) * constants.transpose();
-    // The model is not the motor: what an inductance delays belongs to tau in part; PWM values are whole.
+    // The model is not the motor: what an inductance delays belongs to tau in part, and a delay of a quarter
+    // of a tick more or less is not told from it; PWM values are whole.
     const MotorConstants motor = Fit::motor(x);
+    constexpr double kDelaySpread = 0.25;  // ticks
     const double own = std::hypot(0.015, motor.delay / motor.timeConstant);
     VectorXd more(kOfMotor);
-    more << own, own, kPwmSpread, kPwmSpread, 0.25;
+    more << own, own, kPwmSpread, kPwmSpread, kDelaySpread;
     spread.diagonal() += more.cwiseAbs2();
     const VectorXd doubt = spread.diagonal().cwiseSqrt();
     for (Index i = 0; i < kOfMotor; ++i)
