@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 #include <QTableWidget>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <utility>
 
@@ -43,6 +44,15 @@ protected:
     }
     void step() {
         panel.step([this] { panel.click("responseButton"); });
+    }
+    /// Types over what stands there, as a person does.
+    void fill(std::initializer_list<std::pair<const char*, const char*>> fields) {
+        for (const auto& [name, value] : fields) {
+            auto* field = panel.window().findChild<QLineEdit*>(QLatin1String(name));
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, QLatin1String(value));
+        }
     }
     /// The numbers behind a word of the model: what was found, and its standard deviation.
     [[nodiscard]] std::pair<double, double> found(const QString& word) {
@@ -111,12 +121,7 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
 
 TEST_F(Tuning, UnstableGainsThatAreTriedAreTakenBack) {
     ASSERT_NO_FATAL_FAILURE(hold());
-    for (const auto& [name, value] : {std::pair{"kpField", "5000"}, {"kdField", "0"}, {"kiField", "0"}}) {
-        auto* field = panel.window().findChild<QLineEdit*>(QLatin1String(name));
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, QLatin1String(value));
-    }
+    fill({{"kpField", "5000"}, {"kdField", "0"}, {"kiField", "0"}});
     ASSERT_NO_FATAL_FAILURE(panel.click("tryGainsButton"));
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 5'000; }));
     (void)sim.control(u"set 1 load 0.05"_s);  // N*m, for a moment
@@ -136,17 +141,15 @@ TEST_F(Tuning, UnstableGainsThatAreTriedAreTakenBack) {
                panel.standing(u"its output reached the limit OL"_s) != nullptr;
     };
     EXPECT_TRUE(standing());
+    fill({{"kpField", "120"}, {"kdField", "1000"}, {"kiField", "80"}});
     ASSERT_NO_FATAL_FAILURE(panel.click("tryGainsButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 5'000; }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 120; }));
     EXPECT_TRUE(panel.waitFor([&] { return !standing(); }));
 }
 
 TEST_F(Tuning, GainsThatAreKeptStay) {
     ASSERT_NO_FATAL_FAILURE(hold());
-    auto* field = panel.window().findChild<QLineEdit*>(u"kpField"_s);
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, u"120"_s);
+    fill({{"kpField", "120"}});
     ASSERT_NO_FATAL_FAILURE(panel.click("tryGainsButton"));
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 120; }));
     ASSERT_NO_FATAL_FAILURE(panel.click("keepGainsButton"));
@@ -164,7 +167,10 @@ TEST_F(Tuning, WithoutAStepItSaysWhatIsMissing) {
 TEST_F(Tuning, AShaftThatIsHeldGivesNoModel) {
     ASSERT_NO_FATAL_FAILURE(hold());
     (void)sim.control(u"set 1 friction 5"_s);  // N*m: no motor of its size turns that
-    ASSERT_NO_FATAL_FAILURE(step());
+    // Not again where samples are missing: each step takes the command farther from a shaft that stays.
+    ASSERT_NO_FATAL_FAILURE(panel.click("responseButton"));
+    const auto* runs = panel.window().findChild<QTableWidget*>(u"responseRunTable"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return runs->rowCount() == 1; })) << text("responseState").toStdString();
     ASSERT_NO_FATAL_FAILURE(panel.click("identifyButton"));
     EXPECT_TRUE(panel.waitFor([&] { return text("motorModel").startsWith(u"The shaft did not move."_s); }))
         << text("motorModel").toStdString();

@@ -394,45 +394,33 @@ struct Found {
     return late > early * kCalming * kCalming;
 }
 
-/// It comes to rest short of its goal, and did the last fifth of its way nearly as fast as any other. What
-/// runs down by friction from half-way on takes 3.2 times as long for it.
+/// It comes to rest short of its goal, and was nearly as fast as ever in the interval before the one that
+/// ends there. Friction and a filter let a motor run down.
 [[nodiscard]] bool stopsDead(const Record& record) {
     constexpr double kShort = 0.05;  // of the step
-    constexpr double kFifth = 0.2;
-    constexpr double kNearly = 2.5;
+    constexpr double kNearly = 0.6;
     const double direction = record.step() < 0 ? -1.0 : 1.0;
     const double step = std::abs(record.step());
     const auto gone = [&](const Reading& reading) { return (reading.position - record.stood) * direction; };
     const double end = gone(record.readings.back());
-    // What comes back from the stop and goes there again is as far in the end.
-    const auto far = [&](const Reading& reading) {
+    // Where friction lets it go back from its farthest, nothing stood in its way.
+    const auto beyond = [&](const Reading& reading) {
         return gone(reading) > end + std::max(2.0, kShort * end);
     };
     if (step - end < std::max(3.0, kShort * step) ||
-        std::any_of(record.readings.begin(), record.readings.end(), far))
+        std::any_of(record.readings.begin(), record.readings.end(), beyond))
         return false;
-    // The times at which each fifth of the way was done.
-    std::array<double, 6> at{};
-    std::size_t fifth = 1;
-    for (std::size_t i = 1; i < record.readings.size() && fifth < at.size(); ++i) {
-        const Reading& before = record.readings[i - 1];
-        const Reading& here = record.readings[i];
-        // The last one ends a count early: the very last is where it rests.
-        for (double wanted = 0; fifth < at.size(); ++fifth) {
-            wanted = fifth + 1 < at.size() ? static_cast<double>(fifth) * kFifth * end : end - 1;
-            if (gone(here) < wanted)
-                break;
-            const double way = gone(here) - gone(before);
-            const double part = way > 0 ? std::clamp((wanted - gone(before)) / way, 0.0, 1.0) : 0.0;
-            at[fifth] = before.seconds + part * (here.seconds - before.seconds);
-        }
+    double fastest = 0.0;
+    double last = 0.0;
+    Reading before{0.0, record.stood, 0.0, 0.0};
+    for (const Reading& here : record.readings) {
+        if (gone(here) >= end - 1)
+            break;
+        last = (gone(here) - gone(before)) / (here.seconds - before.seconds);
+        fastest = std::max(fastest, last);
+        before = here;
     }
-    if (fifth < at.size())
-        return false;
-    double quickest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 2; i < at.size(); ++i)
-        quickest = std::min(quickest, at[i] - at[i - 1]);
-    return at.back() - at[at.size() - 2] < kNearly * quickest;
+    return fastest > 0 && last >= kNearly * fastest;
 }
 
 [[nodiscard]] Identified identified(const Fit& fit, const std::vector<Record>& records,
