@@ -116,7 +116,7 @@ QString activity(const ModuleState& module, const AxisScale& scale) {
     if (module.activity() == Activity::Holding && swing)
         return (swing->hunts ? Units::tr("%1, hunting") : Units::tr("%1, oscillating")).arg(word);
     const auto holding = holdingOf(module);
-    if (!holding || std::abs(holding->off) <= kHeldWithin)
+    if (!holding)
         return word;
     return holding->atLimit ? Units::tr("%1, pushing at OL").arg(word)
                             : Units::tr("%1, %2 off").arg(word, offBy(*holding, scale));
@@ -130,7 +130,7 @@ QString activityMeaning(const ModuleState& module, const AxisScale& scale) {
             return Units::tr("Kp is 0: the servo brakes the motor but holds no position.");
     }
     const auto holding = holdingOf(module);
-    if (!holding || std::abs(holding->off) <= kHeldWithin)
+    if (!holding)
         return activityMeaning(module.activity());
     return (holding->atLimit
                 ? Units::tr(

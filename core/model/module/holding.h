@@ -8,7 +8,7 @@ namespace nmc {
 
 struct ModuleState;
 
-/// How well a PIC-SERVO that is to hold one position does so.
+/// A PIC-SERVO that is to hold one position, and is off it.
 struct Holding {
     std::int64_t off = 0;  ///< counts: the position that is held less where the motor is
     /// What the error comes to, with all of the integral, is the output limit or more (DS-V 4.3): it pushes
@@ -18,10 +18,8 @@ struct Holding {
     bool operator==(const Holding&) const = default;
 };
 
-/// Where it is off by no more than friction and a count or two leave it, that is not worth a word.
-inline constexpr std::int64_t kHeldWithin = 2;
-
-/// Empty: it does not hold a position that is known, or has not calmed down since its last motion. Pure.
+/// Empty: it holds within two counts, which friction may well leave, does not hold a position that is known,
+/// or has not calmed down since its last motion. Pure.
 [[nodiscard]] std::optional<Holding> holdingOf(const ModuleState& module);
 
 }  // namespace nmc

@@ -310,6 +310,7 @@ struct Found {
     constexpr double kMinPush = 30.0, kMaxPush = 3e6, kPushStep = 1.5;
     constexpr double kMinTau = 2e-3, kMaxTau = 2.0, kTauStep = 2.2;
     constexpr std::size_t kTried = 5;
+    const double load = fit.beyondIntegral();
     std::vector<Solution> starts;
     for (double tau = kMinTau; tau < kMaxTau; tau *= kTauStep)
         for (const double friction : frictions) {
@@ -319,7 +320,7 @@ struct Found {
                 x[kPush] = std::log(push);
                 x[kTau] = std::log(tau);
                 x[kFriction] = friction;
-                x[kLoad] = fit.beyondIntegral();
+                x[kLoad] = load;
                 const double cost = fit.misses(x).squaredNorm();
                 if (cost < best.cost)
                     best = {x, cost};
