@@ -16,7 +16,7 @@ struct Rejoined {
     std::optional<ModuleIndex> restarted;
 };
 
-/// Of two looks at the chain.
+/// Whether what two searches found is one module: address, type and version agree.
 [[nodiscard]] bool sameModule(const ModuleInfo& one, const ModuleInfo& other);
 
 /// Modules are the same where address, type and version are; a place in the chain alone says nothing, since

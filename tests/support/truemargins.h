@@ -19,9 +19,9 @@ struct TrueMargins {
     double gain = std::numeric_limits<double>::infinity();
 };
 
-/// Of the simulator's motor by its physics, without dry friction: current, speed, position and, where there
-/// is one, the second mass on its spring, over one servo tick by the matrix exponential, in the filter of
-/// DS-V 4.3.
+/// The margins of the simulator's motor in the control loop of DS-V 4.3, from its physics: current, speed,
+/// position and, where there is one, the second mass on its spring. The matrix exponential takes them over
+/// one servo tick. Dry friction is left out.
 [[nodiscard]] inline TrueMargins trueMargins(const sim::MotorParameters& p, const servo::SetGain& gains) {
     constexpr int kCurrent = 0, kSpeed = 1, kPosition = 2, kTwist = 3, kSecond = 4, kVolts = 5;
     const double tick = 512e-6 * std::max<int>(gains.sr, 1);

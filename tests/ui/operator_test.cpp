@@ -14,7 +14,7 @@
 namespace nmc {
 namespace {
 
-/// With letters that no hexadecimal digit is: a hash of it may have any four digits in a row.
+/// Some of its letters are no hexadecimal digits, so a hash in hexadecimal cannot contain it by chance.
 const QString kPin = u"lathe-4711"_s;
 
 class OperatorMode : public WindowTest {

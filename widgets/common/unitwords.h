@@ -7,11 +7,11 @@
 #include "model/settings/axisscale.h"
 #include "model/settings/machine.h"
 
-/// Numbers of an axis in words, in the unit that its user reads it in.
 namespace nmc {
 struct ModuleState;
 }
 
+/// Numbers of an axis in words, in the unit that its user reads it in.
 namespace nmc::texts {
 
 /// "counts", "turns", "°", "mm", or the user's own.

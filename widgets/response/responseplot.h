@@ -110,7 +110,7 @@ private:
     [[nodiscard]] std::optional<std::size_t> cursorAt(const QPointF& position) const;
     void adoptPalette();
     void fit();
-    /// Of the strips below the plot; 0 where there is no room.
+    /// How high the strips below the plot are, in pixels; 0 where there is no room for them.
     [[nodiscard]] int stripsHeight() const;
     void paintGoal(QPainter& painter, const Curve& curve) const;
     void paintCurve(QPainter& painter, std::size_t which) const;

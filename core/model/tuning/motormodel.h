@@ -21,8 +21,8 @@ struct MotorModel {
     Measured friction;
     Measured load;
     Measured delay;
-    /// Of the doubts, in the order above: a motor that is stronger than was found may only be so where its
-    /// time constant is longer as well.
+    /// How far the errors of two constants go together, -1..1, in the order above: where the gain was found
+    /// too low, the time constant usually was too.
     Matrix correlation = independent();
 
     [[nodiscard]] MotorConstants constants() const;

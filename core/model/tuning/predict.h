@@ -40,7 +40,7 @@ struct LoopMargins {
 /// that explain what was measured as well, and with where friction and encoder leave the shaft before the
 /// step.
 struct Prediction {
-    /// Of the motor that was found: points once a servo tick from the step on, as the encoder would tell.
+    /// The step of the motor that was found: a point for each servo tick from the step on, in encoder counts.
     ResponseRecord run;
     /// Where the motor is at the same times in 95 of 100 cases.
     std::vector<ResponsePoint> low, high;
