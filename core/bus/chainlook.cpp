@@ -8,7 +8,6 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr BusAddress kUnaddressed{0};
 constexpr unsigned kFirstAddress = 1;
 constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
 /// Two answers that are lost in a row hide nobody.

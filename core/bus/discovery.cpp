@@ -12,8 +12,6 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr BusAddress kUnaddressed{0x00};
-constexpr unsigned kFirstGroup = 0x80;
 /// Beyond it a search that goes on has lost its way.
 constexpr std::uint8_t kLastNumber = 100;
 /// So many addresses in a row that nobody takes are the end of the chain, if the last module of it answers

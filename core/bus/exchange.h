@@ -35,6 +35,12 @@ inline constexpr StatusItems kStandingItems{StatusItems::Position | StatusItems:
                                             StatusItems::Velocity | StatusItems::Aux};
 /// Every module that no host has put into another group (DS-V 4.1).
 inline constexpr BusAddress kEverybody{0xFF};
+/// Of every module after power-up, until a host has given it one (DS-V 4.1).
+inline constexpr BusAddress kUnaddressed{0x00};
+/// Addresses from here on are those of groups (DS-V 4.1).
+inline constexpr std::uint8_t kFirstGroup = 0x80;
+/// Time for a command to show in a reply, after it was latched.
+inline constexpr Duration kTakesEffect = 4 * kServoTick;
 
 /// On a PIC-I/O the same bits are its pins and its three A/D values; all there are, but for what Synch Input
 /// has latched, adds its counter.

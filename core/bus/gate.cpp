@@ -33,7 +33,7 @@ using servo::ProfileMode;
     return load.servo && load.profile == ProfileMode::Trapezoidal;
 }
 
-struct Judge {
+struct GateJudge {
     const Belief& belief;
 
     Permission operator()(const Nop&) const { return Permission::Allowed; }
@@ -131,7 +131,7 @@ struct Judge {
 Permission judge(const Belief& belief, const ModuleCommand& command) {
     if (belief.restarted() || !belongs(belief.info().identity, command))
         return Permission::Never;
-    return std::visit([&](const auto& chip) { return std::visit(Judge{belief}, chip); }, command);
+    return std::visit([&](const auto& chip) { return std::visit(GateJudge{belief}, chip); }, command);
 }
 
 Permission mayFollowPath(const Belief& belief, servo::PathRate rate) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "bus/standstill.h"
+
 namespace nmc::bus {
 
 namespace {
@@ -13,10 +15,6 @@ namespace {
 constexpr unsigned kVotes = 2;
 /// Questions in a row that it did not answer.
 constexpr unsigned kSilences = 2;
-
-[[nodiscard]] bool near(std::int32_t a, std::int32_t b) {
-    return std::abs(std::int64_t{countsBetween(a, b)}) <= GroupRun::kSame;
-}
 
 /// Where the load leads; nothing without a goal.
 [[nodiscard]] std::optional<std::int32_t> goalOf(const Belief& before) {
@@ -163,7 +161,7 @@ std::optional<MemberOutcome> GroupRun::shows(const Member& member, const StatusR
     if (!report.home || !report.position)
         return std::nullopt;
     if (member.stood)
-        return near(*report.home, *report.position) ? MemberOutcome::Done : MemberOutcome::NotDone;
+        return samePlace(*report.home, *report.position) ? MemberOutcome::Done : MemberOutcome::NotDone;
     // It was on its way, so the place is another one than the home before.
     const auto& home = member.before.home();
     return home && *home != *report.home ? MemberOutcome::Done : MemberOutcome::Unknown;
@@ -187,10 +185,10 @@ std::optional<MemberOutcome> GroupRun::putOut(const Member& member, const Status
 std::optional<MemberOutcome> GroupRun::reset(const Member& member, const StatusReport& report) {
     if (!report.position)
         return std::nullopt;
-    if (near(*report.position, 0))
+    if (samePlace(*report.position, 0))
         return MemberOutcome::Done;
     const auto& from = member.before.position();
-    return from && near(*report.position, *from) ? MemberOutcome::NotDone : MemberOutcome::Unknown;
+    return from && samePlace(*report.position, *from) ? MemberOutcome::NotDone : MemberOutcome::Unknown;
 }
 
 /// A cause that lasts sets its bit again at once, which looks the same as not having heard.
@@ -209,8 +207,8 @@ std::optional<MemberOutcome> GroupRun::started(const Member& member, const Statu
     if (!report.position || !from)
         return std::nullopt;
     const auto goal = goalOf(member.before);
-    const bool there = goal && near(*report.position, *goal);
-    if (there || !near(*report.position, *from))
+    const bool there = goal && samePlace(*report.position, *goal);
+    if (there || !samePlace(*report.position, *from))
         return MemberOutcome::Done;
     if (member.before.info().identity.type == ModuleType::Stepper)
         return report.stepperStatus().moving() ? MemberOutcome::Done : MemberOutcome::NotDone;

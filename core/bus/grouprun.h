@@ -6,7 +6,6 @@
 
 #include "bus/belief.h"
 #include "bus/exchange.h"
-#include "bus/standstill.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -21,8 +20,6 @@ class GroupRun {
 public:
     /// How long a member is looked at that does not show it, a slow one in velocity mode say.
     static constexpr Duration kLimit = std::chrono::milliseconds(250);
-    /// Positions that are the same, in counts: a servo works within its friction.
-    static constexpr std::int64_t kSame = kStillCounts;
     /// A motion shows when it should have gone so far.
     static constexpr double kShows = 20;
 

@@ -7,8 +7,6 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr std::uint8_t kFirstGroup = 0x80;
-
 /// Asked at the address of the group, whose leader answers.
 [[nodiscard]] bool toGroup(const Ask& ask) {
     return ask.request.address.value() >= kFirstGroup;

@@ -17,8 +17,6 @@ constexpr Duration kNews = std::chrono::milliseconds(100);
 constexpr std::size_t kLongestFrame = 4 + 2 * PathBuffer::kLongestFrame;
 /// Time-outs' worth of looks after it was lost.
 constexpr int kLookAgain = 4;
-/// Time for a start to show in a reply.
-constexpr Duration kTakesEffect = 4 * kServoTick;
 
 /// From when on a frame that is lost may be one too many: what it takes to find that out, and to send it
 /// again.

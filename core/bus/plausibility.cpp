@@ -18,8 +18,6 @@ constexpr unsigned undefinedAux(const ModuleIdentity& module) {
     return hasPathBuffer(module) ? 0x80U : 0xC0U;  // path mode
 }
 constexpr std::uint16_t kLongestTimerCount = 65'452;  // DS-S 4.1
-/// Time for a command to show in a reply, after it was latched.
-constexpr Duration kTakesEffect = 4 * kServoTick;
 /// How fast the spread of velocities seen lately fades, per reply.
 constexpr double kFade = 0.9;
 /// Counts per tick that no even motion leaves unexplained.

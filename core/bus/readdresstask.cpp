@@ -10,8 +10,8 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr unsigned kFirstAddress = 1;
-constexpr unsigned kLastAddress = 0x7F;
+constexpr unsigned kLowestAddress = 1;
+constexpr unsigned kHighestAddress = 0x7F;
 constexpr unsigned kMoves = 3;  ///< to a module that is provably where it was
 constexpr unsigned kLooks = 3;  ///< a question does no harm, and its answer may be late or lost
 
@@ -48,7 +48,7 @@ void ReaddressTask::begin(ModuleIndex module, Stage stage, bool fits, bool busy)
 void ReaddressTask::beginMove(ModuleIndex module, BusAddress address, bool busy) {
     using Reason = ReaddressFailed::Reason;
     const auto& modules = m_chain.modules();
-    const bool taken = address.value() < kFirstAddress || address.value() > kLastAddress ||
+    const bool taken = address.value() < kLowestAddress || address.value() > kHighestAddress ||
                        std::any_of(modules.begin(), modules.end(), [&](const Chain::Module& other) {
                            return other.belief.info().address == address;
                        });

@@ -10,23 +10,18 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr std::int64_t kSame = kStillCounts;
 /// A reset position differs from what was before by more, or it cannot be told.
-constexpr std::int64_t kTellsApart = 10 * kSame;
+constexpr std::int64_t kTellsApart = 10 * kStillCounts;
 
-[[nodiscard]] bool near(std::int64_t a, std::int64_t b) {
-    return std::abs(a - b) <= kSame;
-}
-
-struct Judge {
+struct Verifier {
     const Belief& belief;
     const Verification& verification;
 
     Carried operator()(const StartMotion&) const {
         if (belief.mayMove())
             return Carried::Out;
-        const bool moved =
-            belief.position() && verification.position && !near(*belief.position(), *verification.position);
+        const bool moved = belief.position() && verification.position &&
+                           !samePlace(*belief.position(), *verification.position);
         if (moved)
             return Carried::Out;
         // Not carried out, or a move of no length: the module's own word decides.
@@ -37,14 +32,14 @@ struct Judge {
             return Carried::Unknown;
         if (std::abs(std::int64_t{*verification.position}) < kTellsApart)
             return Carried::NotOut;  // close to 0 either way: once more does no harm
-        if (near(*belief.position(), 0))
+        if (samePlace(*belief.position(), 0))
             return Carried::Out;
-        return near(*belief.position(), *verification.position) ? Carried::NotOut : Carried::Unknown;
+        return samePlace(*belief.position(), *verification.position) ? Carried::NotOut : Carried::Unknown;
     }
     Carried operator()(const SaveAsHome&) const {
         if (!belief.home() || !belief.position())
             return Carried::Unknown;
-        if (near(*belief.home(), *belief.position()))
+        if (samePlace(*belief.home(), *belief.position()))
             return Carried::Out;
         return belief.mayMove() ? Carried::Unknown : Carried::NotOut;
     }
@@ -86,7 +81,7 @@ bool canVerify(const ModuleCommand& command) {
 Carried verify(const Order& order, const Belief& belief, const Verification& verification) {
     return std::visit(
         [&](const auto& chip) {
-            return std::visit(Judge{belief, verification}, chip);
+            return std::visit(Verifier{belief, verification}, chip);
         },
         order.command);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text.h"
 #include "sim/controlwords.h"
 
 namespace nmc::sim {
@@ -14,29 +15,21 @@ constexpr std::string_view kAllowed =
     "allowed is a comma list of 1 to 32 of servo, servo@1, servo@2, servo@3, servo@4, servo@5, servo@10, "
     "step, step@1, io and io@1";
 
-struct Kind {
+struct ModuleWord {
     std::string_view name;
     ModuleType type;
     std::uint8_t usualVersion;  ///< the one simulated when none is named
 };
-constexpr std::array kKinds{Kind{"servo", ModuleType::Servo, 4}, Kind{"step", ModuleType::Stepper, 1},
-                            Kind{"io", ModuleType::Io, 1}};
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlanks = " \t";
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos)
-        return {};
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
+constexpr std::array kKinds{ModuleWord{"servo", ModuleType::Servo, 4},
+                            ModuleWord{"step", ModuleType::Stepper, 1}, ModuleWord{"io", ModuleType::Io, 1}};
 
 tl::expected<ModuleIdentity, std::string> parseItem(std::string_view item) {
     const std::size_t at = item.find('@');
     const std::string_view name = item.substr(0, at);
     if (item.empty())
         return tl::unexpected("An item of the chain is empty; " + std::string(kAllowed) + ".");
-    const auto kind =
-        std::find_if(kKinds.begin(), kKinds.end(), [name](const Kind& k) { return k.name == name; });
+    const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
+                                   [name](const ModuleWord& word) { return word.name == name; });
     if (kind == kKinds.end())
         return tl::unexpected("Unknown item " + quoted(item) + " in the chain; " + std::string(kAllowed) +
                               ".");

@@ -22,12 +22,12 @@ namespace nmc::sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Words = std::vector<std::string_view>;
+using WordList = std::vector<std::string_view>;
 
 /// A line, to whom, when, and what its asker knows.
 struct Asked {
     Chain& chain;
-    const Words& words;
+    const WordList& words;
     TimePoint now;
     const Pace& pace;
 };
@@ -42,9 +42,9 @@ Json okOr(const tl::expected<void, std::string>& done) {
     return done ? ok() : error(done.error());
 }
 
-Words split(std::string_view line) {
+WordList split(std::string_view line) {
     constexpr std::string_view kBlanks = " \t\r\n";
-    Words words;
+    WordList words;
     for (std::size_t at = 0; (at = line.find_first_not_of(kBlanks, at)) != std::string_view::npos;) {
         const std::size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
         words.push_back(line.substr(at, end - at));
@@ -284,7 +284,7 @@ Json help(const Asked&) {
 }
 
 Json answer(const Asked& asked) {
-    const Words& words = asked.words;
+    const WordList& words = asked.words;
     if (words.empty())
         return error("empty line; " + usages());
     const auto verb = std::ranges::find(kVerbs, words[0], &Verb::name);
@@ -320,7 +320,7 @@ std::string controlHelp() {
 }
 
 std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now, const Pace& pace) {
-    const Words words = split(line);
+    const WordList words = split(line);
     // What comes in may be any bytes; what goes out is UTF-8.
     return answer({chain, words, now, pace}).dump(-1, ' ', false, Json::error_handler_t::replace);
 }

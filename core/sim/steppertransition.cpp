@@ -23,7 +23,7 @@ using enum StepperMode;
 
 // "Unprofiled with stop" in motion is told from "without" by the mode it is entered from, which the table
 // never leaves open; "velocity profile" out of a trapezoid is told from it by a velocity or acceleration.
-constexpr std::array kTable{
+constexpr std::array kTransitions{
     Cell{Stopped, Trapezoidal, Must, May, MustNot},
     Cell{Stopped, Velocity, MustNot, May, MustNot},
     Cell{Stopped, UnprofiledWithStop, Must, MustNot, Must},
@@ -49,7 +49,7 @@ std::optional<StepperMode> goalMode(StepperMode from, std::uint8_t control) {
     const bool position = loaded(StepperTrajectory::kPosition);
     const bool profile = loaded(StepperTrajectory::kSpeed | StepperTrajectory::kAcceleration);
     const bool timer = loaded(StepperTrajectory::kTimer);
-    for (const Cell& cell : kTable)
+    for (const Cell& cell : kTransitions)
         if (cell.from == from && fits(cell.position, position) && fits(cell.profile, profile) &&
             fits(cell.timer, timer))
             return cell.goal;

@@ -9,7 +9,7 @@ namespace {
 
 using Kind = ViolationKind;
 
-constexpr std::array kTable{
+constexpr std::array kViolations{
     ViolationRow{Kind::CommandInFlight, "command_in_flight",
                  "a command sent before the previous one was answered (DS-V 4.1)"},
     ViolationRow{Kind::CommandOverwritten, "command_overwritten",
@@ -49,21 +49,21 @@ constexpr std::array kTable{
 
 /// Each kind has its row, and the rows are in the order of the kinds.
 constexpr bool isInOrder() {
-    for (std::size_t i = 0; i < kTable.size(); ++i)
-        if (kTable[i].kind != static_cast<Kind>(i))
+    for (std::size_t i = 0; i < kViolations.size(); ++i)
+        if (kViolations[i].kind != static_cast<Kind>(i))
             return false;
-    return kTable.back().kind == Kind::VelocityNotLoaded;
+    return kViolations.back().kind == Kind::VelocityNotLoaded;
 }
 static_assert(isInOrder());
 
 }  // namespace
 
 std::span<const ViolationRow> violationTable() {
-    return kTable;
+    return kViolations;
 }
 
 std::string_view toText(ViolationKind kind) {
-    return kTable[static_cast<std::size_t>(kind)].name;
+    return kViolations[static_cast<std::size_t>(kind)].name;
 }
 
 void ViolationLog::add(const Violation& violation) {

@@ -19,10 +19,6 @@ namespace nmc {
 
 namespace {
 
-QString pathOf(const QString& port) {
-    return port.startsWith(QLatin1Char('/')) ? port : QStringLiteral("/dev/") + port;
-}
-
 QString groupOf(const QByteArray& path) {
     struct stat info {};
     if (::stat(path.constData(), &info) != 0)
@@ -107,7 +103,7 @@ tl::expected<std::vector<std::uint8_t>, PortError> SerialTransport::receive(std:
 
 PortError SerialTransport::openError() const {
     PortError error = problem(PortProblem::Other, m_port.errorString());
-    const QByteArray path = pathOf(m_name).toLocal8Bit();
+    const QByteArray path = devicePath(m_name).toLocal8Bit();
     struct stat info {};
     switch (m_port.error()) {
         case QSerialPort::DeviceNotFoundError:

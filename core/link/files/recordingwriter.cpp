@@ -20,18 +20,18 @@
 
 namespace nmc {
 
+struct DiskProblem {
+    RecordingProblemKind what = RecordingProblemKind::Other;
+    int number = 0;  ///< errno
+};
+
 namespace {
 
 using namespace std::chrono_literals;
 
 constexpr Duration kBetweenFlushes = 1s;
 
-struct Problem {
-    RecordingProblemKind what = RecordingProblemKind::Other;
-    int number = 0;  ///< errno
-};
-
-Problem problemOf(int number) {
+DiskProblem problemOf(int number) {
     switch (number) {
         case ENOENT:
         case ENOTDIR:
@@ -78,13 +78,13 @@ private:
 };
 
 /// Onto the disk.
-std::optional<Problem> flush(int fd) {
+std::optional<DiskProblem> flush(int fd) {
     // EINVAL: what is not a plain file has nothing to flush.
     if (fdatasync(fd) != 0 && errno != EINVAL)
         return problemOf(errno);
     struct stat status {};
     if (fstat(fd, &status) == 0 && status.st_nlink == 0)
-        return Problem{RecordingProblemKind::Removed};
+        return DiskProblem{RecordingProblemKind::Removed};
     return std::nullopt;
 }
 
@@ -130,7 +130,7 @@ public:
         const std::scoped_lock lock(m_mutex);
         return m_ended;
     }
-    [[nodiscard]] std::optional<Problem> problem() const {
+    [[nodiscard]] std::optional<DiskProblem> problem() const {
         const std::scoped_lock lock(m_mutex);
         return m_problem;
     }
@@ -153,8 +153,8 @@ public:
     }
 
 private:
-    std::optional<Problem> record();
-    std::optional<Problem> write(int fd, std::string_view text);
+    std::optional<DiskProblem> record();
+    std::optional<DiskProblem> write(int fd, std::string_view text);
     /// Waits for text or the end, until `flushAt` at most; true when nothing will follow.
     bool next(std::vector<std::string>& texts, std::optional<TimePoint> flushAt);
     void noteWritten(std::string_view text) {
@@ -190,10 +190,10 @@ private:
     bool m_stopping = false;
     bool m_abandoned = false;
     bool m_ended = false;
-    std::optional<Problem> m_problem;
+    std::optional<DiskProblem> m_problem;
 };
 
-std::optional<Problem> RecordingWriter::Job::record() {
+std::optional<DiskProblem> RecordingWriter::Job::record() {
     // Without O_NONBLOCK a FIFO that nobody reads would never open.
     const Descriptor file(
         ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666));
@@ -230,10 +230,10 @@ bool RecordingWriter::Job::next(std::vector<std::string>& texts, std::optional<T
     return m_stopping || m_abandoned;
 }
 
-std::optional<Problem> RecordingWriter::Job::write(int fd, std::string_view text) {
+std::optional<DiskProblem> RecordingWriter::Job::write(int fd, std::string_view text) {
     while (!text.empty()) {
         if (abandoned())
-            return Problem{RecordingProblemKind::TooSlow};
+            return DiskProblem{RecordingProblemKind::TooSlow};
         const ssize_t count = ::write(fd, text.data(), text.size());
         if (count >= 0) {
             noteWritten(text.substr(0, static_cast<std::size_t>(count)));

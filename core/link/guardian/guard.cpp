@@ -33,7 +33,6 @@ constexpr Duration kPause = std::chrono::milliseconds(2);
 constexpr Duration kQuiet = std::chrono::milliseconds(3);
 /// A line that is never quiet must not put the stop off for longer: the modules give way to a command.
 constexpr Duration kQuietLimit = std::chrono::milliseconds(60);
-constexpr Duration kLook = std::chrono::milliseconds(1);
 
 void pause(Duration time) {
     pollUntil({}, monotonicNow() + time);
@@ -62,7 +61,7 @@ void waitForQuiet() {
             return;
         if (now >= limit)
             break;
-        pause(kLook);
+        pause(kLookEvery);
     }
     constexpr int kOutput = 1;  // TCOFLUSH
     ::ioctl(Fds::kPort, TCFLSH, kOutput);

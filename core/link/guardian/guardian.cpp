@@ -24,7 +24,6 @@ constexpr Duration kStartPatience = std::chrono::seconds(5);
 constexpr Duration kEndPatience = std::chrono::seconds(1);
 /// Three bursts of the greatest size at the lowest rate are over by then.
 constexpr Duration kSpeechPatience = std::chrono::seconds(10);
-constexpr Duration kLook = std::chrono::milliseconds(1);
 
 /// A copy that is none of the numbers that the guardian wants.
 Descriptor copyAbove(int fd) {
@@ -153,7 +152,7 @@ bool Guardian::beat(TimePoint now) {
     m_memory.setBeat(m_beat);
     const TimePoint limit = now + kSpeechPatience;
     while (m_memory.guardianSpeaks() && alive() && monotonicNow() < limit)
-        pollUntil({}, monotonicNow() + kLook);
+        pollUntil({}, monotonicNow() + kLookEvery);
     const std::uint32_t stops = m_memory.stops();
     if (std::exchange(m_stopsTold, stops) == stops)
         return false;
@@ -178,7 +177,7 @@ void Guardian::end() {
             ::waitpid(m_process, nullptr, 0);
             return;
         }
-        pollUntil({}, monotonicNow() + kLook);
+        pollUntil({}, monotonicNow() + kLookEvery);
     }
 }
 

@@ -16,7 +16,6 @@ namespace nmc {
 
 namespace {
 
-constexpr Duration kLook = std::chrono::milliseconds(1);
 /// A port that takes no bytes any more must not keep whoever writes the last ones.
 constexpr Duration kPatience = std::chrono::seconds(1);
 constexpr int kPatienceMs = 1'000;
@@ -56,7 +55,7 @@ bool waitUntilSent(int fd, Duration limit) {
         const TimePoint now = monotonicNow();
         if (now >= until)
             return false;
-        pollUntil({}, std::min(until, now + kLook));
+        pollUntil({}, std::min(until, now + kLookEvery));
     }
     return true;
 }

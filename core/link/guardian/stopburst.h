@@ -29,6 +29,9 @@ struct StopBurst {
 };
 static_assert(std::is_trivially_copyable_v<StopBurst>);
 
+/// How often it is looked again at a port that is waited for.
+inline constexpr Duration kLookEvery = std::chrono::milliseconds(1);
+
 // What follows makes bare system calls only, so a signal handler may use it as well. Each is bounded in time.
 
 /// Waits until all that was written to the terminal has left its driver, or `limit` has passed.

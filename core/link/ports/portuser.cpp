@@ -19,10 +19,6 @@ struct LockFile {
     qint64 pid = 0;
 };
 
-QString pathOf(const QString& port) {
-    return port.startsWith(QLatin1Char('/')) ? port : QStringLiteral("/dev/") + port;
-}
-
 QString firstLine(const QString& path) {
     QFile file(path);
     constexpr qint64 kEnough = 256;
@@ -100,11 +96,15 @@ QString ownerOf(const QString& file) {
 
 }  // namespace
 
+QString devicePath(const QString& port) {
+    return port.startsWith(QLatin1Char('/')) ? port : QStringLiteral("/dev/") + port;
+}
+
 PortError whyBusy(const QString& port, const PortUserPlaces& places) {
     PortError error;
     error.problem = PortProblem::InUse;
     error.port = port.toStdString();
-    const QString path = pathOf(port);
+    const QString path = devicePath(port);
     const auto lock = lockFileOf(path, places);
     if (lock && lives(lock->pid, places)) {
         error.pid = lock->pid == ::getpid() ? 0 : lock->pid;

@@ -18,6 +18,9 @@ struct PortUserPlaces {
     QString proc = QStringLiteral("/proc");
 };
 
+/// The file of a port that is named as QSerialPortInfo does, or by its path.
+[[nodiscard]] QString devicePath(const QString& port);
+
 /// Why a port that exists, and that this user may use, is not to be had: by its lock file, and by the open
 /// files of those processes that this user may look into. InUse, with the program where it can be known,
 /// StaleLock, or NoLockFolder. Tens of milliseconds on a busy machine.

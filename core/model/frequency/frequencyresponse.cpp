@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/angle.h"
 #include "base/time.h"
 
 namespace nmc {
@@ -14,14 +15,13 @@ namespace nmc {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kDegrees = 180 / std::numbers::pi;
 
-struct Reading {
+struct SineReading {
     double seconds = 0.0;
     double value = 0.0;
 };
 
-struct Fit {
+struct SineFit {
     Complex phasor;
     double doubt = 0.0;
     double missed = 0.0;  ///< rms
@@ -29,12 +29,12 @@ struct Fit {
 
 /// a cos + b sin + c + d t: the phasor is a - ib, and its doubt one standard deviation, where `samples` of
 /// the readings are independent.
-[[nodiscard]] Fit fitSine(const std::vector<Reading>& readings, double hertz, std::size_t samples) {
+[[nodiscard]] SineFit fitSine(const std::vector<SineReading>& readings, double hertz, std::size_t samples) {
     const auto rows = static_cast<Eigen::Index>(readings.size());
     Eigen::MatrixXd basis(rows, 4);
     Eigen::VectorXd values(rows);
     for (Eigen::Index i = 0; i < rows; ++i) {
-        const Reading& reading = readings[static_cast<std::size_t>(i)];
+        const SineReading& reading = readings[static_cast<std::size_t>(i)];
         const double angle = 2 * std::numbers::pi * hertz * reading.seconds;
         basis.row(i) << std::cos(angle), std::sin(angle), 1.0, reading.seconds;
         values[i] = reading.value;
@@ -50,8 +50,8 @@ struct Fit {
 }
 
 /// What a servo sees that looks at the command once a tick.
-[[nodiscard]] std::vector<Reading> commandsOf(const bus::SineRecord& record, double since, double tick) {
-    std::vector<Reading> readings;
+[[nodiscard]] std::vector<SineReading> commandsOf(const bus::SineRecord& record, double since, double tick) {
+    std::vector<SineReading> readings;
     const auto seconds = [&](std::size_t i) {
         return toSeconds(record.commands[i].time - record.commands.front().time);
     };
@@ -65,11 +65,12 @@ struct Fit {
 /// Once a tick as well, on straight lines between what was told. The samples by themselves lie always at the
 /// same places of the command's steps, and would make the motor as early or late as these are. What was not
 /// told for half a period is not known.
-[[nodiscard]] std::vector<Reading> positionsOf(const std::vector<Reading>& told, double since, double tick) {
-    std::vector<Reading> readings;
+[[nodiscard]] std::vector<SineReading> positionsOf(const std::vector<SineReading>& told, double since,
+                                                   double tick) {
+    std::vector<SineReading> readings;
     for (std::size_t i = 0; i + 1 < told.size(); ++i) {
-        const Reading& from = told[i];
-        const Reading& to = told[i + 1];
+        const SineReading& from = told[i];
+        const SineReading& to = told[i + 1];
         if (to.seconds - from.seconds > since / 2)
             continue;
         const double slope = (to.value - from.value) / (to.seconds - from.seconds);
@@ -81,16 +82,16 @@ struct Fit {
 }
 
 /// In the order of time, no two at the same.
-[[nodiscard]] std::vector<Reading> told(const bus::SineRecord& record) {
-    std::vector<Reading> told;
+[[nodiscard]] std::vector<SineReading> told(const bus::SineRecord& record) {
+    std::vector<SineReading> told;
     for (const auto* points : {&record.answers, &record.polls})
         for (const bus::SinePoint& point : *points)
             told.push_back(
                 {toSeconds(point.time - record.commands.front().time), static_cast<double>(point.counts)});
     std::sort(told.begin(), told.end(),
-              [](const Reading& a, const Reading& b) { return a.seconds < b.seconds; });
+              [](const SineReading& a, const SineReading& b) { return a.seconds < b.seconds; });
     told.erase(std::unique(told.begin(), told.end(),
-                           [](const Reading& a, const Reading& b) { return a.seconds == b.seconds; }),
+                           [](const SineReading& a, const SineReading& b) { return a.seconds == b.seconds; }),
                told.end());
     return told;
 }
@@ -106,18 +107,18 @@ std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, do
     const double since = 1 / hertz;
     if (record.commands.empty())
         return std::nullopt;
-    const std::vector<Reading> samples = told(record);
+    const std::vector<SineReading> samples = told(record);
     if (samples.size() < kFewestPoints)
         return std::nullopt;
     for (std::size_t i = 1; i < samples.size(); ++i)
         if (samples[i].seconds - samples[i - 1].seconds > std::max(kSilence, since / 2))
             return std::nullopt;
-    const std::vector<Reading> commands = commandsOf(record, since, tick);
-    const std::vector<Reading> positions = positionsOf(samples, since, tick);
+    const std::vector<SineReading> commands = commandsOf(record, since, tick);
+    const std::vector<SineReading> positions = positionsOf(samples, since, tick);
     if (positions.size() < kFewestPoints || commands.size() < kFewestPoints)
         return std::nullopt;
-    const Fit command = fitSine(commands, hertz, samples.size());
-    const Fit position = fitSine(positions, hertz, samples.size());
+    const SineFit command = fitSine(commands, hertz, samples.size());
+    const SineFit position = fitSine(positions, hertz, samples.size());
     const double size = std::abs(command.phasor);
     if (size <= 0)
         return std::nullopt;

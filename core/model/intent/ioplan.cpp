@@ -10,7 +10,7 @@ using Plan = tl::expected<Orders, Refusal>;
 
 constexpr StatusItems kLatched{StatusItems::LatchedPins | StatusItems::LatchedCounter};
 
-struct Planner {
+struct IoPlanner {
     const ModuleState& module;
 
     Plan operator()(const iointent::SetDirection& set) const {
@@ -70,7 +70,7 @@ private:
 }  // namespace
 
 Plan planIo(const Intent& intent, const ModuleState& module) {
-    return std::visit(Planner{module}, intent);
+    return std::visit(IoPlanner{module}, intent);
 }
 
 std::optional<Refusal> whyNotIo(IntentKind kind, const ModuleState& module) {

@@ -17,7 +17,7 @@ using Plan = tl::expected<Orders, Refusal>;
 using bus::StepperMode;
 
 template <typename... Commands>
-Orders stepsFor(const ModuleState& module, Commands... commands) {
+Orders stepperStepsFor(const ModuleState& module, Commands... commands) {
     return {bus::Order{module.info.index, StepperCommand(std::move(commands))}...};
 }
 
@@ -119,13 +119,13 @@ struct LoadOf {
     return whyNotFromStandstill(motion, module);
 }
 
-struct Planner {
+struct StepperPlanner {
     const ModuleState& module;
 
     Plan operator()(const intent::Enable&) const {
         // Nothing but AMP_EN: it stands, and is held by the holding current (DS-S 5.1, 4.6).
         return allowed(whyNotStep(IntentKind::Enable, module), [this] {
-            return stepsFor(module, stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
+            return stepperStepsFor(module, stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
         });
     }
     Plan operator()(const intent::StopSmoothly&) const {
@@ -134,13 +134,13 @@ struct Planner {
     }
     Plan operator()(const intent::StopAbruptly&) const {
         return allowed(whyNotStep(IntentKind::StopMotion, module), [this] {
-            return stepsFor(module,
-                            stepper::StopMotor{module.stepper.amplifierOn(), stepper::StopManner::Abruptly});
+            return stepperStepsFor(
+                module, stepper::StopMotor{module.stepper.amplifierOn(), stepper::StopManner::Abruptly});
         });
     }
     Plan operator()(const intent::MotorOff&) const {
         return allowed(whyNotStep(IntentKind::MotorOff, module), [this] {
-            return stepsFor(module, stepper::StopMotor{false, stepper::StopManner::Abruptly});
+            return stepperStepsFor(module, stepper::StopMotor{false, stepper::StopManner::Abruptly});
         });
     }
     Plan operator()(const intent::SetAmplifier& amplifier) const {
@@ -148,33 +148,34 @@ struct Planner {
     }
     Plan operator()(const intent::ResetPosition&) const {
         return allowed(whyNotStep(IntentKind::ResetPosition, module),
-                       [this] { return stepsFor(module, nmc::ResetPosition{}); });
+                       [this] { return stepperStepsFor(module, nmc::ResetPosition{}); });
     }
     Plan operator()(const intent::SaveAsHome&) const {
         return allowed(whyNotStep(IntentKind::SaveAsHome, module),
-                       [this] { return stepsFor(module, nmc::SaveAsHome{}); });
+                       [this] { return stepperStepsFor(module, nmc::SaveAsHome{}); });
     }
     Plan operator()(const intent::StartLoaded&) const {
         return allowed(whyNotStep(IntentKind::StartLoaded, module),
-                       [this] { return stepsFor(module, StartMotion{}); });
+                       [this] { return stepperStepsFor(module, StartMotion{}); });
     }
     Plan operator()(const intent::DeclarePosition&) const {
         return allowed(whyNotStep(IntentKind::DeclarePosition, module), [] { return Orders{}; });
     }
     Plan operator()(const stepperintent::SetParameters& set) const {
-        return allowed(whyNotSet(set.parameters, module), [&] { return stepsFor(module, set.parameters); });
+        return allowed(whyNotSet(set.parameters, module),
+                       [&] { return stepperStepsFor(module, set.parameters); });
     }
     Plan operator()(const stepperintent::SetOutputs& set) const {
         return allowed(whyNotStep(IntentKind::SetOutputs, module),
-                       [&] { return stepsFor(module, stepper::SetOutputs{set.outputs}); });
+                       [&] { return stepperStepsFor(module, stepper::SetOutputs{set.outputs}); });
     }
     Plan operator()(const stepperintent::Move& move) const {
         return allowed(whyNot(move.motion, module),
-                       [&] { return stepsFor(module, boundedLoad(move.motion), StartMotion{}); });
+                       [&] { return stepperStepsFor(module, boundedLoad(move.motion), StartMotion{}); });
     }
     Plan operator()(const stepperintent::LoadMove& load) const {
         return allowed(whyNotLoaded(load.motion, module),
-                       [&] { return stepsFor(module, boundedLoad(load.motion)); });
+                       [&] { return stepperStepsFor(module, boundedLoad(load.motion)); });
     }
     /// Takes more than one operation: procedures.h.
     Plan operator()(const stepperintent::ChangeMotion& change) const {
@@ -284,7 +285,7 @@ double speedOf(const stepper::LoadTrajectory& load, const ModuleState& module) {
 }
 
 Plan planStep(const Intent& intent, const ModuleState& module) {
-    return std::visit(Planner{module}, intent);
+    return std::visit(StepperPlanner{module}, intent);
 }
 
 std::optional<Refusal> whyNotStep(IntentKind kind, const ModuleState& module) {

@@ -173,23 +173,23 @@ private:
 };
 
 /// The bytes that may follow a lead byte, and how many follow (Unicode, table 3-7).
-struct Sequence {
+struct Utf8Sequence {
     std::size_t following;
     unsigned char low = 0x80;  ///< of the first of them
     unsigned char high = 0xBF;
 };
 
-std::optional<Sequence> sequenceOf(unsigned char lead) {
+std::optional<Utf8Sequence> sequenceOf(unsigned char lead) {
     if (lead < 0x80)
-        return Sequence{0};
+        return Utf8Sequence{0};
     if (lead >= 0xC2 && lead <= 0xDF)
-        return Sequence{1};
+        return Utf8Sequence{1};
     if (lead >= 0xE0 && lead <= 0xEF)
-        return Sequence{2, static_cast<unsigned char>(lead == 0xE0 ? 0xA0 : 0x80),
-                        static_cast<unsigned char>(lead == 0xED ? 0x9F : 0xBF)};
+        return Utf8Sequence{2, static_cast<unsigned char>(lead == 0xE0 ? 0xA0 : 0x80),
+                            static_cast<unsigned char>(lead == 0xED ? 0x9F : 0xBF)};
     if (lead >= 0xF0 && lead <= 0xF4)
-        return Sequence{3, static_cast<unsigned char>(lead == 0xF0 ? 0x90 : 0x80),
-                        static_cast<unsigned char>(lead == 0xF4 ? 0x8F : 0xBF)};
+        return Utf8Sequence{3, static_cast<unsigned char>(lead == 0xF0 ? 0x90 : 0x80),
+                            static_cast<unsigned char>(lead == 0xF4 ? 0x8F : 0xBF)};
     return std::nullopt;
 }
 

@@ -69,7 +69,7 @@ Fields groupFields(const std::vector<GroupSettings>& groups) {
     return list.fields();
 }
 
-std::string textOf(const FieldValue& value) {
+std::string valueText(const FieldValue& value) {
     if (const auto* flag = std::get_if<bool>(&value))
         return *flag ? "yes" : "no";
     if (const auto* text = std::get_if<std::string>(&value))
@@ -89,7 +89,7 @@ std::string inOneText(const std::vector<Part>& parts) {
         bool first = true;
         for (const ListedField& field : layout::listed(part)) {
             const bool named = field.key != "do";
-            text += (first ? "" : ", ") + (named ? field.key + ' ' : std::string()) + textOf(field.value);
+            text += (first ? "" : ", ") + (named ? field.key + ' ' : std::string()) + valueText(field.value);
             first = false;
         }
     }

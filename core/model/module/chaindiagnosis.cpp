@@ -8,7 +8,6 @@ namespace nmc {
 namespace {
 
 using Finding = ChainDiagnosis::Finding;
-using State = ChainPlace::State;
 
 ChainPlace placeOf(std::size_t index, const Machine& machine, const LinkState& link) {
     ChainPlace place;
@@ -18,23 +17,23 @@ ChainPlace placeOf(std::size_t index, const Machine& machine, const LinkState& l
         place.expected = machine.axes[index].expected;
     }
     if (index >= link.modules.size()) {
-        place.state = State::Missing;
+        place.state = ChainPlace::State::Missing;
         return place;
     }
     const ModuleState& module = link.modules[index];
     place.found = module.info.identity;
     if (module.hasRestarted)
-        place.state = State::Restarted;
+        place.state = ChainPlace::State::Restarted;
     else if (!module.lookedFor && !isLive(link, module))
-        place.state = State::Unresponsive;
+        place.state = ChainPlace::State::Unresponsive;
     else if (!place.expected)
-        place.state = State::New;
+        place.state = ChainPlace::State::New;
     else if (*place.expected != *place.found)
-        place.state = State::Different;
+        place.state = ChainPlace::State::Different;
     return place;
 }
 
-std::optional<ModuleIndex> firstWith(const std::vector<ChainPlace>& places, State state) {
+std::optional<ModuleIndex> firstWith(const std::vector<ChainPlace>& places, ChainPlace::State state) {
     const auto place =
         std::find_if(places.begin(), places.end(), [state](const ChainPlace& p) { return p.state == state; });
     return place == places.end() ? std::nullopt : std::optional(place->module);
@@ -52,14 +51,14 @@ bool isTail(const ChainDiagnosis& chain) {
 }
 
 void conclude(ChainDiagnosis& chain) {
-    for (const auto& [state, finding] : {std::pair{State::Restarted, Finding::Restarted},
-                                         std::pair{State::Unresponsive, Finding::Unresponsive}})
+    for (const auto& [state, finding] : {std::pair{ChainPlace::State::Restarted, Finding::Restarted},
+                                         std::pair{ChainPlace::State::Unresponsive, Finding::Unresponsive}})
         if (const auto at = firstWith(chain.places, state)) {
             chain.finding = finding;
             chain.at = at;
             return;
         }
-    const auto different = firstWith(chain.places, State::Different);
+    const auto different = firstWith(chain.places, ChainPlace::State::Different);
     if (different && isTail(chain)) {
         chain.finding = Finding::FarEndMissing;
     } else if (different) {
@@ -74,7 +73,7 @@ void conclude(ChainDiagnosis& chain) {
         chain.finding = Finding::NothingExpected;
     } else if (chain.found > chain.expected) {
         chain.finding = Finding::MoreThanBefore;
-        chain.at = firstWith(chain.places, State::New);
+        chain.at = firstWith(chain.places, ChainPlace::State::New);
     } else {
         chain.finding = Finding::Fine;
     }

@@ -10,13 +10,13 @@ namespace nmc {
 namespace {
 using namespace std::chrono_literals;
 constexpr Duration kAnchored = 100ms;
-constexpr Duration kShortest = 50ms;
+constexpr Duration kShortestSpan = 50ms;
 /// After a silence the way between is no speed.
-constexpr Duration kSilence = 1s;
+constexpr Duration kTooLongAgo = 1s;
 }  // namespace
 
 void MeasuredSpeed::apply(TimePoint time, std::int32_t position) {
-    if (m_latest && (time <= m_latest->time || time - m_latest->time > kSilence))
+    if (m_latest && (time <= m_latest->time || time - m_latest->time > kTooLongAgo))
         forget();
     m_latest = Reading{time, position};
     if (!m_anchor) {
@@ -34,7 +34,7 @@ void MeasuredSpeed::apply(const bus::CommandExecuted& executed) {
 
 std::optional<double> MeasuredSpeed::perSecond() const {
     const auto& from = m_before ? m_before : m_anchor;
-    if (!from || m_latest->time - from->time < kShortest)
+    if (!from || m_latest->time - from->time < kShortestSpan)
         return std::nullopt;
     const std::int32_t distance = countsBetween(from->position, m_latest->position);
     // A shaft that is held between two counts shows now the one, now the other.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/time.h"
@@ -192,5 +193,10 @@ private:
     double m_acceleration = 0.0;
     double m_loadedVelocity = 0.0;  ///< counts/tick, stays loaded until a stop zeroes it
 };
+
+/// Null: the chain has no such module.
+[[nodiscard]] inline const ModuleState* moduleAt(ModuleIndex index, std::span<const ModuleState> modules) {
+    return index.value() < modules.size() ? &modules[index.value()] : nullptr;
+}
 
 }  // namespace nmc

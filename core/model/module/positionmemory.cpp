@@ -33,9 +33,9 @@ constexpr Field kSeen{"seen", 0, std::numeric_limits<Number>::max()};
 constexpr Field kMoving{"moving", 0, 1};
 
 /// Nothing where one number is missing or out of bounds.
-class Reader {
+class MemoryReader {
 public:
-    explicit Reader(const Json& object) : m_object(object) {}
+    explicit MemoryReader(const Json& object) : m_object(object) {}
     Number operator()(const Field& field) {
         const auto value = m_object.is_object() ? m_object.find(field.key) : m_object.end();
         const bool right = value != m_object.end() && value->is_number_integer() &&
@@ -144,7 +144,7 @@ RememberedPositions readPositions(std::string_view text) {
         return {};
     RememberedPositions positions;
     for (const Json& item : file["positions"]) {
-        Reader read(item);
+        MemoryReader read(item);
         const ModuleIndex module(static_cast<std::uint8_t>(read(kModule) - 1));
         RememberedPosition axis;
         axis.identity = {static_cast<ModuleType>(read(kType)), static_cast<std::uint8_t>(read(kVersion))};

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/text.h"
 #include "model/packets/packetwords.h"
 
 namespace nmc {
@@ -17,14 +18,6 @@ constexpr std::string_view kColumns =
     "# time_us took_us purpose module baud type:items verdict >command <reply";
 constexpr std::string_view kGap = "gap";
 constexpr std::size_t kMaxHeaderText = 500;
-
-/// A line of its own, whatever a port is called.
-std::string oneLine(std::string_view text) {
-    std::string line(text.substr(0, kMaxHeaderText));
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
-    return line;
-}
 
 std::string hex(ByteSpan bytes) {
     std::string text = toHex(bytes);
@@ -69,9 +62,9 @@ std::string exchangeLine(const bus::ExchangeRecord& record, TimePoint zero) {
 std::string writePacketFile(const PacketLog& log) {
     const PacketSession& session = log.session();
     std::string text = std::string(kMagic) + '\n';
-    text += "# program " + oneLine(session.program) + '\n';
-    text += "# started " + oneLine(session.startedAt) + '\n';
-    text += "# port " + oneLine(session.port) + '\n';
+    text += "# program " + oneLine(session.program, kMaxHeaderText) + '\n';
+    text += "# started " + oneLine(session.startedAt, kMaxHeaderText) + '\n';
+    text += "# port " + oneLine(session.port, kMaxHeaderText) + '\n';
     text += std::string("# simulated ") + (session.simulated ? "yes" : "no") + '\n';
     text += "# dropped " + std::to_string(log.dropped()) + '\n';
     text += std::string(kColumns) + "\n#\n";

@@ -17,8 +17,6 @@ namespace nmc {
 
 namespace {
 
-using Kind = DrawingProblem::Kind;
-
 class Drawing {
 public:
     Drawing(const Machine& machine, const std::vector<ModuleState>& modules, servo::PathRate rate)
@@ -33,7 +31,7 @@ public:
                 return tl::unexpected(*m_problem);
         run(sequence);
         if (!m_problem && points() == 0)
-            m_problem = {Kind::NoMove, sequence, 0, {}};
+            m_problem = {DrawingProblem::Kind::NoMove, sequence, 0, {}};
         if (m_problem)
             return tl::unexpected(*m_problem);
         return std::move(m_table);
@@ -57,7 +55,7 @@ public:
             const PointAxis& axis = point->axes[i];
             const auto goal = goalOf(axis, m_modules[axis.module.value()]);
             if (!goal)
-                return fail(Kind::PlaceUnknown, axis.module);
+                return fail(DrawingProblem::Kind::PlaceUnknown, axis.module);
             for (PathMoves::Axis& moved : leg.axes)
                 if (moved.module == axis.module)
                     moved.goals = {*goal};
@@ -68,7 +66,7 @@ public:
     void operator()(const action::Wait& wait) {
         const double count = std::round(wait.seconds / toSeconds(bus::pathPeriod(m_table.rate)));
         if (!(count <= static_cast<double>(kMaxPathPoints)))
-            return fail(Kind::TooManyPoints);
+            return fail(DrawingProblem::Kind::TooManyPoints);
         PathTable rest{m_table.rate, {}};
         for (const PathTable::Column& column : m_table.columns)
             rest.columns.push_back({column.module, std::vector(static_cast<std::size_t>(std::max(count, 0.0)),
@@ -80,7 +78,7 @@ public:
     void operator()(const action::Repeat& repeat) {
         unsigned& done = m_rounds[&repeat];
         if (repeat.times == 0)
-            return fail(Kind::Endless);
+            return fail(DrawingProblem::Kind::Endless);
         if (++done >= repeat.times)
             m_rounds.erase(&repeat);
         else
@@ -94,21 +92,21 @@ public:
         m_next = next;
     }
     /// What a path has no points for.
-    void operator()(const auto& /*other*/) { fail(Kind::NotDrawn); }
+    void operator()(const auto& /*other*/) { fail(DrawingProblem::Kind::NotDrawn); }
 
 private:
-    void fail(Kind kind, std::optional<ModuleIndex> module = {}) {
+    void fail(DrawingProblem::Kind kind, std::optional<ModuleIndex> module = {}) {
         m_problem = m_at;
         m_problem->kind = kind;
         m_problem->module = module;
     }
 
     [[nodiscard]] bool addAxis(ModuleIndex index) {
-        const ModuleState* module = index.value() < m_modules.size() ? &m_modules[index.value()] : nullptr;
+        const ModuleState* module = moduleAt(index, m_modules);
         if (module == nullptr || !hasPathBuffer(module->info.identity)) {
-            fail(Kind::NoPathAxis, index);
+            fail(DrawingProblem::Kind::NoPathAxis, index);
         } else if (const auto place = module->commandPosition(); !place) {
-            fail(Kind::PlaceUnknown, index);
+            fail(DrawingProblem::Kind::PlaceUnknown, index);
         } else {
             m_table.columns.push_back({index, {}});
             m_places[index] = *place;
@@ -125,7 +123,7 @@ private:
             std::visit(*this, row);
             // Moves to where it stands make no points, however often they are repeated.
             if (!m_problem && ++steps > kMaxPathPoints)
-                fail(Kind::TooManyPoints);
+                fail(DrawingProblem::Kind::TooManyPoints);
         }
     }
 
@@ -135,7 +133,7 @@ private:
 
     void append(const PathTable& leg) {
         if (!leg.columns.empty() && points() + leg.columns.front().points.size() > kMaxPathPoints)
-            return fail(Kind::TooManyPoints);
+            return fail(DrawingProblem::Kind::TooManyPoints);
         for (std::size_t i = 0; i < leg.columns.size(); ++i)
             m_table.columns[i].points.insert(m_table.columns[i].points.end(), leg.columns[i].points.begin(),
                                              leg.columns[i].points.end());

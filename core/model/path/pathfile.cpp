@@ -8,25 +8,19 @@
 #include <cstdlib>
 #include <limits>
 
+#include "base/text.h"
+
 namespace nmc {
 
 namespace {
 
-using Kind = PathProblem::Kind;
-
-[[nodiscard]] std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlank = " \t\r";
-    const auto first = text.find_first_not_of(kBlank);
-    if (first == std::string_view::npos)
-        return {};
-    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
+constexpr std::string_view kBlank = " \t\r";
 
 [[nodiscard]] std::vector<std::string_view> cellsOf(std::string_view line) {
     std::vector<std::string_view> cells;
     for (;;) {
         const auto comma = line.find(',');
-        cells.push_back(trimmed(line.substr(0, comma)));
+        cells.push_back(trimmed(line.substr(0, comma), kBlank));
         if (comma == std::string_view::npos)
             return cells;
         line.remove_prefix(comma + 1);
@@ -43,21 +37,23 @@ template <typename Number>
     return error == std::errc{} && next == end ? std::optional(number) : std::nullopt;
 }
 
-class Reader {
+class PathReader {
 public:
-    explicit Reader(std::span<const PathColumn> axes) : m_axes(axes) {}
+    explicit PathReader(std::span<const PathColumn> axes) : m_axes(axes) {}
 
     tl::expected<PathTable, std::vector<PathProblem>> read(std::string_view text) {
         while (!text.empty() && m_problems.size() < kMaxPathProblems && !m_tooMany) {
             ++m_line;
             const auto end = text.find('\n');
-            take(trimmed(text.substr(0, end)));
+            take(trimmed(text.substr(0, end), kBlank));
             text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
         }
         if (m_columns.empty() && m_problems.empty())
-            add({.kind = Kind::NoColumns});
+            add({.kind = PathProblem::Kind::NoColumns});
         else if (m_points < 2 && m_problems.empty())
-            add({.kind = Kind::TooFewPoints, .line = m_line, .value = static_cast<double>(m_points)});
+            add({.kind = PathProblem::Kind::TooFewPoints,
+                 .line = m_line,
+                 .value = static_cast<double>(m_points)});
         if (!m_problems.empty())
             return tl::unexpected(std::move(m_problems));
         return std::move(m_table);
@@ -75,11 +71,11 @@ private:
             return;
         }
         if (line.starts_with('#'))
-            return takeComment(trimmed(line.substr(1)));
+            return takeComment(trimmed(line.substr(1), kBlank));
         if (!m_header)
             return takeHeader(line);
         if (m_gap > 0 && m_points > 0)
-            add({.kind = Kind::Gap, .line = m_gap});
+            add({.kind = PathProblem::Kind::Gap, .line = m_gap});
         m_gap = 0;
         takePoints(line);
     }
@@ -88,7 +84,7 @@ private:
         constexpr std::string_view kRate = "rate";
         if (!comment.starts_with(kRate) || m_header)
             return;
-        const std::string_view said = trimmed(comment.substr(kRate.size()));
+        const std::string_view said = trimmed(comment.substr(kRate.size()), kBlank);
         const auto hertz = numberIn<int>(said);
         if (hertz == 30)
             m_table.rate = servo::PathRate::Hz30;
@@ -97,7 +93,7 @@ private:
         else if (hertz == 120)
             m_table.rate = servo::PathRate::Hz120;
         else
-            add({.kind = Kind::Rate, .line = m_line, .text = std::string(said)});
+            add({.kind = PathProblem::Kind::Rate, .line = m_line, .text = std::string(said)});
     }
 
     void takeHeader(std::string_view line) {
@@ -109,10 +105,10 @@ private:
                 if (candidate.name == name)
                     axis = &candidate;
             if (axis == nullptr)
-                add({.kind = Kind::UnknownColumn, .line = m_line, .text = std::string(name)});
+                add({.kind = PathProblem::Kind::UnknownColumn, .line = m_line, .text = std::string(name)});
             for (const PathColumn* other : m_columns)
                 if (axis != nullptr && other == axis)
-                    add({.kind = Kind::ColumnTwice, .line = m_line, .column = axis->name});
+                    add({.kind = PathProblem::Kind::ColumnTwice, .line = m_line, .column = axis->name});
             m_columns.push_back(axis);
             m_table.columns.push_back({axis != nullptr ? axis->module : ModuleIndex(), {}});
         }
@@ -123,14 +119,14 @@ private:
         ++m_points;
         if (m_points > kMaxPathPoints) {
             m_tooMany = true;
-            return add({.kind = Kind::TooManyPoints,
+            return add({.kind = PathProblem::Kind::TooManyPoints,
                         .line = m_line,
                         .allowed = static_cast<double>(kMaxPathPoints)});
         }
         const auto cells = cellsOf(line);
         if (cells.size() != m_columns.size()) {
             m_before.assign(m_columns.size(), std::nullopt);
-            return add({.kind = Kind::CellCount,
+            return add({.kind = PathProblem::Kind::CellCount,
                         .line = m_line,
                         .value = static_cast<double>(cells.size()),
                         .allowed = static_cast<double>(m_columns.size())});
@@ -148,35 +144,35 @@ private:
     }
 
     [[nodiscard]] std::optional<std::int32_t> countsIn(std::string_view cell, const PathColumn& axis) {
-        const auto of = [&](Kind kind) {
+        const auto of = [&](PathProblem::Kind kind) {
             add({.kind = kind, .line = m_line, .column = axis.name, .text = std::string(cell)});
             return std::nullopt;
         };
         if (cell.empty())
-            return of(Kind::Gap);
+            return of(PathProblem::Kind::Gap);
         const auto position = numberIn<double>(cell);
         if (!position || !std::isfinite(*position))
-            return of(Kind::NotANumber);
+            return of(PathProblem::Kind::NotANumber);
         const double counts = std::round(axis.scale.counts(*position));
         if (!(std::abs(counts) <= std::numeric_limits<std::int32_t>::max()))
-            return of(Kind::OutOfRange);
+            return of(PathProblem::Kind::OutOfRange);
         return static_cast<std::int32_t>(counts);
     }
 
     /// What a segment may not be; of the first point only its place counts, since where the path is begun is
     /// not known here.
     void judge(std::int64_t point, std::optional<std::int64_t> before, const PathColumn& axis) {
-        const auto of = [&](Kind kind, double value, double allowed) {
+        const auto of = [&](PathProblem::Kind kind, double value, double allowed) {
             add({.kind = kind, .line = m_line, .column = axis.name, .value = value, .allowed = allowed});
         };
         const auto distance = static_cast<double>(std::abs(point - before.value_or(point)));
         const double velocity = distance / servo::ticksPerPoint(m_table.rate);
         if (const int most = servo::maxPathCounts(m_table.rate); distance > most)
-            of(Kind::Jump, distance, most);
+            of(PathProblem::Kind::Jump, distance, most);
         else if (axis.fastest > 0.0 && velocity > axis.fastest)
-            of(Kind::TooFast, velocity, axis.fastest);
+            of(PathProblem::Kind::TooFast, velocity, axis.fastest);
         if (const auto beyond = axis.travel ? beyondTravel(point, *axis.travel) : std::nullopt)
-            of(Kind::BeyondTravel, static_cast<double>(point), *beyond);
+            of(PathProblem::Kind::BeyondTravel, static_cast<double>(point), *beyond);
     }
 
     /// The limit that it is beyond.
@@ -230,7 +226,7 @@ tl::expected<PathTable, std::vector<PathProblem>> readPath(std::string_view text
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(kByteOrderMark))
         text.remove_prefix(kByteOrderMark.size());
-    return Reader(axes).read(text);
+    return PathReader(axes).read(text);
 }
 
 std::string pathText(const PathTable& table, std::span<const PathColumn> axes) {

@@ -10,26 +10,26 @@ namespace nmc {
 
 namespace {
 
-using Kind = PathObstacle::Kind;
-
 [[nodiscard]] std::optional<PathObstacle> notReady(servo::PathRate rate, const ModuleState& module) {
-    const auto of = [&](Kind kind) { return PathObstacle{.kind = kind, .module = module.info.index}; };
+    const auto of = [&](PathObstacle::Kind kind) {
+        return PathObstacle{.kind = kind, .module = module.info.index};
+    };
     if (const auto refusal = whyNot(IntentKind::Move, module))
         return PathObstacle{.module = module.info.index, .refusal = refusal};
     if (!hasPathBuffer(module.info.identity))
-        return of(Kind::NoPathBuffer);
+        return of(PathObstacle::Kind::NoPathBuffer);
     if (!module.pathControl)
-        return of(Kind::ControlUnknown);
+        return of(PathObstacle::Kind::ControlUnknown);
     if (module.pathControl->stepAndDirection)
-        return of(Kind::StepAndDirection);
+        return of(PathObstacle::Kind::StepAndDirection);
     if (!servo::toPathWord({0, rate}, module.pathControl->fastPath))
-        return of(Kind::WrongFastPath);
+        return of(PathObstacle::Kind::WrongFastPath);
     if (module.servoRate != 1) {
-        PathObstacle obstacle = of(Kind::ServoRate);
+        PathObstacle obstacle = of(PathObstacle::Kind::ServoRate);
         obstacle.value = module.servoRate.value_or(0);
         return obstacle;
     }
-    return module.commandPosition() ? std::nullopt : std::optional(of(Kind::PlaceUnknown));
+    return module.commandPosition() ? std::nullopt : std::optional(of(PathObstacle::Kind::PlaceUnknown));
 }
 
 /// Of the segment to a point.
@@ -37,20 +37,17 @@ using Kind = PathObstacle::Kind;
                                                        servo::PathRate rate, const ModuleState& module) {
     const auto distance = static_cast<double>(std::abs(point - before));
     if (const int most = servo::maxPathCounts(rate); distance > most)
-        return PathObstacle{.kind = Kind::Jump, .value = distance, .allowed = static_cast<double>(most)};
+        return PathObstacle{
+            .kind = PathObstacle::Kind::Jump, .value = distance, .allowed = static_cast<double>(most)};
     const double velocity = distance / servo::ticksPerPoint(rate);
     if (const double fastest = module.travel.fastest; fastest > 0.0 && velocity > fastest)
-        return PathObstacle{.kind = Kind::TooFast, .value = velocity, .allowed = fastest};
+        return PathObstacle{.kind = PathObstacle::Kind::TooFast, .value = velocity, .allowed = fastest};
     if (const auto range = travelRange(module))
         if (const auto problem = beyondTravel(before, point, *range))
-            return PathObstacle{.kind = Kind::BeyondTravel,
+            return PathObstacle{.kind = PathObstacle::Kind::BeyondTravel,
                                 .value = static_cast<double>(point),
                                 .allowed = static_cast<double>(problem->limit)};
     return std::nullopt;
-}
-
-[[nodiscard]] const ModuleState* find(std::span<const ModuleState> modules, ModuleIndex index) {
-    return index.value() < modules.size() ? &modules[index.value()] : nullptr;
 }
 
 /// The group whose members are these, and nobody else.
@@ -75,7 +72,7 @@ using Kind = PathObstacle::Kind;
         const auto same =
             std::count_if(table.columns.begin(), table.columns.end(),
                           [&](const PathTable::Column& other) { return other.module == column.module; });
-        if (same != 1 || find(modules, column.module) == nullptr ||
+        if (same != 1 || moduleAt(column.module, modules) == nullptr ||
             column.points.size() != table.columns.front().points.size())
             return false;
     }
@@ -91,8 +88,8 @@ std::optional<PathObstacle> obstacle(const bus::PathAxis& axis, servo::PathRate 
     std::int32_t before = *module.commandPosition();
     for (std::size_t i = 0; i < axis.points.size(); ++i) {
         if (auto obstacle = wrongSegment(before, axis.points[i], rate, module)) {
-            if (i == 0 && obstacle->kind == Kind::Jump)
-                obstacle->kind = Kind::TooFarToStart;
+            if (i == 0 && obstacle->kind == PathObstacle::Kind::Jump)
+                obstacle->kind = PathObstacle::Kind::TooFarToStart;
             obstacle->module = axis.module;
             obstacle->point = i + 1;
             return obstacle;
@@ -106,13 +103,13 @@ tl::expected<intent::FollowPath, PathObstacle> planPath(const PathTable& table,
                                                         std::span<const ModuleState> modules,
                                                         const PathLine& line) {
     if (!wellFormed(table, modules))
-        return tl::unexpected(PathObstacle{.kind = Kind::NoPoints});
+        return tl::unexpected(PathObstacle{.kind = PathObstacle::Kind::NoPoints});
     const auto plan = std::make_shared<bus::PathPlan>();
     plan->rate = table.rate;
     plan->smoothStop = true;
     std::vector<ModuleIdentity> axes;
     for (const PathTable::Column& column : table.columns) {
-        const ModuleState& module = *find(modules, column.module);
+        const ModuleState& module = *moduleAt(column.module, modules);
         bus::PathAxis axis{column.module, module.commandPosition().value_or(0), column.points};
         if (auto problem = obstacle(axis, table.rate, module))
             return tl::unexpected(*problem);
@@ -121,10 +118,10 @@ tl::expected<intent::FollowPath, PathObstacle> planPath(const PathTable& table,
         axes.push_back(module.info.identity);
     }
     if (plan->axes.size() > 1 && !(plan->group = groupOf(table, modules)))
-        return tl::unexpected(PathObstacle{.kind = Kind::NotAGroup});
+        return tl::unexpected(PathObstacle{.kind = PathObstacle::Kind::NotAGroup});
     if (const PathShare share = pathShare(line, table.rate, axes, modules.size()); !share.fits())
-        return tl::unexpected(
-            PathObstacle{.kind = Kind::BusTooSlow, .value = share.needed(), .allowed = kPathAvailable});
+        return tl::unexpected(PathObstacle{
+            .kind = PathObstacle::Kind::BusTooSlow, .value = share.needed(), .allowed = kPathAvailable});
     return intent::FollowPath{plan};
 }
 

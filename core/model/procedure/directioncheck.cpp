@@ -11,9 +11,6 @@ namespace nmc {
 
 namespace {
 
-/// For the motor to stand still, before a push and after it.
-constexpr Duration kStillWithin = std::chrono::seconds(2);
-
 /// AMP_EN and PWM as the manner says; neither switches the servo on.
 [[nodiscard]] servo::StopMotor off(bool amplifier) {
     return {amplifier, servo::StopManner::MotorOff, {}};

@@ -15,7 +15,7 @@ namespace {
 constexpr double kPerDecade = 12.0;
 /// Of each frequency; the longer counts. The first period is for the motor to get used to it.
 constexpr double kPeriods = 5.0;
-constexpr double kShortest = 1.0;  ///< s
+constexpr double kShortestSine = 1.0;  ///< s
 /// In a row; then it is the line.
 constexpr int kMisses = 3;
 /// Of its amplitude, to either side: the highest resonance that is still measured.
@@ -54,7 +54,7 @@ FrequencyRun::Next FrequencyRun::swingNext(const ModuleState& module) {
     bus::Sine sine;
     sine.amplitude = m_wanted.amplitude;
     sine.frequency = hertz;
-    sine.lasts = fromSeconds(std::max(kPeriods / hertz, kShortest));
+    sine.lasts = fromSeconds(std::max(kPeriods / hertz, kShortestSine));
     return swing(jump(module, from(), ResponseMethod::StopHere).front(), sine);
 }
 

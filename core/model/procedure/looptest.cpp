@@ -11,9 +11,7 @@ namespace {
 
 /// Of velocity and acceleration: the profile is at the goal of the longest step in one tick. The highest that
 /// can be loaded would do the same, but their sum would not fit into the chip's 32 bits.
-constexpr std::uint32_t kAtOnce = 4'096U << 16U;
-/// For the motor to stand still, before the test and after it.
-constexpr Duration kStillWithin = std::chrono::seconds(2);
+constexpr std::uint32_t kInOneTick = 4'096U << 16U;
 /// For a hold to calm a motor that has gone too far.
 constexpr Duration kCalmWithin = std::chrono::milliseconds(500);
 
@@ -67,8 +65,8 @@ std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t g
         return orders({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(goal)}});
     servo::LoadTrajectory load;
     load.position = Counts(goal);
-    load.velocity = CountsPerTick(kAtOnce);
-    load.acceleration = CountsPerTickSquared(kAtOnce);
+    load.velocity = CountsPerTick(kInOneTick);
+    load.acceleration = CountsPerTickSquared(kInOneTick);
     return orders({load, StartMotion{}});
 }
 

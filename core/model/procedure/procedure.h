@@ -29,6 +29,9 @@ enum class ProcedureKind : std::uint8_t {
     FollowPath,  ///< PIC-SERVO CMC and SC
 };
 
+/// For a motor to stand still, before a test drives it and after.
+inline constexpr Duration kStillWithin = std::chrono::seconds(2);
+
 /// It looks at how the servo follows, and wants the bus's focus.
 [[nodiscard]] constexpr bool isTest(ProcedureKind kind) {
     using enum ProcedureKind;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/text.h"
 #include "model/recording/numbertext.h"
 #include "model/recording/recordingwords.h"
 #include "model/recording/timetext.h"
@@ -39,17 +40,9 @@ void appendReal(std::string& out, Real number) {
         appendNumber(out, number);
 }
 
-/// A line of its own, whatever a module is called.
-std::string oneLine(std::string_view text) {
-    std::string line(text.substr(0, kMaxText));
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
-    return line;
-}
-
 void appendEntry(std::string& out, std::string_view key, std::string_view value) {
     if (!value.empty())
-        out.append("# ").append(key).append(words::kBehindKey).append(oneLine(value)) += '\n';
+        out.append("# ").append(key).append(words::kBehindKey).append(oneLine(value, kMaxText)) += '\n';
 }
 
 std::string typeText(ModuleType type) {
@@ -190,7 +183,7 @@ void appendGains(std::string& out, const GainsChange& change, TimePoint zero) {
 void appendNote(std::string& out, std::string_view text, TimePoint time, TimePoint zero) {
     out.append("# note").append(words::kAt);
     appendTime(out, time - zero);
-    out.append(words::kSeconds).append(oneLine(text)) += '\n';
+    out.append(words::kSeconds).append(oneLine(text, kMaxText)) += '\n';
 }
 
 std::string recordingOf(const RecordingHeader& header, const History& history) {

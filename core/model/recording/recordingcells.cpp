@@ -8,17 +8,13 @@
 #include <optional>
 #include <string>
 
+#include "base/text.h"
+
 namespace nmc::cells {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kAround = " \t\"";
-    const std::size_t first = text.find_first_not_of(kAround);
-    if (first == std::string_view::npos)
-        return {};
-    return text.substr(first, text.find_last_not_of(kAround) + 1 - first);
-}
+constexpr std::string_view kAround = " \t\"";
 
 /// A cell with a decimal point; longer ones are no numbers of ours.
 class Plain {
@@ -86,11 +82,11 @@ void split(std::string_view line, char separator, std::vector<std::string_view>&
         if (line[i] == '"')
             quoted = !quoted;
         else if (line[i] == separator && !quoted) {
-            cells.push_back(trimmed(line.substr(from, i - from)));
+            cells.push_back(trimmed(line.substr(from, i - from), kAround));
             from = i + 1;
         }
     }
-    cells.push_back(trimmed(line.substr(from)));
+    cells.push_back(trimmed(line.substr(from), kAround));
 }
 
 std::string unquoted(std::string_view text) {

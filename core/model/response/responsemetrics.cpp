@@ -17,14 +17,14 @@ constexpr std::size_t kFewest = 3;
 constexpr double kHalfCount = 0.5;
 
 /// Where the motor was, in counts along the step: 0 at its goal, negative before it.
-struct Reading {
+struct StepReading {
     double seconds = 0.0;
     double beyond = 0.0;
     bool gapBefore = false;  ///< samples are missing between the one before and this
 };
 
 /// Several usual intervals from the one before; usual is the median.
-void markGaps(std::vector<Reading>& readings) {
+void markGaps(std::vector<StepReading>& readings) {
     constexpr double kSeveral = 6;
     std::vector<double> between;
     for (std::size_t i = 2; i < readings.size(); ++i)  // the first may lie anywhere behind the step
@@ -36,21 +36,23 @@ void markGaps(std::vector<Reading>& readings) {
 }
 
 /// Where the straight line between two readings is at `level`.
-[[nodiscard]] ResponseMetrics::Result<Measured> crossing(const Reading& a, const Reading& b, double level) {
+[[nodiscard]] ResponseMetrics::Result<Measured> crossing(const StepReading& a, const StepReading& b,
+                                                         double level) {
     if (b.gapBefore)
         return tl::unexpected(Unmeasured::SamplesMissing);
     const double part = (level - a.beyond) / (b.beyond - a.beyond);
     return Measured{a.seconds + part * (b.seconds - a.seconds), (b.seconds - a.seconds) / 2};
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> firstAt(const std::vector<Reading>& readings, double level) {
+[[nodiscard]] ResponseMetrics::Result<Measured> firstAt(const std::vector<StepReading>& readings,
+                                                        double level) {
     for (std::size_t i = 1; i < readings.size(); ++i)
         if (readings[i].beyond >= level)
             return crossing(readings[i - 1], readings[i], level);
     return tl::unexpected(Unmeasured::NeverRose);
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> riseOf(const std::vector<Reading>& readings, double step,
+[[nodiscard]] ResponseMetrics::Result<Measured> riseOf(const std::vector<StepReading>& readings, double step,
                                                        double timeDoubt) {
     const auto low = firstAt(readings, -step * 9 / 10);
     const auto high = firstAt(readings, -step / 10);
@@ -60,7 +62,7 @@ void markGaps(std::vector<Reading>& readings) {
 }
 
 /// How far the parabola through three readings is above the middle one, which is the highest.
-[[nodiscard]] double aboveMiddle(const Reading& a, const Reading& b, const Reading& c) {
+[[nodiscard]] double aboveMiddle(const StepReading& a, const StepReading& b, const StepReading& c) {
     const double before = (b.beyond - a.beyond) / (b.seconds - a.seconds);
     const double after = (c.beyond - b.beyond) / (c.seconds - b.seconds);
     const double bend = (after - before) / (c.seconds - a.seconds);
@@ -71,8 +73,8 @@ void markGaps(std::vector<Reading>& readings) {
     return slope * slope / (-4 * bend);
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> overshootOf(const std::vector<Reading>& readings, double step,
-                                                            double band) {
+[[nodiscard]] ResponseMetrics::Result<Measured> overshootOf(const std::vector<StepReading>& readings,
+                                                            double step, double band) {
     for (std::size_t i = 1; i < readings.size(); ++i) {
         const bool onTheWay = std::abs(readings[i - 1].beyond) > band || std::abs(readings[i].beyond) > band;
         if (readings[i].gapBefore && onTheWay)
@@ -80,7 +82,7 @@ void markGaps(std::vector<Reading>& readings) {
     }
     const auto highest =
         std::max_element(readings.begin(), readings.end(),
-                         [](const Reading& a, const Reading& b) { return a.beyond < b.beyond; });
+                         [](const StepReading& a, const StepReading& b) { return a.beyond < b.beyond; });
     double added = 0.0;
     if (highest != readings.begin() && highest + 1 != readings.end())
         added = aboveMiddle(*(highest - 1), *highest, *(highest + 1));
@@ -89,16 +91,16 @@ void markGaps(std::vector<Reading>& readings) {
 }
 
 /// `middle`: of the band, beyond the goal.
-[[nodiscard]] ResponseMetrics::Result<Measured> settlingOf(const std::vector<Reading>& readings,
+[[nodiscard]] ResponseMetrics::Result<Measured> settlingOf(const std::vector<StepReading>& readings,
                                                            double middle, double band, double lastPart,
                                                            double timeDoubt) {
-    const auto outside = [=](const Reading& reading) { return std::abs(reading.beyond - middle) > band; };
+    const auto outside = [=](const StepReading& reading) { return std::abs(reading.beyond - middle) > band; };
     const auto last = std::find_if(readings.rbegin(), readings.rend(), outside);
     if (last == readings.rend())
         return Measured{0.0, timeDoubt};
     if (last->seconds >= lastPart)
         return tl::unexpected(Unmeasured::NeverSettled);
-    const Reading& inside = *(last - 1);  // backwards, so the one after
+    const StepReading& inside = *(last - 1);  // backwards, so the one after
     ResponseMetrics::Result<Measured> settled =
         crossing(*last, inside, last->beyond > middle ? middle + band : middle - band);
     if (settled)
@@ -123,7 +125,7 @@ void markGaps(std::vector<Reading>& readings) {
     return Measured{goal - sum / static_cast<double>(count), std::max(kHalfCount, (highest - lowest) / 2)};
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> settlingAtRestOf(const std::vector<Reading>& readings,
+[[nodiscard]] ResponseMetrics::Result<Measured> settlingAtRestOf(const std::vector<StepReading>& readings,
                                                                  double step, double band, double lastPart,
                                                                  double timeDoubt) {
     double sum = 0.0;
@@ -144,7 +146,7 @@ void markGaps(std::vector<Reading>& readings) {
 ResponseMetrics measureResponse(std::span<const ResponsePoint> points, double from, double goal, double band,
                                 double timeDoubt) {
     const double step = std::abs(goal - from);
-    std::vector<Reading> readings{{0.0, -step}};  // when the command is latched it still stands
+    std::vector<StepReading> readings{{0.0, -step}};  // when the command is latched it still stands
     for (const ResponsePoint& point : points)
         if (point.seconds > readings.back().seconds)
             readings.push_back({point.seconds, goal < from ? goal - point.position : point.position - goal});

@@ -52,7 +52,7 @@ std::optional<ScopeSample> ModuleHistory::last() const {
 }
 
 namespace {
-constexpr auto kBefore = [](const ScopeSample& sample, TimePoint time) { return sample.time < time; };
+constexpr auto kIsBefore = [](const ScopeSample& sample, TimePoint time) { return sample.time < time; };
 constexpr auto kAfter = [](TimePoint time, const auto& entry) {
     if constexpr (std::is_same_v<std::decay_t<decltype(entry)>, ScopeSample>)
         return time < entry.time;
@@ -71,7 +71,7 @@ std::size_t ModuleHistory::countBetween(TimePoint from, TimePoint to, ScopeSigna
 }
 
 std::vector<ScopeSample> ModuleHistory::samples(TimePoint from, TimePoint to) const {
-    const auto first = std::lower_bound(m_samples.begin(), m_samples.end(), from, kBefore);
+    const auto first = std::lower_bound(m_samples.begin(), m_samples.end(), from, kIsBefore);
     return {first, std::upper_bound(first, m_samples.end(), to, kAfter)};
 }
 

@@ -7,7 +7,7 @@ namespace nmc {
 
 namespace {
 
-constexpr std::int32_t kPlace = 4;  ///< counts: less is no motion, but noise or a servo that holds
+constexpr std::int32_t kSamePlace = 4;  ///< counts: less is no motion, but noise or a servo that holds
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void MotionStart::take(const ScopeSample& sample) {
         return;
     }
     const std::int32_t away = countsBetween(m_place->position, sample.position);
-    if (away >= -kPlace && away <= kPlace) {
+    if (away >= -kSamePlace && away <= kSamePlace) {
         m_moves = m_moves && sample.time - m_place->time < kRest;
         m_lastThere = sample.time;
         return;

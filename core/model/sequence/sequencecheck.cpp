@@ -13,12 +13,6 @@ namespace nmc {
 
 namespace {
 
-using Kind = SequenceProblem::Kind;
-
-const ModuleState* find(const std::vector<ModuleState>& modules, ModuleIndex index) {
-    return index.value() < modules.size() ? &modules[index.value()] : nullptr;
-}
-
 bool hasBit(std::uint16_t mask, unsigned bit) {
     return ((unsigned{mask} >> bit) & 1U) != 0;
 }
@@ -45,10 +39,10 @@ bool leadsTo(const Program& program, const std::string& sequence, const std::str
 template <typename Named>
 std::optional<SequenceProblem> wrongName(const std::vector<Named>& all, std::size_t i) {
     if (all[i].name.empty())
-        return SequenceProblem{.kind = Kind::NoName, .row = i};
+        return SequenceProblem{.kind = SequenceProblem::Kind::NoName, .row = i};
     for (std::size_t k = 0; k < i; ++k)
         if (all[k].name == all[i].name)
-            return SequenceProblem{.kind = Kind::NameTwice, .row = i, .name = all[i].name};
+            return SequenceProblem{.kind = SequenceProblem::Kind::NameTwice, .row = i, .name = all[i].name};
     return std::nullopt;
 }
 
@@ -60,7 +54,7 @@ std::optional<SequenceProblem> wrongPoint(const Program& program, std::size_t i)
     std::set<ModuleIndex> seen;
     for (const PointAxis& axis : program.points[i].axes)
         if (!seen.insert(axis.module).second)
-            return SequenceProblem{.kind = Kind::AxisTwice,
+            return SequenceProblem{.kind = SequenceProblem::Kind::AxisTwice,
                                    .row = i,
                                    .ofPoint = true,
                                    .module = axis.module,
@@ -73,22 +67,22 @@ std::optional<SequenceProblem> wrongRow(const Program& program, const Sequence& 
     SequenceProblem problem{.sequence = sequence.name, .row = row};
     const Action& action = sequence.rows[row];
     if (const auto* move = std::get_if<action::MoveTo>(&action)) {
-        problem.kind = Kind::NoSuchPoint;
+        problem.kind = SequenceProblem::Kind::NoSuchPoint;
         problem.name = move->point;
         return program.point(move->point) == nullptr ? std::optional(problem) : std::nullopt;
     }
     if (const auto* repeat = std::get_if<action::Repeat>(&action)) {
-        problem.kind = Kind::RepeatsBelow;
+        problem.kind = SequenceProblem::Kind::RepeatsBelow;
         return repeat->from >= row ? std::optional(problem) : std::nullopt;
     }
     const auto* call = std::get_if<action::Call>(&action);
     if (call == nullptr)
         return std::nullopt;
     problem.name = call->sequence;
-    problem.kind = Kind::NoSuchSequence;
+    problem.kind = SequenceProblem::Kind::NoSuchSequence;
     if (program.sequence(call->sequence) == nullptr)
         return problem;
-    problem.kind = Kind::CallsItself;
+    problem.kind = SequenceProblem::Kind::CallsItself;
     problem.name = sequence.name;
     std::set<std::string> seen;
     return leadsTo(program, call->sequence, sequence.name, seen) ? std::optional(problem) : std::nullopt;
@@ -111,7 +105,7 @@ public:
         if (sequence == nullptr || !m_seen.insert(name).second)
             return;
         if (sequence->rows.empty())
-            m_problems.push_back({.kind = Kind::NoRows, .sequence = name});
+            m_problems.push_back({.kind = SequenceProblem::Kind::NoRows, .sequence = name});
         for (std::size_t row = first; row < sequence->rows.size(); ++row) {
             m_at = {.sequence = name, .row = row};
             std::visit(*this, sequence->rows[row]);
@@ -122,19 +116,19 @@ public:
         m_at = {.sequence = name, .row = row};
         const EntryState entry = entryState(m_machine, name, row);
         if (!entry.reached)
-            report(Kind::Unreachable);
+            report(SequenceProblem::Kind::Unreachable);
         for (const auto& [index, place] : entry.places)
-            if (const ModuleState* module = find(m_modules, index);
+            if (const ModuleState* module = moduleAt(index, m_modules);
                 module != nullptr && !isAt(place, *module))
-                report(Kind::NotThere, index, place.point);
+                report(SequenceProblem::Kind::NotThere, index, place.point);
         for (const auto& [which, on] : entry.outputs)
-            if (const ModuleState* module = find(m_modules, which.first);
+            if (const ModuleState* module = moduleAt(which.first, m_modules);
                 module != nullptr && outputIs(which.second, *module) != on) {
-                report(Kind::NotSet, which.first);
+                report(SequenceProblem::Kind::NotSet, which.first);
                 m_problems.back().output = which.second;
             }
         for (const ModuleIndex index : entry.homed)
-            if (const ModuleState* module = find(m_modules, index);
+            if (const ModuleState* module = moduleAt(index, m_modules);
                 module != nullptr && !module->home.place())
                 refuse(index, Refusal::HomeUnknown);
     }
@@ -145,7 +139,7 @@ public:
         if (point == nullptr)
             return;
         if (point->axes.empty())
-            report(Kind::NoAxes, {}, move.point);
+            report(SequenceProblem::Kind::NoAxes, {}, move.point);
         for (const PointAxis& axis : point->axes)
             checkMove(axis, move);
     }
@@ -155,12 +149,12 @@ public:
             return;
         const bool limit = wait.pin == InputPin::Limit1 || wait.pin == InputPin::Limit2;
         const bool output = (limit && module->isServo()) || (ioPin(wait.pin) && module->isIo());
-        report(output ? Kind::NotAnInput : Kind::NoSuchPin, wait.module);
+        report(output ? SequenceProblem::Kind::NotAnInput : SequenceProblem::Kind::NoSuchPin, wait.module);
     }
     void operator()(const action::WaitForAnalog& wait) {
         const ModuleState* module = present(wait.module);
         if (module != nullptr && !readAnalog(wait.input, *module))
-            report(Kind::NoSuchPin, wait.module);
+            report(SequenceProblem::Kind::NoSuchPin, wait.module);
     }
     void operator()(const action::SetOutput& set) {
         const ModuleState* module = present(set.module);
@@ -174,9 +168,9 @@ public:
         const bool servoPin = module->isServo() && set.output <= 2;
         const bool stepperPin = module->isStepper() && set.output <= 5;
         const bool ioPin = module->isIo() && set.output <= io::kPins;
-        report(stepperPin || (ioPin && !module->pins.inputs()) ? Kind::OutputsUnknown
-               : servoPin || ioPin                             ? Kind::NotAnOutput
-                                                               : Kind::NoSuchPin,
+        report(stepperPin || (ioPin && !module->pins.inputs()) ? SequenceProblem::Kind::OutputsUnknown
+               : servoPin || ioPin                             ? SequenceProblem::Kind::NotAnOutput
+                                                               : SequenceProblem::Kind::NoSuchPin,
                set.module);
         m_problems.back().output = set.output;
     }
@@ -186,7 +180,7 @@ public:
             return;
         const AxisSettings& settings = m_machine.axis(home.module);
         if (!settings.homing)
-            report(Kind::NoRecipe, home.module);
+            report(SequenceProblem::Kind::NoRecipe, home.module);
         else if (const auto refusal = whyNotHome(*settings.homing, *module))
             if (!m_moved.contains(home.module) || !mayChange(*refusal))
                 refuse(home.module, *refusal);
@@ -201,7 +195,8 @@ public:
     void operator()(const AnyOf<action::Wait, action::WaitForArrival, action::Repeat> auto&) {}
 
 private:
-    void report(Kind kind, std::optional<ModuleIndex> module = {}, const std::string& name = {}) {
+    void report(SequenceProblem::Kind kind, std::optional<ModuleIndex> module = {},
+                const std::string& name = {}) {
         SequenceProblem problem = m_at;
         problem.kind = kind;
         problem.module = module;
@@ -209,13 +204,13 @@ private:
         m_problems.push_back(problem);
     }
     void refuse(ModuleIndex module, Refusal refusal) {
-        report(Kind::Refused, module);
+        report(SequenceProblem::Kind::Refused, module);
         m_problems.back().refusal = refusal;
     }
     const ModuleState* present(ModuleIndex index) {
-        const ModuleState* module = find(m_modules, index);
+        const ModuleState* module = moduleAt(index, m_modules);
         if (module == nullptr)
-            report(Kind::NoSuchModule, index);
+            report(SequenceProblem::Kind::NoSuchModule, index);
         else if (const auto refusal = whyNotTold(IntentKind::Move, *module)) {
             refuse(index, *refusal);
             return nullptr;
@@ -229,7 +224,7 @@ private:
         const bool homed = m_homed.contains(axis.module);
         const bool first = m_moved.insert(axis.module).second;
         if (!axis.fromHome && (homed || module->home.place()))
-            return report(Kind::TaughtElsewhere, axis.module, move.point);
+            return report(SequenceProblem::Kind::TaughtElsewhere, axis.module, move.point);
         PointAxis place = axis;
         if (homed && !module->home.place())
             place.fromHome = false;  // where home will be is not known yet: as if it were at 0
@@ -345,7 +340,7 @@ std::vector<SequenceProblem> whyNotRun(const std::string& sequence, std::size_t 
     if (const auto problem = contradiction(machine.program))
         return {*problem};
     if (machine.program.sequence(sequence) == nullptr)
-        return {{.kind = Kind::NoSuchSequence, .sequence = sequence, .name = sequence}};
+        return {{.kind = SequenceProblem::Kind::NoSuchSequence, .sequence = sequence, .name = sequence}};
     Checker checker(machine, modules);
     if (row > 0)
         checker.checkEntry(sequence, row);
@@ -372,7 +367,7 @@ std::vector<ModuleIndex> axesToHome(const Machine& machine, const std::vector<Mo
         if (!std::ranges::count(order, module.info.index))
             order.push_back(module.info.index);
     std::erase_if(order, [&](ModuleIndex index) {
-        return find(modules, index) == nullptr || !machine.axis(index).homing;
+        return moduleAt(index, modules) == nullptr || !machine.axis(index).homing;
     });
     return order;
 }
@@ -499,7 +494,7 @@ intent::Home homeIntent(const AxisSettings& settings) {
 std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes, const std::vector<ModuleState>& modules) {
     std::vector<PointAxis> taught;
     for (const ModuleIndex index : axes) {
-        const ModuleState* module = find(modules, index);
+        const ModuleState* module = moduleAt(index, modules);
         if (module == nullptr || module->silent || !module->latest || !module->latest->position)
             continue;
         const std::int32_t position = *module->latest->position;

@@ -11,10 +11,6 @@ namespace nmc {
 
 namespace {
 
-const ModuleState* find(const std::vector<ModuleState>& modules, ModuleIndex index) {
-    return index.value() < modules.size() ? &modules[index.value()] : nullptr;
-}
-
 /// Motions begin only when all of them are loaded: a load that is refused leaves every motor where it is.
 void startsLast(std::vector<bus::Order>& steps) {
     std::stable_partition(steps.begin(), steps.end(),
@@ -158,7 +154,7 @@ SequenceRun::Next SequenceRun::finishEnding(const Modules& modules) {
     if (!m_saysNothingMore && !std::exchange(m_stopsSent, true)) {
         std::vector<std::vector<bus::Order>> stops;
         for (const auto& [index, move] : m_moves)
-            if (const ModuleState* module = find(modules, index);
+            if (const ModuleState* module = moduleAt(index, modules);
                 module != nullptr && !m_leftAlone.contains(index))
                 if (auto steps = stopOf(*module); !steps.empty())
                     stops.push_back(std::move(steps));
@@ -172,7 +168,7 @@ SequenceRun::Next SequenceRun::finishEnding(const Modules& modules) {
 /// What is not as this run left it ends it, whoever did that.
 void SequenceRun::watch(const Modules& modules, TimePoint now) {
     for (const ModuleIndex index : m_parts) {
-        const ModuleState* module = find(modules, index);
+        const ModuleState* module = moduleAt(index, modules);
         if (module == nullptr || module->silent || module->hasRestarted)
             return endBy(SequenceEnd::Unresponsive, index);
     }
@@ -271,7 +267,7 @@ SequenceRun::Next SequenceRun::sendMoves(const std::vector<PointAxis>& axes, uns
     std::vector<bus::Order> steps;
     std::map<ModuleIndex, Move> moves;
     for (const PointAxis& axis : axes) {
-        const ModuleState* module = find(modules, axis.module);
+        const ModuleState* module = moduleAt(axis.module, modules);
         if (module == nullptr)
             return refused(axis.module, Refusal::Unresponsive);
         const auto wanted = moveIntent(axis, percent, *module, m_machine.axis(axis.module));
@@ -339,7 +335,7 @@ SequenceRun::Next SequenceRun::perform(const action::WaitForArrival& /*wait*/, c
 
 SequenceRun::Next SequenceRun::perform(const action::WaitForInput& wait, const Modules& modules,
                                        TimePoint now) {
-    const ModuleState* module = find(modules, wait.module);
+    const ModuleState* module = moduleAt(wait.module, modules);
     const auto level = module != nullptr ? readPin(wait.pin, *module) : std::nullopt;
     if (level != wait.active) {
         if (toSeconds(now - *m_rowBegan) >= wait.timeout)
@@ -352,7 +348,7 @@ SequenceRun::Next SequenceRun::perform(const action::WaitForInput& wait, const M
 
 SequenceRun::Next SequenceRun::perform(const action::WaitForAnalog& wait, const Modules& modules,
                                        TimePoint now) {
-    const ModuleState* module = find(modules, wait.module);
+    const ModuleState* module = moduleAt(wait.module, modules);
     if (module == nullptr || !isMet(wait, *module)) {
         if (toSeconds(now - *m_rowBegan) >= wait.timeout)
             endBy(SequenceEnd::AnalogTimeout, wait.module);

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <random>
 
+#include "base/angle.h"
+
 namespace nmc {
 
 namespace {
@@ -106,7 +108,6 @@ Complex openLoopAt(const MotorConstants& motor, const servo::SetGain& gains, dou
 }
 
 LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) {
-    constexpr double kDegrees = 180 / std::numbers::pi;
     constexpr double kLowest = 0.01;  // Hz
     constexpr double kStep = 1.01;
     const double tick = servoTickOf(gains);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/angle.h"
 #include "base/time.h"
 
 namespace nmc {
@@ -14,7 +15,7 @@ namespace nmc {
 namespace {
 
 constexpr double kMaxGain = 32'767;  // DS-V 5.2 Set Gain
-constexpr double kMaxErrorLimit = 16'383;
+constexpr double kHighestErrorLimit = 16'383;
 constexpr double kCutOff = 0.5;           ///< PWM counts that the filter cuts off on average
 constexpr double kSlowestSettling = 5.0;  ///< s
 constexpr double kNever = 2 * kSlowestSettling;
@@ -85,7 +86,6 @@ void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
 }
 
 [[nodiscard]] bool hasMargins(const Terms& terms, const servo::SetGain& gains) {
-    constexpr double kDegrees = 180 / std::numbers::pi;
     const LoopMargins margins = marginsOf(terms.motor, gains);
     // Should the delay be a dead time, it turns the phase further than the lag that margins count it as.
     const double delayed = 2 * std::numbers::pi * margins.crossover * terms.motor.delay;
@@ -93,7 +93,7 @@ void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
     return margins.stable && phase >= terms.phase && margins.gain >= kMinGainMargin;
 }
 
-struct Course {
+struct StepCourse {
     double settled = 0.0;  ///< s, until it stays where it belongs; all of the record where it does not
     double largest = 0.0;  ///< counts, error
 };
@@ -101,16 +101,16 @@ struct Course {
 /// Of a step to `goal` that lasts `record`. `held`: counts, where friction may hold the shaft. Nothing if it
 /// is outside of its band after `latest`, goes far beyond its goal, or does not calm down: in the last part
 /// it may come nearer, but does not go farther away again.
-[[nodiscard]] std::optional<Course> courseOf(Loop& loop, double step, double goal, double record,
-                                             double latest, double held) {
+[[nodiscard]] std::optional<StepCourse> stepCourseOf(Loop& loop, double step, double goal, double record,
+                                                     double latest, double held) {
     constexpr double kBand = 0.014;  // so that what is a little otherwise is within the usual 2 %
     /// The least damping has less. What has more does so by its integral, and may well swing for good.
     constexpr double kMaxOvershoot = 0.25;
-    constexpr double kLastPart = 0.8;
+    constexpr double kLastPartFrom = 0.8;
     constexpr double kCalm = 1;  // count
     const double band = std::floor(std::max(1.0, std::abs(step) * kBand)) + 0.5;
     const double beyond = kMaxOvershoot * std::abs(step) + held + 0.5;
-    Course course{loop.tick(), 0.0};
+    StepCourse course{loop.tick(), 0.0};
     double nearest = std::numeric_limits<double>::infinity();
     const double began = loop.nextTick();
     loop.goTo(goal);
@@ -121,13 +121,13 @@ struct Course {
             course.settled = t + loop.tick();
         if (course.settled > latest || (step < 0 ? error : -error) > beyond)
             return std::nullopt;
-        if (t <= kLastPart * record)
+        if (t <= kLastPartFrom * record)
             continue;
         nearest = std::min(nearest, std::abs(error));
         if (std::abs(error) > nearest + kCalm)
             return std::nullopt;
     }
-    if (course.settled > kLastPart * record)
+    if (course.settled > kLastPartFrom * record)
         course.settled = record;
     return course;
 }
@@ -139,12 +139,12 @@ struct Course {
                                              servo::SetGain& gains) {
     constexpr std::array<double, 3> kStronger = {0, 1, -1};
     constexpr std::size_t kSteps = 4;
-    constexpr double kPeriods = 60;
+    constexpr double kRecord = 60;  // radians of the loop
     constexpr double kErrorMargin = 1.5;
     constexpr double kMinError = 20;
     const double accelerating = std::sqrt(std::abs(terms.step) * terms.motor.timeConstant /
                                           (terms.motor.gain * std::max<int>(gains.ol, 1)));
-    const double record = std::clamp(kPeriods / omega + 5 * accelerating, 0.1, kSlowestSettling);
+    const double record = std::clamp(kRecord / omega + 5 * accelerating, 0.1, kSlowestSettling);
     // By the geometric mean: what sticks once, just outside of its band, is much later, and little worse.
     const double soonest = std::log(1 / omega);
     const auto courses = static_cast<double>(kStronger.size() * kSteps);
@@ -157,8 +157,9 @@ struct Course {
         Loop loop(motor, gains, standing(motor, gains, 0, 0), 0, Rounding::Chip);
         for (std::size_t i = 0; i < kSteps; ++i) {
             const bool back = i % 2 == 1;
-            const auto course = courseOf(loop, back ? -terms.step : terms.step, back ? 0.0 : terms.step,
-                                         record, std::exp(left + soonest), motor.friction * 256 / gains.kp);
+            const auto course =
+                stepCourseOf(loop, back ? -terms.step : terms.step, back ? 0.0 : terms.step, record,
+                             std::exp(left + soonest), motor.friction * 256 / gains.kp);
             if (!course)
                 return std::nullopt;
             left -= std::log(course->settled) - soonest;
@@ -167,8 +168,8 @@ struct Course {
     }
     if (left <= 0)
         return std::nullopt;
-    gains.el =
-        static_cast<std::uint16_t>(std::lround(std::min(kMaxErrorLimit, kErrorMargin * largest + kMinError)));
+    gains.el = static_cast<std::uint16_t>(
+        std::lround(std::min(kHighestErrorLimit, kErrorMargin * largest + kMinError)));
     return most * std::exp(-left / courses);
 }
 
