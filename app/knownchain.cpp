@@ -5,13 +5,13 @@
 #include <QStringList>
 #include <set>
 
+#include "bus/discovery.h"
 #include "protocol/baud.h"
 
 namespace nmc {
 
 namespace {
 
-constexpr qsizetype kMostModules = 32;
 constexpr unsigned kLastAddress = 0x7F;
 constexpr unsigned kLastByte = 0xFF;
 
@@ -31,7 +31,7 @@ QString rateKeyOf(const QString& port) {
 std::vector<bus::ModuleInfo> knownChain(const QSettings& settings, const QString& port) {
     const QStringList entries =
         settings.value(keyOf(port)).toString().split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    if (entries.size() > kMostModules)
+    if (entries.size() > bus::Discovery::kMaxModules)
         return {};
     std::vector<bus::ModuleInfo> chain;
     std::set<unsigned> taken;

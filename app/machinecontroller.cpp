@@ -17,7 +17,7 @@ namespace nmc {
 namespace {
 
 /// Between a change and its being kept.
-constexpr int kKeepAfterMs = 3'000;
+constexpr int kKeepUnsavedAfterMs = 3'000;
 constexpr qsizetype kRecentFiles = 8;
 const QString kRecent = QStringLiteral("machine/recent");
 
@@ -38,7 +38,7 @@ MachineController::MachineController(QSettings& settings, MainWindow& window, co
       m_unsaved(folderOr(unsavedFolder, settings), disk),
       m_files(disk) {
     m_keepTimer.setSingleShot(true);
-    m_keepTimer.setInterval(kKeepAfterMs);
+    m_keepTimer.setInterval(kKeepUnsavedAfterMs);
     connect(&m_keepTimer, &QTimer::timeout, this, &MachineController::keepUnsaved);
     wire();
 }

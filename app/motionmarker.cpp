@@ -13,14 +13,16 @@
 #include <optional>
 #include <utility>
 
+#include "app/makingfolders.h"
+#include "bus/discovery.h"
+
 namespace nmc {
 
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kMostModules = 32;
-constexpr qint64 kMostBytes = 4'096;
+constexpr qint64 kMaxMarkerBytes = 4'096;
 /// A status that was latched so long after a command shows what the command did.
 constexpr Duration kShows = 200ms;
 /// A motor that another session left moving shows it within so long (ModuleState::attached).
@@ -51,14 +53,14 @@ std::optional<MotionMarker::Left> read(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return std::nullopt;
-    const QJsonObject json = QJsonDocument::fromJson(file.read(kMostBytes)).object();
+    const QJsonObject json = QJsonDocument::fromJson(file.read(kMaxMarkerBytes)).object();
     MotionMarker::Left left{path, json[QStringLiteral("port")].toString(),
                             static_cast<quint32>(json[QStringLiteral("baud")].toInt())};
     const QRegularExpressionMatch name = kName.match(QFileInfo(path).fileName());
     left.process = name.captured(1).toLongLong();
     left.connection = name.captured(3).toUInt();
     for (const QJsonValue& number : json[QStringLiteral("modules")].toArray())
-        if (const int n = number.toInt(); n >= 1 && n <= kMostModules)
+        if (const int n = number.toInt(); n >= 1 && n <= bus::Discovery::kMaxModules)
             left.modules.insert(ModuleIndex(static_cast<std::uint8_t>(n - 1)));
     return left.modules.empty() ? std::nullopt : std::optional(left);
 }
@@ -67,13 +69,6 @@ std::optional<MotionMarker::Left> read(const QString& path) {
 bool isSamePort(const QString& a, const QString& b) {
     const QString target = QFileInfo(a).canonicalFilePath();
     return a == b || (!target.isEmpty() && target == QFileInfo(b).canonicalFilePath());
-}
-
-FileWriter::Disk makingFolders(FileWriter::Disk disk) {
-    return [disk = std::move(disk)](const QString& path, std::string_view content) {
-        QDir().mkpath(QFileInfo(path).path());
-        return disk(path, content);
-    };
 }
 
 }  // namespace

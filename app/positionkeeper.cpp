@@ -4,30 +4,24 @@
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QDir>
-#include <QFileInfo>
 #include <QScopedValueRollback>
 #include <algorithm>
 #include <utility>
+
+#include "app/makingfolders.h"
 
 namespace nmc {
 
 namespace {
 
-constexpr std::size_t kMostBytes = 16'384;
+constexpr std::size_t kMaxPositionBytes = 16'384;
 /// Between what a shaft that is turned by hand tells and its being kept.
-constexpr int kKeepAfterMs = 500;
+constexpr int kKeepPositionsAfterMs = 500;
 
 QString fileOf(const QString& folder, const QString& port, const QString& machine) {
     const QByteArray whose = (port + QLatin1Char('\n') + machine).toUtf8();
     const QByteArray name = QCryptographicHash::hash(whose, QCryptographicHash::Sha1).toHex().left(16);
     return QDir(folder).filePath(QStringLiteral("positions-%1.json").arg(QLatin1String(name)));
-}
-
-FileWriter::Disk makingFolders(FileWriter::Disk disk) {
-    return [disk = std::move(disk)](const QString& path, std::string_view content) {
-        QDir().mkpath(QFileInfo(path).path());
-        return disk(path, content);
-    };
 }
 
 bool startsMoving(const RememberedPositions& now, const RememberedPositions& kept) {
@@ -42,7 +36,7 @@ bool startsMoving(const RememberedPositions& now, const RememberedPositions& kep
 PositionKeeper::PositionKeeper(QString folder, BusStore& store, FileWriter::Disk disk, QObject* parent)
     : QObject(parent), m_folder(std::move(folder)), m_store(store), m_files(makingFolders(std::move(disk))) {
     m_keepTimer.setSingleShot(true);
-    m_keepTimer.setInterval(kKeepAfterMs);
+    m_keepTimer.setInterval(kKeepPositionsAfterMs);
     connect(&m_keepTimer, &QTimer::timeout, this, &PositionKeeper::keep);
     connect(&m_loading, &BackgroundJob::ended, this, &PositionKeeper::loaded);
 }
@@ -63,7 +57,7 @@ void PositionKeeper::begin(const QString& port, const QString& machine, bool own
         return;
     m_read = std::make_shared<std::string>();
     m_loading.start([into = m_read, path = m_file](const BackgroundJob::Cancelled& /*cancelled*/) {
-        if (auto text = readFile(path, kMostBytes))
+        if (auto text = readFile(path, kMaxPositionBytes))
             *into = std::move(*text);
     });
 }

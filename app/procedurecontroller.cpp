@@ -10,13 +10,13 @@ namespace nmc {
 
 namespace {
 
-constexpr int kIntervalMs = 50;
+constexpr int kProcedureIntervalMs = 50;
 
 }  // namespace
 
 ProcedureController::ProcedureController(BusStore& store, Submit submit, QObject* parent)
     : QObject(parent), m_store(store), m_submit(std::move(submit)) {
-    m_timer.setInterval(kIntervalMs);
+    m_timer.setInterval(kProcedureIntervalMs);
     connect(&m_timer, &QTimer::timeout, this, &ProcedureController::look);
     connect(&m_store, &BusStore::linkChanged, this, &ProcedureController::advance);
 }

@@ -11,13 +11,13 @@
 namespace nmc {
 
 namespace {
-constexpr int kIntervalMs = 50;
+constexpr int kSequenceIntervalMs = 50;
 }  // namespace
 
 SequenceController::SequenceController(BusStore& store, ProcedureController& procedures, Submit submit,
                                        QObject* parent)
     : QObject(parent), m_store(store), m_procedures(procedures), m_submit(std::move(submit)) {
-    m_timer.setInterval(kIntervalMs);
+    m_timer.setInterval(kSequenceIntervalMs);
     connect(&m_timer, &QTimer::timeout, this, &SequenceController::look);
     connect(&m_store, &BusStore::linkChanged, this, &SequenceController::advance);
     connect(&m_procedures, &ProcedureController::reported, this, [this](const ProcedureReport& report) {

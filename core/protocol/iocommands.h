@@ -13,6 +13,7 @@
 namespace nmc::io {
 
 inline constexpr unsigned kPins = 12;
+inline constexpr int kAnalogInputs = 3;
 inline constexpr std::uint16_t kAllPins = 0x0FFF;
 /// The timer's clock before its prescaler.
 inline constexpr std::uint32_t kTimerHz = 5'000'000;

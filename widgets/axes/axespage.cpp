@@ -21,7 +21,7 @@ using namespace Qt::StringLiterals;
 namespace {
 /// In the axis's own unit.
 constexpr double kSteps[] = {0.001, 0.01, 0.1, 1, 10, 100, 1'000};
-constexpr int kFirstStep = 4;
+constexpr int kUsualStep = 4;
 }  // namespace
 
 AxesPage::AxesPage(QWidget* parent)
@@ -39,7 +39,7 @@ AxesPage::AxesPage(QWidget* parent)
     m_step->setToolTip(tr("Distance that one click on Step moves an axis, in its own unit."));
     for (const double step : kSteps)
         m_step->addItem(tr("%1 units").arg(QLocale().toString(step)), step);
-    m_step->setCurrentIndex(kFirstStep);
+    m_step->setCurrentIndex(kUsualStep);
     m_enableAll = new Command({.name = u"enableAllButton"_s,
                                .icon = u"power"_s,
                                .text = tr("Enable all"),

@@ -17,10 +17,6 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-enum Column { Address, Name, Expected, Found, Verdict, Columns };
-}  // namespace
-
 DoctorPage::DoctorPage(QWidget* parent) : QWidget(parent) {
     look::name(this, u"doctorPage"_s, tr("Chain doctor"));
     build();

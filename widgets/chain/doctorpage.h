@@ -35,6 +35,8 @@ signals:
     void acceptRequested();
 
 private:
+    enum Column { Address, Name, Expected, Found, Verdict, Columns };
+
     void build();
     void fill();
 

@@ -30,7 +30,6 @@ constexpr std::uint8_t kOtherGroup = 0x80;
 constexpr int kUnknown = -1;
 constexpr int kFirstAddress = 1;
 constexpr int kLastAddress = 0x7F;
-enum Column { Name, AddressLabel, Address, Group, Leader, Load };
 }  // namespace
 
 GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {

@@ -40,6 +40,7 @@ signals:
     void groupCommandRequested(const nmc::bus::GroupCommand& command);
 
 private:
+    enum Column { Name, AddressLabel, Address, Group, Leader, Load };
     struct Member {
         QLabel* name = nullptr;
         QLabel* addressLabel = nullptr;

@@ -14,7 +14,7 @@
 namespace nmc {
 
 namespace {
-constexpr int kTextWidth = 30;  ///< lines of text
+constexpr int kQuestionWidth = 30;  ///< lines of text
 }
 
 AskDialog& AskDialog::ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window) {
@@ -63,7 +63,7 @@ AskDialog::AskDialog(const Question& question, std::initializer_list<Choice> cho
     bold.setBold(true);
     m_label->setFont(bold);
     m_label->setWordWrap(true);
-    m_label->setMinimumWidth(fontMetrics().height() * kTextWidth);
+    m_label->setMinimumWidth(fontMetrics().height() * kQuestionWidth);
     m_buttons->addStretch(1);
     for (const Choice& choice : choices)
         addChoice(choice);

@@ -10,7 +10,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString nameOf(quint8 group) {
+QString groupNumber(quint8 group) {
     return u"%1"_s.arg(group, 2, 16, QChar(u'0')).toUpper();
 }
 
@@ -43,10 +43,10 @@ Message startFailed(const bus::GroupFinished& finished, quint8 group) {
     m.headline =
         finished.stopped
             ? Texts::tr("%1 of %2 modules of group %3 started. All of them were told to stop.")
-                  .arg(QString::number(started), QString::number(finished.members.size()), nameOf(group))
+                  .arg(QString::number(started), QString::number(finished.members.size()), groupNumber(group))
         : started == 0 && those(finished, bus::MemberOutcome::NotDone).size() == finished.members.size()
-            ? Texts::tr("No module of group %1 started. Nothing was moved.").arg(nameOf(group))
-            : Texts::tr("Not all modules of group %1 confirmed their start.").arg(nameOf(group));
+            ? Texts::tr("No module of group %1 started. Nothing was moved.").arg(groupNumber(group))
+            : Texts::tr("Not all modules of group %1 confirmed their start.").arg(groupNumber(group));
     m.body =
         membersSentence(finished) + u' ' +
         Texts::tr(
@@ -78,12 +78,12 @@ Message withheld(const bus::GroupFinished& finished, quint8 group) {
     Message m{.key = u"group%1"_s.arg(group), .severity = Severity::Attention};
     const auto modules = those(finished, bus::MemberOutcome::Withheld);
     if (modules.empty()) {
-        m.headline = Texts::tr("Group %1 is empty. Nothing was sent.").arg(nameOf(group));
+        m.headline = Texts::tr("Group %1 is empty. Nothing was sent.").arg(groupNumber(group));
         m.body = Texts::tr("Add modules to the group first.");
         return m;
     }
     m.headline = Texts::tr("Module %2 blocks the command to group %1. Nothing was sent.")
-                     .arg(nameOf(group), listOfModules(modules));
+                     .arg(groupNumber(group), listOfModules(modules));
     if (std::get<bus::GroupCommand>(finished.what).action != bus::GroupCommand::Action::StartMotion) {
         m.body = Texts::tr(
             "A group command needs an answer from every member, a state in which each can carry it out, and a known group for every module. Command the modules one by one, or set this module's group again.");
@@ -115,15 +115,16 @@ Message groupFailed(const bus::GroupFinished& finished) {
     if (finished.outcome == Outcome::Forbidden)
         return withheld(finished, command.group);
     if (finished.outcome == Outcome::Cancelled)
-        return {.key = u"group%1"_s.arg(command.group),
-                .severity = Severity::Attention,
-                .headline = Texts::tr("A stop replaced the command to group %1.").arg(nameOf(command.group)),
-                .body = Texts::tr("All motors were told to stop.")};
+        return {
+            .key = u"group%1"_s.arg(command.group),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("A stop replaced the command to group %1.").arg(groupNumber(command.group)),
+            .body = Texts::tr("All motors were told to stop.")};
     if (command.action == bus::GroupCommand::Action::StartMotion)
         return startFailed(finished, command.group);
     return {.key = u"group%1"_s.arg(command.group),
             .severity = Severity::Attention,
-            .headline = notByAll(command.action).arg(nameOf(command.group)),
+            .headline = notByAll(command.action).arg(groupNumber(command.group)),
             .body = membersSentence(finished) + u' ' + Texts::tr("No motor was moved.")};
 }
 
@@ -133,8 +134,8 @@ Message groupToldToStop(const bus::GroupFinished& finished) {
     const QString text = off ? Texts::tr("Group %1 was told to switch its motors off: module %2.")
                              : Texts::tr("Group %1 was told to stop: module %2.");
     return {.key = u"groupStop%1"_s.arg(command.group),
-            .headline =
-                text.arg(nameOf(command.group), listOfModules(those(finished, bus::MemberOutcome::Done)))};
+            .headline = text.arg(groupNumber(command.group),
+                                 listOfModules(those(finished, bus::MemberOutcome::Done)))};
 }
 
 Message rateChanged(const bus::RateChanged& changed) {

@@ -10,12 +10,12 @@ using Finding = ChainDiagnosis::Finding;
 using State = ChainPlace::State;
 
 namespace {
-class Chain {
+class DoctorTexts {
     Q_DECLARE_TR_FUNCTIONS(Chain)
 };
 
 /// What "at" is called; the finding has one.
-QString placeOf(const ChainDiagnosis& chain) {
+QString concernedModule(const ChainDiagnosis& chain) {
     return moduleName(chain.at.value_or(ModuleIndex(0)));
 }
 }  // namespace
@@ -23,32 +23,33 @@ QString placeOf(const ChainDiagnosis& chain) {
 QString chainFinding(const ChainDiagnosis& chain) {
     switch (chain.finding) {
         case Finding::NotConnected:
-            return Chain::tr("Not connected: the state of the chain is unknown.");
+            return DoctorTexts::tr("Not connected: the state of the chain is unknown.");
         case Finding::Looking:
-            return Chain::tr("Looking for modules…");
+            return DoctorTexts::tr("Looking for modules…");
         case Finding::Fine:
-            return Chain::tr("Chain OK: %1.").arg(countOfModules(static_cast<int>(chain.found)));
+            return DoctorTexts::tr("Chain OK: %1.").arg(countOfModules(static_cast<int>(chain.found)));
         case Finding::NothingExpected:
-            return Chain::tr("This chain is new: it has %1.")
+            return DoctorTexts::tr("This chain is new: it has %1.")
                 .arg(countOfModules(static_cast<int>(chain.found)));
         case Finding::NobodyAnswers:
-            return Chain::tr("No module answered.");
+            return DoctorTexts::tr("No module answered.");
         case Finding::BreakBehind:
-            return Chain::tr("%1 of %2 modules answered.").arg(chain.found).arg(chain.expected);
+            return DoctorTexts::tr("%1 of %2 modules answered.").arg(chain.found).arg(chain.expected);
         case Finding::FarEndMissing:
-            return Chain::tr("%1 of %2 modules answered; the far end of the chain is missing.")
+            return DoctorTexts::tr("%1 of %2 modules answered; the far end of the chain is missing.")
                 .arg(chain.found)
                 .arg(chain.expected);
         case Finding::OtherHardware:
-            return Chain::tr("%1 is not the expected module.").arg(placeOf(chain));
+            return DoctorTexts::tr("%1 is not the expected module.").arg(concernedModule(chain));
         case Finding::MoreThanBefore:
-            return Chain::tr("More modules than expected: %1 instead of %2.")
+            return DoctorTexts::tr("More modules than expected: %1 instead of %2.")
                 .arg(chain.found)
                 .arg(chain.expected);
         case Finding::Unresponsive:
-            return Chain::tr("%1 stopped answering. Motor state unknown.").arg(placeOf(chain));
+            return DoctorTexts::tr("%1 stopped answering. Motor state unknown.").arg(concernedModule(chain));
         case Finding::Restarted:
-            return Chain::tr("%1 restarted: its position and gains are lost.").arg(placeOf(chain));
+            return DoctorTexts::tr("%1 restarted: its position and gains are lost.")
+                .arg(concernedModule(chain));
     }
     return {};
 }
@@ -56,34 +57,35 @@ QString chainFinding(const ChainDiagnosis& chain) {
 QString chainAdvice(const ChainDiagnosis& chain) {
     switch (chain.finding) {
         case Finding::NotConnected:
-            return Chain::tr("Choose a port and connect.");
+            return DoctorTexts::tr("Choose a port and connect.");
         case Finding::Looking:
         case Finding::Fine:
             return {};
         case Finding::NothingExpected:
-            return Chain::tr(
+            return DoctorTexts::tr(
                 "Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.");
         case Finding::NobodyAnswers:
-            return Chain::tr(
+            return DoctorTexts::tr(
                 "Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC.");
         case Finding::BreakBehind:
-            return Chain::
+            return DoctorTexts::
                 tr("Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.")
-                    .arg(placeOf(chain));
+                    .arg(concernedModule(chain));
         case Finding::FarEndMissing:
-            return Chain::tr(
+            return DoctorTexts::tr(
                 "Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.");
         case Finding::OtherHardware:
-            return Chain::tr(
+            return DoctorTexts::tr(
                 "The expected module's settings are not applied to it. If you replaced the module on purpose, accept the chain as found.");
         case Finding::MoreThanBefore:
-            return Chain::tr("Modules from %1 on are new. If they belong there, accept the chain as found.")
-                .arg(placeOf(chain));
+            return DoctorTexts::tr(
+                       "Modules from %1 on are new. If they belong there, accept the chain as found.")
+                .arg(concernedModule(chain));
         case Finding::Unresponsive:
-            return Chain::tr(
+            return DoctorTexts::tr(
                 "Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.");
         case Finding::Restarted:
-            return Chain::tr(
+            return DoctorTexts::tr(
                 "Modules between it and the PC may not answer until it has its address again. Restart the network once all motors can stop and lose their positions.");
     }
     return {};
@@ -92,17 +94,17 @@ QString chainAdvice(const ChainDiagnosis& chain) {
 QString chainVerdict(State state) {
     switch (state) {
         case State::Fine:
-            return Chain::tr("OK");
+            return DoctorTexts::tr("OK");
         case State::New:
-            return Chain::tr("new");
+            return DoctorTexts::tr("new");
         case State::Different:
-            return Chain::tr("different module");
+            return DoctorTexts::tr("different module");
         case State::Missing:
-            return Chain::tr("missing");
+            return DoctorTexts::tr("missing");
         case State::Unresponsive:
-            return Chain::tr("does not answer");
+            return DoctorTexts::tr("does not answer");
         case State::Restarted:
-            return Chain::tr("restarted");
+            return DoctorTexts::tr("restarted");
     }
     return {};
 }
@@ -145,8 +147,8 @@ Severity severityOf(Finding finding) {
 QString groupName(std::uint8_t group) {
     constexpr std::uint8_t kEverybody = 0xFF;
     if (group == kEverybody)
-        return Chain::tr("no group");
-    return Chain::tr("Group %1").arg(QString::number(group, 16).toUpper());
+        return DoctorTexts::tr("no group");
+    return DoctorTexts::tr("Group %1").arg(QString::number(group, 16).toUpper());
 }
 
 }  // namespace nmc::texts

@@ -14,7 +14,7 @@ namespace {
 
 using Place = std::optional<HomeFact::Place>;
 
-class Texts {
+class HomeTexts {
     Q_DECLARE_TR_FUNCTIONS(HomeTexts)
 };
 
@@ -22,28 +22,30 @@ class Texts {
 
 QString home(const Place& place, const AxisScale& scale) {
     if (!place)
-        return Texts::tr("Home: unknown");
+        return HomeTexts::tr("Home: unknown");
     const QString where = position(scale, place->counts);
-    return place->verified() ? Texts::tr("Home: %1").arg(where)
-                             : Texts::tr("Home: %1, not verified").arg(where);
+    return place->verified() ? HomeTexts::tr("Home: %1").arg(where)
+                             : HomeTexts::tr("Home: %1, not verified").arg(where);
 }
 
 QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) {
     if (!place)
-        return Texts::tr(
+        return HomeTexts::tr(
             "Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.");
     const QString where = position(scale, place->counts);
     // As of the last status: how old that is, stands beside it.
     const double minutes = std::floor(toSeconds(seen - place->since) / 60.0);
     switch (place->source) {
         case HomeFact::Source::Search:
-            return Texts::tr("Home is at %1. A search found it %2 min ago.").arg(where).arg(minutes);
+            return HomeTexts::tr("Home is at %1. A search found it %2 min ago.").arg(where).arg(minutes);
         case HomeFact::Source::Saved:
-            return Texts::tr("Home is at %1. It was saved %2 min ago.").arg(where).arg(minutes);
+            return HomeTexts::tr("Home is at %1. It was saved %2 min ago.").arg(where).arg(minutes);
         case HomeFact::Source::Declared:
-            return Texts::tr("Home is at %1. You confirmed the position %2 min ago.").arg(where).arg(minutes);
+            return HomeTexts::tr("Home is at %1. You confirmed the position %2 min ago.")
+                .arg(where)
+                .arg(minutes);
         case HomeFact::Source::Remembered:
-            return Texts::
+            return HomeTexts::
                 tr("Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.")
                     .arg(where)
                     .arg(minutes);
@@ -52,18 +54,18 @@ QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) 
 }
 
 QString zeroMeaning(const ModuleState& module, const AxisScale& scale) {
-    const QString act = Texts::tr(
+    const QString act = HomeTexts::tr(
         "Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.");
     if (!module.home.place() || !module.latest || !module.latest->position)
         return act;
     const std::int32_t now = module.home.place()->counts;
     return act + u' ' +
-           Texts::tr("This moves home from %1 to %2.")
+           HomeTexts::tr("This moves home from %1 to %2.")
                .arg(position(scale, now), position(scale, countsBetween(*module.latest->position, now)));
 }
 
 QString homeRegisterMeaning() {
-    return Texts::tr(
+    return HomeTexts::tr(
         "The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.");
 }
 

@@ -13,13 +13,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-using Kind = FileProblem::Kind;
-
-/// Plain, as it would be typed into the file.
-QString plain(double number) {
-    return QString::number(number, 'g', 12);
-}
-
 QString wanted(FileProblem::Wanted wanted) {
     switch (wanted) {
         case FileProblem::Wanted::WholeNumber:
@@ -40,6 +33,7 @@ QString wanted(FileProblem::Wanted wanted) {
 
 /// What is wrong in a line; it follows a colon and ends with a full stop.
 QString wrongInLine(const FileProblem& problem) {
+    using Kind = FileProblem::Kind;
     const QString field = QString::fromStdString(problem.field);
     const QString found = QString::fromStdString(problem.found);
     switch (problem.kind) {
@@ -59,9 +53,9 @@ QString wrongInLine(const FileProblem& problem) {
         case Kind::NumberTooBig:
             return Texts::tr("this number is too large.");
         case Kind::TooDeep:
-            return Texts::tr("more than %1 levels of brackets.").arg(plain(problem.max));
+            return Texts::tr("more than %1 levels of brackets.").arg(plainNumber(problem.max));
         case Kind::TooManyValues:
-            return Texts::tr("more than %1 values.").arg(plain(problem.max));
+            return Texts::tr("more than %1 values.").arg(plainNumber(problem.max));
         case Kind::DuplicateKey:
             return Texts::tr("%1 appears twice.").arg(field);
         case Kind::Missing:
@@ -71,13 +65,13 @@ QString wrongInLine(const FileProblem& problem) {
         case Kind::OutOfRange:
             return (problem.ofModule ? Texts::tr("%1 is %2; the module takes %3 to %4.")
                                      : Texts::tr("%1 is %2; it must be %3 to %4."))
-                .arg(field, found, plain(problem.min), plain(problem.max));
+                .arg(field, found, plainNumber(problem.min), plainNumber(problem.max));
         case Kind::UnknownWord:
             return Texts::tr("%1 has the unknown value \"%2\".").arg(field, found);
         case Kind::UnprintableText:
             return Texts::tr("%1 has an unprintable character.").arg(field);
         case Kind::TooMany:
-            return Texts::tr("%1 has more than %2 entries.").arg(field, plain(problem.max));
+            return Texts::tr("%1 has more than %2 entries.").arg(field, plainNumber(problem.max));
         case Kind::OtherChip:
             return Texts::tr("%1 has a unit that does not fit the module of this axis.").arg(field);
         case Kind::ModuleTwice:
@@ -174,6 +168,7 @@ QString machineFileName(const QString& path) {
 }
 
 QString fileProblem(const QString& file, const FileProblem& problem) {
+    using Kind = FileProblem::Kind;
     if (problem.kind == Kind::Empty)
         return Texts::tr("\"%1\" is empty.").arg(file);
     if (problem.kind == Kind::TooLarge)
@@ -184,7 +179,7 @@ QString fileProblem(const QString& file, const FileProblem& problem) {
     if (problem.kind == Kind::NewerVersion)
         return Texts::
             tr("\"%1\" was written by a newer NMC Panel: its format is %2; this version reads formats up to %3.")
-                .arg(file, QString::fromStdString(problem.found), plain(problem.max));
+                .arg(file, QString::fromStdString(problem.found), plainNumber(problem.max));
     return Texts::tr("\"%1\" line %2: %3").arg(file).arg(problem.line).arg(wrongInLine(problem));
 }
 
@@ -316,7 +311,7 @@ Message runsNotRead(const QString& path, const FileProblem& problem) {
     return {.key = key::runs(),
             .severity = Severity::Attention,
             .headline = Texts::tr("Could not read the step responses of this machine."),
-            .body = (problem.kind == Kind::OtherFormat
+            .body = (problem.kind == FileProblem::Kind::OtherFormat
                          ? Texts::tr("\"%1\" is not a file of step responses.").arg(file)
                          : fileProblem(file, problem)) +
                     u' ' +

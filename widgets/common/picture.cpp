@@ -17,7 +17,7 @@ namespace nmc {
 
 namespace {
 
-constexpr double kMargin = 10.0;  ///< mm of a page
+constexpr double kPageMargin = 10.0;  ///< mm of a page
 /// A picture's pixel is that of CSS: 1/96 inch of paper.
 constexpr int kResolution = 96;
 constexpr int kLetters = 12;  ///< pixels: 9 pt of paper
@@ -114,7 +114,7 @@ QByteArray pdfOf(const Picture& picture) {
     const bool imperial = QLocale().measurementSystem() == QLocale::ImperialUSSystem;
     writer.setPageLayout({QPageSize(imperial ? QPageSize::Letter : QPageSize::A4),
                           QPageLayout::Landscape,
-                          {kMargin, kMargin, kMargin, kMargin},
+                          {kPageMargin, kPageMargin, kPageMargin, kPageMargin},
                           QPageLayout::Millimeter});
     writer.setTitle(picture.caption.value(0));
     QPainter painter(&writer);

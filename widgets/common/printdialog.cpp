@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr int kMostCopies = 99;
-constexpr int kTextWidth = 20;  ///< lines of text
+constexpr int kStateWidth = 20;  ///< lines of text
 }  // namespace
 
 PrintDialog::PrintDialog(const QString& last, QWidget* window)
@@ -44,7 +44,7 @@ PrintDialog::PrintDialog(const QString& last, QWidget* window)
     m_copies->showValue(1);
     m_state->setTextFormat(Qt::PlainText);
     m_state->setWordWrap(true);
-    m_state->setMinimumWidth(fontMetrics().height() * kTextWidth);
+    m_state->setMinimumWidth(fontMetrics().height() * kStateWidth);
     m_print->setDefault(true);
     m_save->setAutoDefault(false);
     m_save->setToolTip(tr("Saves the page as a file that any computer can print."));

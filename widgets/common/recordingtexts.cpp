@@ -13,18 +13,12 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-using Kind = RecordingProblem::Kind;
-
-QString nameOf(const QString& path) {
+QString fileNameOf(const QString& path) {
     return QFileInfo(path).fileName();
 }
 
 QString folderOf(const QString& path) {
     return QDir::toNativeSeparators(QFileInfo(path).absolutePath());
-}
-
-QString plain(double number) {
-    return QString::number(number, 'g', 12);
 }
 
 QString length(double seconds) {
@@ -59,6 +53,7 @@ QString cause(RecordingProblemKind trouble) {
 
 /// What is wrong in a line; it follows a colon and ends with a full stop.
 QString wrongInLine(const RecordingProblem& problem) {
+    using Kind = RecordingProblem::Kind;
     const QString field = QString::fromStdString(problem.field);
     const QString found = QString::fromStdString(problem.found);
     switch (problem.kind) {
@@ -73,18 +68,18 @@ QString wrongInLine(const RecordingProblem& problem) {
             return Texts::tr("column %1 is missing.").arg(field);
         case Kind::LineTooLong:
             return Texts::tr("the line is longer than %1 bytes, too long for a recording.")
-                .arg(plain(problem.max));
+                .arg(plainNumber(problem.max));
         case Kind::Truncated:
             return Texts::tr("the file ends in the middle of this line.");
         case Kind::TooFewCells:
-            return Texts::tr("the line has %1 cells for %2 columns.").arg(found, plain(problem.max));
+            return Texts::tr("the line has %1 cells for %2 columns.").arg(found, plainNumber(problem.max));
         case Kind::EmptyCell:
             return Texts::tr("%1 is empty.").arg(field);
         case Kind::NotANumber:
             return Texts::tr("%1 is \"%2\", which is not a number.").arg(field, found);
         case Kind::OutOfRange:
             return Texts::tr("%1 is %2; it must be %3 to %4.")
-                .arg(field, found, plain(problem.min), plain(problem.max));
+                .arg(field, found, plainNumber(problem.min), plainNumber(problem.max));
         case Kind::TimeGoesBack:
             return Texts::tr("%1 of module %2 goes backwards.").arg(field, found);
     }
@@ -113,7 +108,7 @@ QString key::exported() {
 
 Message recordingEnded(const QString& path, double seconds) {
     return {.key = key::recording(),
-            .headline = Texts::tr("Recorded \"%1\": %2.").arg(nameOf(path), length(seconds)),
+            .headline = Texts::tr("Recorded \"%1\": %2.").arg(fileNameOf(path), length(seconds)),
             .body = Texts::tr("Saved in %1.").arg(folderOf(path))};
 }
 
@@ -121,15 +116,16 @@ Message recordingFailed(const QString& path, const RecordingFailure& failure, do
     const bool kept = failure.bytes > 0 && failure.trouble != RecordingProblemKind::Removed;
     const QString rest = kept ? Texts::tr("The part written before (%1) is kept.").arg(length(seconds))
                               : Texts::tr("Nothing was kept.");
-    return {
-        .key = key::recording(),
-        .severity = Severity::Attention,
-        .headline = Texts::tr("Recording to \"%1\" stopped: %2").arg(nameOf(path), cause(failure.trouble)),
-        .body = Texts::tr("%1 Control continues. To continue recording, choose another file.").arg(rest),
-        .details = failure.detail};
+    return {.key = key::recording(),
+            .severity = Severity::Attention,
+            .headline =
+                Texts::tr("Recording to \"%1\" stopped: %2").arg(fileNameOf(path), cause(failure.trouble)),
+            .body = Texts::tr("%1 Control continues. To continue recording, choose another file.").arg(rest),
+            .details = failure.detail};
 }
 
 QString recordingProblem(const QString& file, const RecordingProblem& problem) {
+    using Kind = RecordingProblem::Kind;
     if (problem.kind == Kind::Empty)
         return Texts::tr("\"%1\" is empty.").arg(file);
     if (problem.kind == Kind::OtherFormat)
@@ -141,12 +137,12 @@ QString recordingProblem(const QString& file, const RecordingProblem& problem) {
     if (problem.kind == Kind::NewerVersion)
         return Texts::
             tr("\"%1\" was written by a newer NMC Panel: its format is %2; this version reads formats up to %3.")
-                .arg(file, QString::fromStdString(problem.found), plain(problem.max));
+                .arg(file, QString::fromStdString(problem.found), plainNumber(problem.max));
     return Texts::tr("\"%1\" line %2: %3").arg(file, QString::number(problem.line), wrongInLine(problem));
 }
 
 Message recordingCut(const QString& path, const RecordingProblem& problem, quint64 samples) {
-    const QString what = recordingProblem(nameOf(path), problem);
+    const QString what = recordingProblem(fileNameOf(path), problem);
     if (samples == 0)
         return notOpened(what, Texts::tr("It has nothing to show. Choose another file."));
     return notOpened(what, Texts::tr("The scope shows the samples above that line: %1.")
@@ -154,25 +150,25 @@ Message recordingCut(const QString& path, const RecordingProblem& problem, quint
 }
 
 Message recordingWithoutSamples(const QString& path) {
-    return notOpened(Texts::tr("\"%1\" contains no samples.").arg(nameOf(path)),
+    return notOpened(Texts::tr("\"%1\" contains no samples.").arg(fileNameOf(path)),
                      Texts::tr("It has nothing to show. Choose another file."));
 }
 
 Message recordingNotOpened(const FileError& error) {
-    return notOpened(Texts::tr("Could not open \"%1\".").arg(nameOf(error.path)), fileProblem(error),
+    return notOpened(Texts::tr("Could not open \"%1\".").arg(fileNameOf(error.path)), fileProblem(error),
                      error.detail);
 }
 
 Message exported(const QString& path) {
     return {.key = key::exported(),
-            .headline = Texts::tr("Saved \"%1\".").arg(nameOf(path)),
+            .headline = Texts::tr("Saved \"%1\".").arg(fileNameOf(path)),
             .body = Texts::tr("Saved in %1.").arg(folderOf(path))};
 }
 
 Message notExported(const FileError& error) {
     return {.key = key::exported(),
             .severity = Severity::Attention,
-            .headline = Texts::tr("Could not save \"%1\".").arg(nameOf(error.path)),
+            .headline = Texts::tr("Could not save \"%1\".").arg(fileNameOf(error.path)),
             .body = fileProblem(error),
             .details = error.detail};
 }

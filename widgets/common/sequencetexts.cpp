@@ -13,10 +13,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-using Kind = SequenceProblem::Kind;
-
 /// What is wrong, without the row.
 QString wrong(const SequenceProblem& problem) {
+    using Kind = SequenceProblem::Kind;
     const QString name = QString::fromStdString(problem.name);
     const QString module = problem.module ? moduleName(*problem.module) : QString();
     switch (problem.kind) {
@@ -106,7 +105,7 @@ QString why(const SequenceReport& report) {
 }
 
 /// "Main, row 3", "Main, row 3, Pick, row 1": with those that were called.
-QString placeOf(const SequenceReport& report) {
+QString runPlace(const SequenceReport& report) {
     QStringList parts;
     for (const SequenceReport::Place& place : report.places) {
         QString part = Texts::tr("%1, row %2").arg(QString::fromStdString(place.sequence)).arg(place.row + 1);
@@ -118,7 +117,7 @@ QString placeOf(const SequenceReport& report) {
 }
 
 /// Of a run that has a name.
-QString nameOf(const SequenceReport& report) {
+QString runName(const SequenceReport& report) {
     if (!report.point.empty())
         return Texts::tr("Move to \"%1\"").arg(QString::fromStdString(report.point));
     if (report.places.front().sequence == kHomeAll)
@@ -189,6 +188,7 @@ QString placesOf(const Point& point, const ScaleOfAxis& scale) {
 }
 
 QString sequenceProblem(const SequenceProblem& problem) {
+    using Kind = SequenceProblem::Kind;
     const bool hasRow = !problem.ofPoint && problem.kind != Kind::NoRows && !problem.sequence.empty() &&
                         problem.sequence.front() != '\n' &&
                         !(problem.kind == Kind::Refused && !problem.module);
@@ -201,7 +201,7 @@ QString sequenceProblem(const SequenceProblem& problem) {
 }
 
 QString sequenceState(const SequenceReport& report) {
-    const QString where = hasRows(report) ? placeOf(report) : nameOf(report);
+    const QString where = hasRows(report) ? runPlace(report) : runName(report);
     switch (report.stage) {
         case SequenceStage::Running:
             return Texts::tr("Running: %1").arg(where);
@@ -212,7 +212,7 @@ QString sequenceState(const SequenceReport& report) {
         case SequenceStage::Stopping:
             return Texts::tr("Stopping: %1").arg(where);
         case SequenceStage::Done:
-            return Texts::tr("Done: %1").arg(nameOf(report));
+            return Texts::tr("Done: %1").arg(runName(report));
         case SequenceStage::Over:
             return (isDoubt(*report.end) ? Texts::tr("Paused on a fault, motors stopped: %1. %2")
                                          : Texts::tr("Ended: %1. %2"))
@@ -224,21 +224,21 @@ QString sequenceState(const SequenceReport& report) {
 std::optional<Message> sequenceOver(const SequenceReport& report) {
     if (!report.over() || report.end == SequenceEnd::ByUser || report.end == SequenceEnd::StopOfAll)
         return std::nullopt;
-    Message message{.key = u"sequence"_s, .headline = Texts::tr("%1 is done.").arg(nameOf(report))};
+    Message message{.key = u"sequence"_s, .headline = Texts::tr("%1 is done.").arg(runName(report))};
     if (!report.end)
         return message;
     message.module = report.module;
     message.severity = Severity::Attention;
     message.headline = (isDoubt(*report.end) ? Texts::tr("%1 paused, and its motors were told to stop.")
                                              : Texts::tr("%1 ended, and its motors were told to stop."))
-                           .arg(nameOf(report));
+                           .arg(runName(report));
     message.body = why(report);
     if (hasRows(report))
         message.body +=
             u' ' +
             Texts::tr(
                 "It was at: %1. To continue, select a row and choose Run from row. Nothing restarts on its own.")
-                .arg(placeOf(report));
+                .arg(runPlace(report));
     return message;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the parts of the table of texts share; for widgets/common/*texts.cpp only.
+// What the parts of the table of texts share; for widgets/common/*texts.cpp and words.cpp only.
 
 #include <QCoreApplication>
 
@@ -25,6 +25,10 @@ class Texts {
 /// What a numbered sentence about these modules agrees with.
 [[nodiscard]] inline int howMany(const std::vector<ModuleIndex>& modules) {
     return static_cast<int>(modules.size());
+}
+/// Plain, as it would be typed into a file.
+[[nodiscard]] inline QString plainNumber(double number) {
+    return QString::number(number, 'g', 12);
 }
 /// The key of a message about one module.
 [[nodiscard]] QString ofModule(const QString& what, ModuleIndex module);

@@ -12,7 +12,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-class Texts {
+class TravelTexts {
     Q_DECLARE_TR_FUNCTIONS(TravelTexts)
 };
 
@@ -20,35 +20,35 @@ class Texts {
 
 QString travelProblem(const TravelProblem& problem, const AxisScale& scale) {
     if (problem.refusal == Refusal::TooFast)
-        return Texts::tr("That is %1; the highest velocity of this axis is %2 (Axis page).")
+        return TravelTexts::tr("That is %1; the highest velocity of this axis is %2 (Axis page).")
             .arg(velocity(scale, problem.velocity, 6), velocity(scale, problem.fastest, 6));
     const QString limit = position(scale, problem.limit);
     if (problem.turn) {
         const QString turn = position(scale, *problem.turn);
         return problem.lowest
-                   ? Texts::tr(
+                   ? TravelTexts::tr(
                          "To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).")
                          .arg(turn, limit)
-                   : Texts::tr(
+                   : TravelTexts::tr(
                          "To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).")
                          .arg(turn, limit);
     }
     if (problem.refusal == Refusal::AtTravelEnd)
-        return problem.lowest ? Texts::tr("Lowest position reached: %1. Move forward.").arg(limit)
-                              : Texts::tr("Highest position reached: %1. Move in reverse.").arg(limit);
+        return problem.lowest ? TravelTexts::tr("Lowest position reached: %1. Move forward.").arg(limit)
+                              : TravelTexts::tr("Highest position reached: %1. Move in reverse.").arg(limit);
     return problem.lowest
-               ? Texts::tr("That is beyond the travel limits: the lowest position is %1 (Axis page).")
+               ? TravelTexts::tr("That is beyond the travel limits: the lowest position is %1 (Axis page).")
                      .arg(limit)
-               : Texts::tr("That is beyond the travel limits: the highest position is %1 (Axis page).")
+               : TravelTexts::tr("That is beyond the travel limits: the highest position is %1 (Axis page).")
                      .arg(limit);
 }
 
 QString fastestReason(const TravelSettings& travel) {
-    return travel.fastest > 0 ? Texts::tr("The highest velocity is set on the Axis page.") : QString();
+    return travel.fastest > 0 ? TravelTexts::tr("The highest velocity is set on the Axis page.") : QString();
 }
 
 QString jogReason() {
-    return Texts::tr("The max jog speed and the highest velocity are set on the Axis page.");
+    return TravelTexts::tr("The max jog speed and the highest velocity are set on the Axis page.");
 }
 
 QString refusal(Refusal reason, const Intent& intent, const ModuleState& module, const AxisScale& scale) {
@@ -59,37 +59,37 @@ QString refusal(Refusal reason, const Intent& intent, const ModuleState& module,
 QString travelState(const ModuleState& module, const AxisScale& scale) {
     switch (travelForce(module)) {
         case TravelForce::NotSet:
-            return u"○ "_s + Texts::tr("No travel limits are set.");
+            return u"○ "_s + TravelTexts::tr("No travel limits are set.");
         case TravelForce::HomeUnknown:
             return u"▲ "_s +
-                   Texts::tr(
+                   TravelTexts::tr(
                        "Not in force: home is unknown. Search for it, save it, or confirm the position.");
         case TravelForce::InForce:
             break;
     }
     const TravelRange range = travelRange(module).value_or(TravelRange{});
     if (!range.highest)
-        return u"● "_s + Texts::tr("In force: not below %1.").arg(position(scale, *range.lowest));
+        return u"● "_s + TravelTexts::tr("In force: not below %1.").arg(position(scale, *range.lowest));
     if (!range.lowest)
-        return u"● "_s + Texts::tr("In force: not above %1.").arg(position(scale, *range.highest));
-    return u"● "_s + Texts::tr("In force: from %1 to %2.")
+        return u"● "_s + TravelTexts::tr("In force: not above %1.").arg(position(scale, *range.highest));
+    return u"● "_s + TravelTexts::tr("In force: from %1 to %2.")
                          .arg(position(scale, *range.lowest), position(scale, *range.highest));
 }
 
 QString travelSign(const ModuleState& module) {
     if (travelForce(module) == TravelForce::HomeUnknown)
-        return u"▲ "_s + Texts::tr("Travel limits not in force");
+        return u"▲ "_s + TravelTexts::tr("Travel limits not in force");
     switch (travelPlace(module)) {
         case TravelPlace::Within:
             break;
         case TravelPlace::AtLowest:
-            return u"● "_s + Texts::tr("At the lowest position");
+            return u"● "_s + TravelTexts::tr("At the lowest position");
         case TravelPlace::AtHighest:
-            return u"● "_s + Texts::tr("At the highest position");
+            return u"● "_s + TravelTexts::tr("At the highest position");
         case TravelPlace::BelowLowest:
-            return u"▲ "_s + Texts::tr("Below the lowest position");
+            return u"▲ "_s + TravelTexts::tr("Below the lowest position");
         case TravelPlace::AboveHighest:
-            return u"▲ "_s + Texts::tr("Above the highest position");
+            return u"▲ "_s + TravelTexts::tr("Above the highest position");
     }
     return {};
 }
@@ -97,7 +97,7 @@ QString travelSign(const ModuleState& module) {
 QString declareQuestion(const ModuleState& module, const AxisScale& scale) {
     if (!module.latest || !module.latest->position)
         return {};
-    return Texts::
+    return TravelTexts::
         tr("Look at the axis first: is %1 really at %2? If so, home is at position 0, and the travel limits apply from there. If not, they protect the wrong range.")
             .arg(moduleName(module.info.index), position(scale, *module.latest->position));
 }

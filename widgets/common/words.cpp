@@ -6,16 +6,13 @@
 #include <cmath>
 
 #include "link/ports/linktypes.h"
+#include "widgets/common/textparts.h"
 
 namespace nmc::texts {
 
 using namespace Qt::StringLiterals;
 
 namespace {
-class Texts {
-    Q_DECLARE_TR_FUNCTIONS(Texts)
-};
-
 QStringList g_moduleNames;
 
 }  // namespace

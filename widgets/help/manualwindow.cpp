@@ -25,8 +25,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 // Lines of text.
-constexpr int kWidth = 56;
-constexpr int kHeight = 40;
+constexpr int kManualWidth = 56;
+constexpr int kManualHeight = 40;
 constexpr int kPagesWidth = 14;
 constexpr int kSearchWidth = 14;
 }  // namespace
@@ -101,7 +101,7 @@ ManualWindow::ManualWindow(const Manual& manual, QWidget* parent)
             m_browser->follow(urlOf(m_manual.pages().at(row).file));
     });
     connect(m_browser, &QTextBrowser::sourceChanged, this, &ManualWindow::follow);
-    placeBelowTop(*this, QSize(kWidth, kHeight) * fontMetrics().height());
+    placeBelowTop(*this, QSize(kManualWidth, kManualHeight) * fontMetrics().height());
 }
 
 QPushButton* ManualWindow::newButton(const QString& objectName, const QString& text, const QString& toolTip,

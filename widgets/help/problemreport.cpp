@@ -120,7 +120,7 @@ QStringList aboutChain(const LinkState& link) {
 }
 
 /// Bytes, as of a window's geometry, tell a reader nothing.
-QString textOf(const QVariant& value) {
+QString settingText(const QVariant& value) {
     if (value.typeId() == QMetaType::QByteArray)
         return u"(%1 bytes)"_s.arg(value.toByteArray().size());
     return value.typeId() == QMetaType::QStringList ? value.toStringList().join(u", ") : value.toString();
@@ -130,12 +130,12 @@ QStringList aboutSettings(const QSettings& settings) {
     QStringList lines;
     for (const QString& key : settings.allKeys()) {
         const bool secret = key == u"operator/pin" || key == u"operator/salt";
-        lines << key + u" = "_s + (secret ? u"(left out)"_s : textOf(settings.value(key)));
+        lines << key + u" = "_s + (secret ? u"(left out)"_s : settingText(settings.value(key)));
     }
     return lines;
 }
 
-QString section(const QString& title, const QString& text, const QString& otherwise) {
+QString reportSection(const QString& title, const QString& text, const QString& otherwise) {
     return u"\n== %1 ==\n%2\n"_s.arg(title, text.isEmpty() ? otherwise : text.trimmed());
 }
 
@@ -155,13 +155,14 @@ QString problemReport(const ProblemFacts& facts) {
     return withoutHomes(
         u"Report of a problem with NMC Panel, %1\n\nWhat I did, what happened, what I expected:\n\n"_s.arg(
             made) +
-        section(u"Program and system"_s, aboutProgram().join(u'\n'), none) +
-        section(u"Port and adapter"_s, aboutPort(facts).join(u'\n'), none) +
-        section(u"Chain"_s, aboutChain(facts.link).join(u'\n'), u"no module"_s) +
-        section(u"Messages"_s, facts.messages, none) +
-        section(u"Settings"_s, aboutSettings(facts.settings).join(u'\n'), none) +
-        section(u"Packets"_s, facts.packets,
-                u"None were recorded: the packet monitor was closed. Open it, do it again, report then."_s));
+        reportSection(u"Program and system"_s, aboutProgram().join(u'\n'), none) +
+        reportSection(u"Port and adapter"_s, aboutPort(facts).join(u'\n'), none) +
+        reportSection(u"Chain"_s, aboutChain(facts.link).join(u'\n'), u"no module"_s) +
+        reportSection(u"Messages"_s, facts.messages, none) +
+        reportSection(u"Settings"_s, aboutSettings(facts.settings).join(u'\n'), none) +
+        reportSection(
+            u"Packets"_s, facts.packets,
+            u"None were recorded: the packet monitor was closed. Open it, do it again, report then."_s));
 }
 
 }  // namespace nmc

@@ -19,8 +19,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 // Lines of text.
-constexpr int kWidth = 50;
-constexpr int kHeight = 36;
+constexpr int kReportWidth = 50;
+constexpr int kReportHeight = 36;
 }  // namespace
 
 ReportDialog::ReportDialog(const QString& report, QWidget* parent) : QDialog(parent) {
@@ -53,7 +53,7 @@ ReportDialog::ReportDialog(const QString& report, QWidget* parent) : QDialog(par
     layout->addWidget(advice);
     layout->addWidget(text, 1);
     layout->addLayout(buttons);
-    placeBelowTop(*this, QSize(kWidth, kHeight) * fontMetrics().height());
+    placeBelowTop(*this, QSize(kReportWidth, kReportHeight) * fontMetrics().height());
 }
 
 void ReportDialog::chooseFile(const QString& report) {

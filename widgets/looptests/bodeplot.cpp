@@ -8,6 +8,7 @@
 
 #include "model/intent/looptestplan.h"
 #include "widgets/common/look.h"
+#include "widgets/common/plots.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -15,10 +16,9 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr double kPenWidth = 1.6;
 constexpr double kLowestDecibels = -40, kHighestDecibels = 20;
 constexpr double kFarthestBehind = -270, kAhead = 0;
-constexpr std::array<int, 2> kColours{0, 2};  ///< T, L
+constexpr std::array<int, 2> kCurveColours{0, 2};  ///< T, L
 
 /// In steps of `grain`, around the values and what is always seen.
 std::pair<double, double> rangeOf(const std::array<std::vector<double>, 2>& curves, double low, double high,
@@ -147,7 +147,7 @@ void BodePlot::paintPane(QPainter& painter, const Pane& pane) const {
         painter.drawLine(QLineF(pane.x(m_honest), pane.area.top(), pane.x(m_honest), pane.area.bottom()));
     }
     for (std::size_t which = 0; which < pane.curves.size(); ++which) {
-        QPen pen(look::traceColour(kColours.at(which), palette()), kPenWidth);
+        QPen pen(look::traceColour(kCurveColours.at(which), palette()), kTraceWidth);
         if (which == 1)
             pen.setDashPattern({4, 2.5});
         painter.setPen(pen);
@@ -187,7 +187,7 @@ void BodePlot::paintLegend(QPainter& painter, const QRectF& area) const {
         x -= metrics.horizontalAdvance(names[i]);
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(QPointF(x, area.bottom() - metrics.descent()), names[i]);
-        QPen pen(look::traceColour(kColours.at(static_cast<std::size_t>(i)), palette()), kPenWidth);
+        QPen pen(look::traceColour(kCurveColours.at(static_cast<std::size_t>(i)), palette()), kTraceWidth);
         if (i == 1)
             pen.setDashPattern({4, 2.5});
         painter.setPen(pen);

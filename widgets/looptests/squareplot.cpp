@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "widgets/common/look.h"
+#include "widgets/common/plots.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/scope/axisrange.h"
 #include "widgets/scope/timewindow.h"
@@ -15,9 +16,8 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr double kPenWidth = 1.6;
 constexpr int kSpreadAlpha = 60;
-constexpr float kPale = 0.35F;
+constexpr float kPreviousOpacity = 0.35F;
 }  // namespace
 
 SquarePlot::SquarePlot(QWidget* parent) : QWidget(parent) {
@@ -115,7 +115,7 @@ void SquarePlot::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DashLine));
     painter.drawPolyline(placed(m_command));
     QColor colour = look::traceColour(0, palette());
-    colour.setAlphaF(kPale);
+    colour.setAlphaF(kPreviousOpacity);
     painter.setPen(QPen(colour, 1));
     for (const Curve& curve : m_before)
         painter.drawPolyline(placed(curve.median));
@@ -129,7 +129,7 @@ void SquarePlot::paintEvent(QPaintEvent* /*event*/) {
         painter.drawPolygon(around);
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(look::traceColour(0, palette()), kPenWidth));
+    painter.setPen(QPen(look::traceColour(0, palette()), kTraceWidth));
     for (const Curve& curve : m_now)
         painter.drawPolyline(placed(curve.median));
 }

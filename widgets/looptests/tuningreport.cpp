@@ -50,7 +50,7 @@ QString lines(const QStringList& lines) {
     return escaped.join(u"<br>"_s);
 }
 
-QString section(const QString& title, const QString& left, const QStringList& right) {
+QString htmlSection(const QString& title, const QString& left, const QStringList& right) {
     return u"<h3>%1</h3><table width=\"100%\"><tr><td>%2</td><td width=\"40%\">%3</td></tr></table>"_s.arg(
         title.toHtmlEscaped(), left, lines(right));
 }
@@ -71,7 +71,7 @@ QString responseSection(const KeptResponse& kept) {
     plot.showRuns(&kept, nullptr);
     const ResponseMetrics& metrics = kept.run.metrics;
     const ResponseTaken& taken = kept.run.taken;
-    return section(
+    return htmlSection(
         Report::tr("Step response"), picture(plot, kStepPicture, Report::tr("Step response")),
         {Report::tr("%1 counts, %2").arg(taken.goal - taken.from).arg(texts::responseMethod(taken.method)),
          texts::gainsInShort(taken.gains), Report::tr("Rise %1").arg(texts::responseTime(metrics.rise)),
@@ -106,9 +106,9 @@ QString reportHtml(const TuningReport& report) {
     if (!report.frequencies.empty()) {
         BodePlot plot;
         plot.showPoints(report.frequencies, 0.0);
-        page += section(Report::tr("Frequency response"),
-                        picture(plot, kBodePicture, Report::tr("Frequency response")),
-                        texts::frequencyFigures(report.frequencies));
+        page += htmlSection(Report::tr("Frequency response"),
+                            picture(plot, kBodePicture, Report::tr("Frequency response")),
+                            texts::frequencyFigures(report.frequencies));
     }
     return page + u"</body></html>\n"_s;
 }

@@ -21,8 +21,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-enum Column : std::uint8_t { kWhat, kFile, kNow, kApplying, kColumns };
-
 QIcon attention(const QWidget& widget) {
     const int side = widget.fontMetrics().height();
     const double ratio = widget.devicePixelRatioF();

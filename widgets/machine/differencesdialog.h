@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <cstdint>
 #include <vector>
 
 #include "model/machinefile/machinecompare.h"
@@ -31,6 +32,8 @@ signals:
     void applyRequested(const std::vector<nmc::PartId>& chosen);
 
 private:
+    enum Column : std::uint8_t { kWhat, kFile, kNow, kApplying, kColumns };
+
     void build();
     void addRow(const Difference& difference);
     void tickAll(bool ticked);

@@ -20,7 +20,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-const QString kSuffix = QString::fromLatin1(kMachineFileSuffix);
+const QString kMachineSuffix = QString::fromLatin1(kMachineFileSuffix);
 
 void doNothing() {}
 
@@ -210,7 +210,7 @@ void MachineMenu::goOnAfterSaving() {
 QFileDialog* MachineMenu::newMachineDialog(const QString& objectName, const QString& title) {
     const QString last = m_file.path.isEmpty() ? m_file.recent.value(0) : m_file.path;
     return newFileDialog(m_window, objectName, title,
-                         {tr("Machine files (*.%1)").arg(kSuffix), tr("All files (*)")},
+                         {tr("Machine files (*.%1)").arg(kMachineSuffix), tr("All files (*)")},
                          last.isEmpty() ? QString() : QFileInfo(last).absolutePath());
 }
 
@@ -228,7 +228,7 @@ void MachineMenu::chooseToSave(const Go& then) {
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(kSuffix);
+    dialog->setDefaultSuffix(kMachineSuffix);
     const QString title = m_file.title();
     dialog->selectFile(title.isEmpty() ? tr("machine") : title);
     connect(dialog, &QFileDialog::fileSelected, this,

@@ -18,7 +18,6 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-enum Column { What, Where, Key, kColumns };
 constexpr int kEntry = Qt::UserRole;  ///< the number of an entry
 }  // namespace
 

@@ -40,6 +40,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    enum Column { What, Where, Key, kColumns };
+
     void filter();
     void choose();
     void act();

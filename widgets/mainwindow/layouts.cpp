@@ -15,7 +15,7 @@ using namespace settingskeys;
 
 namespace {
 /// The first of them has the key that was there before the others were.
-QString keyOf(Layouts::Kind kind) {
+QString settingsKeyOf(Layouts::Kind kind) {
     switch (kind) {
         case Layouts::Kind::Operate:
             break;
@@ -60,13 +60,13 @@ void Layouts::restore() {
 
 void Layouts::show() {
     m_actions[static_cast<int>(m_kind)]->setChecked(true);
-    if (!m_window.restoreState(m_settings.value(keyOf(m_kind)).toByteArray()))
+    if (!m_window.restoreState(m_settings.value(settingsKeyOf(m_kind)).toByteArray()))
         m_arrange(m_kind);
     emit chosen(m_kind);
 }
 
 void Layouts::save() {
-    m_settings.setValue(keyOf(m_kind), m_window.saveState());
+    m_settings.setValue(settingsKeyOf(m_kind), m_window.saveState());
     m_settings.setValue(kLayout, static_cast<int>(m_kind));
 }
 

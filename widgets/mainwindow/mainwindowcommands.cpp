@@ -21,7 +21,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString keyOf(const QAction& action) {
+QString shortcutText(const QAction& action) {
     return action.shortcut().toString(QKeySequence::NativeText);
 }
 
@@ -40,7 +40,7 @@ void addMenu(const QMenu& menu, std::vector<CommandPalette::Entry>& entries) {
             const bool told = action && action->toolTip() != action->iconText();
             return told ? action->toolTip() : MainWindow::tr("Not possible now.");
         };
-        entries.push_back({text, text, menu.title().remove(u'&'), keyOf(*action),
+        entries.push_back({text, text, menu.title().remove(u'&'), shortcutText(*action),
                            MainWindow::tr("Press Enter to run it."), reason, [action = QPointer(action)] {
                                if (action)
                                    action->trigger();
@@ -81,7 +81,7 @@ void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
         return;
     page->context().catchUp();
     QAction* pendant = m_pendant->action();
-    entries.push_back({pendant->text().remove(u'&'), pendant->toolTip(), tr("Module"), keyOf(*pendant),
+    entries.push_back({pendant->text().remove(u'&'), pendant->toolTip(), tr("Module"), shortcutText(*pendant),
                        pendant->toolTip(),
                        [pendant] { return pendant->isEnabled() ? QString() : pendant->toolTip(); },
                        [pendant] { pendant->trigger(); }});
@@ -99,7 +99,7 @@ void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
             command->act();
         };
         entries.push_back({command->text().remove(u'&'), command->sentence(),
-                           texts::moduleName(page->context().state().info.index), keyOf(*command),
+                           texts::moduleName(page->context().state().info.index), shortcutText(*command),
                            command->toolTip(), reason, act});
     }
 }

@@ -39,8 +39,8 @@ constexpr int kPathsWidth = 52;
 constexpr int kSequencesWidth = 62;
 constexpr int kSequencesHeight = 24;
 constexpr int kLowestScope = 12;
-constexpr int kColumn = 20;   ///< beside the plots
-constexpr int kTitleBar = 3;  ///< above the window; how high it is is known only once it is there
+constexpr int kColumnWidth = 20;  ///< beside the plots
+constexpr int kTitleBar = 3;      ///< above the window; how high it is is known only once it is there
 }  // namespace
 
 QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
@@ -285,7 +285,7 @@ void MainWindow::giveRoomToPlots() {
     const bool testing = !m_loopTests->isHidden();
     tabifyDockWidget(m_response, m_loopTests);
     m_loopTests->setVisible(testing);
-    const int column = fontMetrics().height() * kColumn;
+    const int column = fontMetrics().height() * kColumnWidth;
     resizeDocks({m_scopeDock}, {qMax(column, width() - column)}, Qt::Horizontal);
     resizeDocks({m_scopeDock, m_response}, {height() * 2, height() * 3}, Qt::Vertical);
 }

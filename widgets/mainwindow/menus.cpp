@@ -58,7 +58,7 @@ void openSafety(MainWindow& window) {
     openBox(window, u"safetyDialog"_s, Menus::tr("Safety"), safety.headline, safety.body);
 }
 
-QAction* add(QMenu* menu, const QString& text, const QString& objectName) {
+QAction* addNamed(QMenu* menu, const QString& text, const QString& objectName) {
     QAction* action = menu->addAction(text);
     action->setObjectName(objectName);
     return action;
@@ -82,7 +82,7 @@ void addLanguages(QMenu& view, MainWindow& window, QSettings& settings) {
     for (const QString& language : QStringList{QString()} + languages::available()) {
         const QString text = language.isEmpty() ? Menus::tr("&System") : languages::nameOf(language);
         QAction* action =
-            add(menu, text, u"languageAction_"_s + (language.isEmpty() ? u"system"_s : language));
+            addNamed(menu, text, u"languageAction_"_s + (language.isEmpty() ? u"system"_s : language));
         action->setCheckable(true);
         action->setChecked(language == chosen);
         group->addAction(action);
@@ -104,7 +104,7 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, cons
     file->addSeparator();
     file->addAction(window.operatorLock().action());
     file->addSeparator();
-    QAction* quit = add(file, Menus::tr("&Quit"), u"quitAction"_s);
+    QAction* quit = addNamed(file, Menus::tr("&Quit"), u"quitAction"_s);
     quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
     QObject::connect(quit, &QAction::triggered, &window, &QWidget::close);
 
@@ -143,27 +143,27 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, cons
     colours->addActions(window.colours().actions());
     view->addAction(window.bell().action());
     addLanguages(*view, window, settings);
-    QObject::connect(add(view, Menus::tr("&Reset layout"), u"resetLayoutAction"_s), &QAction::triggered,
+    QObject::connect(addNamed(view, Menus::tr("&Reset layout"), u"resetLayoutAction"_s), &QAction::triggered,
                      &window, &MainWindow::resetLayout);
 
     QMenu* help = bar.addMenu(Menus::tr("&Help"));
     look::name(help, u"helpMenu"_s, Menus::tr("Help"));
-    QAction* manual = add(help, Menus::tr("&Manual"), u"manualAction"_s);
+    QAction* manual = addNamed(help, Menus::tr("&Manual"), u"manualAction"_s);
     manual->setShortcut(QKeySequence(Qt::Key_F1));
     manual->setShortcutContext(Qt::ApplicationShortcut);  // in every window
     QObject::connect(manual, &QAction::triggered, &window,
                      [&window] { window.openManualAt(QApplication::focusWidget()); });
-    QObject::connect(add(help, Menus::tr("&Keyboard shortcuts"), u"keysAction"_s), &QAction::triggered,
+    QObject::connect(addNamed(help, Menus::tr("&Keyboard shortcuts"), u"keysAction"_s), &QAction::triggered,
                      &window, [&window] { window.openManual(u"keys.md"_s); });
-    QAction* find = add(help, Menus::tr("&Find a command…"), u"findCommandAction"_s);
+    QAction* find = addNamed(help, Menus::tr("&Find a command…"), u"findCommandAction"_s);
     find->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
     QObject::connect(find, &QAction::triggered, &window, &MainWindow::openPalette);
-    QObject::connect(add(help, Menus::tr("&Safety"), u"safetyAction"_s), &QAction::triggered, &window,
+    QObject::connect(addNamed(help, Menus::tr("&Safety"), u"safetyAction"_s), &QAction::triggered, &window,
                      [&window] { openSafety(window); });
-    QObject::connect(add(help, Menus::tr("&Report a problem…"), u"reportProblemAction"_s),
+    QObject::connect(addNamed(help, Menus::tr("&Report a problem…"), u"reportProblemAction"_s),
                      &QAction::triggered, &window, &MainWindow::openProblemReport);
-    QObject::connect(add(help, Menus::tr("&About NMC Panel"), u"aboutAction"_s), &QAction::triggered, &window,
-                     [&window] { openAbout(window); });
+    QObject::connect(addNamed(help, Menus::tr("&About NMC Panel"), u"aboutAction"_s), &QAction::triggered,
+                     &window, [&window] { openAbout(window); });
 }
 
 }  // namespace nmc

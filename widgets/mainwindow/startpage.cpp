@@ -16,7 +16,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kWidest = 44;  ///< lines of text
+constexpr int kWidestChoices = 44;  ///< lines of text
 }
 
 StartPage::StartPage(ConnectionBar& bar, QWidget* parent)
@@ -32,7 +32,7 @@ StartPage::StartPage(ConnectionBar& bar, QWidget* parent)
     m_simulator->setToolTip(tr("Connects to the built-in simulator."));
     auto* choices = new QWidget;
     choices->setObjectName(u"startChoices"_s);
-    choices->setMaximumWidth(fontMetrics().height() * kWidest);
+    choices->setMaximumWidth(fontMetrics().height() * kWidestChoices);
     auto* column = new QVBoxLayout(choices);
     const int unit = look::gridUnit(this);
     column->setContentsMargins(unit * 2, unit * 2, unit * 2, unit * 2);

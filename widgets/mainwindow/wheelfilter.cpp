@@ -13,7 +13,7 @@ namespace nmc {
 namespace {
 
 /// What has a value that the wheel would change.
-QWidget* valueOf(QObject* watched) {
+QWidget* widgetWithValue(QObject* watched) {
     const bool slider =
         qobject_cast<QAbstractSlider*>(watched) != nullptr && qobject_cast<QScrollBar*>(watched) == nullptr;
     const bool value = slider || qobject_cast<QComboBox*>(watched) != nullptr ||
@@ -31,7 +31,7 @@ WheelFilter::WheelFilter(QObject* parent) : QObject(parent) {
 bool WheelFilter::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::Wheel && event->type() != QEvent::Polish)
         return false;
-    QWidget* value = valueOf(watched);
+    QWidget* value = widgetWithValue(watched);
     if (value == nullptr)
         return false;
     if (event->type() == QEvent::Polish) {

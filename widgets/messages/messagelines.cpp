@@ -13,7 +13,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-class Texts {
+class MessageLineTexts {
     Q_DECLARE_TR_FUNCTIONS(MessageLines)
 };
 
@@ -47,14 +47,14 @@ QString messageLine(const MessageEntry& entry) {
     const Message& message = entry.message;
     QStringList words{message.headline, message.body, message.details};
     if (entry.count > 1)
-        words << Texts::tr("%n times", nullptr, entry.count);
+        words << MessageLineTexts::tr("%n times", nullptr, entry.count);
     if (entry.over.isValid())
-        words << Texts::tr("ended at %1").arg(timeText(entry.over, entry.time.date()));
+        words << MessageLineTexts::tr("ended at %1").arg(timeText(entry.over, entry.time.date()));
     return line(entry.time, message, words);
 }
 
 QString overLine(const MessageEntry& entry) {
-    return line(entry.over, entry.message, {Texts::tr("Ended: %1").arg(entry.message.headline)});
+    return line(entry.over, entry.message, {MessageLineTexts::tr("Ended: %1").arg(entry.message.headline)});
 }
 
 std::string messageText(const std::vector<MessageEntry>& newestFirst) {

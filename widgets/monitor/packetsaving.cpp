@@ -23,7 +23,7 @@ std::string linesOf(const PacketLog& log, std::uint64_t first) {
     return text;
 }
 
-std::string textOf(const PacketLog& log) {
+std::string readableText(const PacketLog& log) {
     return texts::packetTextHead(log.session(), log.dropped()).toStdString() + "\n\n" +
            linesOf(log, log.first());
 }
@@ -32,7 +32,8 @@ std::string textOf(const PacketLog& log) {
 
 FileContent packetFile(PacketLog log, const QString& path) {
     const bool replayable = path.endsWith(kPacketLogSuffix, Qt::CaseInsensitive);
-    return [log = std::move(log), replayable] { return replayable ? writePacketFile(log) : textOf(log); };
+    return
+        [log = std::move(log), replayable] { return replayable ? writePacketFile(log) : readableText(log); };
 }
 
 std::string lastPackets(const PacketLog& log, std::uint64_t most) {

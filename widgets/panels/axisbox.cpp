@@ -15,6 +15,7 @@
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/boxparts.h"
 #include "widgets/panels/quantitygrid.h"
 #include "widgets/panels/unitdialog.h"
 
@@ -24,8 +25,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kLongestName = 40;
-constexpr int kLongestUnit = 12;
+constexpr int kLongestAxisUnit = 12;
 constexpr int kScaleDecimals = 6;
 constexpr double kMostCountsPerUnit = 1e9;
 constexpr double kLeastCountsPerUnit = 1e-6;
@@ -96,7 +96,7 @@ void AxisBox::build() {
     form->setVerticalSpacing(unit / 2);
     m_name = new QLineEdit(this);
     look::name(m_name, named(u"axisNameField"_s), tr("Name of the axis"));
-    m_name->setMaxLength(kLongestName);
+    m_name->setMaxLength(kMaxNameLength);
     m_name->setPlaceholderText(tr("For example: Z axis"));
     m_name->setToolTip(tr("The name of this axis in the list, in messages and in files."));
     form->addRow(tr("N&ame"), m_name);
@@ -122,7 +122,7 @@ void AxisBox::build() {
     form->addRow(QString(), workOut);
     m_symbol = new QLineEdit(this);
     look::name(m_symbol, named(u"axisSymbolField"_s), tr("Symbol of the unit"));
-    m_symbol->setMaxLength(kLongestUnit);
+    m_symbol->setMaxLength(kLongestAxisUnit);
     m_symbol->setToolTip(tr("Shown after the numbers, for example µl."));
     form->addRow(tr("Symbol"), m_symbol);
     m_symbolLabel = qobject_cast<QLabel*>(form->labelForField(m_symbol));
@@ -159,7 +159,7 @@ void AxisBox::buildAnalog(QFormLayout* form) {
     m_analogAtZero->setRange(-1e6, 1e6);
     m_analogUnit = new QLineEdit(this);
     look::name(m_analogUnit, named(u"analogUnitField"_s), tr("Unit of the A/D value"));
-    m_analogUnit->setMaxLength(kLongestUnit);
+    m_analogUnit->setMaxLength(kLongestAxisUnit);
     m_analogUnit->setToolTip(tr("A, V, or whatever the A/D input measures."));
     form->addRow(tr("A/D unit"), m_analogUnit);
 }

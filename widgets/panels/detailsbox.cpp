@@ -15,7 +15,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString statusMeaning(std::size_t bit) {
+QString servoStatusMeaning(std::size_t bit) {
     const std::array<QString, 8> meanings{
         DetailsBox::tr("The move has ended; in velocity mode the goal velocity is reached."),
         DetailsBox::tr("The module received a garbled command and did not carry it out."),
@@ -59,7 +59,7 @@ DetailsBox::DetailsBox(ModuleContext& context, QWidget* parent)
                               .accessible = tr("Save as home: the present position")},
                              this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
     look::name(this, u"detailsBox"_s, tr("Details"));
-    addBits(Byte::First, tr("Status byte"), servo::kStatusBitNames, statusMeaning, u"bit_"_s);
+    addBits(Byte::First, tr("Status byte"), servo::kStatusBitNames, servoStatusMeaning, u"bit_"_s);
     const bool path = hasPathBuffer(context.state().info.identity);
     addBits(Byte::Second, tr("Auxiliary byte"), path ? servo::kCmcAuxBitNames : servo::kAuxBitNames,
             auxMeaning, u"bit_"_s);

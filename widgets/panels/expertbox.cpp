@@ -20,7 +20,7 @@ namespace {
 
 using Value = DirectBox::Value;
 
-std::uint32_t whole(const Value& value) {
+std::uint32_t unsignedOf(const Value& value) {
     return static_cast<std::uint32_t>(value.value());
 }
 
@@ -101,9 +101,9 @@ DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
             load.relative = relative != nullptr && relative->isChecked();
             load.position = counts(position);
             if (velocity.sent())
-                load.velocity = CountsPerTick(whole(velocity));
+                load.velocity = CountsPerTick(unsignedOf(velocity));
             if (acceleration.sent())
-                load.acceleration = CountsPerTickSquared(whole(acceleration));
+                load.acceleration = CountsPerTickSquared(unsignedOf(acceleration));
             load.pwm = byte(pwm);
             load.servo = mode->currentIndex() != 2;
             load.profile =

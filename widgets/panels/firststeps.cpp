@@ -14,22 +14,22 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kWide = 46;  ///< lines of text, from which on all steps have room
+constexpr int kRoomForAllSteps = 46;  ///< lines of text, from which on all steps have room
 
-class Texts {
+class FirstStepTexts {
     Q_DECLARE_TR_FUNCTIONS(FirstSteps)
 };
 
-QString nameOf(FirstStep step) {
+QString stepTitle(FirstStep step) {
     switch (step) {
         case FirstStep::FillInGains:
-            return Texts::tr("Fill in gains");
+            return FirstStepTexts::tr("Fill in gains");
         case FirstStep::ApplyGains:
-            return Texts::tr("Apply gains");
+            return FirstStepTexts::tr("Apply gains");
         case FirstStep::Enable:
-            return Texts::tr("Enable servo");
+            return FirstStepTexts::tr("Enable servo");
         case FirstStep::Jog:
-            return Texts::tr("Jog");
+            return FirstStepTexts::tr("Jog");
     }
     return {};
 }
@@ -37,13 +37,14 @@ QString nameOf(FirstStep step) {
 QString hintFor(FirstStep step) {
     switch (step) {
         case FirstStep::FillInGains:
-            return Texts::tr("Take the starting values, or type your own. Nothing is sent yet.");
+            return FirstStepTexts::tr("Take the starting values, or type your own. Nothing is sent yet.");
         case FirstStep::ApplyGains:
-            return Texts::tr("Sends the gains to the module. The motor does not move.");
+            return FirstStepTexts::tr("Sends the gains to the module. The motor does not move.");
         case FirstStep::Enable:
-            return Texts::tr("New wiring? Run the direction check on the Axis page first.");
+            return FirstStepTexts::tr("New wiring? Run the direction check on the Axis page first.");
         case FirstStep::Jog:
-            return Texts::tr("The motor moves while you hold the button. Esc stops it from anywhere.");
+            return FirstStepTexts::tr(
+                "The motor moves while you hold the button. Esc stops it from anywhere.");
     }
     return {};
 }
@@ -105,13 +106,13 @@ void FirstSteps::refresh() {
 
 /// Shape, then word: a check for what is done, an arrow at the next.
 void FirstSteps::refreshSteps(FirstStep next) {
-    const bool wide = width() >= fontMetrics().height() * kWide;
+    const bool wide = width() >= fontMetrics().height() * kRoomForAllSteps;
     for (std::size_t i = 0; i < m_steps.size(); ++i) {
         const auto step = static_cast<FirstStep>(i);
         const QString mark = step < next    ? u"✓"_s
                              : step == next ? u"▸ %1."_s.arg(i + 1)
                                             : u"%1."_s.arg(i + 1);
-        look::setText(m_steps[i], mark + u' ' + nameOf(step));
+        look::setText(m_steps[i], mark + u' ' + stepTitle(step));
         QFont font = this->font();
         font.setBold(step == next);
         if (m_steps[i]->font().bold() != font.bold())
@@ -120,7 +121,7 @@ void FirstSteps::refreshSteps(FirstStep next) {
     }
     look::setText(m_hint, hintFor(next));
     setAccessibleDescription(
-        tr("Step %1 of %2: %3").arg(static_cast<int>(next) + 1).arg(m_steps.size()).arg(nameOf(next)));
+        tr("Step %1 of %2: %3").arg(static_cast<int>(next) + 1).arg(m_steps.size()).arg(stepTitle(next)));
 }
 
 }  // namespace nmc

@@ -26,7 +26,7 @@ constexpr double kFastestStep = 50'000.0;
 constexpr double kSlowestServo = 1.0 / 65'536.0;
 constexpr double kLongestTravel = 2'147'483'647.0;
 constexpr double kLongestTime = 86'400.0;  // s: a day
-constexpr int kDigits = 8;
+constexpr int kFieldDigits = 8;
 }  // namespace
 
 HomingForm::HomingForm(ModuleType type, QWidget* parent) : QWidget(parent), m_type(type) {
@@ -143,7 +143,7 @@ void HomingForm::buildMotion(QGridLayout* grid) {
     m_time->setBuddy(m_timeLimit);
     look::name(m_timeLimit, named(u"homingTimeField"_s), tr("Time limit of a search"));
     m_timeLimit->setWords(tr("Time limit"), u"s"_s);
-    m_timeLimit->setDigits(kDigits);
+    m_timeLimit->setDigits(kFieldDigits);
     m_timeLimit->setRange(0.1, kLongestTime);
     m_timeLimit->setMeaning(tr("A search stops and fails after this time."));
     connect(m_timeLimit, &NumberField::edited, this, [this] {
@@ -161,7 +161,7 @@ void HomingForm::addQuantity(QGridLayout* grid, QuantityField::Kind kind, const 
     field->setName(named(name), tr("%1 of the search for home").arg(text));
     field->setQuantity(text);
     field->setMeaning(meaning);
-    field->setDigits(kDigits);
+    field->setDigits(kFieldDigits);
     auto* label = new QLabel(text, this);
     label->setBuddy(field);
     m_quantities.append({field, value, label});

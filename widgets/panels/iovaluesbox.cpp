@@ -10,6 +10,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/unitwords.h"
+#include "widgets/panels/boxparts.h"
 
 namespace nmc {
 
@@ -17,9 +18,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kLongestName = 40;
-constexpr int kLongestUnit = 8;
-constexpr double kLargest = 1e6;  ///< of a scale
+constexpr int kLongestAnalogUnit = 8;
+constexpr double kLargestScale = 1e6;
 
 void showUnlessTyped(QLineEdit& edit, const std::string& text) {
     const QString words = QString::fromStdString(text);
@@ -55,7 +55,7 @@ QLineEdit* IoValuesBox::newText(const QString& objectName, const QString& access
     look::name(edit, objectName, accessibleName);
     edit->setPlaceholderText(hint);
     edit->setToolTip(tr("Its name on this machine. Sends nothing."));
-    edit->setMaxLength(kLongestName);
+    edit->setMaxLength(kMaxNameLength);
     edit->setMinimumWidth(look::gridUnit(this) * 6);
     return edit;
 }
@@ -83,12 +83,12 @@ void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
         look::nameText(input.value, u"analog%1Value"_s.arg(number), tr("Value of %1").arg(label));
         input.value->setFont(look::tabular(font()));
         input.perCount =
-            newNumber(u"analog%1PerCount"_s.arg(number), tr("%1, each step").arg(label), kLargest);
+            newNumber(u"analog%1PerCount"_s.arg(number), tr("%1, each step").arg(label), kLargestScale);
         input.perCount->setMeaning(tr("The value of one A/D count."));
-        input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label), kLargest);
+        input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label), kLargestScale);
         input.atZero->setMeaning(tr("The value at an A/D reading of 0."));
         input.unit = newText(u"analog%1Unit"_s.arg(number), tr("Unit of %1").arg(label), u"V"_s);
-        input.unit->setMaxLength(kLongestUnit);
+        input.unit->setMaxLength(kLongestAnalogUnit);
         input.unit->setMaximumWidth(look::gridUnit(this) * 5);
         auto* name = new QLabel(label, this);
         name->setBuddy(input.name);

@@ -15,9 +15,9 @@ namespace nmc {
 namespace {
 
 /// Runs `refresh` at once where it can be seen, and keeps it for later where it can't.
-class Seen : public QObject {
+class RefreshWhenSeen : public QObject {
 public:
-    Seen(QWidget* box, std::function<void()> refresh)
+    RefreshWhenSeen(QWidget* box, std::function<void()> refresh)
         : QObject(box), m_box(*box), m_refresh(std::move(refresh)) {
         box->installEventFilter(this);
     }
@@ -134,9 +134,9 @@ void ModuleContext::whenSeen(QWidget* box, const std::function<void()>& refresh)
         const QScopedValueRollback<bool> showing(m_showing, true);
         refresh();
     };
-    auto* seen = new Seen(box, quietly);
-    connect(this, &ModuleContext::changed, seen, &Seen::news);
-    connect(this, &ModuleContext::wanted, seen, &Seen::catchUp);
+    auto* seen = new RefreshWhenSeen(box, quietly);
+    connect(this, &ModuleContext::changed, seen, &RefreshWhenSeen::news);
+    connect(this, &ModuleContext::wanted, seen, &RefreshWhenSeen::catchUp);
     quietly();
 }
 

@@ -19,7 +19,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kNarrowest = 19;  ///< lines of text
+constexpr int kNarrowestPage = 19;  ///< lines of text
 
 /// What is built late still comes where it stands, and not behind everything.
 void keepTabOrder(QWidget* before, QWidget* page) {
@@ -187,7 +187,7 @@ void ModulePanel::fill() {
     m_current->setGeometry(place);
     // Never wider because of what a module says: the list beside it would give way, and every button move.
     const QSize least =
-        m_current->minimumSizeHint().boundedTo({fontMetrics().height() * kNarrowest, QWIDGETSIZE_MAX});
+        m_current->minimumSizeHint().boundedTo({fontMetrics().height() * kNarrowestPage, QWIDGETSIZE_MAX});
     if (std::exchange(m_least, least) != least)
         updateGeometry();
 }

@@ -23,7 +23,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 // Lines of text, from which on the position stands beside the state, and buttons have icons.
-constexpr int kWide = 34;
+constexpr int kRoomForPosition = 34;
 constexpr int kRoomy = 46;
 }  // namespace
 
@@ -110,7 +110,7 @@ void PanelHead::build() {
 void PanelHead::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
     const int lines = width() / fontMetrics().height();
-    if (const bool narrow = lines < kWide; narrow != m_narrow)
+    if (const bool narrow = lines < kRoomForPosition; narrow != m_narrow)
         arrange(narrow);
     // Where words need the room, in German say.
     const int icon = lines < kRoomy ? 0 : style()->pixelMetric(QStyle::PM_ButtonIconSize);

@@ -13,23 +13,12 @@
 #include "widgets/common/askdialog.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/panels/boxparts.h"
 #include "widgets/panels/command.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
-
-namespace {
-
-constexpr int kLongestName = 40;
-enum Column { Label, Direction, Level, High, Name, Asks, OffAtStop };
-enum Choice { Input, Output, Unknown };
-
-bool bitOf(unsigned mask, unsigned bit) {
-    return (mask >> bit & 1U) != 0;
-}
-
-}  // namespace
 
 PinBox::PinBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
@@ -84,7 +73,7 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
     look::name(pin.high, u"pin%1Box"_s.arg(digits), tr("high: output %1").arg(label));
     pin.name = new QLineEdit(this);
     look::name(pin.name, u"pin%1Name"_s.arg(digits), tr("Name of %1").arg(label));
-    pin.name->setMaxLength(kLongestName);
+    pin.name->setMaxLength(kMaxNameLength);
     pin.name->setPlaceholderText(tr("name"));
     pin.name->setToolTip(tr("Its name on this machine. Sends nothing."));
     pin.asks = new QCheckBox(this);

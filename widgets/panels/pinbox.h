@@ -28,6 +28,8 @@ public:
     PinBox(ModuleContext& context, QWidget* parent);
 
 private:
+    enum Column { Label, Direction, Level, High, Name, Asks, OffAtStop };
+    enum Choice { Input, Output, Unknown };
     struct Pin {
         QComboBox* direction = nullptr;
         GlyphLabel* glyph = nullptr;

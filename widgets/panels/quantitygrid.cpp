@@ -22,7 +22,7 @@ QGridLayout* newGrid(QWidget* parent) {
 }
 
 namespace {
-QLabel* add(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
+QLabel* addWithLabel(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
     auto* name = new QLabel(label, grid->parentWidget());
     name->setBuddy(field);
     grid->addWidget(name, line, 0);
@@ -34,11 +34,11 @@ QLabel* add(QGridLayout* grid, int line, const QString& label, QuantityField* fi
 }  // namespace
 
 void addRow(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
-    add(grid, line, label, field);
+    addWithLabel(grid, line, label, field);
 }
 
 void addFirstRow(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
-    QLabel* name = add(grid, line, label, field);
+    QLabel* name = addWithLabel(grid, line, label, field);
     QFont bold = name->font();
     bold.setBold(true);
     name->setFont(bold);

@@ -27,7 +27,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kColumn = 34;  ///< lines of text, from which on the gains have their names
+constexpr int kRoomForGainNames = 34;  ///< lines of text, from which on the gains have their names
 }
 
 ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view, parent) {
@@ -78,7 +78,7 @@ void ServoPanel::showPlaceOf(FirstStep step) {
 
 void ServoPanel::resizeEvent(QResizeEvent* event) {
     ModulePage::resizeEvent(event);
-    m_gains->setNarrow(width() < fontMetrics().height() * kColumn);
+    m_gains->setNarrow(width() < fontMetrics().height() * kRoomForGainNames);
     m_steps->giveRoomBack();
 }
 

@@ -14,7 +14,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr int kColumnsOfByte = 3;
-constexpr int kColumns = 2 * kColumnsOfByte;
+constexpr int kColumnsOfBoth = 2 * kColumnsOfByte;
 constexpr int kFirstValue = 10;
 }  // namespace
 
@@ -26,7 +26,7 @@ StatusTable::StatusTable(QWidget* parent)
     m_grid->setVerticalSpacing(unit / 3);
     m_grid->setRowMinimumHeight(kFirstValue - 1, unit);
     m_grid->setColumnStretch(kColumnsOfByte - 1, 1);
-    m_grid->setColumnStretch(kColumns - 1, 1);
+    m_grid->setColumnStretch(kColumnsOfBoth - 1, 1);
 }
 
 void StatusTable::addBits(Byte byte, const QString& title, const BitNames& names, Meaning meaning,
@@ -75,7 +75,7 @@ void StatusTable::addButtons(std::initializer_list<QPushButton*> buttons) {
         row->addWidget(button);
     row->addStretch(1);
     m_grid->setRowMinimumHeight(m_line++, unit);
-    m_grid->addLayout(row, m_line++, 0, 1, kColumns);
+    m_grid->addLayout(row, m_line++, 0, 1, kColumnsOfBoth);
     m_grid->setRowStretch(m_line, 1);
 }
 

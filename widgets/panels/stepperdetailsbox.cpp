@@ -17,7 +17,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString statusMeaning(std::size_t bit) {
+QString stepperStatusMeaning(std::size_t bit) {
     const std::array<QString, 8> meanings{
         StepperDetailsBox::tr("The module is sending step pulses."),
         StepperDetailsBox::tr("The module received a garbled command and did not carry it out."),
@@ -77,7 +77,7 @@ StepperDetailsBox::StepperDetailsBox(ModuleContext& context, QWidget* parent)
                               .accessible = tr("Save as home: the present position")},
                              this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
     look::name(this, u"stepperDetailsBox"_s, tr("Details"));
-    addBits(Byte::First, tr("Status byte"), stepper::kStatusBitNames, statusMeaning, u"stepperBit_"_s);
+    addBits(Byte::First, tr("Status byte"), stepper::kStatusBitNames, stepperStatusMeaning, u"stepperBit_"_s);
     addBits(Byte::Second, tr("Inputs byte"), stepper::kInputBitNames, inputMeaning, u"stepperBit_"_s);
     m_mode = addValue(tr("Mode"), u"stepperModeLabel"_s);
     m_timer = addValue(tr("Timer count"), u"stepperTimerLabel"_s);

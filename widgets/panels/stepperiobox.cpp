@@ -10,6 +10,7 @@
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
+#include "widgets/panels/boxparts.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/stepperwords.h"
 
@@ -18,12 +19,6 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-
-constexpr int kLongestName = 40;
-
-bool bitOf(unsigned mask, std::size_t bit) {
-    return (mask >> bit & 1U) != 0;
-}
 
 std::string& outputName(AxisSettings& axis, std::size_t number) {
     return axis.outputNames.at(number);
@@ -74,7 +69,7 @@ QLineEdit* StepperIoBox::newName(const QString& objectName, const QString& acces
                                  std::size_t number) {
     auto* field = new QLineEdit(this);
     look::name(field, objectName, accessibleName);
-    field->setMaxLength(kLongestName);
+    field->setMaxLength(kMaxNameLength);
     field->setPlaceholderText(tr("name"));
     field->setToolTip(tr("Its name on this machine. Sends nothing."));
     connect(field, &QLineEdit::textEdited, this, [this, name, number](const QString& text) {

@@ -21,7 +21,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-std::optional<int> whole(const std::optional<double>& value) {
+std::optional<int> wholeOrNothing(const std::optional<double>& value) {
     return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
 }
 
@@ -203,11 +203,11 @@ std::optional<int> StepperParametersBox::entry(StepperParameter parameter) const
             return speed ? std::optional<int>(speeds().speedFor(*speed)) : std::nullopt;
         }
         case StepperParameter::RunCurrent:
-            return whole(m_runCurrent->value());
+            return wholeOrNothing(m_runCurrent->value());
         case StepperParameter::HoldCurrent:
-            return whole(m_holdCurrent->value());
+            return wholeOrNothing(m_holdCurrent->value());
         case StepperParameter::ThermalLimit:
-            return whole(m_thermalLimit->value());
+            return wholeOrNothing(m_thermalLimit->value());
         case StepperParameter::IgnoreLimits:
             return m_ignoreLimits->isChecked() ? 1 : 0;
         case StepperParameter::IgnoreEstop:

@@ -18,7 +18,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr int kCountsPerLine = 4;  // DS-V 3: all edges of both channels
-constexpr double kLargest = 1e6;
+constexpr double kLargestEntry = 1e6;
 constexpr int kDecimals = 6;
 }  // namespace
 
@@ -70,7 +70,7 @@ NumberField* UnitDialog::addField(const QString& name, const QString& label, dou
                                   const QString& meaning) {
     auto* field = new NumberField(kDecimals, this);
     look::name(field, name, label);
-    field->setRange(1 / kLargest, kLargest);
+    field->setRange(1 / kLargestEntry, kLargestEntry);
     field->setWords(label, {});
     field->setMeaning(meaning);
     field->showValue(value);

@@ -7,15 +7,12 @@
 #include <cmath>
 
 #include "widgets/common/look.h"
+#include "widgets/common/plots.h"
 #include "widgets/common/unitwords.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
-
-namespace {
-constexpr double kPenWidth = 1.6;
-}
 
 PathPlot::PathPlot(QWidget* parent) : QWidget(parent) {
     look::name(this, u"pathPlot"_s, tr("Positions of the path over time"));
@@ -94,7 +91,7 @@ void PathPlot::paintLane(QPainter& painter, const Lane& lane, const QRectF& area
             line << QPointF(x, y(*std::max(least, most)));
     }
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(colour, kPenWidth));
+    painter.setPen(QPen(colour, kTraceWidth));
     painter.drawPolyline(line);
     painter.setRenderHint(QPainter::Antialiasing, false);
 }

@@ -12,6 +12,7 @@
 
 #include "model/tuning/predict.h"
 #include "widgets/common/look.h"
+#include "widgets/common/plots.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/response/plotline.h"
@@ -24,19 +25,15 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr double kPenWidth = 1.6;
 const QList<qreal> kDashes{4, 2.5};
 constexpr std::size_t kModel = 3, kPrediction = 2;  ///< trace colours
 constexpr double kPalest = 0.15, kStrongest = 0.5;  ///< opacity of runs that are neither A nor B
-constexpr int kBandAlpha = 45;
-constexpr double kShortest = 0.1;     ///< of the record, is always seen
-constexpr double kGap = 6;            ///< sample intervals, from which on something is missing
-constexpr double kUsualRecord = 0.5;  ///< s, of the axis before there is a run
-constexpr double kWheelZoom = 1.25;   ///< for each notch
-constexpr double kKeyZoom = 1.5;
-constexpr double kPan = 0.1;  ///< of what is seen
+constexpr double kShortest = 0.1;                   ///< of the record, is always seen
+constexpr double kGap = 6;                          ///< sample intervals, from which on something is missing
+constexpr double kUsualRecord = 0.5;                ///< s, of the axis before there is a run
+constexpr double kPan = 0.1;                        ///< of what is seen
 /// s, and the unit of the axis: zooming ends here.
-constexpr double kNarrowest = 1e-5, kWidest = 100, kMaxValues = 1e13;
+constexpr double kNarrowestView = 1e-5, kLongestView = 100, kMaxValues = 1e13;
 }  // namespace
 
 ResponsePlot::ResponsePlot(QWidget* parent) : QWidget(parent) {
@@ -222,7 +219,7 @@ void ResponsePlot::paintOver(QPainter& painter) {
     if (const int strips = stripsHeight(); strips > 0)
         m_strips.paint(painter, QRectF(0, height() - strips, width(), strips), m_geometry, palette());
     // What runs along the edge is drawn whole.
-    painter.setClipRect(m_geometry.area.adjusted(0, -kPenWidth, 0, kPenWidth));
+    painter.setClipRect(m_geometry.area.adjusted(0, -kTraceWidth, 0, kTraceWidth));
     painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DotLine));
     if (m_geometry.left <= 0 && m_geometry.right >= 0)
         painter.drawLine(
@@ -235,9 +232,9 @@ void ResponsePlot::paintOver(QPainter& painter) {
     paintRange(painter);
     paintCurve(painter, 1);
     paintCurve(painter, 0);
-    painter.setPen(QPen(colour(kModel), kPenWidth, Qt::DotLine, Qt::FlatCap));
+    painter.setPen(QPen(colour(kModel), kTraceWidth, Qt::DotLine, Qt::FlatCap));
     paintLine(painter, m_geometry, m_fitted);
-    QPen pen(colour(kPrediction), kPenWidth, Qt::SolidLine, Qt::FlatCap);
+    QPen pen(colour(kPrediction), kTraceWidth, Qt::SolidLine, Qt::FlatCap);
     pen.setDashPattern(kDashes);
     painter.setPen(pen);
     paintLine(painter, m_geometry, m_predicted);
@@ -310,7 +307,7 @@ void ResponsePlot::paintGoal(QPainter& painter, const Curve& curve) const {
 void ResponsePlot::paintCurve(QPainter& painter, std::size_t which) const {
     if (!m_curves[which])
         return;
-    QPen pen(colour(which), kPenWidth, Qt::SolidLine, Qt::FlatCap);
+    QPen pen(colour(which), kTraceWidth, Qt::SolidLine, Qt::FlatCap);
     if (which == 1)
         pen.setDashPattern(kDashes);
     painter.setPen(pen);
@@ -410,7 +407,7 @@ ResponsePlot::View ResponsePlot::seen() const {
 void ResponsePlot::showView(const View& view) {
     const double time = view.right - view.left;
     const double values = view.top - view.bottom;
-    if (time < kNarrowest || time > kWidest || values < kNarrowest || values > kMaxValues)
+    if (time < kNarrowestView || time > kLongestView || values < kNarrowestView || values > kMaxValues)
         return;
     m_view = view;
     fit();

@@ -18,8 +18,7 @@ namespace {
 class StripTexts {
     Q_DECLARE_TR_FUNCTIONS(StripTexts)
 };
-constexpr double kPenWidth = 1.3;
-constexpr int kBandAlpha = 45;
+constexpr double kStripTraceWidth = 1.3;
 }  // namespace
 
 void ResponseStrips::show(const KeptResponse* a, const KeptResponse* b) {
@@ -88,7 +87,8 @@ void ResponseStrips::paintStrip(QPainter& painter, const PlotGeometry& geometry,
     painter.save();
     painter.setClipRect(area);
     for (const std::size_t which : {std::size_t{1}, std::size_t{0}}) {
-        QPen pen(look::traceColour(static_cast<int>(which), palette), kPenWidth, Qt::SolidLine, Qt::FlatCap);
+        QPen pen(look::traceColour(static_cast<int>(which), palette), kStripTraceWidth, Qt::SolidLine,
+                 Qt::FlatCap);
         if (which == 1)
             pen.setDashPattern({4, 2.5});
         painter.setPen(pen);

@@ -14,7 +14,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString timeText(double seconds, double interval) {
+QString timeLabel(double seconds, double interval) {
     return texts::numberAt(seconds, interval) + u" s"_s;
 }
 
@@ -115,7 +115,7 @@ void AxisGrid::paintTimes(QPainter& painter) const {
     const double height = QFontMetricsF(m_look.font).height();
     for (const double time : m_times.multiplesOf(m_labelInterval)) {
         const QRectF place(x(time) - 4 * height, m_area.bottom() + gap() / 2, 8 * height, height);
-        painter.drawText(place, Qt::AlignHCenter | Qt::AlignTop, timeText(time, m_labelInterval));
+        painter.drawText(place, Qt::AlignHCenter | Qt::AlignTop, timeLabel(time, m_labelInterval));
     }
 }
 

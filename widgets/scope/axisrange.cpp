@@ -9,7 +9,7 @@
 namespace nmc {
 
 namespace {
-constexpr double kPatience = 2.0;      ///< s before a range shrinks
+constexpr double kShrinkDelay = 2.0;   ///< s before a range shrinks
 constexpr double kMuchSmaller = 0.45;  ///< of the present range
 }  // namespace
 
@@ -45,7 +45,7 @@ const AxisRange::Range& AxisRange::fit(double low, double high, double seconds, 
     if (!m_small) {
         m_small = true;
         m_smallSince = seconds;
-    } else if (seconds - m_smallSince > kPatience) {
+    } else if (seconds - m_smallSince > kShrinkDelay) {
         m_range = tight;
         m_small = false;
     }

@@ -27,13 +27,13 @@ namespace {
 /// More of them are for a file.
 constexpr std::uint64_t kMaxForClipboard = 5'000;
 
-class Scope {
+class ExportTexts {
     Q_DECLARE_TR_FUNCTIONS(Scope)
 };
 
 enum Form { Long, Sparse, Even };
 
-struct Seen {
+struct SeenHistory {
     std::shared_ptr<const History> history;  ///< in a wide form all: signals are made of what was before
     TimePoint from, to;
     std::optional<TimePoint> coarserBefore;
@@ -50,7 +50,7 @@ std::optional<TimePoint> coarserBefore(const History& history, TimePoint left) {
     return latest;
 }
 
-Seen seenOf(const ScopeStrips& strips, const History& history, int form = Long) {
+SeenHistory seenOf(const ScopeStrips& strips, const History& history, int form = Long) {
     const TimePoint zero = history.zero().value_or(TimePoint{});
     const TimePoint left = zero + fromSeconds(strips.time().left());
     const TimePoint right = zero + fromSeconds(strips.time().right());
@@ -60,14 +60,14 @@ Seen seenOf(const ScopeStrips& strips, const History& history, int form = Long) 
 
 /// In the order of the forms.
 QStringList csvForms() {
-    return {Scope::tr("One row per reply, can be reopened here (*.csv)"),
-            Scope::tr("One column per signal, for other programs only (*.csv)"),
-            Scope::tr("One column per signal, every millisecond, for other programs only (*.csv)")};
+    return {ExportTexts::tr("One row per reply, can be reopened here (*.csv)"),
+            ExportTexts::tr("One column per signal, for other programs only (*.csv)"),
+            ExportTexts::tr("One column per signal, every millisecond, for other programs only (*.csv)")};
 }
 
 /// Only the long form can be opened here again, and the others say so (recordingtexts.cpp).
-FileContent contentOf(const Seen& seen, const std::vector<ScopeModule>& modules, const ScopeOrigin& origin,
-                      int form = Long) {
+FileContent contentOf(const SeenHistory& seen, const std::vector<ScopeModule>& modules,
+                      const ScopeOrigin& origin, int form = Long) {
     constexpr Duration kInterval = std::chrono::milliseconds(1);
     const RecordingHeader header = recordingHeader(modules, origin.port, origin.simulated,
                                                    seen.history->zero().value_or(TimePoint{}), origin.zero);
@@ -85,7 +85,8 @@ FileContent contentOf(const Seen& seen, const std::vector<ScopeModule>& modules,
 }
 
 /// Empty where there are many.
-std::string fewSamples(const Seen& seen, const std::vector<ScopeModule>& modules, const ScopeOrigin& origin) {
+std::string fewSamples(const SeenHistory& seen, const std::vector<ScopeModule>& modules,
+                       const ScopeOrigin& origin) {
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < seen.history->modules(); ++i)
         count += seen.history->module(ModuleIndex(static_cast<std::uint8_t>(i)))->count();
@@ -93,15 +94,16 @@ std::string fewSamples(const Seen& seen, const std::vector<ScopeModule>& modules
 }
 
 QStringList captionOf(const ScopeOrigin& origin, const QString& title, double left) {
-    const QString program = Scope::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()).trimmed();
-    QStringList words{title.isEmpty() ? program : Scope::tr("%1, by %2").arg(title, program)};
+    const QString program =
+        ExportTexts::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()).trimmed();
+    QStringList words{title.isEmpty() ? program : ExportTexts::tr("%1, by %2").arg(title, program)};
     words << texts::portName(origin.port);
     if (origin.simulated)
-        words << Scope::tr("SIMULATOR, no real motor moved");
+        words << ExportTexts::tr("SIMULATOR, no real motor moved");
     words.removeAll(QString());
     QStringList lines{words.join(u" · "_s)};
     if (origin.zero.isValid())
-        lines << Scope::tr("From %1; 0 s is %2")
+        lines << ExportTexts::tr("From %1; 0 s is %2")
                      .arg(isoDate(origin.zero.addMSecs(qRound64(left * 1e3))), isoDate(origin.zero));
     return lines;
 }

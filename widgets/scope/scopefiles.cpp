@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kMove = 0.005;  ///< of the time that is seen, at each press
 
-const QString kSuffix = QString::fromLatin1(kRecordingSuffix.data(), kRecordingSuffix.size());
+const QString kRecordingFileSuffix = QString::fromLatin1(kRecordingSuffix.data(), kRecordingSuffix.size());
 
 }  // namespace
 
@@ -150,11 +150,11 @@ void ScopeFiles::recordOrEnd() {
 void ScopeFiles::chooseToRecord() {
     QFileDialog* dialog =
         newFileDialog(m_panel, u"scopeRecordDialog"_s, tr("Record to a file"),
-                      {tr("Recordings (*.%1)").arg(kSuffix), tr("All files (*)")}, m_folder);
+                      {tr("Recordings (*.%1)").arg(kRecordingFileSuffix), tr("All files (*)")}, m_folder);
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);  // and asks before a file is replaced
-    dialog->setDefaultSuffix(kSuffix);
+    dialog->setDefaultSuffix(kRecordingFileSuffix);
     dialog->selectFile(QDateTime::currentDateTime().toString(u"yyyy-MM-dd HHmmss"_s));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         m_folder = QFileInfo(path).absolutePath();
@@ -165,8 +165,9 @@ void ScopeFiles::chooseToRecord() {
 
 void ScopeFiles::choose(const QString& objectName, const QString& title,
                         void (ScopeFiles::*wanted)(const QString&)) {
-    QFileDialog* dialog = newFileDialog(
-        m_panel, objectName, title, {tr("Recordings (*.%1)").arg(kSuffix), tr("All files (*)")}, m_folder);
+    QFileDialog* dialog =
+        newFileDialog(m_panel, objectName, title,
+                      {tr("Recordings (*.%1)").arg(kRecordingFileSuffix), tr("All files (*)")}, m_folder);
     if (dialog == nullptr)
         return;
     dialog->setFileMode(QFileDialog::ExistingFile);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "widgets/common/look.h"
+#include "widgets/common/plots.h"
 #include "widgets/common/words.h"
 #include "widgets/scope/scopewords.h"
 #include "widgets/scope/timewindow.h"
@@ -18,11 +19,10 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr double kWheelZoom = 1.25;     ///< for each notch
-constexpr double kWheelPan = 0.1;       ///< of what is seen, for each notch
-constexpr double kSmallestPart = 1e-4;  ///< of a count: zooming ends here
-constexpr float kPale = 0.4F;           ///< of what lies under the traces
-constexpr double kBandRoom = 2.0;       ///< a band may take so much more, on either side, than its signals
+constexpr double kWheelPan = 0.1;         ///< of what is seen, for each notch
+constexpr double kSmallestPart = 1e-4;    ///< of a count: zooming ends here
+constexpr float kUnderlayOpacity = 0.4F;  ///< of what lies under the traces
+constexpr double kBandRoom = 2.0;         ///< a band may take so much more, on either side, than its signals
 }  // namespace
 
 ScopePlot::ScopePlot(QWidget* parent) : QWidget(parent) {
@@ -57,7 +57,7 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
         drawing.tag = trace.tag;
         m_under[i].dashed = drawing.dashed;
         m_under[i].colour = drawing.colour;
-        m_under[i].colour.setAlphaF(kPale);
+        m_under[i].colour.setAlphaF(kUnderlayOpacity);
         const QString rate = texts::readout(std::round(trace.samplesPerSecond));
         const QString label = isCalculated(trace.signal) && trace.samplesPerSecond == 0
                                   ? tr("%1 · unknown").arg(trace.label)

@@ -27,7 +27,7 @@ QString toWord(const SignalRef& signal) {
     return signal.module ? u"%1.%2"_s.arg(signal.module->value() + 1).arg(word) : word;
 }
 
-std::optional<SignalRef> signalOf(const QString& text) {
+std::optional<SignalRef> signalFromText(const QString& text) {
     SignalRef signal;
     QString word = text.trimmed();
     if (const qsizetype dot = word.indexOf(u'.'); dot >= 0) {
@@ -104,7 +104,7 @@ ScopeSetup ScopeSetup::fromText(const QString& text) {
         const QString value = part.section(u'=', 1);
         if (key == u"strip"_s && strip < kStrips) {
             for (const QString& word : value.split(u',', Qt::SkipEmptyParts))
-                if (const auto signal = signalOf(word); signal && !setup.shows(strip, *signal))
+                if (const auto signal = signalFromText(word); signal && !setup.shows(strip, *signal))
                     setup.strips[strip].push_back(*signal);
             ++strip;
         } else if (key == u"lane"_s) {

@@ -12,7 +12,7 @@ namespace nmc {
 
 namespace {
 
-class Scope {
+class SignalTexts {
     Q_DECLARE_TR_FUNCTIONS(Scope)
 };
 
@@ -21,7 +21,7 @@ std::size_t pinOf(const ScopeBit& bit) {
     return bit.bit + (bit.byte == ScopeBit::Byte::Aux ? 8U : 0U);
 }
 
-std::string_view nameOf(const ScopeBit& bit, ModuleType type) {
+std::string_view sheetName(const ScopeBit& bit, ModuleType type) {
     const auto index = static_cast<std::size_t>(bit.bit);
     if (type == ModuleType::Io) {
         static constexpr std::array<std::string_view, io::kPins> kPinNames{
@@ -41,27 +41,27 @@ namespace texts {
 QString signalName(ScopeSignal signal) {
     switch (signal) {
         case ScopeSignal::Position:
-            return Scope::tr("position");
+            return SignalTexts::tr("position");
         case ScopeSignal::Command:
-            return Scope::tr("command, calculated");
+            return SignalTexts::tr("command, calculated");
         case ScopeSignal::Error:
-            return Scope::tr("error, calculated");
+            return SignalTexts::tr("error, calculated");
         case ScopeSignal::Velocity:
-            return Scope::tr("velocity");
+            return SignalTexts::tr("velocity");
         case ScopeSignal::Analog:
-            return Scope::tr("A/D");
+            return SignalTexts::tr("A/D");
         case ScopeSignal::Acceleration:
-            return Scope::tr("acceleration");
+            return SignalTexts::tr("acceleration");
         case ScopeSignal::Pwm:
-            return Scope::tr("PWM, calculated");
+            return SignalTexts::tr("PWM, calculated");
         case ScopeSignal::Analog2:
-            return Scope::tr("A/D 2");
+            return SignalTexts::tr("A/D 2");
         case ScopeSignal::Analog3:
-            return Scope::tr("A/D 3");
+            return SignalTexts::tr("A/D 3");
         case ScopeSignal::Counter:
-            return Scope::tr("count");
+            return SignalTexts::tr("count");
         case ScopeSignal::CountRate:
-            return Scope::tr("count rate");
+            return SignalTexts::tr("count rate");
     }
     return {};
 }
@@ -71,7 +71,7 @@ QString signalName(ScopeSignal signal, const ScopeModule& module) {
     if (!module.isIo() || !input)
         return signalName(signal);
     const std::string name = PinSettings::of(module.pins.analog, *input).name;
-    return name.empty() ? Scope::tr("A/D %1").arg(*input + 1) : QString::fromStdString(name);
+    return name.empty() ? SignalTexts::tr("A/D %1").arg(*input + 1) : QString::fromStdString(name);
 }
 
 QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
@@ -87,13 +87,13 @@ QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
         case ScopeSignal::Analog3:
             return QString::fromStdString(module.analogOf(signal).unit);
         case ScopeSignal::Acceleration:
-            return Scope::tr("%1/s²").arg(unitOf(module.scale));
+            return SignalTexts::tr("%1/s²").arg(unitOf(module.scale));
         case ScopeSignal::Pwm:
-            return Scope::tr("of 255");
+            return SignalTexts::tr("of 255");
         case ScopeSignal::Counter:
-            return Scope::tr("counts");
+            return SignalTexts::tr("counts");
         case ScopeSignal::CountRate:
-            return Scope::tr("counts/s");
+            return SignalTexts::tr("counts/s");
     }
     return {};
 }
@@ -113,12 +113,12 @@ QString numberAt(double value, double step) {
 }
 
 QString stretch(double seconds) {
-    return std::abs(seconds) < 1 ? Scope::tr("%1 ms").arg(readout(seconds * 1e3))
-                                 : Scope::tr("%1 s").arg(readout(seconds));
+    return std::abs(seconds) < 1 ? SignalTexts::tr("%1 ms").arg(readout(seconds * 1e3))
+                                 : SignalTexts::tr("%1 s").arg(readout(seconds));
 }
 
 QString bitName(const ScopeBit& bit, ModuleType type) {
-    const std::string_view name = nameOf(bit, type);
+    const std::string_view name = sheetName(bit, type);
     return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
 }
 
@@ -134,7 +134,7 @@ std::vector<ScopeBit> laneBits(ModuleType type) {
     std::vector<ScopeBit> bits;
     for (const ScopeBit::Byte byte : {ScopeBit::Byte::Status, ScopeBit::Byte::Aux})
         for (std::uint8_t bit = 0; bit < 8; ++bit)
-            if (const ScopeBit one{byte, bit}; !nameOf(one, type).empty())
+            if (const ScopeBit one{byte, bit}; !sheetName(one, type).empty())
                 bits.push_back(one);
     return bits;
 }

@@ -21,7 +21,7 @@ namespace {
 constexpr int kModuleRole = Qt::UserRole;  ///< -1: the selected one
 constexpr int kSignalRole = Qt::UserRole + 1;
 
-SignalRef signalOf(const QTreeWidgetItem& item) {
+SignalRef signalOfRow(const QTreeWidgetItem& item) {
     SignalRef signal;
     if (const int module = item.data(0, kModuleRole).toInt(); module >= 0)
         signal.module = ModuleIndex(static_cast<std::uint8_t>(module));
@@ -124,14 +124,14 @@ void SignalsDialog::showSetup() {
             for (std::size_t strip = 0; strip < ScopeSetup::kStrips; ++strip)
                 group->child(k)->setCheckState(
                     static_cast<int>(strip) + 1,
-                    m_setup.shows(strip, signalOf(*group->child(k))) ? Qt::Checked : Qt::Unchecked);
+                    m_setup.shows(strip, signalOfRow(*group->child(k))) ? Qt::Checked : Qt::Unchecked);
     }
 }
 
 void SignalsDialog::take(QTreeWidgetItem* item, int column) {
     if (column < 1 || item->parent() == nullptr)
         return;
-    m_setup.set(static_cast<std::size_t>(column - 1), signalOf(*item),
+    m_setup.set(static_cast<std::size_t>(column - 1), signalOfRow(*item),
                 item->checkState(column) == Qt::Checked);
     emit setupChosen(m_setup);
 }

@@ -14,16 +14,17 @@
 #include <cmath>
 #include <limits>
 
+#include "widgets/common/plots.h"
+
 namespace nmc {
 
 namespace {
 
-constexpr double kPenWidth = 1.6;
 constexpr double kDashPeriod = 9.0;  ///< px along the time axis
 constexpr double kDashShare = 0.6;
-constexpr int kBandAlpha = 70;
-constexpr double kDense = 0.5;  ///< columns for each pixel
-constexpr double kMargin = 10;  ///< px beyond the plot area
+constexpr int kEnvelopeAlpha = 70;
+constexpr double kDense = 0.5;       ///< columns for each pixel
+constexpr double kClampMargin = 10;  ///< px beyond the plot area
 constexpr double kTip = 2;  ///< px; what stands out by more from its neighbours keeps the width of a pixel
 
 using Lines = QVarLengthArray<QLineF, 4096>;
@@ -267,7 +268,7 @@ void TraceDrawing::visitLines(const PlotGeometry& geometry, Add&& add) const {
         if (entry != exit)
             visit(QLineF(entry, exit), column.left, column.right);
         else if (!column.joined && !goesOn)  // one on its own
-            visit(QLineF(entry.x() - kPenWidth, entry.y(), entry.x() + kPenWidth, entry.y()), column.left,
+            visit(QLineF(entry.x() - kTraceWidth, entry.y(), entry.x() + kTraceWidth, entry.y()), column.left,
                   column.left);
         before = exit;
     }
@@ -283,7 +284,7 @@ void TraceDrawing::paintLines(QPainter& painter, const PlotGeometry& geometry) c
             lines.append(line);
     });
     // Round caps would cost six times as much.
-    painter.setPen(QPen(colour, kPenWidth, Qt::SolidLine, dashed ? Qt::FlatCap : Qt::SquareCap));
+    painter.setPen(QPen(colour, kTraceWidth, Qt::SolidLine, dashed ? Qt::FlatCap : Qt::SquareCap));
     painter.drawLines(lines.constData(), static_cast<int>(lines.size()));
 }
 
@@ -295,10 +296,10 @@ void TraceDrawing::paintPath(QPainter& painter, const PlotGeometry& geometry) co
             path.moveTo(line.p1());
         path.lineTo(line.p2());
     });
-    QPen pen(colour, kPenWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    QPen pen(colour, kTraceWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
     if (dashed)
         pen.setDashPattern(
-            {kDashShare * kDashPeriod / kPenWidth, (1 - kDashShare) * kDashPeriod / kPenWidth});
+            {kDashShare * kDashPeriod / kTraceWidth, (1 - kDashShare) * kDashPeriod / kTraceWidth});
     painter.setBrush(Qt::NoBrush);
     painter.strokePath(path, pen);
 }
@@ -307,7 +308,7 @@ void TraceDrawing::paintPath(QPainter& painter, const PlotGeometry& geometry) co
 /// a fraction of what they cost. In pixels of the device.
 void TraceDrawing::paintDense(QPainter& painter, const PlotGeometry& geometry) const {
     const double ratio = painter.device()->devicePixelRatioF();
-    const double width = kPenWidth * ratio;
+    const double width = kTraceWidth * ratio;
     const double dashes = dashesPerSecond(geometry);
     const QRectF area(geometry.area.topLeft() * ratio, geometry.area.size() * ratio);
     ThickLine thick(painter, colour, 1 / ratio,
@@ -336,7 +337,7 @@ void TraceDrawing::paintDense(QPainter& painter, const PlotGeometry& geometry) c
     };
     // What is beyond the plot area is clipped anyway.
     const auto y = [&](double value) {
-        return std::clamp(geometry.y(value) * ratio, area.top() - kMargin, area.bottom() + kMargin);
+        return std::clamp(geometry.y(value) * ratio, area.top() - kClampMargin, area.bottom() + kClampMargin);
     };
     const double leftmost = std::floor(area.left()) - 1;
     const double rightmost = std::floor(area.right()) + 1;
@@ -397,7 +398,7 @@ void TraceDrawing::paintBand(QPainter& painter, const PlotGeometry& geometry) co
     }
     end();
     QColor fill = colour;
-    fill.setAlpha(kBandAlpha);
+    fill.setAlpha(kEnvelopeAlpha);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.fillPath(path, fill);
     painter.setRenderHint(QPainter::Antialiasing, true);

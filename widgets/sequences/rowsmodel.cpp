@@ -20,11 +20,10 @@ namespace {
 constexpr int kMotorPins = 5;
 constexpr int kMotorOutputs = 5;
 constexpr int kIoPins = io::kPins;
-constexpr int kAnalogInputs = 3;
 constexpr double kDay = 86'400.0;
 constexpr int kSecondDecimals = 3;
 
-int placeOf(const std::vector<std::string>& names, const std::string& name) {
+int indexOfName(const std::vector<std::string>& names, const std::string& name) {
     const auto found = std::ranges::find(names, name);
     return found != names.end() ? static_cast<int>(found - names.begin()) : -1;
 }
@@ -58,7 +57,7 @@ std::vector<std::string> callable(const Program& program, const std::string& seq
     return names;
 }
 
-ModuleIndex moduleAt(int choice) {
+ModuleIndex chosenModule(int choice) {
     return ModuleIndex(static_cast<std::uint8_t>(choice));
 }
 
@@ -134,7 +133,7 @@ bool RowsModel::isIo(ModuleIndex module) const {
 /// The first module where there is none.
 ModuleIndex RowsModel::firstIo() const {
     const auto found = std::ranges::find(m_types, ModuleType::Io);
-    return moduleAt(found != m_types.end() ? static_cast<int>(found - m_types.begin()) : 0);
+    return chosenModule(found != m_types.end() ? static_cast<int>(found - m_types.begin()) : 0);
 }
 
 void RowsModel::takeModule(action::WaitForInput& wait, ModuleIndex module) const {
@@ -152,7 +151,7 @@ void RowsModel::takeModule(action::SetOutput& set, ModuleIndex module) const {
 QStringList RowsModel::moduleNames() const {
     QStringList names;
     for (int i = 0; i < m_modules; ++i)
-        names << texts::moduleName(moduleAt(i));
+        names << texts::moduleName(chosenModule(i));
     return names;
 }
 
@@ -185,10 +184,10 @@ RowsModel::Cell RowsModel::what(std::size_t row) const {
     return std::visit(Overloaded{
                           [this](const action::MoveTo& move) {
                               const auto names = pointNames(m_program);
-                              return Cell{toList(names), placeOf(names, move.point)};
+                              return Cell{toList(names), indexOfName(names, move.point)};
                           },
                           [this](const action::Call& call) {
-                              return Cell{toList(m_callable), placeOf(m_callable, call.sequence)};
+                              return Cell{toList(m_callable), indexOfName(m_callable, call.sequence)};
                           },
                           [row](const action::Repeat& repeat) {
                               Cell cell{{}, static_cast<int>(repeat.from)};
@@ -226,7 +225,7 @@ RowsModel::Cell RowsModel::how(const Action& action) const {
                 cell.choices << level.arg(output);
         cell.chosen = static_cast<int>(set->output - 1) * 2 + (set->on ? 0 : 1);
     } else if (const auto* analog = std::get_if<action::WaitForAnalog>(&action)) {
-        for (int input = 1; input <= kAnalogInputs; ++input)
+        for (int input = 1; input <= io::kAnalogInputs; ++input)
             for (const QString& side : {tr("A/D %1 above"), tr("A/D %1 below")})
                 cell.choices << side.arg(input);
         cell.chosen = static_cast<int>(analog->input - 1) * 2 + (analog->above ? 0 : 1);
@@ -284,26 +283,26 @@ void RowsModel::choose(Action& action, std::size_t row, int column, int choice) 
                    },
                    [&](action::WaitForInput& wait) {
                        if (column == What)
-                           return takeModule(wait, moduleAt(choice));
+                           return takeModule(wait, chosenModule(choice));
                        wait.pin = ioPin(wait.pin) ? inputPin(static_cast<unsigned>(choice / 2))
                                                   : static_cast<InputPin>(choice / 2);
                        wait.active = !second;
                    },
                    [&](action::SetOutput& set) {
                        if (column == What)
-                           return takeModule(set, moduleAt(choice));
+                           return takeModule(set, chosenModule(choice));
                        set.output = static_cast<unsigned>(choice / 2 + 1);
                        set.on = !second;
                    },
                    [&](action::WaitForAnalog& wait) {
                        if (column == What) {
-                           wait.module = moduleAt(choice);
+                           wait.module = chosenModule(choice);
                            return;
                        }
                        wait.input = static_cast<unsigned>(choice / 2 + 1);
                        wait.above = !second;
                    },
-                   [&](action::Home& home) { home.module = moduleAt(choice); },
+                   [&](action::Home& home) { home.module = chosenModule(choice); },
                    [&](action::Repeat& repeat) { repeat.from = index; },
                    [&](action::Call& call) { call.sequence = m_callable[index]; },
                    [](AnyOf<action::Wait, action::WaitForArrival> auto&) {},

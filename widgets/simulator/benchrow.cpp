@@ -17,7 +17,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 /// Enough digits for every quantity, too few to show that 0.015 is not a binary fraction.
-constexpr int kDigits = 12;
+constexpr int kSentDigits = 12;
 }  // namespace
 
 BenchRow::BenchRow(BenchQuantity quantity, const QString& prefix, QWidget* parent)
@@ -86,7 +86,7 @@ void BenchRow::commit() {
         return;
     m_field->setModified(false);
     showNumber(*value);
-    emit entered(m_quantity.name, QString::number(*value * m_quantity.scale, 'g', kDigits));
+    emit entered(m_quantity.name, QString::number(*value * m_quantity.scale, 'g', kSentDigits));
 }
 
 void BenchRow::turn(bool on) {

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <cmath>
 
+#include "protocol/iocommands.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 
@@ -22,10 +23,9 @@ constexpr double kMaxCounts = 2'000'000'000;
 constexpr double kTravel = 10'000;
 constexpr int kPins = 12;
 constexpr int kPinsInARow = 4;
-constexpr int kAnalogInputs = 3;
 
 /// A stepper's pins stand in an object of their own.
-QJsonValue valueOf(const QJsonObject& state, const QString& name) {
+QJsonValue stateValue(const QJsonObject& state, const QString& name) {
     return state.contains(name) ? state[name] : state["inputs"_L1].toObject()[name];
 }
 
@@ -127,7 +127,7 @@ void ModuleBench::buildPins() {
                 [this, pin](bool on) { set(u"in"_s, u"%1 %2"_s.arg(pin + 1).arg(on ? 1 : 0)); });
         m_pins.append(box);
     }
-    for (int input = 1; input <= kAnalogInputs; ++input)
+    for (int input = 1; input <= io::kAnalogInputs; ++input)
         addRow(grid, {.name = u"analog%1"_s.arg(input),
                       .label = tr("A/D %1").arg(input),
                       .unit = tr("of 255"),
@@ -315,14 +315,14 @@ void ModuleBench::showState(const QJsonObject& state) {
     const bool homeAutomatic = state["home_switch_at"_L1].isDouble();
     m_limitsAutomatic->setChecked(limitsAutomatic);
     for (const Switch& one : m_switches) {
-        one.box->setChecked(valueOf(state, one.name).toBool());
+        one.box->setChecked(stateValue(state, one.name).toBool());
         const bool follows = (limitsAutomatic && one.name.startsWith("limit"_L1)) ||
                              (homeAutomatic && one.name == "home_switch"_L1);
         look::setPossible(one.box, follows ? tr("Follows the motor's position: see Mechanics.") : QString(),
                           one.meaning);
     }
     const double shaft =
-        std::round(valueOf(state, state.contains("shaft"_L1) ? u"shaft"_s : u"position"_s).toDouble());
+        std::round(stateValue(state, state.contains("shaft"_L1) ? u"shaft"_s : u"position"_s).toDouble());
     for (BenchRow* row : m_rows) {
         if (row->name() == "travel_min"_L1)
             row->setProposal(shaft - kTravel);

@@ -26,7 +26,7 @@ namespace {
 constexpr int kPollMs = 200;
 constexpr int kTicksPerStatistics = 5;
 /// A question that has waited so long went down with an earlier connection.
-constexpr int kPatience = 10;
+constexpr int kMaxWaits = 10;
 /// Typed lines that wait at most; an answer that never comes must not keep them.
 constexpr int kMaxTyped = 64;
 /// Wants the room its page wants; Qt's own never asks for more than 24 lines.
@@ -36,8 +36,8 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return widget()->sizeHint(); }
 };
 
-const QString kStatistics = u"stats"_s;
-const QString kState = u"state "_s;
+const QString kStatisticsQuestion = u"stats"_s;
+const QString kStateQuestion = u"state "_s;
 
 }  // namespace
 
@@ -141,7 +141,7 @@ void SimulatorBench::chooseModule() {
 }
 
 QString SimulatorBench::stateLine() const {
-    return kState + QString::number(m_module->currentIndex() + 1);
+    return kStateQuestion + QString::number(m_module->currentIndex() + 1);
 }
 
 void SimulatorBench::showEvent(QShowEvent* event) {
@@ -156,8 +156,8 @@ void SimulatorBench::hideEvent(QHideEvent* event) {
 
 void SimulatorBench::tick() {
     if (m_ticks++ % kTicksPerStatistics == 0)
-        emit lineEntered(kStatistics);
-    if (m_polled.isEmpty() || ++m_waited > kPatience)
+        emit lineEntered(kStatisticsQuestion);
+    if (m_polled.isEmpty() || ++m_waited > kMaxWaits)
         poll();
 }
 
@@ -178,14 +178,14 @@ void SimulatorBench::change(const QString& line) {
 void SimulatorBench::showAnswer(const QString& line, const QByteArray& json) {
     const QJsonObject answer = QJsonDocument::fromJson(json).object();
     const bool typed = m_typed.removeOne(line);
-    if (line == kStatistics) {
+    if (line == kStatisticsQuestion) {
         setModules(static_cast<int>(answer["modules"_L1].toArray().size()));
         m_truth->showStatistics(answer);
     } else if (line == m_polled) {
         m_polled.clear();
         showState(answer);
     }
-    const bool question = line == kStatistics || line.startsWith(kState);
+    const bool question = line == kStatisticsQuestion || line.startsWith(kStateQuestion);
     if (typed || !question)
         m_line->showAnswer(line, json);
     if (!question && m_polled.isEmpty() && isVisible())

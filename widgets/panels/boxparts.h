@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the boxes of a panel share.
+
+#include <cstddef>
+
+namespace nmc {
+
+/// Of an axis, an input or an output.
+inline constexpr int kMaxNameLength = 40;
+
+[[nodiscard]] constexpr bool bitOf(unsigned mask, std::size_t bit) {
+    return (mask >> bit & 1U) != 0;
+}
+
+}  // namespace nmc
