@@ -17,7 +17,7 @@ using testing_support::IntentPanel;
 using testing_support::NmcsimProcess;
 
 /// A machine whose ports are what the test says.
-class Machine {
+class PortsMachine {
 public:
     PortController::Places places() {
         PortController::Places places;
@@ -56,7 +56,7 @@ const QString kBack = QStringLiteral("The adapter is back as ");
 const QString kDifferent = QStringLiteral("A different adapter is on ");
 
 TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
-    Machine machine;
+    PortsMachine machine;
     const QString one = machine.port("ttyUSB0");
     const QString two = machine.port("ttyUSB1");
     machine.set({adapter(one, "A1")});
@@ -81,7 +81,7 @@ TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
 }
 
 TEST(F29_BackUnderAnotherName, IsOnlyLookedAtWhereItWasOnlyLookedAt) {
-    Machine machine;
+    PortsMachine machine;
     const QString one = machine.port("ttyUSB0");
     const QString two = machine.port("ttyUSB1");
     machine.set({adapter(one, "A1")});
@@ -106,7 +106,7 @@ TEST(F29_BackUnderAnotherName, IsOnlyLookedAtWhereItWasOnlyLookedAt) {
 }
 
 TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
-    Machine machine;
+    PortsMachine machine;
     const QString port = machine.port("ttyUSB0");
     machine.set({adapter(port, "A1")});
     IntentPanel panel({}, machine.places());
@@ -166,7 +166,7 @@ TEST(UnpluggedWhileItMoves, NamesTheModuleAndTheAgeOfItsPositionGoesOn) {
 
 TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
     NmcsimProcess sim(QStringLiteral("servo"));
-    Machine machine;
+    PortsMachine machine;
     machine.setLatency(sim.terminal(), "16\n");
     PortController controller(machine.places());
     EXPECT_EQ(controller.adapterLatency(sim.terminal()), std::chrono::milliseconds(16));
@@ -181,7 +181,7 @@ TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
 }
 
 TEST(SlowAdapter, AtOneMillisecondIsNotSlow) {
-    Machine machine;
+    PortsMachine machine;
     const QString port = machine.port("ttyUSB0");
     machine.setLatency(port, "1\n");
     PortController controller(machine.places());

@@ -11,11 +11,12 @@ namespace {
 
 using namespace bus;
 using namespace std::chrono_literals;
-using Reason = ReaddressFailed::Reason;
 
 /// Three servos, on, at 1 000, 2 000 and 3 000 counts.
 class Addresses : public testing::Test {
 protected:
+    using Reason = ReaddressFailed::Reason;
+
     void SetUp() override {
         ASSERT_TRUE(bus.connect());
         for (std::uint8_t i = 0; i < 3; ++i)

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/bus/leftbehind.h"
+#include "tests/support/modules.h"
 
 namespace nmc::test {
 
@@ -12,8 +13,7 @@ namespace {
 
 using namespace bus;
 using namespace std::chrono_literals;
-
-constexpr ModuleIdentity kStepper{ModuleType::Stepper, 1};
+using testing_support::kStep;
 
 [[nodiscard]] std::uint8_t commandOf(const VirtualBus::Sent& sent) {
     return sent.bytes.size() > 2 && sent.bytes[0] == 0xAA ? sent.bytes[2] : std::uint8_t{0x0E};
@@ -332,13 +332,13 @@ TEST(Attach, SwitchesMotorsOffWithARestart) {
 /// else in it (DS-S 5.2).
 TEST(Attach, FindsAStepperWithoutMotorPower) {
     for (const std::size_t modules : {1U, 3U}) {
-        VirtualBus bus(std::vector<ModuleIdentity>(modules, kStepper));
+        VirtualBus bus(std::vector<ModuleIdentity>(modules, kStep));
         for (std::uint8_t i = 0; i < modules; ++i)
             bus.chain.set(ModuleIndex(i), sim::Input::Power, 0.0, bus.now);
         ASSERT_TRUE(bus.connect()) << "fresh, failure "
                                    << static_cast<int>(bus.last<ConnectFailed>()->reason);
         EXPECT_EQ(bus.last<ChainFound>()->modules.size(), modules);
-        EXPECT_EQ(bus.last<ChainFound>()->modules[0].identity, kStepper);
+        EXPECT_EQ(bus.last<ChainFound>()->modules[0].identity, kStep);
         bus.runFor(2s);
         EXPECT_EQ(bus.engine.statistics().rejected, 0U);
         bus.newHost();

@@ -5,6 +5,7 @@
 
 #include "bus/line.h"
 #include "protocol/commands.h"
+#include "tests/bus/replies.h"
 #include "tests/bus/scriptedbus.h"
 
 namespace nmc::test {
@@ -15,7 +16,6 @@ using namespace bus;
 using namespace std::chrono_literals;
 
 constexpr const char* kCommand = "AA 01 0E 0F ";
-constexpr const char* kReply = "19 00 00 00 00 00 00 19 ";
 
 class EchoingLine : public testing::Test {
 protected:

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bus/gate.h"
+#include "tests/bus/scriptedbus.h"
 #include "tests/bus/steps.h"
 
 namespace nmc::test {
@@ -13,7 +14,6 @@ using namespace std::chrono_literals;
 
 constexpr std::uint8_t kMoveDone = 0x01;
 constexpr std::uint8_t kPower = 0x08;
-constexpr std::uint8_t kServoOn = 0x04;
 
 /// A belief with a hand on the wire: every send is one millisecond later.
 class Module {
@@ -253,11 +253,10 @@ TEST(Belief, RemembersThatAServoMayBeOn) {
 
 // docs/family.md, Path points: 30 and 60 Hz without fast path, 60 and 120 Hz with it.
 
-constexpr ModuleIdentity kSc{ModuleType::Servo, kScVersion};
 constexpr std::uint8_t kPathMode = 0x40;
 
 [[nodiscard]] Module standingSc() {
-    Module module(kSc);
+    Module module({ModuleType::Servo, kScVersion});
     module.status(kMoveDone | kPower, kServoOn);
     return module;
 }

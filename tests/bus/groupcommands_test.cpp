@@ -14,8 +14,6 @@ using namespace bus;
 using namespace std::chrono_literals;
 using Action = GroupCommand::Action;
 
-constexpr std::uint8_t kGroup = 0x81;
-
 /// Four servos, on; the first three are group 81, which the second leads if there is a leader.
 class GroupCommands : public testing::TestWithParam<bool> {
 protected:

@@ -13,6 +13,9 @@
 
 namespace nmc::test {
 
+/// The address of a group.
+inline constexpr std::uint8_t kGroup = 0x81;
+
 /// A bus of whichever kind, with operations of groups.
 template <typename Bus>
 class WithGroups : public Bus {

@@ -10,13 +10,12 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint8_t kGroup = 0x81;
-constexpr std::uint8_t kServo = 0;
-constexpr std::uint8_t kIo = 1;
-
 /// A servo, on, and a PIC-I/O whose IO1 to IO4 are outputs, in one group; `leader` leads it, if anybody.
 class IoGroups : public testing::Test {
 protected:
+    static constexpr std::uint8_t kServo = 0;
+    static constexpr std::uint8_t kIo = 1;
+
     void make(std::optional<std::uint8_t> leader = {}) {
         ASSERT_TRUE(bus.connect());
         ASSERT_EQ(bus.perform({gains(kServo), enable(kServo), told(io::SetDirection{0x0FF0}),

@@ -12,10 +12,10 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint8_t kIo = 1;
-
 class StopsAnIoModule : public testing::Test {
 protected:
+    static constexpr std::uint8_t kIo = 1;
+
     StopsAnIoModule() : bus({{ModuleType::Servo, 4}, {ModuleType::Io, 1}, {ModuleType::Servo, 10}}) {
         EXPECT_TRUE(bus.connect());
     }

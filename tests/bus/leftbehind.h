@@ -18,7 +18,6 @@ class LeftBehind {
 public:
     LeftBehind(std::size_t modules, std::uint32_t baud, const bus::EngineConfig& next = {})
         : bus(servos(modules), atRate(baud)) {
-        constexpr std::uint32_t kOnePerTick = 65'536;
         EXPECT_TRUE(bus.connect());
         EXPECT_FALSE(bus.last<bus::ChainFound>()->attached);
         EXPECT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, kOnePerTick, true)}), bus::Outcome::Done);

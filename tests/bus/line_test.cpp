@@ -4,6 +4,7 @@
 
 #include "bus/line.h"
 #include "protocol/commands.h"
+#include "tests/bus/replies.h"
 #include "tests/bus/scriptedbus.h"
 
 namespace nmc::test {
@@ -180,8 +181,6 @@ TEST(Line, RejectsAWrongSum) {
     ASSERT_TRUE(end);
     EXPECT_EQ(end->result, ReplyResult::BadChecksum);
 }
-
-constexpr const char* kReply = "19 00 00 00 00 00 00 19 ";
 
 TEST(Line, RejectsAReplyWithSurplusBytesInTheSameRead) {
     Line line(4ms, 10ms);

@@ -11,11 +11,7 @@ namespace nmc::test {
 namespace {
 
 using namespace bus;
-using Reason = MotionSuspect::Reason;
-using Suspect = std::optional<Reason>;
-
-constexpr std::uint8_t kLong = 0x3F;
-constexpr std::uint8_t kShort = 0x0F;
+using Suspect = std::optional<MotionSuspect::Reason>;
 
 /// A servo that is on, told things and asked in turns.
 class Watched {
@@ -65,7 +61,7 @@ TEST(MotionWatch, TellsOnceOfAMoveAwayFromItsGoal) {
         servo.told(loadMove(0, 10'000 + sign * 5'000));
         servo.told(start(0));
         EXPECT_EQ(servo.is(10'000 - sign * 400, 4), Suspect{}) << "that much it may give";
-        EXPECT_EQ(servo.is(10'000 - sign * 401, 4), Reason::WrongWay);
+        EXPECT_EQ(servo.is(10'000 - sign * 401, 4), MotionSuspect::Reason::WrongWay);
         EXPECT_EQ(servo.is(10'000 - sign * 900, 4), Suspect{});
     }
 }
@@ -76,13 +72,13 @@ TEST(MotionWatch, TellsOfAMoveThatGoesPastItsGoal) {
     servo.told(loadMove(0, -5'000));
     servo.told(start(0));
     EXPECT_EQ(servo.is(-5'900, -5), Suspect{});
-    EXPECT_EQ(servo.is(-5'901, -5), Reason::Overshot);
+    EXPECT_EQ(servo.is(-5'901, -5), MotionSuspect::Reason::Overshot);
 }
 
 TEST(MotionWatch, WatchesALoadAsIfItHadStarted) {
     Watched servo;
     servo.told(loadMove(0, 5'000));
-    EXPECT_EQ(servo.is(-401, -4), Reason::WrongWay) << "changed on its way it may have";
+    EXPECT_EQ(servo.is(-401, -4), MotionSuspect::Reason::WrongWay) << "changed on its way it may have";
 }
 
 TEST(MotionWatch, GoesByTheGoalThatStaysLoaded) {
@@ -93,7 +89,7 @@ TEST(MotionWatch, GoesByTheGoalThatStaysLoaded) {
         ASSERT_EQ(servo.is(position, 5), Suspect{});
     servo.told(start(0));
     EXPECT_EQ(servo.is(5'000), Suspect{}) << "a move of no length";
-    EXPECT_EQ(servo.is(5'401, 4), Reason::Overshot);
+    EXPECT_EQ(servo.is(5'401, 4), MotionSuspect::Reason::Overshot);
 }
 
 TEST(MotionWatch, TellsOfAMotorThatTurnsAgainstItsDirection) {
@@ -104,7 +100,8 @@ TEST(MotionWatch, TellsOfAMotorThatTurnsAgainstItsDirection) {
         for (int i = 0; i < 20; ++i)
             ASSERT_EQ(servo.is(sign * i * 100, static_cast<std::int16_t>(sign * 5)), Suspect{});
         EXPECT_EQ(servo.is(sign * 1'500, static_cast<std::int16_t>(-sign * 5)), Suspect{});
-        EXPECT_EQ(servo.is(sign * 1'499, static_cast<std::int16_t>(-sign * 5)), Reason::WrongWay)
+        EXPECT_EQ(servo.is(sign * 1'499, static_cast<std::int16_t>(-sign * 5)),
+                  MotionSuspect::Reason::WrongWay)
             << "401 behind the farthest it has come";
     }
 }
@@ -119,7 +116,7 @@ TEST(MotionWatch, LetsAMotorSlowDownBeforeItTurnsRound) {
         ASSERT_EQ(servo.is(4'000 - i * 100, static_cast<std::int16_t>(i)), Suspect{}) << "still forward";
     for (int i = 0; i < 20; ++i)
         ASSERT_EQ(servo.is(4'000 - i * 100, -5), Suspect{});
-    EXPECT_EQ(servo.is(4'000, 5), Reason::WrongWay) << "forward again";
+    EXPECT_EQ(servo.is(4'000, 5), MotionSuspect::Reason::WrongWay) << "forward again";
 }
 
 TEST(MotionWatch, ForgetsAMotionThatWasStopped) {
@@ -135,7 +132,7 @@ TEST(MotionWatch, ForgetsAMotionThatWasStopped) {
     servo.told(loadMove(0, 5'000));
     servo.told(start(0));
     servo.told(toServo(0, servo::StopMotor{true, servo::StopManner::AmplifierOnly, {}}));
-    EXPECT_EQ(servo.is(-3'000, -4), Reason::WrongWay) << "that stops nothing";
+    EXPECT_EQ(servo.is(-3'000, -4), MotionSuspect::Reason::WrongWay) << "that stops nothing";
 }
 
 TEST(MotionWatch, ForgetsAMotionWhoseServoIsOffAndStands) {
@@ -150,14 +147,15 @@ TEST(MotionWatch, WatchesAServoThatIsOffAndTurns) {
     Watched servo;
     servo.told(loadMove(0, 5'000));
     EXPECT_EQ(servo.is(-200, -10, 0x00), Suspect{});
-    EXPECT_EQ(servo.is(-600, -10, 0x00), Reason::WrongWay) << "a load that became a PWM output";
+    EXPECT_EQ(servo.is(-600, -10, 0x00), MotionSuspect::Reason::WrongWay)
+        << "a load that became a PWM output";
 }
 
 TEST(MotionWatch, TellsOfThePositionThatIsRepeatedWhileItMoves) {
     Watched servo;
     servo.told(turn(false));
     unsigned repeats = 0;
-    while (repeats < 20 && servo.is(300, 5) != Reason::Frozen)
+    while (repeats < 20 && servo.is(300, 5) != MotionSuspect::Reason::Frozen)
         ++repeats;
     EXPECT_GT(repeats, 5U) << "more than five";
     EXPECT_LE(repeats, 5U + 3U) << "each layout repeats its own";

@@ -16,16 +16,13 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint8_t kEverything = 0x3F;
-constexpr std::uint8_t kShort = 0x0F;
-
 /// One module that is asked every ten milliseconds.
 template <typename State, ModuleType kType>
 class Asked {
 public:
     explicit Asked(std::uint8_t version) : judge({kType, version}) {}
 
-    [[nodiscard]] std::optional<Rejection> says(const State& said, std::uint8_t items = kEverything,
+    [[nodiscard]] std::optional<Rejection> says(const State& said, std::uint8_t items = kLong,
                                                 Duration after = 10ms) {
         now += after;
         return judge.judge(accepted(kType, items, bytesOf(said, items), now));
@@ -33,7 +30,7 @@ public:
     /// A few replies that nothing is wrong with.
     void settle(const State& said) {
         for (int i = 0; i < 4; ++i)
-            EXPECT_EQ(says(said, i == 0 || i % 2 != 0 ? kEverything : kShort), std::nullopt);
+            EXPECT_EQ(says(said, i == 0 || i % 2 != 0 ? kLong : kShort), std::nullopt);
     }
     void sends(ModuleCommand command) { judge.onSent(command, now + 5ms); }
 
@@ -220,21 +217,21 @@ TEST(Plausibility, RejectsAnotherModulesPositionForAMotorThatStands) {
         for (const std::int16_t velocity : {std::int16_t{0}, std::int16_t{50}})
             for (const std::int32_t other : {2'000, 3'386, 8'951, -8'951}) {
                 Servo servo(says(0));
-                EXPECT_EQ(servo.says(says(other, velocity), kEverything, 250ms).has_value(), true) << other;
+                EXPECT_EQ(servo.says(says(other, velocity), kLong, 250ms).has_value(), true) << other;
                 EXPECT_EQ(servo.says(says(0), kShort, 250ms), std::nullopt) << "its own";
             }
         // A shaft that is turned a little by hand, or slowly: 0.9 counts a tick reads 0.
         Servo turned(says(0));
-        EXPECT_EQ(turned.says(says(400), kEverything, 250ms), std::nullopt);
+        EXPECT_EQ(turned.says(says(400), kLong, 250ms), std::nullopt);
         Servo slow(says(0));
-        EXPECT_EQ(slow.says(says(440), kEverything, 250ms), std::nullopt) << "0.9 x 488 ticks";
+        EXPECT_EQ(slow.says(says(440), kLong, 250ms), std::nullopt) << "0.9 x 488 ticks";
     }
 }
 
 /// Another program starts it: the next reply says so too, and its counter is what it was.
 TEST(Plausibility, TakesAMotionThatSomebodyElseBeganForNoJump) {
     Servo servo;
-    EXPECT_EQ(servo.says({.status = 0x08, .position = 2'000, .velocity = 8, .aux = 0x0C}, kEverything, 250ms),
+    EXPECT_EQ(servo.says({.status = 0x08, .position = 2'000, .velocity = 8, .aux = 0x0C}, kLong, 250ms),
               Rejection::PositionJump);
     EXPECT_EQ(servo.says({.status = 0x08, .position = 2'150, .velocity = 8, .aux = 0x0C}, kShort),
               std::nullopt);
@@ -247,15 +244,15 @@ TEST(Plausibility, RejectsAHoldingServoBeyondItsErrorLimit) {
     servo.sends(ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, 1, std::uint8_t{0}}));
     servo.sends(enable(0).command);
     for (int i = 0; i < 60; ++i)
-        EXPECT_EQ(servo.says({}, i % 2 == 0 ? kEverything : kShort), std::nullopt);
-    EXPECT_EQ(servo.says({.position = 190}, kEverything, 250ms), std::nullopt)
+        EXPECT_EQ(servo.says({}, i % 2 == 0 ? kLong : kShort), std::nullopt);
+    EXPECT_EQ(servo.says({.position = 190}, kLong, 250ms), std::nullopt)
         << "from one end of its error to the other";
     Servo other;
     other.sends(ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, 1, std::uint8_t{0}}));
     other.sends(enable(0).command);
     for (int i = 0; i < 60; ++i)
-        EXPECT_EQ(other.says({}, i % 2 == 0 ? kEverything : kShort), std::nullopt);
-    EXPECT_EQ(other.says({.position = 300}, kEverything, 250ms), Rejection::PositionJump);
+        EXPECT_EQ(other.says({}, i % 2 == 0 ? kLong : kShort), std::nullopt);
+    EXPECT_EQ(other.says({.position = 300}, kLong, 250ms), Rejection::PositionJump);
 }
 
 /// After a command it goes as far as it may, however long nobody has asked it.
@@ -265,7 +262,7 @@ TEST(Plausibility, BelievesAMotorThatWasStartedAndNotAskedForLong) {
     servo.sends(start(0).command);
     EXPECT_EQ(servo.says({.status = 0x08, .position = 0}), std::nullopt) << "it has hardly begun";
     // 0.01 counts per tick squared for 1 s, up to 2 counts per tick: 200 ticks of ramp and 1753 at speed.
-    EXPECT_EQ(servo.says({.status = 0x08, .position = 3'700, .velocity = 2, .aux = 0x0C}, kEverything, 1s),
+    EXPECT_EQ(servo.says({.status = 0x08, .position = 3'700, .velocity = 2, .aux = 0x0C}, kLong, 1s),
               std::nullopt);
 }
 
@@ -280,7 +277,7 @@ TEST(Plausibility, BelievesAServoThatSwingsAsFastAsItIsAsked) {
         const ServoState state{.status = 0x08,
                                .position = static_cast<std::int32_t>(amplitude * std::sin(angle)),
                                .velocity = static_cast<std::int16_t>(speed * std::cos(angle))};
-        ASSERT_EQ(servo.says(state, i % 2 == 0 ? kEverything : kShort, 35 * kServoTick), std::nullopt) << i;
+        ASSERT_EQ(servo.says(state, i % 2 == 0 ? kLong : kShort, 35 * kServoTick), std::nullopt) << i;
     }
 }
 

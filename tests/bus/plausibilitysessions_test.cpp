@@ -7,6 +7,7 @@
 
 #include "sim/random.h"
 #include "tests/bus/steps.h"
+#include "tests/support/modules.h"
 #include "tests/support/virtualbus.h"
 
 namespace nmc::test {
@@ -17,8 +18,7 @@ using namespace bus;
 using namespace std::chrono_literals;
 using servo::StopManner;
 using sim::Input;
-
-constexpr ModuleIdentity kStepper{ModuleType::Stepper, 1};
+using testing_support::kStep;
 
 [[nodiscard]] Duration sessionLength() {
     const char* text = std::getenv("NMC_PLAUSIBILITY_SECONDS");
@@ -35,7 +35,7 @@ public:
     void run() {
         for (const TimePoint end = bus.now + sessionLength(); bus.now < end && !m_failed;) {
             const auto module = static_cast<std::uint8_t>(below(bus.chain.moduleCount()));
-            bus.chain.identity(ModuleIndex(module)) == kStepper ? actOnStepper(module) : actOnServo(module);
+            bus.chain.identity(ModuleIndex(module)) == kStep ? actOnStepper(module) : actOnServo(module);
             bus.runFor(Duration(below(400'000'000)));
             expectNothingRejected();
         }
@@ -277,7 +277,7 @@ TEST_P(Sessions, OfServosRejectNothing) {
 TEST_P(Sessions, OfSteppersRejectNothing) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        Session session({kStepper, kStepper}, GetParam(), seed);
+        Session session({kStep, kStep}, GetParam(), seed);
         ASSERT_TRUE(session.begin());
         session.run();
         EXPECT_GT(session.bus.engine.statistics().answered, 500U);
@@ -285,7 +285,7 @@ TEST_P(Sessions, OfSteppersRejectNothing) {
 }
 
 TEST_P(Sessions, OfAMixedChainRejectNothing) {
-    Session session({{ModuleType::Servo, 4}, kStepper, {ModuleType::Servo, 2}}, GetParam(), 11);
+    Session session({{ModuleType::Servo, 4}, kStep, {ModuleType::Servo, 2}}, GetParam(), 11);
     ASSERT_TRUE(session.begin());
     session.run();
 }

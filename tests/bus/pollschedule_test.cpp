@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bus/pollschedule.h"
+#include "tests/support/modules.h"
 
 namespace nmc::test {
 
@@ -9,9 +10,8 @@ namespace {
 
 using namespace std::chrono_literals;
 using bus::PollSchedule;
-
-constexpr ModuleIndex kFirst{0};
-constexpr ModuleIndex kSecond{1};
+using testing_support::kFirst;
+using testing_support::kSecond;
 
 void silence(PollSchedule& schedule, ModuleIndex module, TimePoint now) {
     schedule.lose(module, now);

@@ -10,7 +10,6 @@ namespace {
 
 using namespace bus;
 using namespace std::chrono_literals;
-using Reason = RateChangeFailed::Reason;
 
 class RateBus : public GroupBus {
 public:
@@ -148,7 +147,7 @@ TEST(ChainRate, GoesBackWhenAModuleIsDeafToIt) {
         bus.makeDeaf(deaf);
         ASSERT_FALSE(bus.change(57'600));
         const RateChangeFailed failed = bus.failure();
-        EXPECT_EQ(failed.reason, Reason::NotHeard);
+        EXPECT_EQ(failed.reason, RateChangeFailed::Reason::NotHeard);
         EXPECT_EQ(failed.wanted, 57'600U);
         EXPECT_EQ(failed.baud, 115'200U);
         EXPECT_EQ(failed.modules, std::vector{ModuleIndex(deaf)});
@@ -192,13 +191,13 @@ TEST(ChainRate, IsNotChangedWhenThatWouldLeaveSomebody) {
             EXPECT_FALSE(bus.sent[i].bytes.size() == 5 && bus.sent[i].bytes[2] == 0x1A);
         return bus.failure();
     };
-    EXPECT_EQ(refused(360'000).reason, Reason::NoSuchRate);
+    EXPECT_EQ(refused(360'000).reason, RateChangeFailed::Reason::NoSuchRate);
     ASSERT_EQ(bus.perform({loadVelocity(1, 6'554, true)}), Outcome::Done);
-    EXPECT_EQ(refused(115'200).reason, Reason::NotNow);
+    EXPECT_EQ(refused(115'200).reason, RateChangeFailed::Reason::NotNow);
     EXPECT_EQ(bus.failure().modules, std::vector{ModuleIndex(1)});
     ASSERT_TRUE(bus.stopAll());
     ASSERT_EQ(bus.put(2, 0x81, true).outcome, Outcome::Done);
-    EXPECT_EQ(refused(115'200).reason, Reason::Leader) << "faults.md F-26";
+    EXPECT_EQ(refused(115'200).reason, RateChangeFailed::Reason::Leader) << "faults.md F-26";
     EXPECT_EQ(bus.failure().modules, std::vector{ModuleIndex(2)});
     ASSERT_EQ(bus.put(2, 0x81).outcome, Outcome::Done);
     EXPECT_TRUE(bus.change(115'200));
@@ -206,7 +205,7 @@ TEST(ChainRate, IsNotChangedWhenThatWouldLeaveSomebody) {
     bus.newHost();
     ASSERT_TRUE(bus.connect());
     bus.runFor(1s);
-    EXPECT_EQ(refused(19'200).reason, Reason::GroupsUnknown) << "another host's chain";
+    EXPECT_EQ(refused(19'200).reason, RateChangeFailed::Reason::GroupsUnknown) << "another host's chain";
     bus.expectNoViolations();
 }
 
@@ -281,7 +280,7 @@ TEST(ChainRate, EndsItsChangeWhenTheChainIsLookedForMeanwhile) {
         ASSERT_FALSE(bus.ended());
         ASSERT_TRUE(restart ? bus.restart() : bus.connect());
         ASSERT_TRUE(bus.ended());
-        EXPECT_EQ(bus.failure().reason, Reason::Interrupted);
+        EXPECT_EQ(bus.failure().reason, RateChangeFailed::Reason::Interrupted);
         EXPECT_EQ(bus.failure().wanted, 115'200U);
     }
 }
@@ -302,7 +301,7 @@ TEST(ChainRate, IsTheSameForAllAgainWhenTheWayBackIsNotHeard) {
     EXPECT_EQ(stop->unreached, std::vector{ModuleIndex(1)}) << "it is where nobody expects it";
     EXPECT_TRUE(bus.servo(1).servoOn);
     ASSERT_TRUE(bus.runUntil([&] { return bus.ended(); }, 5s));
-    EXPECT_EQ(bus.failure().reason, Reason::Interrupted);
+    EXPECT_EQ(bus.failure().reason, RateChangeFailed::Reason::Interrupted);
     EXPECT_TRUE(bus.failure().lost.empty());
     ASSERT_TRUE(bus.runUntil(
         [&] {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/bus/leftbehind.h"
+#include "tests/support/modules.h"
 
 namespace nmc::test {
 
@@ -14,8 +15,7 @@ namespace {
 
 using namespace bus;
 using namespace std::chrono_literals;
-
-constexpr ModuleIndex kFirst{0};
+using testing_support::kFirst;
 
 [[nodiscard]] EngineConfig readOnly() {
     EngineConfig config;

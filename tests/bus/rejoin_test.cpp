@@ -5,6 +5,7 @@
 
 #include "bus/rejoin.h"
 #include "tests/bus/steps.h"
+#include "tests/support/modules.h"
 #include "tests/support/virtualbus.h"
 
 namespace nmc::test {
@@ -15,26 +16,25 @@ using namespace bus;
 using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
-constexpr ModuleIdentity kStepper{ModuleType::Stepper, 1};
+using testing_support::kServo;
+using testing_support::kStep;
 
 [[nodiscard]] ModuleInfo module(std::uint8_t index, std::uint8_t address, ModuleIdentity identity = kServo) {
     return {ModuleIndex(index), BusAddress(address), identity, std::nullopt};
 }
 
 TEST(Rejoin, KeepsThePlacesOfThoseBehindOneThatIsMissing) {
-    const auto rejoined = rejoin({module(0, 1), module(1, 2), module(2, 3, kStepper)},
-                                 {module(0, 1), module(1, 3, kStepper)}, kServo);
+    const auto rejoined = rejoin({module(0, 1), module(1, 2), module(2, 3, kStep)},
+                                 {module(0, 1), module(1, 3, kStep)}, kServo);
     ASSERT_TRUE(rejoined);
     ASSERT_EQ(rejoined->modules.size(), 3U);
-    EXPECT_EQ(rejoined->modules[2], module(2, 3, kStepper));
+    EXPECT_EQ(rejoined->modules[2], module(2, 3, kStep));
     EXPECT_THAT(rejoined->absent, ElementsAre(ModuleIndex(1)));
     EXPECT_EQ(rejoined->restarted, ModuleIndex(1));
 }
 
 TEST(Rejoin, DoesNotCallAModuleRestartedThatIsOfAnotherType) {
-    const auto rejoined = rejoin({module(0, 1), module(1, 2)}, {module(0, 1)}, kStepper);
+    const auto rejoined = rejoin({module(0, 1), module(1, 2)}, {module(0, 1)}, kStep);
     ASSERT_TRUE(rejoined);
     EXPECT_THAT(rejoined->absent, ElementsAre(ModuleIndex(1)));
     EXPECT_FALSE(rejoined->restarted) << "it may be a new one";
@@ -42,8 +42,7 @@ TEST(Rejoin, DoesNotCallAModuleRestartedThatIsOfAnotherType) {
 }
 
 TEST(Rejoin, TakesAnotherChainAsItIs) {
-    EXPECT_FALSE(rejoin({module(0, 1), module(1, 2)}, {module(0, 1, kStepper)}, std::nullopt))
-        << "another type";
+    EXPECT_FALSE(rejoin({module(0, 1), module(1, 2)}, {module(0, 1, kStep)}, std::nullopt)) << "another type";
     EXPECT_FALSE(rejoin({module(0, 1)}, {module(0, 1), module(1, 2)}, std::nullopt)) << "one more";
     EXPECT_FALSE(rejoin({}, {module(0, 1)}, std::nullopt)) << "nothing was known";
     EXPECT_FALSE(rejoin({module(0, 1)}, {}, kServo)) << "nobody was found";

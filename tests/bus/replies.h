@@ -10,6 +10,13 @@
 /// Replies put together by hand, byte by byte as the data sheets lay them out (DS-V 5.3, DS-S 5.2).
 namespace nmc::test {
 
+// Items that a reply has: all of them, or position, A/D, velocity and aux.
+inline constexpr std::uint8_t kLong = 0x3F;
+inline constexpr std::uint8_t kShort = 0x0F;
+
+/// Of a servo that is off, at 0: status, position, A/D, aux and the sum.
+inline constexpr const char* kReply = "19 00 00 00 00 00 00 19 ";
+
 /// A PIC-SERVO that holds: move_done and power_on, servo_on.
 struct ServoState {
     std::uint8_t status = 0x09;

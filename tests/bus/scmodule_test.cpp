@@ -12,19 +12,18 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint8_t kSc = 1;
-
-[[nodiscard]] Order moveBy(std::int32_t counts) {
-    Order order = loadMove(kSc, counts);
-    std::get<servo::LoadTrajectory>(std::get<ServoCommand>(order.command)).relative = true;
-    return order;
-}
-
 class ScOnTheBus : public testing::Test {
 protected:
+    static constexpr std::uint8_t kSc = 1;
+
     ScOnTheBus() : bus({{ModuleType::Servo, 4}, {ModuleType::Servo, 10}}) {
         EXPECT_TRUE(bus.connect());
         EXPECT_EQ(bus.perform({gains(kSc)}), Outcome::Done);
+    }
+    [[nodiscard]] static Order moveBy(std::int32_t counts) {
+        Order order = loadMove(kSc, counts);
+        std::get<servo::LoadTrajectory>(std::get<ServoCommand>(order.command)).relative = true;
+        return order;
     }
     [[nodiscard]] Outcome minds(servo::LimitStop how) {
         return bus.perform({toServo(kSc, servo::ScIoControl{.limitStop = how})}).value();

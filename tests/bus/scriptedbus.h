@@ -12,16 +12,14 @@
 #include "bus/engine.h"
 #include "protocol/baud.h"
 #include "protocol/frame.h"
+#include "tests/support/hexbytes.h"
 
 namespace nmc::test {
 
-/// Bytes of "AA 01 0E 0F".
-[[nodiscard]] inline std::vector<std::uint8_t> fromHex(const std::string& text) {
-    std::vector<std::uint8_t> bytes;
-    for (std::size_t i = 0; i + 1 < text.size(); i += 3)
-        bytes.push_back(static_cast<std::uint8_t>(std::stoul(text.substr(i, 2), nullptr, 16)));
-    return bytes;
-}
+/// Of the auxiliary status byte (DS-V 5.3).
+inline constexpr std::uint8_t kServoOn = 0x04;
+
+using testing_support::fromHex;
 
 /// A reply with its sum.
 [[nodiscard]] inline std::vector<std::uint8_t> withSum(std::vector<std::uint8_t> bytes) {

@@ -8,6 +8,9 @@
 /// What a panel would ask for, as steps; gains as of simulator.md, which suit the simulated motor.
 namespace nmc::test {
 
+/// A velocity: one count per tick.
+inline constexpr std::uint32_t kOnePerTick = 65'536;
+
 [[nodiscard]] inline bus::Order toServo(std::uint8_t module, ServoCommand command) {
     return {ModuleIndex(module), std::move(command)};
 }
@@ -56,7 +59,7 @@ namespace nmc::test {
 }
 
 /// A press of its own each time.
-[[nodiscard]] inline bus::HoldToMove forward(std::uint8_t module, std::uint32_t velocity = 65'536) {
+[[nodiscard]] inline bus::HoldToMove forward(std::uint8_t module, std::uint32_t velocity = kOnePerTick) {
     static std::uint32_t presses = 0;
     return {ModuleIndex(module), CountsPerTick(velocity), CountsPerTickSquared(655), false, {}, ++presses};
 }

@@ -11,13 +11,10 @@ namespace {
 
 using namespace bus;
 
-constexpr std::uint8_t kLong = 0x3F;
-constexpr std::uint8_t kShort = 0x0F;
-
 /// What is passed on of a reply with this status.
-class Servo {
+class TrustedServo {
 public:
-    Servo() { trust.emplace(ModuleIdentity{ModuleType::Servo, 4}); }
+    TrustedServo() { trust.emplace(ModuleIdentity{ModuleType::Servo, 4}); }
     [[nodiscard]] std::optional<std::uint8_t> says(std::uint8_t status, std::uint8_t items) {
         const auto trusted = trust->confirm(report(status, items));
         return trusted ? std::optional(trusted->status) : std::nullopt;
@@ -33,7 +30,7 @@ public:
 };
 
 TEST(Trust, SaysNothingAfterTheFirstReply) {
-    Servo servo;
+    TrustedServo servo;
     EXPECT_EQ(servo.says(0x09, kLong), std::nullopt);
     EXPECT_EQ(servo.says(0x09, kShort), 0x09);
 }
@@ -44,7 +41,7 @@ TEST(Trust, LetsTwoRepliesOfDifferentLengthPermit) {
         {0x08, 0x09}, {0x11, 0x19}, {0x29, 0x09}, {0x49, 0x09}, {0x89, 0x09}};
     for (const auto& [before, after] : kPermits) {
         SCOPED_TRACE(int{before});
-        Servo servo;
+        TrustedServo servo;
         servo.settle(before);
         EXPECT_EQ(servo.says(after, kShort), before) << "once is not enough";
         EXPECT_EQ(servo.says(after, kLong), after);
@@ -56,14 +53,14 @@ TEST(Trust, LetsOneReplyWarn) {
         {0x09, 0x08}, {0x19, 0x11}, {0x09, 0x29}, {0x09, 0x49}, {0x09, 0x89}, {0x09, 0x0D}, {0x09, 0x19}};
     for (const auto& [before, after] : kWarns) {
         SCOPED_TRACE(int{after});
-        Servo servo;
+        TrustedServo servo;
         servo.settle(before);
         EXPECT_EQ(servo.says(after, kShort), after);
     }
 }
 
 TEST(Trust, TakesTwoRepliesOfOneLengthForOne) {
-    Servo servo;
+    TrustedServo servo;
     servo.settle(0x08);
     EXPECT_EQ(servo.says(0x09, kShort), 0x08);
     EXPECT_EQ(servo.says(0x09, kShort), 0x08);
@@ -72,7 +69,7 @@ TEST(Trust, TakesTwoRepliesOfOneLengthForOne) {
 }
 
 TEST(Trust, BeginsAnewAfterAReplyThatForbidsAgain) {
-    Servo servo;
+    TrustedServo servo;
     servo.settle(0x08);
     EXPECT_EQ(servo.says(0x09, kShort), 0x08);
     EXPECT_EQ(servo.says(0x08, kLong), 0x08);
@@ -81,7 +78,7 @@ TEST(Trust, BeginsAnewAfterAReplyThatForbidsAgain) {
 }
 
 TEST(Trust, DoesNotCountRepliesBeforeADoubt) {
-    Servo servo;
+    TrustedServo servo;
     servo.settle(0x08);
     EXPECT_EQ(servo.says(0x09, kShort), 0x08);
     servo.trust->interrupt();
@@ -90,14 +87,14 @@ TEST(Trust, DoesNotCountRepliesBeforeADoubt) {
 }
 
 TEST(Trust, KeepsWhatWasGrantedThroughADoubt) {
-    Servo servo;
+    TrustedServo servo;
     servo.settle(0x09);
     servo.trust->interrupt();
     EXPECT_EQ(servo.says(0x09, kShort), 0x09);
 }
 
 TEST(Trust, WantsStandstillShownAnewAfterAStart) {
-    Servo servo;
+    TrustedServo servo;
     servo.settle(0x09);
     servo.trust->expectMotion();
     EXPECT_EQ(servo.says(0x09, kShort), 0x08) << "power is another matter";

@@ -14,8 +14,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint8_t kEverything = 0x3F;
-
 /// A command that was not answered, and the look after it.
 class Lost {
 public:
@@ -49,9 +47,9 @@ public:
 
 private:
     void status(const ServoState& state) {
-        const auto bytes = bytesOf(state, kEverything);
+        const auto bytes = bytesOf(state, kLong);
         m_now += 10ms;
-        m_belief.onStatus(accepted(ModuleType::Servo, kEverything, bytes, m_now).report, m_now);
+        m_belief.onStatus(accepted(ModuleType::Servo, kLong, bytes, m_now).report, m_now);
     }
 
     Belief m_belief{{ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}}};

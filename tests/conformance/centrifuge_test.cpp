@@ -8,19 +8,18 @@
 #include <chrono>
 #include <optional>
 
+#include "tests/conformance/fieldhost.h"
 #include "tests/support/port.h"
 #include "tests/support/simprocess.h"
 
 namespace nmc {
 namespace {
 
+using namespace field;
 using testing_support::Port;
 using testing_support::SimProcess;
-using Bytes = std::vector<std::uint8_t>;
-using Clock = std::chrono::steady_clock;
 
-constexpr unsigned kServo = 1, kIo = 2, kEveryone = 0xFF;
-constexpr std::chrono::seconds kPatience{20};
+constexpr unsigned kServo = 1, kIo = 2;
 
 Bytes packet(unsigned address, unsigned command, const Bytes& data = {}) {
     Bytes bytes{0xAA, static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(command)};
@@ -30,11 +29,6 @@ Bytes packet(unsigned address, unsigned command, const Bytes& data = {}) {
         sum += byte;
     bytes.push_back(static_cast<std::uint8_t>(sum & 0xFFU));
     return bytes;
-}
-
-Bytes operator+(Bytes left, const Bytes& right) {
-    left.insert(left.end(), right.begin(), right.end());
-    return left;
 }
 
 bool sumIsRight(const Bytes& reply) {

@@ -11,20 +11,18 @@
 #include <map>
 #include <optional>
 
+#include "tests/conformance/fieldhost.h"
 #include "tests/support/port.h"
 #include "tests/support/simprocess.h"
 
 namespace nmc {
 namespace {
 
+using namespace field;
 using testing_support::SimProcess;
-using Bytes = std::vector<std::uint8_t>;
-using Clock = std::chrono::steady_clock;
 
 constexpr int kTimeoutMs = 100;
 constexpr int kMaxTries = 20;
-constexpr std::chrono::seconds kPatience{20};
-constexpr unsigned kEveryone = 0xFF;
 
 std::uint8_t byte(unsigned value) {
     return static_cast<std::uint8_t>(value & 0xFFU);
@@ -35,11 +33,6 @@ Bytes little(std::uint32_t value, unsigned count) {
     for (unsigned i = 0; i < count; ++i)
         bytes.push_back(byte(value >> (8 * i)));
     return bytes;
-}
-
-Bytes operator+(Bytes left, const Bytes& right) {
-    left.insert(left.end(), right.begin(), right.end());
-    return left;
 }
 
 /// A status packet, its fields found by the items that were asked for.
@@ -57,9 +50,9 @@ struct Status {
     [[nodiscard]] int velocity() const { return -static_cast<std::int16_t>(speed); }
 };
 
-class Host {
+class FieldHost {
 public:
-    explicit Host(const std::string& terminal) : m_port(terminal) { m_port.setRate(B19200); }
+    explicit FieldHost(const std::string& terminal) : m_port(terminal) { m_port.setRate(B19200); }
 
     /// 20 nulls and Hard Reset, twice; then Set Address until nobody answers.
     unsigned enumerate() {
@@ -270,7 +263,7 @@ protected:
     }
 
     SimProcess sim;
-    Host host;
+    FieldHost host;
 };
 
 constexpr std::uint32_t perTick(double counts) {
@@ -451,7 +444,7 @@ void HostProgram::books() {
         {"define_status", 2},  {"load_trajectory", 4}, {"start_motion", 5},      {"set_gain", 6},
         {"set_parameters", 6}, {"stop_motor", 7},      {"io_control", 8},        {"set_outputs", 8},
         {"set_homing", 9},     {"set_baud", 10},       {"clear_sticky_bits", 11}};
-    for (unsigned a = 1; a <= Host::kModules; ++a) {
+    for (unsigned a = 1; a <= FieldHost::kModules; ++a) {
         for (const auto& [name, count] : stats["modules"][a - 1]["executed"].items()) {
             const auto code = codes.find(name);
             if (code == codes.end())
@@ -468,15 +461,15 @@ void HostProgram::books() {
 }
 
 TEST_P(HostProgram, WorksUnchangedWithEveryCommandOfBothModuleTypes) {
-    ASSERT_EQ(host.enumerate(), Host::kModules);
-    const std::array<std::pair<unsigned, unsigned>, Host::kModules> identities{
+    ASSERT_EQ(host.enumerate(), FieldHost::kModules);
+    const std::array<std::pair<unsigned, unsigned>, FieldHost::kModules> identities{
         {{0, 4}, {0, 1}, {0, 3}, {3, 1}}};
-    for (unsigned a = 1; a <= Host::kModules; ++a) {
+    for (unsigned a = 1; a <= FieldHost::kModules; ++a) {
         const Status s = host.ask(a, 0x13, {0x20});
         EXPECT_EQ(std::pair(s.type, s.version), identities[a - 1]);
     }
     host.goTo(GetParam().code, GetParam().speed);
-    for (unsigned a = 1; a <= Host::kModules; ++a)
+    for (unsigned a = 1; a <= FieldHost::kModules; ++a)
         EXPECT_EQ(truth(a)["baud"], GetParam().real);
 
     for (unsigned a = 1; a <= 3; ++a)
@@ -484,11 +477,11 @@ TEST_P(HostProgram, WorksUnchangedWithEveryCommandOfBothModuleTypes) {
     everyStepCommand(4);
     books();
     groups();
-    for (unsigned a = 1; a <= Host::kModules; ++a)
+    for (unsigned a = 1; a <= FieldHost::kModules; ++a)
         addresses(a);
 
     host.tell({}, kEveryone, 0x0F, {}, [&] {
-        for (unsigned a = 1; a <= Host::kModules; ++a)
+        for (unsigned a = 1; a <= FieldHost::kModules; ++a)
             if (truth(a)["address"] != 0 || truth(a)["baud"] != 19'531)
                 return false;
         return true;

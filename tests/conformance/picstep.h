@@ -10,8 +10,7 @@ using namespace stepperchip;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-// 1x, 1000 steps per second: 65 536 - 625 000 / 1000 + 2; the nearest integer speed is 1000 / 25.
-inline constexpr std::uint16_t kCount = 64'913;
+/// The integer speed next to kCount: 1000 / 25.
 inline constexpr std::uint8_t kNearest = 40;
 
 /// A whole number of ticks that is a whole number of seconds: no tick's worth of doubt.

@@ -10,8 +10,6 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-const Bytes kIdle{0x19, 0x19};
-
 class PicServoNetwork : public PicServo {
 protected:
     Bytes setAddress(unsigned at, unsigned address, unsigned group) {

@@ -12,7 +12,6 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
 const Bytes kNop = packet(1, 0x0E);
-const Bytes kIdle{0x19, 0x19};
 /// Ten bits at 19 200 Bd, rounded up.
 constexpr Duration kHostByte = std::chrono::nanoseconds(520'834);
 

@@ -5,6 +5,9 @@
 
 namespace nmc::conformance {
 
+/// What a servo answers that has nothing to do since it was powered up: move_done, power_on, pos_error.
+inline const Bytes kIdle{0x19, 0x19};
+
 /// 1 count per tick in 16.16.
 inline constexpr std::uint32_t kOne = 65536;
 

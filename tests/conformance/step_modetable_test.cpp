@@ -19,15 +19,6 @@ constexpr Load kTimer{.count = kFaster, .nearest = 50};
 constexpr Load kPositionTimer{.position = 2'000, .count = kFaster, .nearest = 50};
 constexpr Load kNothing{};
 
-Load operator+(Load load, const Load& more) {
-    load.position = more.position ? more.position : load.position;
-    load.speed = more.speed ? more.speed : load.speed;
-    load.acceleration = more.acceleration ? more.acceleration : load.acceleration;
-    load.count = more.count ? more.count : load.count;
-    load.nearest = more.count ? more.nearest : load.nearest;
-    return load;
-}
-
 class PicStepModeTable : public PicStep {
 protected:
     /// A fresh chip in a starting mode, with speed 60 and acceleration time 4 loaded before.

@@ -221,13 +221,13 @@ TEST_P(PicStep, Trapezoid1_AcceleratesSlewsAndDeceleratesToAStopAtTheGoal) {
         rig->wait(kTick);
     EXPECT_EQ(speed(), 20U);
     unsigned fastest = 0;
-    double seconds = 0;
-    for (; moving() && seconds < 2; seconds += toSeconds(kTick)) {
+    double elapsed = 0;
+    for (; moving() && elapsed < 2; elapsed += toSeconds(kTick)) {
         fastest = std::max(fastest, speed());
         rig->wait(kTick);
     }
     EXPECT_EQ(fastest, 120U);
-    EXPECT_NEAR(seconds, 0.751, 0.003);
+    EXPECT_NEAR(elapsed, 0.751, 0.003);
     EXPECT_EQ(report().position, 2'000);
     EXPECT_EQ(stepsIn(std::chrono::seconds(1)), 0);
     expectNoViolations();

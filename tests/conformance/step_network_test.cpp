@@ -5,7 +5,7 @@
 namespace nmc::conformance {
 namespace {
 
-const Bytes kIdle{0x08, 0x08};
+const Bytes kDisabled{0x08, 0x08};
 const Bytes kEnabled{0x0C, 0x0C};
 
 class PicStepNetwork : public PicStep {
@@ -38,7 +38,7 @@ TEST_P(PicStepNetwork, SetAddress2_TheFirstByteIsTheIndividualAddressFrom0ToFF) 
 
 TEST_P(PicStepNetwork, SetAddress3_TheInitialIndividualAddressIs0) {
     powerUp();
-    EXPECT_EQ(rig->command(0, 0x0E), kIdle);
+    EXPECT_EQ(rig->command(0, 0x0E), kDisabled);
 }
 
 TEST_P(PicStepNetwork, SetAddress4_TheInitialGroupAddressIsFF) {
@@ -78,9 +78,9 @@ TEST_P(PicStepNetwork, SetAddress8_TheFirstAfterPowerUpOrResetEnablesTheNextModu
             rig->command(0xFF, 0x0F);
         rig->waitTicks(20);
         EXPECT_FALSE(rig->state(2)["listening"].get<bool>());
-        ASSERT_EQ(rig->command(0, 0x21, {1, 0xFF}), kIdle);
+        ASSERT_EQ(rig->command(0, 0x21, {1, 0xFF}), kDisabled);
         EXPECT_TRUE(rig->state(2)["listening"].get<bool>());
-        ASSERT_EQ(rig->command(0, 0x21, {2, 0xFF}), kIdle);
+        ASSERT_EQ(rig->command(0, 0x21, {2, 0xFF}), kDisabled);
     }
     expectNoViolations();
 }
@@ -128,8 +128,8 @@ TEST_P(PicStepNetwork, SetBaudRate8_AllModulesOfTheGroupChangeAtOnce) {
     rig->command(0xFF, 0x1A, {10});
     rig->setBaud(115'200);
     EXPECT_EQ(rig->command(1, 0x0E), kEnabled);
-    EXPECT_EQ(rig->command(2, 0x0E), kIdle);
-    EXPECT_EQ(rig->command(3, 0x0E), kIdle);
+    EXPECT_EQ(rig->command(2, 0x0E), kDisabled);
+    EXPECT_EQ(rig->command(3, 0x0E), kDisabled);
     expectNoViolations();
 }
 
@@ -179,7 +179,7 @@ TEST_P(PicStepNetwork, HardReset2_ReturnsTheModuleToItsPowerUpState) {
     for (const char* outside : {"time", "tick", "shaft"})
         before[outside] = after[outside];
     EXPECT_EQ(after, before);
-    EXPECT_EQ(rig->command(0, 0x0E), kIdle);
+    EXPECT_EQ(rig->command(0, 0x0E), kDisabled);
 }
 
 TEST_P(PicStepNetwork, HardReset3_ToTheGroupResetsAllModules) {
@@ -199,7 +199,7 @@ TEST_P(PicStepNetwork, HardReset4_ToFFIsObeyedWhateverTheGroup) {
     EXPECT_TRUE(rig->command(0xFF, 0x0F).empty());
     rig->waitTicks(20);
     EXPECT_EQ(truth<int>("address"), 0);
-    EXPECT_EQ(rig->command(0, 0x0E), kIdle);
+    EXPECT_EQ(rig->command(0, 0x0E), kDisabled);
 }
 
 }  // namespace

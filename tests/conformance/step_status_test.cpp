@@ -35,8 +35,8 @@ void PicStepStatus::expectItem(unsigned byte, unsigned mask, const Bytes& item, 
     expectViolations(violations);
 }
 
-const Bytes kPosition{0xFD, 0xFD, 0xFF, 0xFF}, kAnalog{0x55}, kTimer{0x91, 0xFD}, kInputs{0x22},
-    kHome{0x02, 0x01, 0x00, 0x00}, kIdentity{3, 1};
+const Bytes kPositionItem{0xFD, 0xFD, 0xFF, 0xFF}, kAnalogItem{0x55}, kTimerItem{0x91, 0xFD},
+    kInputsItem{0x22}, kHomeItem{0x02, 0x01, 0x00, 0x00}, kIdentityItem{3, 1};
 
 TEST_P(PicStepStatus, DefineStatus1_IsCommand2WithOneByte) {
     expectForm("define_status", 0x12, {0x00});
@@ -46,31 +46,32 @@ TEST_P(PicStepStatus, DefineStatus2_TheDefaultIsNoItem) {
     EXPECT_EQ(command(0x0E), (Bytes{0x0C, 0x0C}));
 }
 TEST_P(PicStepStatus, DefineStatus3_Bit0SendsThePositionInFourBytes) {
-    expectItem(0x12, 0x01, kPosition);
+    expectItem(0x12, 0x01, kPositionItem);
 }
 TEST_P(PicStepStatus, DefineStatus4_Bit1SendsTheAnalogValueInOneByte) {
-    expectItem(0x12, 0x02, kAnalog);
+    expectItem(0x12, 0x02, kAnalogItem);
 }
 TEST_P(PicStepStatus, DefineStatus5_Bit2SendsTheCurrentInitialTimerCountInTwoBytes) {
-    expectItem(0x12, 0x04, kTimer);
+    expectItem(0x12, 0x04, kTimerItem);
 }
 TEST_P(PicStepStatus, DefineStatus6_Bit3SendsTheInputsByte) {
-    expectItem(0x12, 0x08, kInputs);
+    expectItem(0x12, 0x08, kInputsItem);
 }
 TEST_P(PicStepStatus, DefineStatus7_Bit4SendsTheHomePositionInFourBytes) {
-    expectItem(0x12, 0x10, kHome);
+    expectItem(0x12, 0x10, kHomeItem);
 }
 TEST_P(PicStepStatus, DefineStatus8_Bit5SendsDeviceType3AndTheVersion) {
-    expectItem(0x12, 0x20, kIdentity);
+    expectItem(0x12, 0x20, kIdentityItem);
 }
 TEST_P(PicStepStatus, DefineStatus9_Bits6And7AreNotUsed) {
-    expectItem(0x12, 0xC8, kInputs, {"reserved_bits"});
+    expectItem(0x12, 0xC8, kInputsItem, {"reserved_bits"});
 }
 TEST_P(PicStepStatus, DefineStatus10_ItemsComeInTheOrderListed) {
-    expectItem(0x12, 0x3F, kPosition + kAnalog + kTimer + kInputs + kHome + kIdentity);
+    expectItem(0x12, 0x3F,
+               kPositionItem + kAnalogItem + kTimerItem + kInputsItem + kHomeItem + kIdentityItem);
 }
 TEST_P(PicStepStatus, DefineStatus11_Bits0And3GivePositionThenInputsThenTheSum) {
-    expectItem(0x12, 0x09, kPosition + kInputs);
+    expectItem(0x12, 0x09, kPositionItem + kInputsItem);
 }
 
 TEST_P(PicStepStatus, DefineStatus12_TheReplyToTheCommandHasTheItemsAlready) {
@@ -99,35 +100,36 @@ TEST_P(PicStepStatus, DefineStatus14_APowerUpOrResetLeavesTheStatusByteOnly) {
 }
 
 TEST_P(PicStepStatus, DefineStatus15_ValuesOfSeveralBytesComeLeastSignificantFirst) {
-    expectItem(0x12, 0x15, kPosition + kTimer + kHome);
+    expectItem(0x12, 0x15, kPositionItem + kTimerItem + kHomeItem);
 }
 
 TEST_P(PicStepStatus, ReadStatus1_IsCommand3WithOneByte) {
     expectForm("read_status", 0x13, {0x00});
 }
 TEST_P(PicStepStatus, ReadStatus2_Bit0SendsThePositionInFourBytes) {
-    expectItem(0x13, 0x01, kPosition);
+    expectItem(0x13, 0x01, kPositionItem);
 }
 TEST_P(PicStepStatus, ReadStatus3_Bit1SendsTheAnalogValueInOneByte) {
-    expectItem(0x13, 0x02, kAnalog);
+    expectItem(0x13, 0x02, kAnalogItem);
 }
 TEST_P(PicStepStatus, ReadStatus4_Bit2SendsTheCurrentInitialTimerCountInTwoBytes) {
-    expectItem(0x13, 0x04, kTimer);
+    expectItem(0x13, 0x04, kTimerItem);
 }
 TEST_P(PicStepStatus, ReadStatus5_Bit3SendsTheInputsByte) {
-    expectItem(0x13, 0x08, kInputs);
+    expectItem(0x13, 0x08, kInputsItem);
 }
 TEST_P(PicStepStatus, ReadStatus6_Bit4SendsTheHomePositionInFourBytes) {
-    expectItem(0x13, 0x10, kHome);
+    expectItem(0x13, 0x10, kHomeItem);
 }
 TEST_P(PicStepStatus, ReadStatus7_Bit5SendsDeviceType3AndTheVersion) {
-    expectItem(0x13, 0x20, kIdentity);
+    expectItem(0x13, 0x20, kIdentityItem);
 }
 TEST_P(PicStepStatus, ReadStatus8_Bits6And7AreNotUsed) {
-    expectItem(0x13, 0xC8, kInputs, {"reserved_bits"});
+    expectItem(0x13, 0xC8, kInputsItem, {"reserved_bits"});
 }
 TEST_P(PicStepStatus, ReadStatus9_TheReplyHasTheItemsOfTheCommand) {
-    expectItem(0x13, 0x3F, kPosition + kAnalog + kTimer + kInputs + kHome + kIdentity);
+    expectItem(0x13, 0x3F,
+               kPositionItem + kAnalogItem + kTimerItem + kInputsItem + kHomeItem + kIdentityItem);
 }
 
 TEST_P(PicStepStatus, ReadStatus10_LaterPacketsHaveTheItemsOfDefineStatus) {

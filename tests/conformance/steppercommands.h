@@ -14,6 +14,9 @@ using Bytes = std::vector<std::uint8_t>;
 inline constexpr unsigned k8x = 0, k4x = 1, k2x = 2, k1x = 3;
 inline constexpr unsigned kIgnoreLimits = 0x04, kIgnoreEstop = 0x08, kMotorOff = 0x10;
 
+/// 1x, 1000 steps per second: 65 536 - 625 000 / 1000 + 2.
+inline constexpr std::uint16_t kCount = 64'913;
+
 inline void append(Bytes& bytes, std::uint32_t value, int count) {
     for (int i = 0; i < count; ++i)
         bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i) & 0xFFU));
@@ -29,6 +32,16 @@ struct Load {
     bool reverse = false;
     bool start = true;
 };
+
+/// What either of them loads; `more` goes before.
+inline Load operator+(Load load, const Load& more) {
+    load.position = more.position ? more.position : load.position;
+    load.speed = more.speed ? more.speed : load.speed;
+    load.acceleration = more.acceleration ? more.acceleration : load.acceleration;
+    load.count = more.count ? more.count : load.count;
+    load.nearest = more.count ? more.nearest : load.nearest;
+    return load;
+}
 
 /// The data bytes of Load Trajectory.
 inline Bytes loadData(const Load& load) {

@@ -15,7 +15,6 @@ using namespace std::chrono_literals;
 
 constexpr std::uint8_t kStands = 0x19;  // move_done, power_on, pos_error
 constexpr std::uint8_t kMoves = 0x08;   // power_on
-constexpr std::uint8_t kServoOn = 0x04;
 constexpr StatusItems kShort{StatusItems::Position};
 constexpr StatusItems kLong{StatusItems::Position | StatusItems::Identity};
 

@@ -13,8 +13,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t kFast = 115'200;
-
 /// Three servos at different places, and what is said about them.
 class OnTheLine : public testing::Test {
 protected:

@@ -21,7 +21,6 @@ using namespace std::chrono_literals;
 using sim::ViolationKind;
 
 constexpr std::uint8_t kServos = 3;
-constexpr std::uint32_t kFast = 115'200;
 constexpr std::size_t kCodes = 16;
 
 struct Fault {

@@ -13,8 +13,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t kFast = 115'200;
-
 // ---- F-23 ----
 
 /// The chain as a program at another rate left it.

@@ -12,9 +12,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t kFast = 115'200;
-constexpr std::uint32_t kOnePerTick = 65'536;
-
 /// Two servos that move to and fro for as long as told, while frames are damaged; what they do is not the
 /// point, but that what is said about them is true.
 void moveAbout(FaultyBus& bus, Duration time) {

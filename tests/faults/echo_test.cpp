@@ -12,8 +12,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t kFast = 115'200;
-
 [[nodiscard]] EngineConfig atRate(std::uint32_t baud, Duration latency = {}) {
     EngineConfig config;
     config.baud = baud;

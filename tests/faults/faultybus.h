@@ -14,6 +14,9 @@
 /// of what it did.
 namespace nmc::test {
 
+/// The rate of most of the chains on which faults are injected.
+inline constexpr std::uint32_t kFast = 115'200;
+
 class FaultyBus : public VirtualBus {
 public:
     explicit FaultyBus(const std::vector<ModuleIdentity>& modules, bus::EngineConfig config = {},

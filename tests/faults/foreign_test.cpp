@@ -13,8 +13,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t kFast = 115'200;
-
 /// Two servos that hold and a stepper whose amplifier is on.
 class OtherHost : public testing::Test {
 protected:

@@ -17,9 +17,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t kFast = 115'200;
-constexpr std::uint8_t kGroup = 0x81;
-
 class FaultyGroup : public WithGroups<FaultyBus> {
 public:
     using WithGroups<FaultyBus>::WithGroups;

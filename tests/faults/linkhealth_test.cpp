@@ -11,8 +11,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint8_t kServoOn = 0x04;
-
 /// Two servos that are on. Every fourth answer of the second one has a wrong sum.
 class LinkHealthOfOneModule : public testing::Test {
 protected:

@@ -12,9 +12,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t kFast = 115'200;
-constexpr std::uint32_t kOnePerTick = 65'536;
-
 // ---- M-13 ----
 
 TEST(M13_ServoOverrun, IsShownAndChangesNothing) {

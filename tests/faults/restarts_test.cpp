@@ -17,9 +17,6 @@ using namespace bus;
 using namespace std::chrono_literals;
 using testing::Contains;
 
-constexpr std::uint32_t kFast = 115'200;
-constexpr std::uint32_t kOnePerTick = 65'536;
-
 [[nodiscard]] bool restarted(const FaultyBus& bus, std::uint8_t module) {
     for (const auto& event : bus.all<ModuleRestarted>())
         if (event.module == ModuleIndex(module))
@@ -165,16 +162,16 @@ TEST(F37_TwoModulesAtOneAddress, MakeNoSampleWhenItHappensLater) {
 // ---- F-38 ----
 
 TEST(F38_AnswerToSetAddressLost, AtEveryPlaceOfALongChainGivesUniqueAddresses) {
-    constexpr std::uint8_t kLong = 32;
-    for (std::uint8_t place = 1; place <= kLong; ++place) {
+    constexpr std::uint8_t kLongChain = 32;
+    for (std::uint8_t place = 1; place <= kLongChain; ++place) {
         SCOPED_TRACE(int{place});
-        FaultyBus bus(servos(kLong));
+        FaultyBus bus(servos(kLongChain));
         bus.fault("module " + std::to_string(place) + (place % 2 == 0 ? " silent" : " drop status") +
                   " on=set_address n=1");
         ASSERT_TRUE(bus.restart());
         EXPECT_EQ(bus.struck(), 1U);
-        ASSERT_EQ(bus.last<ChainFound>()->modules.size(), std::size_t{kLong});
-        for (std::uint8_t i = 0; i < kLong; ++i)
+        ASSERT_EQ(bus.last<ChainFound>()->modules.size(), std::size_t{kLongChain});
+        for (std::uint8_t i = 0; i < kLongChain; ++i)
             EXPECT_EQ(bus.chain.snapshot(ModuleIndex(i), bus.now).address, i + 1);
     }
 }

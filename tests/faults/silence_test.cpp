@@ -12,9 +12,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t kFast = 115'200;
-constexpr std::uint32_t kOnePerTick = 65'536;
-
 /// Packets to stop something since the given entry: a stop may go to one module or to all.
 [[nodiscard]] std::size_t stops(const FaultyBus& bus, std::size_t from) {
     std::size_t n = 0;

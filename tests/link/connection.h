@@ -12,6 +12,8 @@
 
 namespace nmc::testing_support {
 
+inline constexpr int kPatienceMs = 20'000;
+
 /// A worker and a store as the panel has them, and what the store had to tell.
 class Connection {
 public:
@@ -56,7 +58,7 @@ public:
     void forgetNews() { m_news.clear(); }
 
     template <typename Predicate>
-    bool waitUntil(Predicate predicate, int patienceMs = 20'000) {
+    bool waitUntil(Predicate predicate, int patienceMs = kPatienceMs) {
         return QTest::qWaitFor(predicate, patienceMs);
     }
     template <typename Event>

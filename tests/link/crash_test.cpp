@@ -12,10 +12,10 @@
 namespace nmc {
 namespace {
 
+using testing_support::kAtRest;
 using testing_support::NmcsimProcess;
 
-constexpr double kAtRest = 0.01;  // counts/tick; a servo that holds is never quite still
-constexpr int kPatienceMs = 10'000;
+constexpr int kLimitMs = 10'000;
 
 double velocity(NmcsimProcess& sim) {
     return std::abs(sim.state(2)[QStringLiteral("command_velocity")].toDouble());
@@ -26,11 +26,11 @@ void crash(NmcsimProcess& sim, const QString& thread, const QString& how) {
     QProcess process;
     process.start(QStringLiteral(CRASHER_PATH), {sim.terminal(), thread, how});
     while (!process.canReadLine())
-        ASSERT_TRUE(process.waitForReadyRead(kPatienceMs));
+        ASSERT_TRUE(process.waitForReadyRead(kLimitMs));
     ASSERT_EQ(process.readLine().trimmed(), "moving");
     ASSERT_NEAR(velocity(sim), 8.0, 0.1) << "the simulator has to agree that it moves";
     process.write("now\n");
-    ASSERT_TRUE(process.waitForFinished(kPatienceMs));
+    ASSERT_TRUE(process.waitForFinished(kLimitMs));
     EXPECT_EQ(process.exitStatus(), QProcess::CrashExit) << "the crash must not be hidden";
 }
 
@@ -38,7 +38,7 @@ bool stops(NmcsimProcess& sim) {
     QElapsedTimer clock;
     clock.start();
     while (velocity(sim) > kAtRest)
-        if (clock.elapsed() > kPatienceMs)
+        if (clock.elapsed() > kLimitMs)
             return false;
     return true;
 }

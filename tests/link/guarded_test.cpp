@@ -19,10 +19,9 @@
 namespace nmc {
 namespace {
 
+using testing_support::kAtRest;
+using testing_support::kPatienceMs;
 using testing_support::NmcsimProcess;
-
-constexpr double kAtRest = 0.01;  // counts/tick
-constexpr int kPatienceMs = 20'000;
 
 /// crasher with a guardian, on nmcsim: motor 2 moves, and in a group motor 1 as well.
 class Panel {

@@ -7,6 +7,7 @@
 #include <QTemporaryFile>
 
 #include "link/terminal/ptyserver.h"
+#include "tests/link/asnobody.h"
 #include "tests/link/connection.h"
 #include "tests/support/nmcsimprocess.h"
 
@@ -139,24 +140,6 @@ TEST(F35_TwoNames, OfAPortThatIsUsedAreBothInUse) {
     first.worker().close();
     EXPECT_TRUE(first.waitFor<PortClosed>());
 }
-
-/// Root may open anything, so this thread steps down while it asks.
-class AsNobody {
-public:
-    AsNobody() : m_root(::geteuid() == 0) {
-        if (m_root && ::seteuid(65'534) != 0)
-            ADD_FAILURE() << "cannot become nobody";
-    }
-    ~AsNobody() {
-        if (m_root && ::seteuid(0) != 0)
-            ADD_FAILURE() << "cannot become root again";
-    }
-    AsNobody(const AsNobody&) = delete;
-    AsNobody& operator=(const AsNobody&) = delete;
-
-private:
-    bool m_root;
-};
 
 TEST(F31_Permission, OfAPortOfAnotherUserIsMissing) {
     const auto terminal = PtyServer::create({});

@@ -23,8 +23,6 @@ namespace {
 
 using namespace testing_support;
 
-constexpr int kPatienceMs = 20'000;
-
 /// What systemd's logind does with delays: keeps the other end of each, which is closed when it is let go.
 class FakeLogind : public QObject {
     Q_OBJECT

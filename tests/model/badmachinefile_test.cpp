@@ -11,7 +11,7 @@
 namespace nmc {
 namespace {
 
-using Kind = FileProblem::Kind;
+using FileFault = FileProblem::Kind;
 using Wanted = FileProblem::Wanted;
 
 FileProblem problemOf(const std::string& text) {
@@ -41,36 +41,36 @@ TEST(BadMachineFile, CutAtAnyByteItIsRefusedAsTruncatedInTheLineWhereItEnds) {
         else if (last != ' ')
             line = nextLine;
         const FileProblem problem = problemOf(whole.substr(0, length));
-        ASSERT_EQ(problem.kind, Kind::Truncated) << "after " << length << " bytes";
+        ASSERT_EQ(problem.kind, FileFault::Truncated) << "after " << length << " bytes";
         ASSERT_EQ(problem.line, line) << "after " << length << " bytes";
     }
 }
 
 TEST(BadMachineFile, NothingIsThere) {
-    EXPECT_EQ(problemOf("").kind, Kind::Empty);
-    EXPECT_EQ(problemOf(" \n\n").kind, Kind::Empty);
+    EXPECT_EQ(problemOf("").kind, FileFault::Empty);
+    EXPECT_EQ(problemOf(" \n\n").kind, FileFault::Empty);
 }
 
 TEST(BadMachineFile, SomethingElse) {
-    EXPECT_EQ(problemOf("[1, 2]").kind, Kind::OtherFormat);
-    EXPECT_EQ(problemOf("{}").kind, Kind::OtherFormat);
-    EXPECT_EQ(problemOf("{\"format\": 1, \"version\": 1}").kind, Kind::OtherFormat);
+    EXPECT_EQ(problemOf("[1, 2]").kind, FileFault::OtherFormat);
+    EXPECT_EQ(problemOf("{}").kind, FileFault::OtherFormat);
+    EXPECT_EQ(problemOf("{\"format\": 1, \"version\": 1}").kind, FileFault::OtherFormat);
     EXPECT_EQ(problemOf("{\n\"format\": \"recipe\", \"version\": 1}"),
-              (FileProblem{.kind = Kind::OtherFormat, .line = 2, .field = "format"}));
-    EXPECT_EQ(problemOf("time,position\n1,2\n").kind, Kind::NotJson);
+              (FileProblem{.kind = FileFault::OtherFormat, .line = 2, .field = "format"}));
+    EXPECT_EQ(problemOf("time,position\n1,2\n").kind, FileFault::NotJson);
     EXPECT_EQ(problemOf(std::string("\x7F"
                                     "ELF\x02\x01\x01\0\0",
                                     9))
                   .kind,
-              Kind::NotJson);
+              FileFault::NotJson);
 }
 
 TEST(BadMachineFile, OfANewerProgram) {
-    EXPECT_EQ(
-        problemOf("{\n\"format\": \"nmc-panel-machine\",\n\"version\": 2, \"axes\": 5}"),
-        (FileProblem{.kind = Kind::NewerVersion, .line = 3, .field = "version", .found = "2", .max = 1}));
-    EXPECT_EQ(problemOf("{\"format\": \"nmc-panel-machine\"}").kind, Kind::Missing);
-    EXPECT_EQ(problemOf("{\"format\": \"nmc-panel-machine\", \"version\": 0}").kind, Kind::OutOfRange);
+    EXPECT_EQ(problemOf("{\n\"format\": \"nmc-panel-machine\",\n\"version\": 2, \"axes\": 5}"),
+              (FileProblem{
+                  .kind = FileFault::NewerVersion, .line = 3, .field = "version", .found = "2", .max = 1}));
+    EXPECT_EQ(problemOf("{\"format\": \"nmc-panel-machine\"}").kind, FileFault::Missing);
+    EXPECT_EQ(problemOf("{\"format\": \"nmc-panel-machine\", \"version\": 0}").kind, FileFault::OutOfRange);
 }
 
 TEST(BadMachineFile, NotJsonInLine3) {
@@ -78,7 +78,7 @@ TEST(BadMachineFile, NotJsonInLine3) {
          {"\"name\" \"x\"", "\"name\": x", "\"name\": 'x'", "\"name\": 01", "// no comments", "\"a\": 1,",
           "\"name\": \"a\tb\"", "\"name\": \"\\x\"", "} {"}) {
         const FileProblem problem = problemOf(fileWith(line));
-        EXPECT_EQ(problem.kind, Kind::NotJson) << line;
+        EXPECT_EQ(problem.kind, FileFault::NotJson) << line;
         EXPECT_GE(problem.line, 3) << line;
         EXPECT_LE(problem.line, 4) << line;
     }
@@ -86,21 +86,21 @@ TEST(BadMachineFile, NotJsonInLine3) {
 
 TEST(BadMachineFile, NumbersThatAreNone) {
     EXPECT_EQ(problemOf(fileWith("\"rate_bd\": NaN")),
-              (FileProblem{.kind = Kind::NotANumber, .line = 3, .found = "NaN"}));
-    EXPECT_EQ(problemOf(fileWith("\"rate_bd\": nan")).kind, Kind::NotANumber);
-    EXPECT_EQ(problemOf(fileWith("\"rate_bd\": -Infinity")).kind, Kind::NotANumber);
+              (FileProblem{.kind = FileFault::NotANumber, .line = 3, .found = "NaN"}));
+    EXPECT_EQ(problemOf(fileWith("\"rate_bd\": nan")).kind, FileFault::NotANumber);
+    EXPECT_EQ(problemOf(fileWith("\"rate_bd\": -Infinity")).kind, FileFault::NotANumber);
     EXPECT_EQ(problemOf(fileWith("\"rate_bd\": 1e999")),
-              (FileProblem{.kind = Kind::NumberTooBig, .line = 3}));
-    EXPECT_EQ(problemOf(fileWith("\"of_another_program\": -1e999")).kind, Kind::NumberTooBig);
+              (FileProblem{.kind = FileFault::NumberTooBig, .line = 3}));
+    EXPECT_EQ(problemOf(fileWith("\"of_another_program\": -1e999")).kind, FileFault::NumberTooBig);
 }
 
 TEST(BadMachineFile, BytesThatAreNoLetters) {
     // A lone continuation byte, an overlong slash, a surrogate, beyond U+10FFFF, Latin-1.
     for (const std::string bytes : {"\x80", "\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE4 "})
         EXPECT_EQ(problemOf(fileWith("\"name\": \"" + bytes + "\"")),
-                  (FileProblem{.kind = Kind::NotUtf8, .line = 3}));
+                  (FileProblem{.kind = FileFault::NotUtf8, .line = 3}));
     EXPECT_EQ(problemOf(fileWith("\"name\": \"a\\u001bb\"")),
-              (FileProblem{.kind = Kind::UnprintableText, .line = 3, .field = "name"}));
+              (FileProblem{.kind = FileFault::UnprintableText, .line = 3, .field = "name"}));
 }
 
 /// Line 3 has the points, then each sequence has a line and each of its rows.
@@ -113,34 +113,34 @@ TEST(BadMachineFile, PointsAndSequencesThatCannotBe) {
     };
     const std::string wait = "{\"do\": \"wait\", \"seconds\": 1}";
     EXPECT_TRUE(parseMachine(program(wait)).has_value());
-    const auto expect = [&](const std::string& row, Kind kind, const std::string& field,
+    const auto expect = [&](const std::string& row, FileFault kind, const std::string& field,
                             const std::string& found) {
         EXPECT_EQ(problemOf(program(wait + ",\n" + row)),
                   (FileProblem{.kind = kind, .line = 7, .field = field, .found = found}));
     };
-    expect("{\"do\": \"call\", \"sequence\": \"B\"}", Kind::CallsItself, "sequences", "A");
-    expect("{\"do\": \"call\", \"sequence\": \"A\"}", Kind::CallsItself, "sequences", "A");
-    expect("{\"do\": \"call\", \"sequence\": \"X\"}", Kind::NoSuchSequence, "sequences", "X");
+    expect("{\"do\": \"call\", \"sequence\": \"B\"}", FileFault::CallsItself, "sequences", "A");
+    expect("{\"do\": \"call\", \"sequence\": \"A\"}", FileFault::CallsItself, "sequences", "A");
+    expect("{\"do\": \"call\", \"sequence\": \"X\"}", FileFault::NoSuchSequence, "sequences", "X");
     expect("{\"do\": \"move to\", \"point\": \"Q\", \"together\": true, \"waits\": true, \"percent\": 1}",
-           Kind::NoSuchPoint, "sequences", "Q");
-    expect("{\"do\": \"repeat\", \"from_row\": 2, \"times\": 2}", Kind::RepeatsBelow, "sequences", "");
-    expect("{\"do\": \"dance\"}", Kind::UnknownWord, "do", "dance");
-    EXPECT_EQ(problemOf(program("{\"do\": \"home\", \"module\": 33}")).kind, Kind::OutOfRange);
+           FileFault::NoSuchPoint, "sequences", "Q");
+    expect("{\"do\": \"repeat\", \"from_row\": 2, \"times\": 2}", FileFault::RepeatsBelow, "sequences", "");
+    expect("{\"do\": \"dance\"}", FileFault::UnknownWord, "do", "dance");
+    EXPECT_EQ(problemOf(program("{\"do\": \"home\", \"module\": 33}")).kind, FileFault::OutOfRange);
     EXPECT_EQ(problemOf(program("{\"do\": \"home\"}")),
-              (FileProblem{.kind = Kind::Missing, .line = 6, .field = "module"}));
-    EXPECT_EQ(problemOf(program("{\"do\": \"wait\", \"seconds\": -1}")).kind, Kind::OutOfRange);
+              (FileProblem{.kind = FileFault::Missing, .line = 6, .field = "module"}));
+    EXPECT_EQ(problemOf(program("{\"do\": \"wait\", \"seconds\": -1}")).kind, FileFault::OutOfRange);
 }
 
 TEST(BadMachineFile, NamesAndAxesThatAreThereTwice) {
     EXPECT_EQ(problemOf(fileWith("\"points\": [{\"name\": \"P\"},\n{\"name\": \"P\"}]")),
-              (FileProblem{.kind = Kind::NameTwice, .line = 4, .field = "points", .found = "P"}));
+              (FileProblem{.kind = FileFault::NameTwice, .line = 4, .field = "points", .found = "P"}));
     EXPECT_EQ(problemOf(fileWith("\"sequences\": [{\"rows\": []}]")),
-              (FileProblem{.kind = Kind::NameMissing, .line = 3, .field = "sequences"}));
+              (FileProblem{.kind = FileFault::NameMissing, .line = 3, .field = "sequences"}));
     const std::string axis = "{\"module\": 2, \"counts\": 0, \"from_home\": true}";
     EXPECT_EQ(problemOf(fileWith("\"points\": [{\"name\": \"P\", \"axes\": [" + axis + "," + axis + "]}]")),
-              (FileProblem{.kind = Kind::AxisTwice, .line = 3, .field = "points", .found = "2"}));
+              (FileProblem{.kind = FileFault::AxisTwice, .line = 3, .field = "points", .found = "2"}));
     EXPECT_EQ(problemOf(fileWith("\"home_order\": [1,\n2, 1]")),
-              (FileProblem{.kind = Kind::AxisTwice, .line = 4, .field = "home_order", .found = "1"}));
+              (FileProblem{.kind = FileFault::AxisTwice, .line = 4, .field = "home_order", .found = "1"}));
     EXPECT_EQ(problemOf(fileWith("\"points\": [{\"name\": \"P\", \"axes\": [\n{\"module\": 1, \"counts\": "
                                  "2147483648, \"from_home\": true}]}]"))
                   .line,
@@ -150,8 +150,8 @@ TEST(BadMachineFile, NamesAndAxesThatAreThereTwice) {
 
 TEST(BadMachineFile, KeysThatAreThereTwice) {
     EXPECT_EQ(problemOf(fileWith("\"name\": \"a\",\n\"name\": \"b\"")),
-              (FileProblem{.kind = Kind::DuplicateKey, .line = 4, .field = "name"}));
-    EXPECT_EQ(problemOf(fileWith("\"x\": {\"y\": 1,\n \"y\": 1}")).kind, Kind::DuplicateKey);
+              (FileProblem{.kind = FileFault::DuplicateKey, .line = 4, .field = "name"}));
+    EXPECT_EQ(problemOf(fileWith("\"x\": {\"y\": 1,\n \"y\": 1}")).kind, FileFault::DuplicateKey);
 }
 
 std::string nested(int lists) {
@@ -161,16 +161,16 @@ std::string nested(int lists) {
 
 TEST(BadMachineFile, TooDeepTooManyTooLarge) {
     EXPECT_TRUE(parseMachine(nested(31)).has_value()) << "32 levels with the file's own object";
-    EXPECT_EQ(problemOf(nested(32)), (FileProblem{.kind = Kind::TooDeep, .line = 3, .max = 32}));
-    EXPECT_EQ(problemOf(nested(400'000)).kind, Kind::TooDeep);
+    EXPECT_EQ(problemOf(nested(32)), (FileProblem{.kind = FileFault::TooDeep, .line = 3, .max = 32}));
+    EXPECT_EQ(problemOf(nested(400'000)).kind, FileFault::TooDeep);
 
     std::string values = "\"x\": [0";
     for (int i = 0; i < 50'000; ++i)
         values += ",0";
-    EXPECT_EQ(problemOf(fileWith(values + "]")).kind, Kind::TooManyValues);
+    EXPECT_EQ(problemOf(fileWith(values + "]")).kind, FileFault::TooManyValues);
 
     const std::string most = fileWith("");
-    EXPECT_EQ(problemOf(most + std::string(1'000'001 - most.size(), ' ')).kind, Kind::TooLarge);
+    EXPECT_EQ(problemOf(most + std::string(1'000'001 - most.size(), ' ')).kind, FileFault::TooLarge);
     const std::string good = writeMachine({});
     EXPECT_TRUE(parseMachine(good + std::string(1'000'000 - good.size(), ' ')).has_value());
 }
@@ -181,18 +181,18 @@ TEST(BadMachineFile, TooManyAxesOrNames) {
         axes += ",{}";
     EXPECT_TRUE(parseMachine(fileWith(axes + "]")).has_value());
     EXPECT_EQ(problemOf(fileWith(axes + ",{}]")),
-              (FileProblem{.kind = Kind::TooMany, .line = 3, .field = "axes", .max = 32}));
+              (FileProblem{.kind = FileFault::TooMany, .line = 3, .field = "axes", .max = 32}));
     EXPECT_EQ(problemOf(axisWith("\"input_names\": [\"a\", \"b\", \"c\"]")),
-              (FileProblem{.kind = Kind::TooMany, .line = 4, .field = "input_names", .max = 2}));
+              (FileProblem{.kind = FileFault::TooMany, .line = 4, .field = "input_names", .max = 2}));
 }
 
-struct Case {
+struct BadValue {
     const char* line;
     FileProblem problem;
 };
 
 TEST(BadMachineFile, ValuesOfAnotherType) {
-    const Case cases[] = {
+    const BadValue cases[] = {
         {"\"name\": 5", {.field = "name", .wanted = Wanted::Text}},
         {"\"expected\": 3", {.field = "expected", .wanted = Wanted::Object}},
         {"\"expected\": {\"type\": [], \"version\": 1}", {.field = "type", .wanted = Wanted::Text}},
@@ -209,7 +209,7 @@ TEST(BadMachineFile, ValuesOfAnotherType) {
     };
     for (const auto& [line, expected] : cases) {
         FileProblem problem = expected;
-        problem.kind = Kind::WrongType;
+        problem.kind = FileFault::WrongType;
         problem.line = 4;
         EXPECT_EQ(problemOf(axisWith(line)), problem) << line;
     }
@@ -278,7 +278,7 @@ TEST(BadMachineFile, NumbersOutOfTheModulesRanges) {
     for (const RangeCase& c : cases) {
         EXPECT_TRUE(parseMachine(axisWith(c.with("none", ""))).has_value());
         for (const char* value : {c.below, c.above})
-            EXPECT_EQ(problemOf(axisWith(c.with(c.key, value))), (FileProblem{.kind = Kind::OutOfRange,
+            EXPECT_EQ(problemOf(axisWith(c.with(c.key, value))), (FileProblem{.kind = FileFault::OutOfRange,
                                                                               .line = 4,
                                                                               .field = c.key,
                                                                               .found = value,
@@ -292,7 +292,7 @@ TEST(BadMachineFile, NumbersOutOfTheModulesRanges) {
 TEST(BadMachineFile, OtherNumbersOutOfRange) {
     const auto field = [](const std::string& text) {
         const FileProblem problem = problemOf(text);
-        EXPECT_EQ(problem.kind, Kind::OutOfRange) << text;
+        EXPECT_EQ(problem.kind, FileFault::OutOfRange) << text;
         return problem.field;
     };
     const auto motion = [](const std::string& key, const std::string& value, const std::string& type) {
@@ -325,7 +325,7 @@ TEST(BadMachineFile, OtherNumbersOutOfRange) {
 TEST(BadMachineFile, FieldsThatAreMissing) {
     const auto missing = [](const std::string& text) {
         const FileProblem problem = problemOf(text);
-        EXPECT_EQ(problem.kind, Kind::Missing) << text;
+        EXPECT_EQ(problem.kind, FileFault::Missing) << text;
         return std::pair(problem.line, problem.field);
     };
     EXPECT_EQ(missing(axisWith("\"gains\": {\"Kp\": 1}")), std::pair(4, std::string("Kd")));
@@ -338,26 +338,26 @@ TEST(BadMachineFile, FieldsThatAreMissing) {
 
 TEST(BadMachineFile, WordsThatAreNotKnown) {
     EXPECT_EQ(problemOf(axisWith("\"unit\": {\"kind\": \"inches\"}")),
-              (FileProblem{.kind = Kind::UnknownWord, .line = 4, .field = "kind", .found = "inches"}));
+              (FileProblem{.kind = FileFault::UnknownWord, .line = 4, .field = "kind", .found = "inches"}));
     const std::string longWord(500, 'x');
     EXPECT_LT(problemOf(axisWith("\"unit\": {\"kind\": \"" + longWord + "\"}")).found.size(), 50U);
     EXPECT_EQ(problemOf(axisWith("\"expected\": {\"type\": \"SERVO\", \"version\": 1}")).kind,
-              Kind::UnknownWord);
+              FileFault::UnknownWord);
 }
 
 TEST(BadMachineFile, UnitsOfTheOtherChip) {
     EXPECT_EQ(problemOf(axisWith("\"motion\": {\"velocity_steps_per_s\": 8}")),
-              (FileProblem{.kind = Kind::OtherChip, .line = 4, .field = "velocity_steps_per_s"}));
+              (FileProblem{.kind = FileFault::OtherChip, .line = 4, .field = "velocity_steps_per_s"}));
     EXPECT_EQ(problemOf(axisWith("\"motion\": {\"step_counts\": 8},\n"
                                  "\"expected\": {\"type\": \"PIC-STEP\", \"version\": 1}")),
-              (FileProblem{.kind = Kind::OtherChip, .line = 4, .field = "step_counts"}));
+              (FileProblem{.kind = FileFault::OtherChip, .line = 4, .field = "step_counts"}));
 }
 
 TEST(BadMachineFile, LimitsThatLeaveNoPlaceToBe) {
     EXPECT_EQ(problemOf(axisWith("\"travel\": {\"lowest_counts\": 8, \"highest_counts\": 8}")),
-              (FileProblem{.kind = Kind::LimitsCrossed, .line = 4, .field = "travel"}));
-    EXPECT_EQ(problemOf(axisWith("\"travel\": {\"lowest_steps\": 8}")).kind, Kind::OtherChip);
-    EXPECT_EQ(problemOf(axisWith("\"travel\": {\"lowest_counts\": 2147483648}")).kind, Kind::OutOfRange);
+              (FileProblem{.kind = FileFault::LimitsCrossed, .line = 4, .field = "travel"}));
+    EXPECT_EQ(problemOf(axisWith("\"travel\": {\"lowest_steps\": 8}")).kind, FileFault::OtherChip);
+    EXPECT_EQ(problemOf(axisWith("\"travel\": {\"lowest_counts\": 2147483648}")).kind, FileFault::OutOfRange);
 }
 
 TEST(BadMachineFile, GroupsThatContradictEachOther) {
@@ -365,12 +365,13 @@ TEST(BadMachineFile, GroupsThatContradictEachOther) {
         return problemOf(fileWith("\"groups\": [{" + a + "},\n{" + b + "}]"));
     };
     EXPECT_EQ(groups("\"address\": 129, \"modules\": [1, 2]", "\"address\": 130, \"modules\": [2]"),
-              (FileProblem{.kind = Kind::ModuleTwice, .line = 4, .field = "modules", .found = "2"}));
-    EXPECT_EQ(groups("\"address\": 129, \"modules\": [1, 1]", "\"address\": 130").kind, Kind::ModuleTwice);
+              (FileProblem{.kind = FileFault::ModuleTwice, .line = 4, .field = "modules", .found = "2"}));
+    EXPECT_EQ(groups("\"address\": 129, \"modules\": [1, 1]", "\"address\": 130").kind,
+              FileFault::ModuleTwice);
     EXPECT_EQ(groups("\"address\": 129", "\"address\": 129"),
-              (FileProblem{.kind = Kind::AddressTwice, .line = 4, .field = "address", .found = "129"}));
+              (FileProblem{.kind = FileFault::AddressTwice, .line = 4, .field = "address", .found = "129"}));
     EXPECT_EQ(groups("\"address\": 129", "\"address\": 130, \"modules\": [1], \"leader\": 2"),
-              (FileProblem{.kind = Kind::LeaderNotInGroup, .line = 4, .field = "leader"}));
+              (FileProblem{.kind = FileFault::LeaderNotInGroup, .line = 4, .field = "leader"}));
 }
 
 }  // namespace

@@ -4,18 +4,18 @@
 #include <gtest/gtest.h>
 
 #include "model/intent/intent.h"
+#include "tests/support/modules.h"
 
 namespace nmc {
 namespace {
 
 using Finding = ChainDiagnosis::Finding;
-using State = ChainPlace::State;
+using testing_support::kServo;
+using testing_support::kStep;
 
-constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
 constexpr ModuleIdentity kOldServo{ModuleType::Servo, 1};
-constexpr ModuleIdentity kStep{ModuleType::Stepper, 1};
 
-Machine machineOf(const std::vector<ModuleIdentity>& expected) {
+Machine machineExpecting(const std::vector<ModuleIdentity>& expected) {
     Machine machine;
     for (const ModuleIdentity& identity : expected)
         machine.axes.emplace_back().expected = identity;
@@ -36,43 +36,44 @@ LinkState linkWith(const std::vector<ModuleIdentity>& found) {
 }
 
 TEST(ChainDiagnosis, WhatIsExpectedAndThereIsFine) {
-    const auto chain = diagnose(machineOf({kServo, kStep}), linkWith({kServo, kStep}));
+    const auto chain = diagnose(machineExpecting({kServo, kStep}), linkWith({kServo, kStep}));
     EXPECT_EQ(chain.finding, Finding::Fine);
     EXPECT_EQ(chain.places.size(), 2U);
-    EXPECT_EQ(chain.places[1].state, State::Fine);
+    EXPECT_EQ(chain.places[1].state, ChainPlace::State::Fine);
 }
 
 TEST(ChainDiagnosis, OfAChainNobodyHasToldOfNothingIsKnown) {
     const auto chain = diagnose({}, linkWith({kServo}));
     EXPECT_EQ(chain.finding, Finding::NothingExpected);
-    EXPECT_EQ(chain.places[0].state, State::New);
+    EXPECT_EQ(chain.places[0].state, ChainPlace::State::New);
 }
 
 TEST(ChainDiagnosis, FewerThanExpectedBreakBehindTheLastThatAnswers) {
     // Addresses begin at the far end: modules 1 and 2 have theirs, so the way to module 3 is broken.
-    const auto chain = diagnose(machineOf({kServo, kServo, kServo, kStep}), linkWith({kServo, kServo}));
+    const auto chain =
+        diagnose(machineExpecting({kServo, kServo, kServo, kStep}), linkWith({kServo, kServo}));
     EXPECT_EQ(chain.finding, Finding::BreakBehind);
     EXPECT_EQ(chain.at, ModuleIndex(1));
     EXPECT_EQ(chain.expected, 4U);
     EXPECT_EQ(chain.found, 2U);
-    EXPECT_EQ(chain.places[2].state, State::Missing);
-    EXPECT_EQ(chain.places[3].state, State::Missing);
+    EXPECT_EQ(chain.places[2].state, ChainPlace::State::Missing);
+    EXPECT_EQ(chain.places[3].state, ChainPlace::State::Missing);
 }
 
 TEST(ChainDiagnosis, ACutOffFarEndIsToldFromABreak) {
-    const auto chain = diagnose(machineOf({kOldServo, kServo, kStep}), linkWith({kServo, kStep}));
+    const auto chain = diagnose(machineExpecting({kOldServo, kServo, kStep}), linkWith({kServo, kStep}));
     EXPECT_EQ(chain.finding, Finding::FarEndMissing);
 }
 
 TEST(ChainDiagnosis, AnotherVersionIsOtherHardware) {
-    const auto chain = diagnose(machineOf({kServo, kServo}), linkWith({kServo, kOldServo}));
+    const auto chain = diagnose(machineExpecting({kServo, kServo}), linkWith({kServo, kOldServo}));
     EXPECT_EQ(chain.finding, Finding::OtherHardware);
     EXPECT_EQ(chain.at, ModuleIndex(1));
-    EXPECT_EQ(chain.places[1].state, State::Different);
+    EXPECT_EQ(chain.places[1].state, ChainPlace::State::Different);
 }
 
 TEST(ChainDiagnosis, OneMoreIsSaid) {
-    const auto chain = diagnose(machineOf({kServo}), linkWith({kServo, kStep}));
+    const auto chain = diagnose(machineExpecting({kServo}), linkWith({kServo, kStep}));
     EXPECT_EQ(chain.finding, Finding::MoreThanBefore);
     EXPECT_EQ(chain.at, ModuleIndex(1));
 }
@@ -80,9 +81,9 @@ TEST(ChainDiagnosis, OneMoreIsSaid) {
 TEST(ChainDiagnosis, SilenceAndRestartsComeFirst) {
     LinkState link = linkWith({kServo, kServo, kServo});
     link.modules[2].silent = true;
-    EXPECT_EQ(diagnose(machineOf({kServo}), link).finding, Finding::Unresponsive);
+    EXPECT_EQ(diagnose(machineExpecting({kServo}), link).finding, Finding::Unresponsive);
     link.modules[1].hasRestarted = true;
-    const auto chain = diagnose(machineOf({kServo}), link);
+    const auto chain = diagnose(machineExpecting({kServo}), link);
     EXPECT_EQ(chain.finding, Finding::Restarted);
     EXPECT_EQ(chain.at, ModuleIndex(1));
 }
@@ -90,10 +91,10 @@ TEST(ChainDiagnosis, SilenceAndRestartsComeFirst) {
 TEST(ChainDiagnosis, ALostChainIsNotFineWhateverItsModulesSaidLast) {
     LinkState link = linkWith({kServo, kStep});
     link.phase = LinkPhase::Lost;
-    const auto chain = diagnose(machineOf({kServo, kStep}), link);
+    const auto chain = diagnose(machineExpecting({kServo, kStep}), link);
     EXPECT_EQ(chain.finding, Finding::Unresponsive);
     for (const ChainPlace& place : chain.places)
-        EXPECT_EQ(place.state, State::Unresponsive);
+        EXPECT_EQ(place.state, ChainPlace::State::Unresponsive);
 }
 
 TEST(LinkState, AModuleThatIsNotAskedAnyMoreDoesNotAnswer) {
@@ -114,9 +115,9 @@ TEST(LinkState, AChainThatIsOnlyLookedForHasNoFault) {
     EXPECT_NE(shown.activity(), Activity::Unresponsive);
     EXPECT_EQ(whyNotTold(IntentKind::Move, shown), Refusal::Looking);
     EXPECT_NE(whyNotTold(IntentKind::StopMotion, shown), Refusal::Looking);
-    const auto chain = diagnose(machineOf({kServo}), asShown(link));
+    const auto chain = diagnose(machineExpecting({kServo}), asShown(link));
     EXPECT_EQ(chain.finding, Finding::Looking);
-    EXPECT_EQ(chain.places[0].state, State::Fine);
+    EXPECT_EQ(chain.places[0].state, ChainPlace::State::Fine);
 }
 
 TEST(LinkState, AValueIsOldByHowOftenItsModuleIsAsked) {
@@ -160,10 +161,10 @@ TEST(LinkState, ALongChainOnASlowLineIsAskedMoreRarely) {
 }
 
 TEST(ChainDiagnosis, NothingIsConcludedWithoutAConnection) {
-    EXPECT_EQ(diagnose(machineOf({kServo}), {}).finding, Finding::NotConnected);
+    EXPECT_EQ(diagnose(machineExpecting({kServo}), {}).finding, Finding::NotConnected);
     LinkState lost;
     lost.phase = LinkPhase::Lost;
-    EXPECT_EQ(diagnose(machineOf({kServo}), lost).finding, Finding::NobodyAnswers);
+    EXPECT_EQ(diagnose(machineExpecting({kServo}), lost).finding, Finding::NobodyAnswers);
 }
 
 }  // namespace

@@ -83,16 +83,16 @@ private:
     std::optional<bus::OperationId> m_operation;
 };
 
-const StepperMotion kForward = steppermotion::VelocityProfile{40, 40, false};
-const StepperMotion kReverse = steppermotion::VelocityProfile{40, 40, true};
+const StepperMotion kRunForward = steppermotion::VelocityProfile{40, 40, false};
+const StepperMotion kRunReverse = steppermotion::VelocityProfile{40, 40, true};
 
 TEST_F(ChangingMotion, ReversesByStoppingFirst) {
-    perform(stepperintent::Move{kForward});
+    perform(stepperintent::Move{kRunForward});
     bus.runFor(1s);
     takeNews();
     EXPECT_NEAR(truth().stepRate, 1'000, 1e-6) << "40 x 25 steps/s";
-    ASSERT_EQ(whyNot(kReverse, module), Refusal::NeedsStop);
-    const auto procedure = procedureFor(stepperintent::ChangeMotion{kReverse}, module);
+    ASSERT_EQ(whyNot(kRunReverse, module), Refusal::NeedsStop);
+    const auto procedure = procedureFor(stepperintent::ChangeMotion{kRunReverse}, module);
     ASSERT_NE(procedure, nullptr);
     EXPECT_EQ(run(*procedure).stage, ProcedureStage::Done);
     bus.runFor(1s);
@@ -101,7 +101,7 @@ TEST_F(ChangingMotion, ReversesByStoppingFirst) {
 }
 
 TEST_F(ChangingMotion, GoesToAPositionOutOfARun) {
-    perform(stepperintent::Move{kForward});
+    perform(stepperintent::Move{kRunForward});
     bus.runFor(1s);
     ChangeMotion change(ModuleIndex(0), steppermotion::Trapezoid{-200, false, 40, 10});
     EXPECT_EQ(run(change).stage, ProcedureStage::Done);
@@ -112,7 +112,7 @@ TEST_F(ChangingMotion, GoesToAPositionOutOfARun) {
 }
 
 TEST_F(ChangingMotion, CountsARelativeGoalFromWhereItHasStopped) {
-    perform(stepperintent::Move{kForward});
+    perform(stepperintent::Move{kRunForward});
     bus.runFor(1s);
     std::optional<std::int32_t> stood;
     onTurn = [&](Procedure&) {
@@ -127,8 +127,8 @@ TEST_F(ChangingMotion, CountsARelativeGoalFromWhereItHasStopped) {
 }
 
 TEST_F(ChangingMotion, StartsNothingOnceItIsCancelled) {
-    perform(stepperintent::Move{kForward});
-    ChangeMotion change(ModuleIndex(0), kReverse);
+    perform(stepperintent::Move{kRunForward});
+    ChangeMotion change(ModuleIndex(0), kRunReverse);
     onTurn = [&](Procedure& procedure) {
         if (procedure.report().stage == ProcedureStage::Stopping)
             procedure.cancel();
@@ -140,8 +140,8 @@ TEST_F(ChangingMotion, StartsNothingOnceItIsCancelled) {
 }
 
 TEST_F(ChangingMotion, StopsWhatItHasStartedWhenItIsCancelledJustThen) {
-    perform(stepperintent::Move{kForward});
-    ChangeMotion change(ModuleIndex(0), kReverse);
+    perform(stepperintent::Move{kRunForward});
+    ChangeMotion change(ModuleIndex(0), kRunReverse);
     onTurn = [&](Procedure& procedure) {
         if (procedure.report().stage == ProcedureStage::Moving)
             procedure.cancel();
@@ -153,8 +153,8 @@ TEST_F(ChangingMotion, StopsWhatItHasStartedWhenItIsCancelledJustThen) {
 }
 
 TEST_F(ChangingMotion, FailsWhenTheLinkIsSuspectAndStartsNothing) {
-    perform(stepperintent::Move{kForward});
-    ChangeMotion change(ModuleIndex(0), kReverse);
+    perform(stepperintent::Move{kRunForward});
+    ChangeMotion change(ModuleIndex(0), kRunReverse);
     onTurn = [](Procedure& procedure) { procedure.onLinkSuspect(); };
     const ProcedureReport report = run(change);
     EXPECT_EQ(report.stage, ProcedureStage::Failed);
@@ -164,37 +164,37 @@ TEST_F(ChangingMotion, FailsWhenTheLinkIsSuspectAndStartsNothing) {
 }
 
 TEST_F(ChangingMotion, FailsWhereTheNewMotionIsNotPossibleAndLeavesTheOldOneAlone) {
-    perform(stepperintent::Move{kForward});
+    perform(stepperintent::Move{kRunForward});
     bus.runFor(500ms);
     bus.chain.set(ModuleIndex(0), sim::Input::Limit2, 1.0, bus.now);
     bus.runFor(100ms);
-    ChangeMotion change(ModuleIndex(0), kReverse);
+    ChangeMotion change(ModuleIndex(0), kRunReverse);
     const ProcedureReport report = run(change);
     EXPECT_EQ(report.failure, ProcedureFailure::Refused);
     EXPECT_NEAR(truth().stepRate, 1'000, 1e-6);
 }
 
 TEST_F(ChangingMotion, FailsWhenTheMotorGoesOffMeanwhile) {
-    perform(stepperintent::Move{kForward});
+    perform(stepperintent::Move{kRunForward});
     bus.runFor(500ms);
     takeNews();
-    ChangeMotion change(ModuleIndex(0), kReverse);
+    ChangeMotion change(ModuleIndex(0), kRunReverse);
     onTurn = [&](Procedure&) { bus.chain.set(ModuleIndex(0), sim::Input::Power, 0.0, bus.now); };
     EXPECT_EQ(run(change).failure, ProcedureFailure::WentOff);
     EXPECT_FALSE(truth().moving);
 }
 
 TEST_F(ChangingMotion, GivesUpOnAModuleThatDoesNotAnswer) {
-    perform(stepperintent::Move{kForward});
-    ChangeMotion change(ModuleIndex(0), kReverse);
+    perform(stepperintent::Move{kRunForward});
+    ChangeMotion change(ModuleIndex(0), kRunReverse);
     module.silent = true;
     EXPECT_EQ(run(change).failure, ProcedureFailure::ModuleUnresponsive);
 }
 
 TEST_F(ChangingMotion, GivesUpOnAMotorThatDoesNotStop) {
-    perform(stepperintent::Move{kForward});
+    perform(stepperintent::Move{kRunForward});
     takeNews();
-    ChangeMotion change(ModuleIndex(0), kReverse);
+    ChangeMotion change(ModuleIndex(0), kRunReverse);
     ASSERT_TRUE(std::holds_alternative<Procedure::Send>(change.next(module, bus.now)));
     change.onFinished(bus::Outcome::Done);
     EXPECT_TRUE(std::holds_alternative<Procedure::Wait>(change.next(module, bus.now + 19s)));

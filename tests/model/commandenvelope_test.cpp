@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/servotick.h"
+
 namespace nmc {
 namespace {
 
-constexpr double kTick = 0.000512;
+using testing_support::kTick;
 
 Moments exactlyAt(double ticks) {
     const TimePoint time = TimePoint(std::chrono::seconds(1)) + fromSeconds(ticks * kTick);

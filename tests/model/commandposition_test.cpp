@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "servofixture.h"
+#include "tests/support/servotick.h"
 
 namespace nmc {
 namespace {
 
 using namespace testing_support;
-
-constexpr double kTick = 0.000512;
 
 CommandEstimate exactly(double position) {
     return {position, position, position};

@@ -7,14 +7,15 @@
 #include <functional>
 
 #include "servofixture.h"
+#include "tests/support/servotick.h"
 
 namespace nmc {
 namespace {
 
 using testing_support::atSeconds;
+using testing_support::kTick;
 
 constexpr ModuleIndex kModule(0);
-constexpr double kTick = 0.000512;
 constexpr double kInterval = 4 * kTick;
 
 servo::SetGain gains(std::uint16_t kp, std::uint16_t kd, std::uint16_t ki, std::uint16_t il) {

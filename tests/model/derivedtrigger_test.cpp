@@ -6,50 +6,49 @@
 #include <vector>
 
 #include "model/scope/scopetrigger.h"
+#include "scopesamples.h"
+#include "servofixture.h"
 
 namespace nmc {
 namespace {
 
 using Condition = TriggerSettings::Condition;
 using State = ScopeTrigger::State;
+using testing_support::atMs;
+using testing_support::kServoOn;
 
-constexpr ModuleIndex kModule{1};
-constexpr std::uint8_t kServoOn = 0x04;
-
-TimePoint at(double milliseconds) {
-    return TimePoint(fromSeconds(milliseconds / 1e3));
-}
+constexpr ModuleIndex kWatched{1};
 
 /// A sample of a servo that is on every 2 ms, from 0 on, of which `fill` says what it has.
 class DerivedTrigger : public testing::Test {
 protected:
     /// 20 ms before the trigger, 80 ms behind it.
     void watch(ScopeSignal signal, Condition condition, double level) {
-        trigger.set({.module = kModule,
+        trigger.set({.module = kWatched,
                      .source = signal,
                      .condition = condition,
                      .level = level,
                      .preTrigger = 0.2,
                      .window = 0.1});
-        trigger.arm(at(0));
+        trigger.arm(atMs(0));
     }
     void setGains(double milliseconds, const std::optional<servo::SetGain>& set) {
-        gains.push_back({kModule, at(milliseconds), set});
+        gains.push_back({kWatched, atMs(milliseconds), set});
     }
     /// Up to sample number `last`.
     State run(int last, const std::function<void(int, ScopeSample&)>& fill) {
         for (; next <= last; ++next) {
             ScopeSample sample;
-            sample.time = at(next * 2);
+            sample.time = atMs(next * 2);
             sample.aux = kServoOn;
             fill(next, sample);
-            trigger.feed(kModule, sample, gains);
+            trigger.feed(kWatched, sample, gains);
         }
         return trigger.state();
     }
     void expectFiredAt(double milliseconds) {
         ASSERT_TRUE(trigger.firedAt().has_value());
-        EXPECT_NEAR(toSeconds(*trigger.firedAt() - at(milliseconds)), 0, 1e-6);
+        EXPECT_NEAR(toSeconds(*trigger.firedAt() - atMs(milliseconds)), 0, 1e-6);
     }
 
     ScopeTrigger trigger;
@@ -80,11 +79,11 @@ void thirdPower(int i, ScopeSample& sample) {
 TEST_F(DerivedTrigger, AConstantAccelerationIsAboveWhatIsLessAndNotAboveWhatIsMore) {
     watch(ScopeSignal::Acceleration, Condition::Above, 500'001);
     EXPECT_EQ(run(100, parabola), State::Armed);
-    trigger.set({.module = kModule,
+    trigger.set({.module = kWatched,
                  .source = ScopeSignal::Acceleration,
                  .condition = Condition::Above,
                  .level = 499'999});
-    trigger.arm(at(0));
+    trigger.arm(atMs(0));
     EXPECT_EQ(run(200, parabola), State::Fired);
 }
 
@@ -101,8 +100,8 @@ TEST_F(DerivedTrigger, ThePictureIsCompleteWhenTheAccelerationIsKnownToItsEnd) {
     // From 41 to 141 ms; the value of 142 ms takes the samples up to 162 ms.
     EXPECT_EQ(run(80, thirdPower), State::Fired);
     EXPECT_EQ(run(81, thirdPower), State::Complete);
-    EXPECT_NEAR(toSeconds(trigger.picture()->from - at(41)), 0, 1e-6);
-    EXPECT_NEAR(toSeconds(trigger.picture()->to - at(141)), 0, 1e-6);
+    EXPECT_NEAR(toSeconds(trigger.picture()->from - atMs(41)), 0, 1e-6);
+    EXPECT_NEAR(toSeconds(trigger.picture()->to - atMs(141)), 0, 1e-6);
 }
 
 /// Its sample came after arming, it itself was before.
@@ -110,7 +109,7 @@ TEST_F(DerivedTrigger, AValueFromBeforeArmingDoesNotTrigger) {
     watch(ScopeSignal::Acceleration, Condition::Above, 499'999);
     trigger.disarm();
     run(25, parabola);
-    trigger.arm(at(50));
+    trigger.arm(atMs(50));
     EXPECT_EQ(run(34, parabola), State::Armed) << "known up to 48 ms";
     EXPECT_EQ(run(35, parabola), State::Fired);
     expectFiredAt(50);
@@ -188,7 +187,7 @@ TEST_F(DerivedTrigger, OtherGainsMoveThePwmWhileItWaits) {
 
 TEST_F(DerivedTrigger, GainsOfAnotherModuleDoNot) {
     setGains(0, proportional(256));
-    gains.push_back({ModuleIndex(0), at(100), proportional(1'024)});
+    gains.push_back({ModuleIndex(0), atMs(100), proportional(1'024)});
     watch(ScopeSignal::Pwm, Condition::Rising, 25);
     EXPECT_EQ(run(200, errorOf([](int) { return 10.0F; })), State::Armed);
 }
@@ -221,10 +220,10 @@ TEST_F(DerivedTrigger, NormalModeTakesTheNextEdge) {
     TriggerSettings settings = trigger.settings();
     settings.mode = TriggerSettings::Mode::Normal;
     trigger.set(settings);
-    trigger.arm(at(0));
+    trigger.arm(atMs(0));
     ASSERT_EQ(run(100, square), State::Complete);
     expectFiredAt(99);
-    trigger.rearm(at(200));
+    trigger.rearm(atMs(200));
     EXPECT_EQ(run(150, square), State::Armed);
     EXPECT_EQ(run(151, square), State::Fired);
     expectFiredAt(299);
@@ -254,7 +253,7 @@ TEST_F(DerivedTrigger, AnotherWindowKeepsWhatIsKnown) {
     run(30, parabola);
     trigger.setWindow(0.05);
     EXPECT_EQ(trigger.state(), State::Off);
-    trigger.arm(at(0));
+    trigger.arm(atMs(0));
     EXPECT_EQ(run(31, parabola), State::Fired) << "20 samples are enough";
     EXPECT_EQ(trigger.picture()->to - trigger.picture()->from, std::chrono::milliseconds(50));
 }

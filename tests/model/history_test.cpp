@@ -4,22 +4,17 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "scopesamples.h"
 #include "servofixture.h"
 
 namespace nmc {
 namespace {
 
 using testing_support::atSeconds;
+using testing_support::sampleAt;
 
 constexpr std::array kSignals{ScopeSignal::Position, ScopeSignal::Command, ScopeSignal::Error,
                               ScopeSignal::Velocity, ScopeSignal::Analog};
-
-ScopeSample sampleAt(double seconds, std::int32_t position) {
-    ScopeSample sample;
-    sample.time = atSeconds(seconds);
-    sample.position = position;
-    return sample;
-}
 
 std::vector<ScopeSpan> spansOf(const ModuleHistory& history, double from, double to, double widest) {
     std::vector<ScopeSpan> spans;

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "model/intent/intent.h"
 #include "servofixture.h"
 
@@ -13,8 +11,6 @@ namespace nmc {
 namespace {
 
 using namespace testing_support;
-
-constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();
 
 /// A servo that holds, whose statuses come 20 ms apart.
 struct Holding {
@@ -86,7 +82,7 @@ TEST(HomeFact, GoesAlongWithTheCounter) {
     };
     for (const Case& c : {Case{512, 1'000, -488}, Case{-304, -1'000, 696}, Case{7, 0, 7},
                           // 32 bits that wrap: from the last count to home it is 11 counts on.
-                          Case{-kLast + 9, kLast, 11}}) {
+                          Case{-kLastCount + 9, kLastCount, 11}}) {
         Holding servo;
         servo.stands(c.zeroAt);
         servo.foundAt(c.home);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "intents.h"
 #include "servofixture.h"
 
 namespace nmc {
@@ -10,14 +11,7 @@ namespace {
 
 using namespace testing_support;
 
-const intent::GoTo kGoTo{Counts(20'000), CountsPerTick(8 << 16), CountsPerTickSquared(1311)};
 const intent::RunAtVelocity kRun{CountsPerTick(1 << 16), CountsPerTickSquared(100), true};
-
-Refusal refusalOf(const Intent& intent, const ModuleState& module) {
-    const auto steps = plan(intent, module);
-    EXPECT_FALSE(steps.has_value());
-    return steps ? Refusal::NotConnected : steps.error();
-}
 
 std::vector<std::string> payloads(const Intent& intent, const ModuleState& module) {
     std::vector<std::string> hex;

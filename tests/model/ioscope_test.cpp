@@ -27,7 +27,7 @@ struct Reply {
     std::optional<std::uint32_t> counter{};
 };
 
-bus::Sample sampleOf(const Reply& reply) {
+bus::Sample asSample(const Reply& reply) {
     StatusReport report;
     report.pins = reply.pins;
     for (std::size_t i = 0; reply.analogs && i < 3; ++i)
@@ -37,7 +37,7 @@ bus::Sample sampleOf(const Reply& reply) {
 }
 
 ScopeSample taken(ScopeFeed& feed, const Reply& reply) {
-    const auto made = feed.take(sampleOf(reply));
+    const auto made = feed.take(asSample(reply));
     EXPECT_TRUE(made.has_value());
     return made.value_or(ScopeSample{});
 }
@@ -121,7 +121,7 @@ TEST(IoScope, ACounterThatWasClearedHasNoRateAcrossThat) {
         EXPECT_NEAR(rate.error, 500, 0.01) << toSeconds(rate.time - TimePoint{});
 }
 
-RecordingHeader header() {
+RecordingHeader ioHeader() {
     RecordingHeader head = testing_support::recordingHeader();
     PinSettings pins;
     PinSettings::in(pins.pins, 2).name = "Door";
@@ -143,7 +143,7 @@ TEST(IoScope, IsRecordedAndReadAgain) {
     std::string row;
     appendRow(row, kIo, oneSample(), TimePoint{});
     EXPECT_EQ(row, "1,0.500000000,-2,,,,,,10,5,10,0,20,30,1\n");
-    const auto read = readRecording(recordingHead(header()) + row);
+    const auto read = readRecording(recordingHead(ioHeader()) + row);
     EXPECT_FALSE(read.problem.has_value());
     ASSERT_EQ(read.samples.size(), 1U);
     const ScopeSample& sample = read.samples[0].second;
@@ -151,14 +151,14 @@ TEST(IoScope, IsRecordedAndReadAgain) {
     EXPECT_TRUE(sample.counted);
     EXPECT_EQ(sample.counter(), 0xFFFF'FFFEU);
     EXPECT_EQ(valueOf(sample, ScopeSignal::Analog3), 30);
-    EXPECT_EQ(read.header.modules, header().modules);
+    EXPECT_EQ(read.header.modules, ioHeader().modules);
     std::string again;
     appendRow(again, kIo, sample, TimePoint{});
     EXPECT_EQ(again, row);
 }
 
 TEST(IoScope, AValueThatIsNoByteIsRefused) {
-    const auto read = readRecording(recordingHead(header()) + "1,0.5,-2,,,,,,10,5,10,0,256,30,1\n");
+    const auto read = readRecording(recordingHead(ioHeader()) + "1,0.5,-2,,,,,,10,5,10,0,256,30,1\n");
     ASSERT_TRUE(read.problem.has_value());
     EXPECT_EQ(read.problem->kind, RecordingProblem::Kind::OutOfRange);
     EXPECT_EQ(read.problem->field, "analog2");
@@ -181,7 +181,7 @@ TEST(IoScope, ARecordingWithoutItsColumnsOpens) {
 TEST(IoScope, AWideRecordingHasTheMachinesNamesAndUnits) {
     History history(1);
     history.append(kIo, oneSample());
-    const std::string text = wideRecordingOf(header(), history);
+    const std::string text = wideRecordingOf(ioHeader(), history);
     EXPECT_EQ(text,
               "time_s,module1_Box/AD1_V,module1_Box/Pressure_bar,module1_Box/AD3_V,module1_Box/count,"
               "module1_Box/count_rate_per_s,module1_Box/pins_IO3_Door,about/program_NMC_Panel_0.6.0,"

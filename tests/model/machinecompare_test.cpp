@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "tests/model/machines.h"
+#include "tests/support/modules.h"
 
 namespace nmc {
 
@@ -20,10 +21,9 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing_support::kFirst;
+using testing_support::kSecond;
 using testing_support::mill;
-
-constexpr ModuleIndex kFirst{0};
-constexpr ModuleIndex kSecond{1};
 
 ModuleState moduleOf(std::uint8_t index, ModuleType type, std::uint8_t version, bool on = false) {
     ModuleState module;

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/modules.h"
+
 namespace nmc {
 namespace {
 
-constexpr ModuleIndex kFirst{0};
-constexpr ModuleIndex kSecond{1};
+using testing_support::kFirst;
+using testing_support::kSecond;
+
 constexpr ModuleIndex kThird{2};
 
 std::vector<ModuleState> chainIn(const std::vector<std::optional<bus::GroupPlace>>& places) {

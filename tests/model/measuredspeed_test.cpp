@@ -3,19 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include "scopesamples.h"
+
 namespace nmc {
 namespace {
 
 using namespace std::chrono_literals;
-
-TimePoint at(int milliseconds) {
-    return TimePoint(std::chrono::milliseconds(milliseconds));
-}
+using testing_support::atMs;
 
 /// A status reply every 10 ms.
 void turn(MeasuredSpeed& speed, int from, int to, double countsPerSecond, std::int32_t begin = 0) {
     for (int ms = from; ms <= to; ms += 10)
-        speed.apply(at(ms), begin + static_cast<std::int32_t>(countsPerSecond * (ms - from) / 1e3));
+        speed.apply(atMs(ms), begin + static_cast<std::int32_t>(countsPerSecond * (ms - from) / 1e3));
 }
 
 TEST(MeasuredSpeed, IsUnknownUntilItWasLookedAtForLongEnough) {
@@ -38,22 +37,22 @@ TEST(MeasuredSpeed, FollowsTheShaftWithinAFifthOfASecond) {
 TEST(MeasuredSpeed, IsNothingForAShaftThatIsHeldBetweenTwoCounts) {
     MeasuredSpeed speed;
     for (int ms = 0; ms < 500; ms += 10) {
-        speed.apply(at(ms), ms / 10 % 2);
+        speed.apply(atMs(ms), ms / 10 % 2);
         EXPECT_EQ(speed.perSecond().value_or(0), 0) << ms;
     }
 }
 
 TEST(MeasuredSpeed, GoesOnWhereTheCounterWraps) {
     MeasuredSpeed speed;
-    speed.apply(at(0), 2'147'483'600);
-    speed.apply(at(100), -2'147'483'596);  // 100 counts on
+    speed.apply(atMs(0), 2'147'483'600);
+    speed.apply(atMs(100), -2'147'483'596);  // 100 counts on
     EXPECT_EQ(speed.perSecond(), 1'000);
 }
 
 TEST(MeasuredSpeed, KnowsNothingWhenTheCounterWasSet) {
     MeasuredSpeed speed;
     turn(speed, 0, 1'000, 5'000);
-    speed.apply({ModuleIndex(0), at(1'001), ServoCommand(ResetPosition{})});
+    speed.apply({ModuleIndex(0), atMs(1'001), ServoCommand(ResetPosition{})});
     EXPECT_EQ(speed.perSecond(), std::nullopt);
     turn(speed, 1'010, 1'100, 5'000);
     EXPECT_NEAR(*speed.perSecond(), 5'000, 1e-6);

@@ -15,7 +15,7 @@
 namespace nmc::test {
 namespace {
 
-using Kind = PathProblem::Kind;
+using PathFault = PathProblem::Kind;
 using servo::PathRate;
 
 constexpr ModuleIdentity kSc{ModuleType::Servo, kScVersion};
@@ -60,23 +60,26 @@ TEST(PathFile, IsAt60HzWhereItDoesNotSay) {
 TEST(PathFile, TellsEveryProblemWithItsLine) {
     EXPECT_EQ(
         problems("X,Y\n0,0\n0\n0,0,0\n1e,0\n,0\n0,nan\n"),
-        (std::vector<PathProblem>{{.kind = Kind::CellCount, .line = 3, .value = 1, .allowed = 2},
-                                  {.kind = Kind::CellCount, .line = 4, .value = 3, .allowed = 2},
-                                  {.kind = Kind::NotANumber, .line = 5, .column = "X", .text = "1e"},
-                                  {.kind = Kind::Gap, .line = 6, .column = "X"},
-                                  {.kind = Kind::NotANumber, .line = 7, .column = "Y", .text = "nan"}}));
-    EXPECT_EQ(problems("X,Y\n0,0\n\n\n0,0\n"), (std::vector<PathProblem>{{.kind = Kind::Gap, .line = 3}}));
+        (std::vector<PathProblem>{{.kind = PathFault::CellCount, .line = 3, .value = 1, .allowed = 2},
+                                  {.kind = PathFault::CellCount, .line = 4, .value = 3, .allowed = 2},
+                                  {.kind = PathFault::NotANumber, .line = 5, .column = "X", .text = "1e"},
+                                  {.kind = PathFault::Gap, .line = 6, .column = "X"},
+                                  {.kind = PathFault::NotANumber, .line = 7, .column = "Y", .text = "nan"}}));
+    EXPECT_EQ(problems("X,Y\n0,0\n\n\n0,0\n"),
+              (std::vector<PathProblem>{{.kind = PathFault::Gap, .line = 3}}));
     EXPECT_EQ(problems("# rate 50\nX,Z,X\n0,0,0\n0,0,0\n"),
-              (std::vector<PathProblem>{{.kind = Kind::Rate, .line = 1, .text = "50"},
-                                        {.kind = Kind::UnknownColumn, .line = 2, .text = "Z"},
-                                        {.kind = Kind::ColumnTwice, .line = 2, .column = "X"}}));
-    EXPECT_EQ(problems("Y\n1;5\n2,5\n"),
-              (std::vector<PathProblem>{{.kind = Kind::NotANumber, .line = 2, .column = "Y", .text = "1;5"},
-                                        {.kind = Kind::CellCount, .line = 3, .value = 2, .allowed = 1}}));
-    EXPECT_EQ(problems("").front().kind, Kind::NoColumns);
-    EXPECT_EQ(problems("# rate 60\n").front().kind, Kind::NoColumns);
-    EXPECT_EQ(problems("Y\n5\n").front(), (PathProblem{.kind = Kind::TooFewPoints, .line = 2, .value = 1}));
-    EXPECT_EQ(problems("Y\n0\n3000000000\n").front().kind, Kind::OutOfRange);
+              (std::vector<PathProblem>{{.kind = PathFault::Rate, .line = 1, .text = "50"},
+                                        {.kind = PathFault::UnknownColumn, .line = 2, .text = "Z"},
+                                        {.kind = PathFault::ColumnTwice, .line = 2, .column = "X"}}));
+    EXPECT_EQ(
+        problems("Y\n1;5\n2,5\n"),
+        (std::vector<PathProblem>{{.kind = PathFault::NotANumber, .line = 2, .column = "Y", .text = "1;5"},
+                                  {.kind = PathFault::CellCount, .line = 3, .value = 2, .allowed = 1}}));
+    EXPECT_EQ(problems("").front().kind, PathFault::NoColumns);
+    EXPECT_EQ(problems("# rate 60\n").front().kind, PathFault::NoColumns);
+    EXPECT_EQ(problems("Y\n5\n").front(),
+              (PathProblem{.kind = PathFault::TooFewPoints, .line = 2, .value = 1}));
+    EXPECT_EQ(problems("Y\n0\n3000000000\n").front().kind, PathFault::OutOfRange);
 }
 
 /// The magnitude of a word has 14, 13 or 12 bits.
@@ -87,7 +90,7 @@ TEST(PathFile, RefusesWhatAPointCannotCarry) {
         EXPECT_TRUE(problems(head + std::to_string(most - 1) + "\n").empty()) << rate;
         const auto found = problems(head + std::to_string(most) + "\n");
         ASSERT_EQ(found.size(), 1U) << rate;
-        EXPECT_EQ(found[0], (PathProblem{.kind = Kind::Jump,
+        EXPECT_EQ(found[0], (PathProblem{.kind = PathFault::Jump,
                                          .line = 4,
                                          .column = "Y",
                                          .value = static_cast<double>(most + 1),
@@ -100,11 +103,12 @@ TEST(PathFile, KeepsTheAxisWithinItsSpeedAndTravel) {
     known[1].travel = TravelRange{-100, 500};
     known[1].fastest = 10.0;  // counts per tick: 320 in a segment of 32 ticks
     EXPECT_TRUE(problems("Y\n-100\n220\n500\n", known).empty());
-    EXPECT_EQ(problems("Y\n-101\n0\n321\n501\n", known),
-              (std::vector<PathProblem>{
-                  {.kind = Kind::BeyondTravel, .line = 2, .column = "Y", .value = -101, .allowed = -100},
-                  {.kind = Kind::TooFast, .line = 4, .column = "Y", .value = 321.0 / 32, .allowed = 10.0},
-                  {.kind = Kind::BeyondTravel, .line = 5, .column = "Y", .value = 501, .allowed = 500}}));
+    EXPECT_EQ(
+        problems("Y\n-101\n0\n321\n501\n", known),
+        (std::vector<PathProblem>{
+            {.kind = PathFault::BeyondTravel, .line = 2, .column = "Y", .value = -101, .allowed = -100},
+            {.kind = PathFault::TooFast, .line = 4, .column = "Y", .value = 321.0 / 32, .allowed = 10.0},
+            {.kind = PathFault::BeyondTravel, .line = 5, .column = "Y", .value = 501, .allowed = 500}}));
 }
 
 TEST(PathFile, StopsLookingAfterTwentyProblems) {
@@ -123,7 +127,7 @@ TEST(PathFile, HasAnEnd) {
     EXPECT_TRUE(problems(text).empty());
     const auto found = problems(text + "5\n");
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].kind, Kind::TooManyPoints);
+    EXPECT_EQ(found[0].kind, PathFault::TooManyPoints);
     EXPECT_EQ(found[0].line, kMaxPathPoints + 2);
 }
 

@@ -11,7 +11,7 @@
 namespace nmc::test {
 namespace {
 
-using Kind = DrawingProblem::Kind;
+using DrawingFault = DrawingProblem::Kind;
 using servo::PathRate;
 
 /// A servo that holds a position.
@@ -99,24 +99,25 @@ TEST_F(PathDrawing, TakesTheAxesAlongThatAMoveLeavesWhereTheyAre) {
 
 TEST_F(PathDrawing, SaysWhatMakesNoPath) {
     EXPECT_EQ(problem({action::MoveTo{"There"}, action::SetOutput{ModuleIndex(0)}}),
-              (DrawingProblem{Kind::NotDrawn, "Main", 1, {}}));
+              (DrawingProblem{DrawingFault::NotDrawn, "Main", 1, {}}));
     machine.program.sequences.clear();
     EXPECT_EQ(problem({action::MoveTo{"There"}, action::Repeat{0, 0}}),
-              (DrawingProblem{Kind::Endless, "Main", 1, {}}));
+              (DrawingProblem{DrawingFault::Endless, "Main", 1, {}}));
     machine.program.sequences.clear();
-    EXPECT_EQ(problem({action::Wait{0.001}}), (DrawingProblem{Kind::NoMove, "Main", 0, {}}));
+    EXPECT_EQ(problem({action::Wait{0.001}}), (DrawingProblem{DrawingFault::NoMove, "Main", 0, {}}));
     machine.program.sequences.clear();
     EXPECT_EQ(problem({action::MoveTo{"There"}, action::MoveTo{"Back"}, action::Repeat{0, 1'000'000}})->kind,
-              Kind::TooManyPoints);
+              DrawingFault::TooManyPoints);
     machine.program.sequences.clear();
-    EXPECT_EQ(problem({action::MoveTo{"There"}, action::Wait{1e12}})->kind, Kind::TooManyPoints);
+    EXPECT_EQ(problem({action::MoveTo{"There"}, action::Wait{1e12}})->kind, DrawingFault::TooManyPoints);
     machine.program.sequences.clear();
     // It is there already: no points, however often.
     EXPECT_EQ(problem({action::MoveTo{"Back"}, action::Repeat{0, 4'000'000'000U}})->kind,
-              Kind::TooManyPoints);
+              DrawingFault::TooManyPoints);
     machine.program.sequences.clear();
     modules[0] = holding(0, 0, 4);
-    EXPECT_EQ(problem({action::MoveTo{"There"}}), (DrawingProblem{Kind::NoPathAxis, {}, 0, ModuleIndex(0)}));
+    EXPECT_EQ(problem({action::MoveTo{"There"}}),
+              (DrawingProblem{DrawingFault::NoPathAxis, {}, 0, ModuleIndex(0)}));
 }
 
 /// A third of a millimetre is no finite decimal number, and a count is what has to come back.

@@ -7,13 +7,13 @@
 #include <limits>
 
 #include "servofixture.h"
+#include "tests/support/modules.h"
 
 namespace nmc {
 namespace {
 
 using namespace testing_support;
 
-constexpr ModuleIndex kFirst{0};
 constexpr std::int64_t kMonday = 1'700'000'000;
 
 /// A servo at a port, followed from one session to the next.
@@ -213,9 +213,8 @@ TEST(PositionMemory, AFileThatIsNoneOfOursIsNothing) {
 }
 
 TEST(PositionMemory, ThereIsNoEndOfTheCountThatItFallsOver) {
-    constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();
     Axis axis;
-    axis.wasLeft(kLast, -kLast);
+    axis.wasLeft(kLastCount, -kLastCount);
     axis.another();
     axis.find(false);
     axis.says(0);

@@ -2,6 +2,7 @@
 // faults.md H-02: while a connection only looks, no rule lets anything through but the question itself.
 #include <gtest/gtest.h>
 
+#include "intents.h"
 #include "model/intent/homingplan.h"
 #include "model/machinefile/machinegroups.h"
 #include "model/procedure/procedures.h"
@@ -11,8 +12,6 @@ namespace nmc {
 namespace {
 
 using namespace testing_support;
-
-const intent::GoTo kGoTo{Counts(20'000), CountsPerTick(8 << 16), CountsPerTickSquared(1'311)};
 
 HomingRecipe recipe(const ModuleState& module) {
     return firstRecipe(module.info.identity);

@@ -10,6 +10,7 @@
 #include <locale>
 
 #include "recordings.h"
+#include "scopesamples.h"
 
 namespace nmc {
 namespace {
@@ -44,15 +45,8 @@ private:
     std::locale m_before;
 };
 
-TimePoint at(std::int64_t nanoseconds) {
+TimePoint atNs(std::int64_t nanoseconds) {
     return TimePoint(Duration(nanoseconds));
-}
-
-ScopeSample sampleOf(TimePoint time, std::int32_t position) {
-    ScopeSample sample;
-    sample.time = time;
-    sample.position = position;
-    return sample;
 }
 
 std::uint32_t bits(float number) {
@@ -61,21 +55,21 @@ std::uint32_t bits(float number) {
 
 TEST(Recording, IsWrittenAsDescribedUnderAnyLocale) {
     const UnderGermanLocale german;
-    const TimePoint zero = at(5'000'000'000);
+    const TimePoint zero = atNs(5'000'000'000);
     RecordingHeader header = recordingHeader();
     header.zero = zero;
     const std::string head = recordingHead(header);
     EXPECT_THAT(head, StartsWith(kRecordingHead));
     EXPECT_TRUE(head.ends_with('\n' + kWrittenColumnLine));
 
-    ScopeSample first = sampleOf(zero - Duration(1), 1'024);
+    ScopeSample first = sampleAt(zero - Duration(1), 1'024);
     first.error = 0.5F;
     first.errorLow = 0.0F;
     first.errorHigh = 1.0F;
     first.analog = 17;
     first.status = 9;
     first.aux = 4;
-    ScopeSample second = sampleOf(zero + Duration(600'000'001), -2'147'483'647 - 1);
+    ScopeSample second = sampleAt(zero + Duration(600'000'001), -2'147'483'647 - 1);
     second.velocity = -12.25F;
     second.analog = 255;
     second.aux = 63;
@@ -83,11 +77,11 @@ TEST(Recording, IsWrittenAsDescribedUnderAnyLocale) {
     std::string rows;
     appendRow(rows, ModuleIndex(0), first, zero);
     appendGains(rows,
-                {ModuleIndex(0), at(5'500'000'000),
+                {ModuleIndex(0), atNs(5'500'000'000),
                  servo::SetGain{100, 1'000, 0, 0, 255, 0, 2'000, 1, std::uint8_t{3}}},
                 zero);
     appendRow(rows, ModuleIndex(1), second, zero);
-    appendNote(rows, "the motors were told to stop", at(5'750'000'000), zero);
+    appendNote(rows, "the motors were told to stop", atNs(5'750'000'000), zero);
     EXPECT_EQ(rows, kWrittenRows);
 }
 
@@ -128,8 +122,8 @@ TEST(Recording, TheHeadIsReadBack) {
 
 TEST(Recording, GainsOfBothKindsAreReadBack) {
     const std::vector<GainsChange> gains{
-        {ModuleIndex(0), at(-1), servo::SetGain{1, 2, 3, 4, 5, 6, 7, 8, std::nullopt}},
-        {ModuleIndex(31), at(1'234'567'890),
+        {ModuleIndex(0), atNs(-1), servo::SetGain{1, 2, 3, 4, 5, 6, 7, 8, std::nullopt}},
+        {ModuleIndex(31), atNs(1'234'567'890),
          servo::SetGain{0x7FFF, 0x7FFF, 0x7FFF, 0x7FFF, 255, 255, 0x3FFF, 255, 255}}};
     std::string text = recordingHead(recordingHeader());
     for (const GainsChange& change : gains)
@@ -141,15 +135,15 @@ TEST(Recording, GainsOfBothKindsAreReadBack) {
 
 TEST(Recording, OfAHistoryHasItsSamplesAndGainsInTheOrderOfTime) {
     History history(2);
-    history.noteGains({ModuleIndex(0), at(5), servo::SetGain{1, 2, 3, 4, 5, 6, 7, 8, std::nullopt}});
-    history.append(ModuleIndex(1), sampleOf(at(10), 100));
-    history.append(ModuleIndex(0), sampleOf(at(20), 200));
-    history.noteGains({ModuleIndex(0), at(25), servo::SetGain{9, 2, 3, 4, 5, 6, 7, 8, std::nullopt}});
-    history.append(ModuleIndex(1), sampleOf(at(30), 300));
-    history.noteGains({ModuleIndex(1), at(35), servo::SetGain{10, 2, 3, 4, 5, 6, 7, 8, std::nullopt}});
-    history.noteGains({ModuleIndex(1), at(40), std::nullopt});
+    history.noteGains({ModuleIndex(0), atNs(5), servo::SetGain{1, 2, 3, 4, 5, 6, 7, 8, std::nullopt}});
+    history.append(ModuleIndex(1), sampleAt(atNs(10), 100));
+    history.append(ModuleIndex(0), sampleAt(atNs(20), 200));
+    history.noteGains({ModuleIndex(0), atNs(25), servo::SetGain{9, 2, 3, 4, 5, 6, 7, 8, std::nullopt}});
+    history.append(ModuleIndex(1), sampleAt(atNs(30), 300));
+    history.noteGains({ModuleIndex(1), atNs(35), servo::SetGain{10, 2, 3, 4, 5, 6, 7, 8, std::nullopt}});
+    history.noteGains({ModuleIndex(1), atNs(40), std::nullopt});
     RecordingHeader header = recordingHeader();
-    header.zero = at(10);
+    header.zero = atNs(10);
     std::string expected = recordingHead(header);
     expected +=
         "# gains of module 1 at -0.000000005 s: kp 1 kd 2 ki 3 il 4 ol 5 cl 6 el 7 sr 8\n"
@@ -182,7 +176,8 @@ rc::Gen<ScopeSample> anySample() {
     return rc::gen::apply(
         withGap,
         rc::gen::build<ScopeSample>(
-            rc::gen::set(&ScopeSample::time, rc::gen::map(rc::gen::inRange<std::int64_t>(-kYear, kYear), at)),
+            rc::gen::set(&ScopeSample::time,
+                         rc::gen::map(rc::gen::inRange<std::int64_t>(-kYear, kYear), atNs)),
             rc::gen::set(&ScopeSample::position, rc::gen::arbitrary<std::int32_t>()),
             rc::gen::set(&ScopeSample::error, anyFloat()), rc::gen::set(&ScopeSample::errorLow, anyFloat()),
             rc::gen::set(&ScopeSample::errorHigh, anyFloat()),
@@ -210,7 +205,7 @@ RC_GTEST_PROP(Recording, AnySamplesAreReadBackToTheLastBitUnderAnyLocale, ()) {
     std::sort(samples.begin(), samples.end(),
               [](const ScopeSample& a, const ScopeSample& b) { return a.time < b.time; });
     const auto module = ModuleIndex(*rc::gen::inRange<std::uint8_t>(0, 255));
-    const TimePoint zero = at(*rc::gen::inRange<std::int64_t>(-1'000'000'000'000, 1'000'000'000'000));
+    const TimePoint zero = atNs(*rc::gen::inRange<std::int64_t>(-1'000'000'000'000, 1'000'000'000'000));
     std::string text = recordingHead(recordingHeader());
     for (const ScopeSample& sample : samples)
         appendRow(text, module, sample, zero);

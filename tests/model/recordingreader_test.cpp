@@ -11,9 +11,9 @@ namespace nmc {
 namespace {
 
 using namespace testing_support;
-using Kind = RecordingProblem::Kind;
+using RecordingFault = RecordingProblem::Kind;
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string allReplaced(std::string text, const std::string& from, const std::string& to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
     return text;
@@ -25,11 +25,11 @@ std::string withRow(const std::string& row) {
 }
 constexpr std::uint64_t kRowLine = 22;
 
-std::optional<RecordingProblem> problemOf(const std::string& text) {
+std::optional<RecordingProblem> problemIn(const std::string& text) {
     return readRecording(text).problem;
 }
 
-RecordingProblem at(std::uint64_t line, RecordingProblem problem) {
+RecordingProblem inLine(std::uint64_t line, RecordingProblem problem) {
     problem.line = line;
     return problem;
 }
@@ -71,8 +71,8 @@ TEST(RecordingReader, ReadsWhatIsDescribedHoweverItIsCut) {
 
 TEST(RecordingReader, ReadsWhatAnEditorHasSavedAgain) {
     expectTheRecording(readRecording("\xEF\xBB\xBF" + kRecording));
-    expectTheRecording(readRecording(replaced(kRecording, "\n", "\r\n")));
-    expectTheRecording(readRecording("\xEF\xBB\xBF" + replaced(kRecording, "\n", "\r\n\r\n")));
+    expectTheRecording(readRecording(allReplaced(kRecording, "\n", "\r\n")));
+    expectTheRecording(readRecording("\xEF\xBB\xBF" + allReplaced(kRecording, "\n", "\r\n\r\n")));
 }
 
 /// A spreadsheet gives each line as many cells as the longest one has.
@@ -134,112 +134,115 @@ TEST(RecordingReader, FindsColumnsByNameAndPassesOverOthers) {
 }
 
 TEST(RecordingReader, SaysThatItIsNoRecording) {
-    EXPECT_EQ(problemOf(""), at(1, {.kind = Kind::Empty}));
+    EXPECT_EQ(problemIn(""), inLine(1, {.kind = RecordingFault::Empty}));
     for (const std::string text :
          {"\x7F"
           "ELF\x02\x01\x01",
           "\n", "PK\x03\x04", "module,time_s,position\n1,2,3\n", "# NMC Panel recording",
           "# NMC Panel recording x\n", "# NMC Panel recording 0\n", "\xFF\xFE#"})
-        EXPECT_EQ(problemOf(text), at(1, {.kind = Kind::OtherFormat})) << text;
-    EXPECT_EQ(problemOf(std::string(3'000'000, '\0')),
-              at(1, {.kind = Kind::OtherFormat, .max = RecordingReader::kMaxLine}));
+        EXPECT_EQ(problemIn(text), inLine(1, {.kind = RecordingFault::OtherFormat})) << text;
+    EXPECT_EQ(problemIn(std::string(3'000'000, '\0')),
+              inLine(1, {.kind = RecordingFault::OtherFormat, .max = RecordingReader::kMaxLine}));
 }
 
 TEST(RecordingReader, SaysThatItComesFromANewerProgram) {
-    const auto newer = at(1, {.kind = Kind::NewerVersion, .found = "2", .max = 1});
-    EXPECT_EQ(problemOf(replaced(kRecording, "recording 1", "recording 2")), newer);
-    EXPECT_EQ(problemOf("# NMC Panel recording 2"), newer);
+    const auto newer = inLine(1, {.kind = RecordingFault::NewerVersion, .found = "2", .max = 1});
+    EXPECT_EQ(problemIn(allReplaced(kRecording, "recording 1", "recording 2")), newer);
+    EXPECT_EQ(problemIn("# NMC Panel recording 2"), newer);
 }
 
 TEST(RecordingReader, SaysWhichColumnIsMissing) {
-    EXPECT_EQ(problemOf(kRecordingHead), at(20, {.kind = Kind::NoColumns}));
-    EXPECT_EQ(problemOf(replaced(kRecording, "module,", "modul,")),
-              at(21, {.kind = Kind::MissingColumn, .field = "module"}));
-    EXPECT_EQ(problemOf(replaced(kRecording, "time_s", "time_ms")),
-              at(21, {.kind = Kind::MissingColumn, .field = "time_s"}));
-    EXPECT_EQ(problemOf(kRecordingHead + "speed\n"),
-              at(21, {.kind = Kind::MissingColumn, .field = "module"}));
+    EXPECT_EQ(problemIn(kRecordingHead), inLine(20, {.kind = RecordingFault::NoColumns}));
+    EXPECT_EQ(problemIn(allReplaced(kRecording, "module,", "modul,")),
+              inLine(21, {.kind = RecordingFault::MissingColumn, .field = "module"}));
+    EXPECT_EQ(problemIn(allReplaced(kRecording, "time_s", "time_ms")),
+              inLine(21, {.kind = RecordingFault::MissingColumn, .field = "time_s"}));
+    EXPECT_EQ(problemIn(kRecordingHead + "speed\n"),
+              inLine(21, {.kind = RecordingFault::MissingColumn, .field = "module"}));
 }
 
 TEST(RecordingReader, KeepsWhatIsAboveACutAndTellsOfIt) {
     const auto read = readRecording(kRecording + "1,2.5,1024,,1024.5,0.5,0,1,17,9,4,0");
     EXPECT_EQ(read.samples.size(), 2U);
-    EXPECT_EQ(read.problem, at(kRowLine + 4, {.kind = Kind::Truncated}));
-    EXPECT_EQ(problemOf("# NMC Panel recording 1"), at(1, {.kind = Kind::Truncated}));
+    EXPECT_EQ(read.problem, inLine(kRowLine + 4, {.kind = RecordingFault::Truncated}));
+    EXPECT_EQ(problemIn("# NMC Panel recording 1"), inLine(1, {.kind = RecordingFault::Truncated}));
     for (std::size_t length = 1; length < kRecording.size(); ++length) {
         const std::string text = kRecording.substr(0, length);
         const bool betweenRows = text.ends_with('\n') && length > kRecordingHead.size();
-        EXPECT_EQ(problemOf(text).has_value(), !betweenRows) << "cut at byte " << length;
+        EXPECT_EQ(problemIn(text).has_value(), !betweenRows) << "cut at byte " << length;
     }
 }
 
 TEST(RecordingReader, NothingBelowAProblemIsRead) {
     const auto read = readRecording(withRow("1,1,1,,,,,,0,0,0,0\n1,x,2,,,,,,0,0,0,0\n1,3,3,,,,,,0,0,0,0\n"));
     EXPECT_EQ(read.samples.size(), 1U);
-    EXPECT_EQ(read.problem, at(kRowLine + 1, {.kind = Kind::NotANumber, .field = "time_s", .found = "x"}));
+    EXPECT_EQ(read.problem,
+              inLine(kRowLine + 1, {.kind = RecordingFault::NotANumber, .field = "time_s", .found = "x"}));
 }
 
 TEST(RecordingReader, RefusesWhatIsNoNumber) {
     const auto notANumber = [](const char* field, const char* found) {
-        return at(kRowLine, {.kind = Kind::NotANumber, .field = field, .found = found});
+        return inLine(kRowLine, {.kind = RecordingFault::NotANumber, .field = field, .found = found});
     };
-    EXPECT_EQ(problemOf(withRow("one,1,1,,,,,,0,0,0,0\n")), notANumber("module", "one"));
-    EXPECT_EQ(problemOf(withRow("1,nan,1,,,,,,0,0,0,0\n")), notANumber("time_s", "nan"));
-    EXPECT_EQ(problemOf(withRow("1,inf,1,,,,,,0,0,0,0\n")), notANumber("time_s", "inf"));
-    EXPECT_EQ(problemOf(withRow("1,1,NaN,,,,,,0,0,0,0\n")), notANumber("position", "NaN"));
-    EXPECT_EQ(problemOf(withRow("1,1,1.5,,,,,,0,0,0,0\n")), notANumber("position", "1.5"));
-    EXPECT_EQ(problemOf(withRow("1,1,1,-inf,,,,,0,0,0,0\n")), notANumber("velocity_per_s", "-inf"));
-    EXPECT_EQ(problemOf(withRow("1,1,1,,,0x10,,,0,0,0,0\n")), notANumber("error", "0x10"));
-    EXPECT_EQ(problemOf(withRow("1,1,1,,,,1 2,,0,0,0,0\n")), notANumber("error_low", "1 2"));
-    EXPECT_EQ(problemOf(withRow("1,1,1,,,,,\x01\xC3\xA4,0,0,0,0\n")), notANumber("error_high", "???"));
-    EXPECT_EQ(problemOf(withRow("1,1,1,,,,,,0,0,0,no\n")), notANumber("gap", "no"));
-    EXPECT_EQ(problemOf(withRow("1,1," + std::string(100, '1') + ",,,,,,0,0,0,0\n")),
+    EXPECT_EQ(problemIn(withRow("one,1,1,,,,,,0,0,0,0\n")), notANumber("module", "one"));
+    EXPECT_EQ(problemIn(withRow("1,nan,1,,,,,,0,0,0,0\n")), notANumber("time_s", "nan"));
+    EXPECT_EQ(problemIn(withRow("1,inf,1,,,,,,0,0,0,0\n")), notANumber("time_s", "inf"));
+    EXPECT_EQ(problemIn(withRow("1,1,NaN,,,,,,0,0,0,0\n")), notANumber("position", "NaN"));
+    EXPECT_EQ(problemIn(withRow("1,1,1.5,,,,,,0,0,0,0\n")), notANumber("position", "1.5"));
+    EXPECT_EQ(problemIn(withRow("1,1,1,-inf,,,,,0,0,0,0\n")), notANumber("velocity_per_s", "-inf"));
+    EXPECT_EQ(problemIn(withRow("1,1,1,,,0x10,,,0,0,0,0\n")), notANumber("error", "0x10"));
+    EXPECT_EQ(problemIn(withRow("1,1,1,,,,1 2,,0,0,0,0\n")), notANumber("error_low", "1 2"));
+    EXPECT_EQ(problemIn(withRow("1,1,1,,,,,\x01\xC3\xA4,0,0,0,0\n")), notANumber("error_high", "???"));
+    EXPECT_EQ(problemIn(withRow("1,1,1,,,,,,0,0,0,no\n")), notANumber("gap", "no"));
+    EXPECT_EQ(problemIn(withRow("1,1," + std::string(100, '1') + ",,,,,,0,0,0,0\n")),
               notANumber("position", std::string(40, '1').c_str()));
 }
 
 TEST(RecordingReader, RefusesWhatNoSampleCanBe) {
     const auto outOfRange = [](const char* field, const char* found, double min, double max) {
-        return at(kRowLine,
-                  {.kind = Kind::OutOfRange, .field = field, .found = found, .min = min, .max = max});
+        return inLine(
+            kRowLine,
+            {.kind = RecordingFault::OutOfRange, .field = field, .found = found, .min = min, .max = max});
     };
     constexpr double kTenYears = 315'360'000;
     constexpr auto kFloat = static_cast<double>(std::numeric_limits<float>::max());
-    EXPECT_EQ(problemOf(withRow("0,1,1,,,,,,0,0,0,0\n")), outOfRange("module", "0", 1, 255));
-    EXPECT_EQ(problemOf(withRow("256,1,1,,,,,,0,0,0,0\n")), outOfRange("module", "256", 1, 255));
-    EXPECT_EQ(problemOf(withRow("1,1e300,1,,,,,,0,0,0,0\n")),
+    EXPECT_EQ(problemIn(withRow("0,1,1,,,,,,0,0,0,0\n")), outOfRange("module", "0", 1, 255));
+    EXPECT_EQ(problemIn(withRow("256,1,1,,,,,,0,0,0,0\n")), outOfRange("module", "256", 1, 255));
+    EXPECT_EQ(problemIn(withRow("1,1e300,1,,,,,,0,0,0,0\n")),
               outOfRange("time_s", "1e300", -kTenYears, kTenYears));
-    EXPECT_EQ(problemOf(withRow("1,1e999,1,,,,,,0,0,0,0\n")),
+    EXPECT_EQ(problemIn(withRow("1,1e999,1,,,,,,0,0,0,0\n")),
               outOfRange("time_s", "1e999", -kTenYears, kTenYears));
-    EXPECT_EQ(problemOf(withRow("1,1,2147483648,,,,,,0,0,0,0\n")),
+    EXPECT_EQ(problemIn(withRow("1,1,2147483648,,,,,,0,0,0,0\n")),
               outOfRange("position", "2147483648", -2'147'483'648.0, 2'147'483'647.0));
-    EXPECT_EQ(problemOf(withRow("1,1,1,1e39,,,,,0,0,0,0\n")),
+    EXPECT_EQ(problemIn(withRow("1,1,1,1e39,,,,,0,0,0,0\n")),
               outOfRange("velocity_per_s", "1e39", -kFloat, kFloat));
-    EXPECT_EQ(problemOf(withRow("1,1,1,,,,,,256,0,0,0\n")), outOfRange("analog", "256", 0, 255));
-    EXPECT_EQ(problemOf(withRow("1,1,1,,,,,,0,-1,0,0\n")), outOfRange("status", "-1", 0, 255));
-    EXPECT_EQ(problemOf(withRow("1,1,1,,,,,,0,0,0,2\n")), outOfRange("gap", "2", 0, 1));
-    EXPECT_EQ(problemOf(replaced(kRecording, "counts per unit: 1024.5", "counts per unit: -3")),
-              at(10, {.kind = Kind::OutOfRange,
-                      .field = "module 1 counts per unit",
-                      .found = "-3",
-                      .min = 1e-6,
-                      .max = 1e9}));
-    EXPECT_EQ(problemOf(replaced(kRecording, "analog at zero: -1.5", "analog at zero: nan")),
-              at(13, {.kind = Kind::NotANumber, .field = "module 1 analog at zero", .found = "nan"}));
+    EXPECT_EQ(problemIn(withRow("1,1,1,,,,,,256,0,0,0\n")), outOfRange("analog", "256", 0, 255));
+    EXPECT_EQ(problemIn(withRow("1,1,1,,,,,,0,-1,0,0\n")), outOfRange("status", "-1", 0, 255));
+    EXPECT_EQ(problemIn(withRow("1,1,1,,,,,,0,0,0,2\n")), outOfRange("gap", "2", 0, 1));
+    EXPECT_EQ(problemIn(allReplaced(kRecording, "counts per unit: 1024.5", "counts per unit: -3")),
+              inLine(10, {.kind = RecordingFault::OutOfRange,
+                          .field = "module 1 counts per unit",
+                          .found = "-3",
+                          .min = 1e-6,
+                          .max = 1e9}));
+    EXPECT_EQ(
+        problemIn(allReplaced(kRecording, "analog at zero: -1.5", "analog at zero: nan")),
+        inLine(13, {.kind = RecordingFault::NotANumber, .field = "module 1 analog at zero", .found = "nan"}));
 }
 
 TEST(RecordingReader, RefusesRowsThatLackCells) {
-    EXPECT_EQ(problemOf(withRow("1,1,1,,,,,,0,0,0\n")),
-              at(kRowLine, {.kind = Kind::TooFewCells, .found = "11", .max = 12}));
-    EXPECT_EQ(problemOf(withRow("1,1, ,,,,,,0,0,0,0\n")),
-              at(kRowLine, {.kind = Kind::EmptyCell, .field = "position"}));
+    EXPECT_EQ(problemIn(withRow("1,1,1,,,,,,0,0,0\n")),
+              inLine(kRowLine, {.kind = RecordingFault::TooFewCells, .found = "11", .max = 12}));
+    EXPECT_EQ(problemIn(withRow("1,1, ,,,,,,0,0,0,0\n")),
+              inLine(kRowLine, {.kind = RecordingFault::EmptyCell, .field = "position"}));
 }
 
 TEST(RecordingReader, RefusesTimeThatGoesBackWithinOneModule) {
-    EXPECT_EQ(problemOf(withRow("1,2,1,,,,,,0,0,0,0\n2,1,1,,,,,,0,0,0,0\n1,2,1,,,,,,0,0,0,0\n")),
+    EXPECT_EQ(problemIn(withRow("1,2,1,,,,,,0,0,0,0\n2,1,1,,,,,,0,0,0,0\n1,2,1,,,,,,0,0,0,0\n")),
               std::nullopt)
         << "modules answer one after the other";
-    EXPECT_EQ(problemOf(withRow("1,2,1,,,,,,0,0,0,0\n1,1.999999999,1,,,,,,0,0,0,0\n")),
-              at(kRowLine + 1, {.kind = Kind::TimeGoesBack, .field = "time_s", .found = "1"}));
+    EXPECT_EQ(problemIn(withRow("1,2,1,,,,,,0,0,0,0\n1,1.999999999,1,,,,,,0,0,0,0\n")),
+              inLine(kRowLine + 1, {.kind = RecordingFault::TimeGoesBack, .field = "time_s", .found = "1"}));
 }
 
 TEST(RecordingReader, PositionsMayWrap) {
@@ -250,11 +253,12 @@ TEST(RecordingReader, PositionsMayWrap) {
 }
 
 TEST(RecordingReader, EndsAtALineThatNoRecordingHas) {
-    const auto longLine = at(kRowLine, {.kind = Kind::LineTooLong, .max = RecordingReader::kMaxLine});
-    EXPECT_EQ(problemOf(withRow(std::string(5'000'000, '1'))), longLine);
-    EXPECT_EQ(problemOf(withRow("# " + std::string(20'000, 'x') + '\n')), longLine);
-    EXPECT_EQ(problemOf(withRow(std::string(20'001, ',') + '\n')), longLine);
-    EXPECT_EQ(problemOf(withRow("# " + std::string(19'998, 'x') + '\n')), std::nullopt);
+    const auto longLine =
+        inLine(kRowLine, {.kind = RecordingFault::LineTooLong, .max = RecordingReader::kMaxLine});
+    EXPECT_EQ(problemIn(withRow(std::string(5'000'000, '1'))), longLine);
+    EXPECT_EQ(problemIn(withRow("# " + std::string(20'000, 'x') + '\n')), longLine);
+    EXPECT_EQ(problemIn(withRow(std::string(20'001, ',') + '\n')), longLine);
+    EXPECT_EQ(problemIn(withRow("# " + std::string(19'998, 'x') + '\n')), std::nullopt);
 }
 
 TEST(RecordingReader, AfterAProblemItWantsNoMore) {

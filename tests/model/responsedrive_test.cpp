@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/servotick.h"
+
 namespace nmc {
 namespace {
 
-constexpr double kTick = 512e-6;
+using testing_support::kTick;
 
 [[nodiscard]] ResponseRecord runOf(const servo::SetGain& gains, std::vector<ResponsePoint> points) {
     ResponseRecord run;

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "scopesamples.h"
 #include "servofixture.h"
 
 namespace nmc {
@@ -51,13 +52,6 @@ TEST(PwmDemand, ReckonsWithAnIntegralThatPullsTheOtherWay) {
     EXPECT_EQ(pwmDemand(gainsOf(10, 50, 200, 255), 0, 100).wanted, 0);
 }
 
-[[nodiscard]] ScopeSample at(double seconds, std::int32_t position) {
-    ScopeSample sample;
-    sample.time = atSeconds(seconds);
-    sample.position = position;
-    return sample;
-}
-
 [[nodiscard]] ResponseTaken taken(std::int32_t from, std::int32_t goal) {
     return {atSeconds(1), from, goal, 0.1, ResponseMethod::Profile, gainsOf(10, 50, 0, 255)};
 }
@@ -65,7 +59,7 @@ TEST(PwmDemand, ReckonsWithAnIntegralThatPullsTheOtherWay) {
 TEST(ResponseRecord, KeepsTheRecordFromShortlyBeforeTheStepOn) {
     std::vector<ScopeSample> samples;
     for (int ms = 0; ms < 3'000; ++ms)
-        samples.push_back(at(ms / 1'000.0, ms > 1'000 ? 600 : 500));
+        samples.push_back(sampleAt(ms / 1'000.0, ms > 1'000 ? 600 : 500));
     const ResponseRecord run = takeRun(ModuleIndex(3), samples, taken(500, 600), 2);
     EXPECT_EQ(run.module, ModuleIndex(3));
     ASSERT_EQ(run.points.size(), 121U) << "20 ms before, 100 ms behind it";
@@ -77,7 +71,7 @@ TEST(ResponseRecord, KeepsTheRecordFromShortlyBeforeTheStepOn) {
 }
 
 TEST(ResponseRecord, TakesTheErrorRightBeforeTheStepForThePwmDemand) {
-    std::vector<ScopeSample> samples = {at(0.998, 500), at(0.999, 500), at(1.001, 500)};
+    std::vector<ScopeSample> samples = {sampleAt(0.998, 500), sampleAt(0.999, 500), sampleAt(1.001, 500)};
     samples[0].error = 7;
     samples[1].error = -20;
     samples[2].error = 80;
@@ -88,10 +82,10 @@ TEST(ResponseRecord, TakesTheErrorRightBeforeTheStepForThePwmDemand) {
 
 TEST(ResponseRecord, CrossesTheEndOfThe32Bits) {
     constexpr std::int32_t kHigh = 0x7FFF'FFFF;
-    std::vector<ScopeSample> samples = {at(0.999, kHigh - 60), at(1.001, kHigh - 10),
-                                        at(1.002, -kHigh - 1 + 4)};
+    std::vector<ScopeSample> samples = {sampleAt(0.999, kHigh - 60), sampleAt(1.001, kHigh - 10),
+                                        sampleAt(1.002, -kHigh - 1 + 4)};
     for (int i = 3; i < 30; ++i)
-        samples.push_back(at(1 + i / 1'000.0, kHigh - 10));
+        samples.push_back(sampleAt(1 + i / 1'000.0, kHigh - 10));
     const ResponseRecord run = takeRun(ModuleIndex(0), samples, taken(kHigh - 60, kHigh - 10), 2);
     // 15 counts beyond the goal: -2^31 + 4 is 5 above 2^31 - 1.
     EXPECT_NEAR(run.metrics.overshoot->value, 30, 1) << "of 50 counts";
@@ -100,7 +94,7 @@ TEST(ResponseRecord, CrossesTheEndOfThe32Bits) {
 TEST(ResponseRecord, CanBeJudgedByAnotherBand) {
     std::vector<ScopeSample> samples;
     for (int ms = 0; ms < 100; ++ms)
-        samples.push_back(at(1 + ms / 1'000.0, ms < 10 ? 0 : ms < 30 ? 90 : 100));
+        samples.push_back(sampleAt(1 + ms / 1'000.0, ms < 10 ? 0 : ms < 30 ? 90 : 100));
     ResponseRecord run = takeRun(ModuleIndex(0), samples, taken(0, 100), 20);
     EXPECT_EQ(run.band(), 20);
     EXPECT_NEAR(run.metrics.settling->value, 0.01, 0.001);

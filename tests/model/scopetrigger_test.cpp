@@ -5,19 +5,18 @@
 
 #include <limits>
 
+#include "scopesamples.h"
+
 namespace nmc {
 namespace {
 
 using Condition = TriggerSettings::Condition;
 using Mode = TriggerSettings::Mode;
 using State = ScopeTrigger::State;
+using testing_support::atMs;
 
 constexpr ModuleIndex kAxis{2};
 constexpr ModuleIndex kOther{0};
-
-TimePoint at(int milliseconds) {
-    return TimePoint(std::chrono::milliseconds(milliseconds));
-}
 
 /// 20 ms before the trigger, 80 ms behind it.
 TriggerSettings watching(std::variant<ScopeSignal, ScopeBit> source, Condition condition,
@@ -32,7 +31,7 @@ TriggerSettings watching(std::variant<ScopeSignal, ScopeBit> source, Condition c
 
 ScopeSample position(int milliseconds, std::int32_t counts) {
     ScopeSample sample;
-    sample.time = at(milliseconds);
+    sample.time = atMs(milliseconds);
     sample.position = counts;
     return sample;
 }
@@ -52,10 +51,10 @@ class ScopeTriggerTest : public testing::Test {
 protected:
     void armed(const TriggerSettings& settings, ScopeSample before = position(0, 0)) {
         trigger.set(settings);
-        before.time = at(0);
+        before.time = atMs(0);
         trigger.feed(kAxis, before);
-        trigger.arm(at(100));
-        before.time = at(100);
+        trigger.arm(atMs(100));
+        before.time = atMs(100);
         EXPECT_EQ(trigger.feed(kAxis, before), State::Armed);
     }
     State feed(const ScopeSample& sample) { return trigger.feed(kAxis, sample); }
@@ -67,11 +66,11 @@ TEST_F(ScopeTriggerTest, ARisingEdgeIsWhereTheLineCrossesTheLevel) {
     armed(watching(ScopeSignal::Position, Condition::Rising, 150));
     EXPECT_EQ(feed(position(110, 100)), State::Armed);
     EXPECT_EQ(feed(position(120, 200)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), at(115)) << "100 at 110 ms, 200 at 120 ms";
-    EXPECT_EQ(trigger.picture(), (ScopeTrigger::Picture{at(95), at(195)}));
+    EXPECT_EQ(trigger.firedAt(), atMs(115)) << "100 at 110 ms, 200 at 120 ms";
+    EXPECT_EQ(trigger.picture(), (ScopeTrigger::Picture{atMs(95), atMs(195)}));
     EXPECT_EQ(feed(position(194, 0)), State::Fired);
     EXPECT_EQ(feed(position(195, 500)), State::Complete);
-    EXPECT_EQ(trigger.firedAt(), at(115));
+    EXPECT_EQ(trigger.firedAt(), atMs(115));
 }
 
 TEST_F(ScopeTriggerTest, AFallingEdgeIsWhereTheLineCrossesTheLevel) {
@@ -79,7 +78,7 @@ TEST_F(ScopeTriggerTest, AFallingEdgeIsWhereTheLineCrossesTheLevel) {
     EXPECT_EQ(feed(position(110, -20)), State::Armed);
     EXPECT_EQ(feed(position(120, 40)), State::Armed);
     EXPECT_EQ(feed(position(130, -60)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), at(127)) << "40 at 120 ms, 100 less at 130 ms";
+    EXPECT_EQ(trigger.firedAt(), atMs(127)) << "40 at 120 ms, 100 less at 130 ms";
 }
 
 TEST_F(ScopeTriggerTest, AnEdgeComesTrulyFromTheOtherSide) {
@@ -89,7 +88,7 @@ TEST_F(ScopeTriggerTest, AnEdgeComesTrulyFromTheOtherSide) {
     EXPECT_EQ(feed(position(130, 80)), State::Armed);
     EXPECT_EQ(feed(position(140, 49)), State::Armed);
     EXPECT_EQ(feed(position(150, 50)), State::Fired) << "reaching it is enough";
-    EXPECT_EQ(trigger.firedAt(), at(150));
+    EXPECT_EQ(trigger.firedAt(), atMs(150));
 }
 
 TEST_F(ScopeTriggerTest, NoEdgeLiesInAGap) {
@@ -99,7 +98,7 @@ TEST_F(ScopeTriggerTest, NoEdgeLiesInAGap) {
     EXPECT_EQ(feed(afterGap), State::Armed);
     EXPECT_EQ(feed(position(130, 0)), State::Armed);
     EXPECT_EQ(feed(position(140, 100)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), at(135));
+    EXPECT_EQ(trigger.firedAt(), atMs(135));
 }
 
 TEST_F(ScopeTriggerTest, NoEdgeLiesWhereTheSignalWasNotKnown) {
@@ -108,7 +107,7 @@ TEST_F(ScopeTriggerTest, NoEdgeLiesWhereTheSignalWasNotKnown) {
     EXPECT_EQ(feed(error(120, 10.0F)), State::Armed);
     EXPECT_EQ(feed(error(130, 0.0F)), State::Armed);
     EXPECT_EQ(feed(error(140, 10.0F)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), at(135));
+    EXPECT_EQ(trigger.firedAt(), atMs(135));
 }
 
 TEST_F(ScopeTriggerTest, WatchesEachSignal) {
@@ -130,7 +129,7 @@ TEST_F(ScopeTriggerTest, WatchesEachSignal) {
                           {ScopeSignal::Analog, 65}}) {
         armed(watching(c.signal, c.level > 0 ? Condition::Rising : Condition::Falling, c.level), before);
         EXPECT_EQ(feed(after), State::Fired) << static_cast<int>(c.signal);
-        EXPECT_EQ(trigger.firedAt(), at(110)) << static_cast<int>(c.signal);
+        EXPECT_EQ(trigger.firedAt(), atMs(110)) << static_cast<int>(c.signal);
     }
 }
 
@@ -147,11 +146,11 @@ TEST_F(ScopeTriggerTest, ABitIsSetOrClearedAtTheSampleThatShowsIt) {
     armed(watching(bit3, Condition::Rising, 77), status(0, 0xF7));
     EXPECT_EQ(feed(status(110, 0xF0)), State::Armed);
     EXPECT_EQ(feed(status(120, 0x08)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), at(120));
+    EXPECT_EQ(trigger.firedAt(), atMs(120));
     armed(watching(bit3, Condition::Falling), status(0, 0x08));
     EXPECT_EQ(feed(status(110, 0xFF)), State::Armed);
     EXPECT_EQ(feed(status(120, 0xF7)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), at(120));
+    EXPECT_EQ(trigger.firedAt(), atMs(120));
 }
 
 TEST_F(ScopeTriggerTest, TheAuxByteHasBitsOfItsOwn) {
@@ -165,40 +164,40 @@ TEST_F(ScopeTriggerTest, TheAuxByteHasBitsOfItsOwn) {
 TEST_F(ScopeTriggerTest, ALevelTriggersWhenItHoldsAlready) {
     trigger.set(watching(ScopeSignal::Position, Condition::Above, 50));
     feed(position(0, 90));
-    trigger.arm(at(100));
+    trigger.arm(atMs(100));
     EXPECT_EQ(feed(position(105, 50)), State::Armed) << "not above";
     EXPECT_EQ(feed(position(110, 90)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), at(110));
+    EXPECT_EQ(trigger.firedAt(), atMs(110));
     trigger.set(watching(ScopeSignal::Position, Condition::Below, 50));
-    trigger.arm(at(200));
+    trigger.arm(atMs(200));
     EXPECT_EQ(feed(position(210, 90)), State::Armed);
     EXPECT_EQ(feed(position(220, 10)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), at(220));
+    EXPECT_EQ(trigger.firedAt(), atMs(220));
     trigger.set(watching(ScopeBit{ScopeBit::Byte::Status, 7}, Condition::Below));
-    trigger.arm(at(300));
+    trigger.arm(atMs(300));
     EXPECT_EQ(feed(status(310, 0x80)), State::Armed);
     EXPECT_EQ(feed(status(320, 0x7F)), State::Fired);
 }
 
 TEST_F(ScopeTriggerTest, WaitsUntilThereIsEnoughBeforeTheTrigger) {
     trigger.set(watching(ScopeSignal::Position, Condition::Rising, 50));
-    trigger.arm(at(100));
+    trigger.arm(atMs(100));
     EXPECT_EQ(feed(position(100, 0)), State::Armed);
     EXPECT_EQ(feed(position(118, 100)), State::Armed) << "crossed at 109 ms: 9 of 20 ms are there";
     EXPECT_EQ(feed(position(119, 0)), State::Armed);
     EXPECT_EQ(feed(position(121, 100)), State::Fired) << "crossed at 120 ms";
-    EXPECT_EQ(trigger.picture()->from, at(100));
+    EXPECT_EQ(trigger.picture()->from, atMs(100));
 }
 
 TEST_F(ScopeTriggerTest, SamplesOfOtherModulesAndFromBeforeArmingCountAsBefore) {
     trigger.set(watching(ScopeSignal::Position, Condition::Rising, 50));
     trigger.feed(kOther, position(85, 0));
     feed(position(90, 0));
-    trigger.arm(at(100));
+    trigger.arm(atMs(100));
     EXPECT_EQ(feed(position(120, 100)), State::Fired);
-    EXPECT_EQ(trigger.picture()->from, at(85));
+    EXPECT_EQ(trigger.picture()->from, atMs(85));
     trigger.forgetSamples();
-    trigger.arm(at(130));
+    trigger.arm(atMs(130));
     feed(position(130, 0));
     EXPECT_EQ(feed(position(140, 100)), State::Armed) << "the history was emptied";
 }
@@ -206,7 +205,7 @@ TEST_F(ScopeTriggerTest, SamplesOfOtherModulesAndFromBeforeArmingCountAsBefore) 
 TEST_F(ScopeTriggerTest, AnEdgeFromBeforeArmingDoesNotTrigger) {
     trigger.set(watching(ScopeSignal::Position, Condition::Rising, 50));
     feed(position(0, 0));
-    trigger.arm(at(100));
+    trigger.arm(atMs(100));
     EXPECT_EQ(feed(position(110, 100)), State::Armed) << "crossed at 55 ms";
     EXPECT_EQ(feed(position(120, 0)), State::Armed);
     EXPECT_EQ(feed(position(130, 100)), State::Fired);
@@ -225,15 +224,15 @@ TEST_F(ScopeTriggerTest, ASinglePictureStaysUntilItIsArmedAgain) {
     armed(watching(ScopeSignal::Position, Condition::Rising, 50));
     feed(position(120, 100));
     ASSERT_EQ(feed(position(400, 0)), State::Complete);
-    trigger.rearm(at(400));
+    trigger.rearm(atMs(400));
     EXPECT_EQ(feed(position(420, 100)), State::Complete);
-    EXPECT_EQ(trigger.firedAt(), at(110));
-    trigger.arm(at(430));
+    EXPECT_EQ(trigger.firedAt(), atMs(110));
+    trigger.arm(atMs(430));
     EXPECT_EQ(trigger.firedAt(), std::nullopt);
     EXPECT_EQ(trigger.picture(), std::nullopt);
     feed(position(440, 0));
     EXPECT_EQ(feed(position(460, 100)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), at(450));
+    EXPECT_EQ(trigger.firedAt(), atMs(450));
 }
 
 TEST_F(ScopeTriggerTest, NormalModeTakesTheNextPictureWhenItIsTold) {
@@ -241,29 +240,29 @@ TEST_F(ScopeTriggerTest, NormalModeTakesTheNextPictureWhenItIsTold) {
     settings.mode = Mode::Normal;
     armed(settings);
     feed(position(120, 100));
-    trigger.rearm(at(130));
+    trigger.rearm(atMs(130));
     EXPECT_EQ(trigger.state(), State::Fired) << "a picture that is not complete is not given up";
     feed(position(390, 0));
     ASSERT_EQ(feed(position(400, 100)), State::Complete);
     feed(position(410, 0));
-    trigger.rearm(at(410));
+    trigger.rearm(atMs(410));
     EXPECT_EQ(trigger.state(), State::Armed);
     EXPECT_EQ(feed(position(430, 100)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), at(420));
+    EXPECT_EQ(trigger.firedAt(), atMs(420));
 }
 
 TEST_F(ScopeTriggerTest, IsOffUntilArmedAndAfterOtherSettings) {
     EXPECT_EQ(trigger.state(), State::Off);
     trigger.set(watching(ScopeSignal::Position, Condition::Above, 0));
     EXPECT_EQ(feed(position(0, 100)), State::Off);
-    trigger.rearm(at(10));
+    trigger.rearm(atMs(10));
     EXPECT_EQ(trigger.state(), State::Off);
-    trigger.arm(at(50));
+    trigger.arm(atMs(50));
     EXPECT_EQ(feed(position(60, 100)), State::Fired);
     trigger.disarm();
     EXPECT_EQ(trigger.state(), State::Off);
     EXPECT_EQ(trigger.picture(), std::nullopt);
-    trigger.arm(at(60));
+    trigger.arm(atMs(60));
     trigger.set(watching(ScopeSignal::Position, Condition::Above, 200));
     EXPECT_EQ(feed(position(70, 300)), State::Off);
 }
@@ -273,11 +272,11 @@ TEST_F(ScopeTriggerTest, ThePictureMayLieWhollyBeforeOrBehindTheTrigger) {
     settings.preTrigger = 1.0;
     armed(settings);
     EXPECT_EQ(feed(position(120, 100)), State::Complete) << "all of it is there";
-    EXPECT_EQ(trigger.picture(), (ScopeTrigger::Picture{at(10), at(110)}));
+    EXPECT_EQ(trigger.picture(), (ScopeTrigger::Picture{atMs(10), atMs(110)}));
     settings.preTrigger = 0.0;
     armed(settings);
     EXPECT_EQ(feed(position(120, 100)), State::Fired);
-    EXPECT_EQ(trigger.picture(), (ScopeTrigger::Picture{at(110), at(210)}));
+    EXPECT_EQ(trigger.picture(), (ScopeTrigger::Picture{atMs(110), atMs(210)}));
 }
 
 TEST_F(ScopeTriggerTest, SettingsWithoutSenseDoNoHarm) {

@@ -10,7 +10,7 @@
 namespace nmc {
 namespace {
 
-using Kind = SequenceProblem::Kind;
+using SequenceFault = SequenceProblem::Kind;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -44,8 +44,8 @@ Machine machineOf(Program program) {
 std::vector<ModuleState> chain() {
     return {homed(servoAt(0, 300), 100), homed(servoAt(1, 0), 0)};
 }
-std::vector<Kind> kinds(const std::vector<SequenceProblem>& problems) {
-    std::vector<Kind> all;
+std::vector<SequenceFault> kinds(const std::vector<SequenceProblem>& problems) {
+    std::vector<SequenceFault> all;
     for (const SequenceProblem& problem : problems)
         all.push_back(problem.kind);
     return all;
@@ -128,16 +128,17 @@ TEST(Contradiction, NamesItsRow) {
     Program program = twoPoints();
     program.sequences[0].rows.push_back(action::MoveTo{"Nowhere"});
     EXPECT_EQ(contradiction(program),
-              (SequenceProblem{.kind = Kind::NoSuchPoint, .sequence = "Main", .row = 2, .name = "Nowhere"}));
+              (SequenceProblem{
+                  .kind = SequenceFault::NoSuchPoint, .sequence = "Main", .row = 2, .name = "Nowhere"}));
     program = twoPoints();
     program.points[1].name = "Pick";
-    EXPECT_EQ(contradiction(program)->kind, Kind::NameTwice);
+    EXPECT_EQ(contradiction(program)->kind, SequenceFault::NameTwice);
     program = twoPoints();
     program.points[0].axes.push_back({kX, 0, true});
-    EXPECT_EQ(contradiction(program)->kind, Kind::AxisTwice);
+    EXPECT_EQ(contradiction(program)->kind, SequenceFault::AxisTwice);
     program = twoPoints();
     program.sequences[0].rows.insert(program.sequences[0].rows.begin(), action::Repeat{0, 2});
-    EXPECT_EQ(contradiction(program)->kind, Kind::RepeatsBelow);
+    EXPECT_EQ(contradiction(program)->kind, SequenceFault::RepeatsBelow);
 }
 
 TEST(Contradiction, ASequenceNeverLeadsToItself) {
@@ -148,11 +149,11 @@ TEST(Contradiction, ASequenceNeverLeadsToItself) {
     program.sequences[2].rows.push_back(action::Call{"A"});
     const auto problem = contradiction(program);
     ASSERT_TRUE(problem);
-    EXPECT_EQ(problem->kind, Kind::CallsItself);
+    EXPECT_EQ(problem->kind, SequenceFault::CallsItself);
     EXPECT_EQ(problem->sequence, "A");
     EXPECT_EQ(problem->row, 1U);
     program.sequences[2].rows[1] = action::Call{"C"};
-    EXPECT_EQ(contradiction(program)->kind, Kind::CallsItself);
+    EXPECT_EQ(contradiction(program)->kind, SequenceFault::CallsItself);
 }
 
 TEST(WhyNotRun, NothingOnAMachineThatIsReady) {
@@ -162,7 +163,8 @@ TEST(WhyNotRun, NothingOnAMachineThatIsReady) {
 TEST(WhyNotRun, NamesEachRowAndAxis) {
     std::vector<ModuleState> modules{homed(servoAt(0, 300, false), 100)};
     const auto problems = whyNotRun("Main", 0, machineOf(twoPoints()), modules);
-    ASSERT_THAT(kinds(problems), ElementsAre(Kind::Refused, Kind::NoSuchModule, Kind::Refused));
+    ASSERT_THAT(kinds(problems),
+                ElementsAre(SequenceFault::Refused, SequenceFault::NoSuchModule, SequenceFault::Refused));
     EXPECT_EQ(problems[0].refusal, Refusal::ServoOff);
     EXPECT_EQ(problems[1].module, kY);
     EXPECT_EQ(problems[2].row, 1U);
@@ -172,7 +174,7 @@ TEST(WhyNotRun, PointsBeyondTheChipAndWithoutHome) {
     Program program = twoPoints();
     program.points[0].axes[0].counts = 0x7FFFFFFF;
     auto problems = whyNotRun("Main", 0, machineOf(program), chain());
-    ASSERT_EQ(kinds(problems), std::vector{Kind::Refused});
+    ASSERT_EQ(kinds(problems), std::vector{SequenceFault::Refused});
     EXPECT_EQ(problems[0].refusal, Refusal::GoalOutOfRange);
 
     auto modules = chain();
@@ -183,7 +185,8 @@ TEST(WhyNotRun, PointsBeyondTheChipAndWithoutHome) {
 
     program = twoPoints();
     program.points[1].axes[0].fromHome = false;
-    EXPECT_EQ(kinds(whyNotRun("Main", 0, machineOf(program), chain())), std::vector{Kind::TaughtElsewhere});
+    EXPECT_EQ(kinds(whyNotRun("Main", 0, machineOf(program), chain())),
+              std::vector{SequenceFault::TaughtElsewhere});
 }
 
 TEST(WhyNotRun, ASequenceMayFindTheHomeThatItsPointsCountFrom) {
@@ -193,7 +196,7 @@ TEST(WhyNotRun, ASequenceMayFindTheHomeThatItsPointsCountFrom) {
     machine.axes.resize(1);
     auto modules = chain();
     modules[0].home.forget();
-    EXPECT_EQ(kinds(whyNotRun("Main", 0, machine, modules)), std::vector{Kind::NoRecipe});
+    EXPECT_EQ(kinds(whyNotRun("Main", 0, machine, modules)), std::vector{SequenceFault::NoRecipe});
     HomingRecipe recipe;
     recipe.onLimit1 = true;
     recipe.velocity = recipe.acceleration = recipe.travelLimit = recipe.timeLimit = 1.0;
@@ -208,12 +211,12 @@ TEST(WhyNotRun, PinsThatAreNotThere) {
                            action::WaitForInput{kX, InputPin::In1, true, 1}, action::SetOutput{kX, 1, true},
                            action::SetOutput{kX, 4, true}}}};
     EXPECT_EQ(kinds(whyNotRun("Pins", 0, machineOf(program), chain())),
-              (std::vector{Kind::NoSuchPin, Kind::NotAnOutput, Kind::NoSuchPin}))
+              (std::vector{SequenceFault::NoSuchPin, SequenceFault::NotAnOutput, SequenceFault::NoSuchPin}))
         << "limit 1 is an input until it is told otherwise";
     auto modules = chain();
     modules[0].io = servo::IoControl{false, false, false, true};
     EXPECT_EQ(kinds(whyNotRun("Pins", 0, machineOf(program), modules)),
-              (std::vector{Kind::NotAnInput, Kind::NoSuchPin, Kind::NoSuchPin}));
+              (std::vector{SequenceFault::NotAnInput, SequenceFault::NoSuchPin, SequenceFault::NoSuchPin}));
 }
 
 constexpr ModuleIndex kBox{0};
@@ -260,15 +263,18 @@ TEST(PicIoRows, WhatItDoesNotHaveIsSaidBeforeARun) {
         return kinds(whyNotRun("Main", 0, machineOf({{}, {{"Main", {std::move(row)}}}}), {module}));
     };
     EXPECT_THAT(problems(action::WaitForInput{kBox, InputPin::Io1}, picIo()), IsEmpty());
-    EXPECT_THAT(problems(action::WaitForInput{kBox, InputPin::Io3}, picIo()), ElementsAre(Kind::NotAnInput));
-    EXPECT_THAT(problems(action::WaitForInput{kBox, InputPin::In1}, picIo()), ElementsAre(Kind::NoSuchPin));
+    EXPECT_THAT(problems(action::WaitForInput{kBox, InputPin::Io3}, picIo()),
+                ElementsAre(SequenceFault::NotAnInput));
+    EXPECT_THAT(problems(action::WaitForInput{kBox, InputPin::In1}, picIo()),
+                ElementsAre(SequenceFault::NoSuchPin));
     EXPECT_THAT(problems(action::SetOutput{kBox, 3, true}, picIo()), IsEmpty());
-    EXPECT_THAT(problems(action::SetOutput{kBox, 4, true}, picIo()), ElementsAre(Kind::NotAnOutput));
+    EXPECT_THAT(problems(action::SetOutput{kBox, 4, true}, picIo()), ElementsAre(SequenceFault::NotAnOutput));
     EXPECT_THAT(problems(action::WaitForAnalog{kBox, 1}, picIo()), IsEmpty());
-    EXPECT_THAT(problems(action::WaitForAnalog{kX, 1}, servoAt(0, 0)), ElementsAre(Kind::NoSuchPin));
+    EXPECT_THAT(problems(action::WaitForAnalog{kX, 1}, servoAt(0, 0)), ElementsAre(SequenceFault::NoSuchPin));
     ModuleState found = picIo();
     found.attached();
-    EXPECT_THAT(problems(action::SetOutput{kBox, 3, true}, found), ElementsAre(Kind::OutputsUnknown));
+    EXPECT_THAT(problems(action::SetOutput{kBox, 3, true}, found),
+                ElementsAre(SequenceFault::OutputsUnknown));
 }
 
 TEST(EntryStates, AreWhatTheRowsAboveLeave) {
@@ -291,14 +297,14 @@ TEST(EntryStates, StartInTheMiddleOnlyWhereAFreshRunWouldBe) {
     const Machine machine = machineOf(twoPoints());
     auto modules = chain();  // X at 200 from home, Pick is 1 000
     const auto problems = whyNotRun("Main", 1, machine, modules);
-    ASSERT_EQ(kinds(problems), (std::vector{Kind::NotThere, Kind::NotThere}));
+    ASSERT_EQ(kinds(problems), (std::vector{SequenceFault::NotThere, SequenceFault::NotThere}));
     EXPECT_EQ(problems[0].module, kX);
     EXPECT_EQ(problems[0].name, "Pick");
     modules = {homed(servoAt(0, 1'102), 100), homed(servoAt(1, -200), 0)};
     EXPECT_THAT(whyNotRun("Main", 1, machine, modules), IsEmpty()) << "a servo rests within its friction";
     Machine forEver = machine;
     insertRow(forEver.program.sequences[0], 1, action::Repeat{0, 0});
-    EXPECT_EQ(kinds(whyNotRun("Main", 2, forEver, modules)), std::vector{Kind::Unreachable});
+    EXPECT_EQ(kinds(whyNotRun("Main", 2, forEver, modules)), std::vector{SequenceFault::Unreachable});
 }
 
 /// A tree of calls that would take longer than the universe to go through.

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+
 #include "model/module/modulestate.h"
 
 namespace nmc::testing_support {
+
+/// Behind it the counter wraps.
+inline constexpr std::int32_t kLastCount = std::numeric_limits<std::int32_t>::max();
 
 inline constexpr std::uint8_t kMoveDone = 0x01;
 inline constexpr std::uint8_t kPower = 0x08;

@@ -7,14 +7,13 @@
 #include "bus/commandlane.h"
 #include "model/intent/homingplan.h"
 #include "model/procedure/procedures.h"
+#include "tests/model/intents.h"
 #include "tests/model/stepperfixture.h"
 
 namespace nmc {
 namespace {
 
 using namespace testing_support;
-
-constexpr unsigned kOn = kStepPower | kAmplifier;
 
 /// Command byte and data of each step, as they go over the wire.
 std::vector<std::string> bytesOf(const Intent& intent, const ModuleState& module) {
@@ -30,11 +29,6 @@ std::vector<std::string> bytesOf(const Intent& intent, const ModuleState& module
     return bytes;
 }
 using Bytes = std::vector<std::string>;
-
-std::optional<Refusal> refusalOf(const Intent& intent, const ModuleState& module) {
-    const auto steps = plan(intent, module);
-    return steps ? std::nullopt : std::optional(steps.error());
-}
 
 const StepperMotion kTrapezoid = steppermotion::Trapezoid{1'000, false, 40, 4};
 const StepperMotion kForward = steppermotion::VelocityProfile{40, 4, false};
@@ -59,7 +53,7 @@ TEST(StepPlan, LoadsWhatTable4AsksForFromStandstill) {
 TEST(StepPlan, CountsARelativeGoalFromWhereItStands) {
     Stepper stepper = Stepper::holding();
     stepper.position = 500;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(bytesOf(stepperintent::Move{steppermotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
               (Bytes{"74 07 90 01 00 00 28 04", "05"}))
         << "400 = 190";
@@ -82,7 +76,7 @@ TEST(StepPlan, StopsAbruptlyWhereNoRampIsKnown) {
     load.timer = stepper::TimerCount{64'288, 20};
     load.startNow = true;
     stepper.was(load);
-    stepper.says(kOn | kMoving | kAtSpeed);
+    stepper.says(kStepOn | kMoving | kAtSpeed);
     EXPECT_EQ(bytesOf(intent::StopSmoothly{}, stepper.module), (Bytes{"17 05"}));
 }
 
@@ -99,7 +93,7 @@ TEST(StepPlan, SendsParametersAndOutputsAsTheyAre) {
 
 TEST(StepPlan, MovesNothingBeforeTheParametersWereSet) {
     Stepper stepper;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(refusalOf(stepperintent::Move{kTrapezoid}, stepper.module), Refusal::ParametersUnknown);
     EXPECT_EQ(refusalOf(intent::Enable{}, stepper.module), Refusal::ParametersUnknown);
     EXPECT_EQ(whyNot(IntentKind::Hold, stepper.module), Refusal::ParametersUnknown);
@@ -119,12 +113,12 @@ TEST(StepPlan, MovesNothingWithoutPowerOrAmplifier) {
 TEST(StepPlan, RefusesTheDirectionWhoseLimitIsActive) {
     Stepper stepper = Stepper::holding();
     stepper.inputs = kLimit1In;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::Limit1Active);
     EXPECT_EQ(refusalOf(stepperintent::Move{kTrapezoid}, stepper.module), Refusal::Limit1Active);
     EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), std::nullopt) << "off the switch";
     stepper.inputs = kLimit2In;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), Refusal::Limit2Active);
     EXPECT_EQ(refusalOf(stepperintent::Move{kPlainMove}, stepper.module), Refusal::Limit2Active);
     stepper::SetParameters ignoring = Stepper::parameters();
@@ -136,7 +130,7 @@ TEST(StepPlan, RefusesTheDirectionWhoseLimitIsActive) {
 TEST(StepPlan, RefusesMotionWhileTheEstopInputActs) {
     Stepper stepper = Stepper::holding();
     stepper.inputs = kEstopIn;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), Refusal::EstopActive);
     EXPECT_EQ(refusalOf(intent::StopAbruptly{}, stepper.module), std::nullopt);
 }
@@ -155,7 +149,7 @@ TEST(StepPlan, RefusesToEnableAMotorThatIsTooHot) {
 TEST(StepPlan, RefusesAGoalThatIsTooFarAway) {
     Stepper stepper = Stepper::holding();
     stepper.position = -2'000'000'000;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     const auto to = [](std::int32_t goal, bool relative) {
         return stepperintent::Move{steppermotion::Trapezoid{goal, relative, 40, 4}};
     };
@@ -194,12 +188,12 @@ Stepper inMode(bus::StepperMode mode) {
         case bus::StepperMode::Stopped:
             return stepper;
         case bus::StepperMode::Unknown:
-            stepper.says(kOn | kMoving);
+            stepper.says(kStepOn | kMoving);
             return stepper;
     }
     load.startNow = true;
     stepper.was(load);
-    stepper.says(kOn | kMoving | bits);
+    stepper.says(kStepOn | kMoving | bits);
     return stepper;
 }
 
@@ -267,10 +261,10 @@ TEST(StepPlan, StartsWhatWasLoadedOnceAndOnlyWhereItMayGo) {
     stepper.was(Stepper::trapezoid(1'000));
     EXPECT_EQ(bytesOf(intent::StartLoaded{}, stepper.module), (Bytes{"05"}));
     stepper.inputs = kLimit1In;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(refusalOf(intent::StartLoaded{}, stepper.module), Refusal::Limit1Active);
     stepper.inputs = 0;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     stepper.was(StartMotion{});
     EXPECT_EQ(refusalOf(intent::StartLoaded{}, stepper.module), Refusal::NothingLoaded);
 }

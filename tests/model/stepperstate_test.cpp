@@ -9,8 +9,7 @@ namespace {
 using namespace testing_support;
 using bus::StepperMode;
 
-constexpr unsigned kOn = kStepPower | kAmplifier;
-constexpr unsigned kRuns = kOn | kMoving | kVelocityMode;
+constexpr unsigned kRuns = kStepOn | kMoving | kVelocityMode;
 
 TEST(StepperState, BeginsUnknownAndThenIsOffWithoutAFault) {
     Stepper stepper;
@@ -42,7 +41,7 @@ TEST(StepperState, MovesFromTheStartOnAlthoughItsAnswerDoesNotSayIt) {
     EXPECT_EQ(stepper.module.activity(), Activity::Accelerating);
     EXPECT_EQ(stepper.module.stepper.mode(), StepperMode::Trapezoidal);
     stepper.position = 1'000;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_FALSE(stepper.module.moving()) << "the later status does";
     EXPECT_EQ(stepper.module.activity(), Activity::Holding);
 }
@@ -52,7 +51,7 @@ TEST(StepperState, TellsThePhasesOfARampByBitAndTimerCount) {
     stepper::LoadTrajectory load = Stepper::trapezoid(1'000);
     load.startNow = true;
     stepper.was(load);
-    constexpr unsigned kMove = kOn | kMoving | kTrapezoidalMode;
+    constexpr unsigned kMove = kStepOn | kMoving | kTrapezoidalMode;
     stepper.timer = 61'000;
     stepper.says(kMove);
     stepper.timer = 62'000;
@@ -71,7 +70,7 @@ TEST(StepperState, KnowsTheDirectionOfWhatItWasTold) {
     EXPECT_EQ(Stepper::running(true).module.stepper.runsReverse(), true);
     Stepper stepper = Stepper::holding();
     stepper.position = 500;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     stepper::LoadTrajectory load = Stepper::trapezoid(100);
     load.startNow = true;
     stepper.was(load);
@@ -81,7 +80,7 @@ TEST(StepperState, KnowsTheDirectionOfWhatItWasTold) {
 TEST(StepperState, KnowsNeitherDirectionNorOutputsOfAChainThatItFound) {
     Stepper stepper;
     stepper.module.attached();
-    stepper.says(kOn | kMoving);
+    stepper.says(kStepOn | kMoving);
     EXPECT_TRUE(stepper.module.moving());
     EXPECT_EQ(stepper.module.stepper.mode(), StepperMode::Unknown);
     EXPECT_EQ(stepper.module.stepper.runsReverse(), std::nullopt);
@@ -105,27 +104,27 @@ TEST(StepperState, SlowsDownAfterASmoothStop) {
     stepper.wasStopped(stepper::StopManner::Smoothly);
     stepper.says(kRuns);
     EXPECT_EQ(stepper.module.activity(), Activity::Decelerating);
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(stepper.module.activity(), Activity::Holding);
 }
 
 TEST(StepperState, SaysThatALimitEndedTheMotionUntilTheNextCommand) {
     Stepper stepper = Stepper::running();
     stepper.inputs = kLimit1In;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(stepper.module.activity(), Activity::StoppedByLimit);
     EXPECT_EQ(severityOf(Activity::StoppedByLimit), Severity::Attention);
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(stepper.module.activity(), Activity::StoppedByLimit);
     stepper.wasStopped(stepper::StopManner::Abruptly);
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(stepper.module.activity(), Activity::Holding);
 }
 
 TEST(StepperState, DoesNotBlameALimitOfTheOtherDirection) {
     Stepper stepper = Stepper::running(true);
     stepper.inputs = kLimit1In;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(stepper.module.activity(), Activity::Holding);
 }
 
@@ -133,14 +132,14 @@ TEST(StepperState, DoesNotBlameALimitForOurOwnStop) {
     Stepper stepper = Stepper::running();
     stepper.wasStopped(stepper::StopManner::Abruptly);
     stepper.inputs = kLimit1In;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(stepper.module.activity(), Activity::Holding);
 }
 
 TEST(StepperState, ShowsTheEstopInputWhereItActs) {
     Stepper stepper = Stepper::holding();
     stepper.inputs = kEstopIn;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(stepper.module.activity(), Activity::EstopActive);
     stepper::SetParameters ignoring = Stepper::parameters();
     ignoring.ignoreEstop = true;
@@ -215,7 +214,7 @@ TEST(StepperState, MotorOffAtHomeIsNoFault) {
     stepper::SetHoming homing;
     homing.onHomeSwitchChange = homing.motorOff = true;
     stepper.was(homing);
-    stepper.says(kRuns | kHoming);
+    stepper.says(kRuns | kStepHoming);
     stepper.says(kStepPower);
     EXPECT_FALSE(stepper.module.switchedItselfOff);
     EXPECT_EQ(stepper.module.activity(), Activity::AmplifierOff);
@@ -226,9 +225,9 @@ TEST(StepperState, ASwitchThatWasLookedForIsNoLimitThatWasRunInto) {
     stepper::SetHoming homing;
     homing.onLimit1Change = homing.stopAbruptly = true;
     stepper.was(homing);
-    stepper.says(kRuns | kHoming);
+    stepper.says(kRuns | kStepHoming);
     stepper.inputs = kLimit1In;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(stepper.module.stepper.ended(), std::nullopt);
     EXPECT_EQ(stepper.module.activity(), Activity::Holding);
     EXPECT_FALSE(stepper.module.limits.ranInto(0));
@@ -238,19 +237,19 @@ TEST(StepperState, ASwitchThatWasLookedForIsNoLimitThatWasRunInto) {
 TEST(StepperState, ALimitThatEndsAMotionIsNotedThoughItWasClosedBefore) {
     Stepper stepper = Stepper::holding();
     stepper.inputs = kLimit1In;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_FALSE(stepper.module.limits.ranInto(0)) << "closed by hand, at rest";
     stepper::LoadTrajectory load;
     load.speed = std::uint8_t{40};
     load.accelerationTime = std::uint8_t{4};
     load.startNow = true;
     stepper.was(load);
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_EQ(stepper.module.stepper.ended(), Activity::StoppedByLimit);
     EXPECT_TRUE(stepper.module.limits.ranInto(0));
     EXPECT_FALSE(stepper.module.limits.ranInto(1));
     stepper.inputs = 0;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_FALSE(stepper.module.limits.ranInto(0));
 }
 
@@ -267,8 +266,8 @@ TEST(StepperState, ForgetsALoadWhenTheSpeedModeChanges) {
 TEST(StepperState, HomeGoesAlongWithTheCounter) {
     Stepper stepper = Stepper::holding();
     stepper.position = -300;
-    stepper.says(kOn);
-    stepper.says(kOn);
+    stepper.says(kStepOn);
+    stepper.says(kStepOn);
     stepper.module.home.found(-300, stepper.time);
     stepper.was(ResetPosition{});
     ASSERT_TRUE(stepper.module.home.place());

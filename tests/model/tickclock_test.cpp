@@ -8,14 +8,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr TimePoint kStart = TimePoint(10s);
+constexpr TimePoint kTickZero = TimePoint(10s);
 
 /// What is told of something that is latched in a tick: from so long before it to so long behind it.
 TickClock::Window around(TimePoint tick, Duration before, Duration behind) {
     return {tick - before, tick + behind};
 }
 TimePoint tickAt(int count) {
-    return kStart + count * kServoTick;
+    return kTickZero + count * kServoTick;
 }
 
 class Ticks : public testing::Test {
@@ -79,7 +79,7 @@ TEST_F(Ticks, AreCountedOnWhenClocksRunApart) {
     EXPECT_GT(apart, 2ms) << "four ticks";
     const auto last = clock.ticksIn({tickAt(40'000) + apart - 150us, tickAt(40'000) + apart + 150us});
     ASSERT_TRUE(last);
-    EXPECT_EQ(last->earliest, kStart + 40'000 * kServoTick)
+    EXPECT_EQ(last->earliest, kTickZero + 40'000 * kServoTick)
         << "by the module's clock, which began with this one";
     EXPECT_EQ(last->latest, last->earliest);
 }

@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 using testing_support::recordingHeader;
 
-[[nodiscard]] ScopeSample sampleAt(Duration time, std::int32_t position, bool gap = false) {
+[[nodiscard]] ScopeSample recordedAt(Duration time, std::int32_t position, bool gap = false) {
     ScopeSample sample;
     sample.time = TimePoint(time);
     sample.position = position;
@@ -25,7 +25,7 @@ using testing_support::recordingHeader;
 }
 
 /// Two counts in a millimetre; 0.25 A in an A/D count above -1.5 A.
-[[nodiscard]] RecordingHeader header() {
+[[nodiscard]] RecordingHeader wideHeader() {
     RecordingHeader head = recordingHeader();
     head.modules[0].unit.countsPerUnit = 2;
     return head;
@@ -45,28 +45,28 @@ const std::string kNames =
 
 TEST(WideRecording, HasARowForEachReply) {
     History history(3);
-    ScopeSample first = sampleAt(10ms, 3);
+    ScopeSample first = recordedAt(10ms, 3);
     first.error = 1;
     first.velocity = -5;
     history.append(ModuleIndex(0), first);
-    history.append(ModuleIndex(1), sampleAt(11ms, 100));
-    history.append(ModuleIndex(0), sampleAt(12ms, 5));
-    EXPECT_EQ(wideRecordingOf(header(), history), kNames +
-                                                      "0.010000000,1.5,-2.5,2,0.5,0.5,,,9,,,,,,,,,,,\n"
-                                                      "0.011000000,,,,,,,,,100,,,,4,,9,,,,\n"
-                                                      "0.012000000,2.5,,,,0.5,,,9,,,,,,,,,,,\n")
+    history.append(ModuleIndex(1), recordedAt(11ms, 100));
+    history.append(ModuleIndex(0), recordedAt(12ms, 5));
+    EXPECT_EQ(wideRecordingOf(wideHeader(), history), kNames +
+                                                          "0.010000000,1.5,-2.5,2,0.5,0.5,,,9,,,,,,,,,,,\n"
+                                                          "0.011000000,,,,,,,,,100,,,,4,,9,,,,\n"
+                                                          "0.012000000,2.5,,,,0.5,,,9,,,,,,,,,,,\n")
         << "a module without samples has no columns";
 }
 
 TEST(WideRecording, IsEvenWhereAnIntervalIsAskedFor) {
     History history(2);
-    history.append(ModuleIndex(0), sampleAt(9500us, 0));
-    history.append(ModuleIndex(0), sampleAt(12500us, 30));
-    history.append(ModuleIndex(0), sampleAt(15500us, 60, true));
-    history.append(ModuleIndex(0), sampleAt(17ms, 60));
-    history.append(ModuleIndex(1), sampleAt(12ms, 100));
+    history.append(ModuleIndex(0), recordedAt(9500us, 0));
+    history.append(ModuleIndex(0), recordedAt(12500us, 30));
+    history.append(ModuleIndex(0), recordedAt(15500us, 60, true));
+    history.append(ModuleIndex(0), recordedAt(17ms, 60));
+    history.append(ModuleIndex(1), recordedAt(12ms, 100));
     // 10 counts a millisecond: after 10 ms 5 counts, so 2.5 mm; nothing across the gap from 12.5 to 15.5 ms.
-    EXPECT_EQ(wideRecordingOf(header(), history, Duration(1ms)),
+    EXPECT_EQ(wideRecordingOf(wideHeader(), history, Duration(1ms)),
               kNames +
                   "0.010000000,2.5,,,,0.5,,,9,,,,,,,,,,,\n"
                   "0.011000000,7.5,,,,0.5,,,9,,,,,,,,,,,\n"
@@ -82,9 +82,9 @@ TEST(WideRecording, IsEvenWhereAnIntervalIsAskedFor) {
 /// the first line for them, too. A comment is in the way of both.
 TEST(WideRecording, SaysWhatItIsInThePlaceThatEveryReaderPassesOver) {
     History history(2);
-    history.append(ModuleIndex(0), sampleAt(10ms, 3));
-    history.append(ModuleIndex(1), sampleAt(11ms, 4));
-    RecordingHeader head = header();
+    history.append(ModuleIndex(0), recordedAt(10ms, 3));
+    history.append(ModuleIndex(1), recordedAt(11ms, 4));
+    RecordingHeader head = wideHeader();
     head.simulated = false;
     head.port = "/dev/ttyUSB0";
     for (const Duration interval : {Duration::zero(), Duration(1ms)}) {
@@ -104,16 +104,16 @@ TEST(WideRecording, SaysWhatItIsInThePlaceThatEveryReaderPassesOver) {
 /// The reader knows it as our own, so that a user who opens it is told why it cannot be read.
 TEST(WideRecording, IsNoRecordingAndTheReaderSaysSo) {
     History history(1);
-    history.append(ModuleIndex(0), sampleAt(10ms, 3));
+    history.append(ModuleIndex(0), recordedAt(10ms, 3));
     RecordingReader reader({[](ModuleIndex, const ScopeSample&) { ADD_FAILURE(); }});
-    reader.feed(wideRecordingOf(header(), history));
+    reader.feed(wideRecordingOf(wideHeader(), history));
     EXPECT_EQ(reader.finish(), (RecordingProblem{.kind = RecordingProblem::Kind::OtherForm}));
 }
 
 TEST(WideRecording, CountsItsTimesAsTheLongFormDoes) {
     History history(2);
-    history.append(ModuleIndex(0), sampleAt(2s, 0));
-    RecordingHeader head = header();
+    history.append(ModuleIndex(0), recordedAt(2s, 0));
+    RecordingHeader head = wideHeader();
     head.zero = TimePoint(2500ms);
     const std::string wide = wideRecordingOf(head, history);
     const std::string longForm = recordingOf(head, history);
@@ -123,8 +123,8 @@ TEST(WideRecording, CountsItsTimesAsTheLongFormDoes) {
 
 TEST(WideRecording, ItsNamesTearNoTable) {
     History history(1);
-    history.append(ModuleIndex(0), sampleAt(0ms, 0));
-    RecordingHeader head = header();
+    history.append(ModuleIndex(0), recordedAt(0ms, 0));
+    RecordingHeader head = wideHeader();
     head.modules[0].name = "X, \"left\"/right\n";
     head.modules[0].unit = {UnitKind::Own, 2, "µm/2"};
     const std::string wide = wideRecordingOf(head, history);
@@ -144,7 +144,7 @@ TEST(WideRecording, ItsNamesTearNoTable) {
     History history(1);
     history.noteGains({ModuleIndex(0), TimePoint(2ms * gainsFrom), gains});
     for (int i = 0; i < count; ++i) {
-        ScopeSample sample = sampleAt(2ms * i, 0);
+        ScopeSample sample = recordedAt(2ms * i, 0);
         sample.aux = 0x04;  // servo on
         fill(i, sample);
         history.append(ModuleIndex(0), sample);
@@ -178,7 +178,7 @@ const std::string kPwm = "module1_Left_arm/pwm_calculated";
 /// and the last 20 ms have none.
 TEST(WideRecording, HasTheAccelerationAtEachReply) {
     const History history = everyTwoMs(60, [](int i, ScopeSample& sample) { sample.position = i * i * i; });
-    const auto cells = column(wideRecordingOf(header(), history), kAcceleration);
+    const auto cells = column(wideRecordingOf(wideHeader(), history), kAcceleration);
     ASSERT_EQ(cells.size(), 60U);
     for (int i = 0; i < 60; ++i) {
         const std::string& cell = cells[static_cast<std::size_t>(i)];
@@ -192,7 +192,7 @@ TEST(WideRecording, HasTheAccelerationAtEachReply) {
 /// Half way between two replies it is the mean of theirs.
 TEST(WideRecording, HasTheAccelerationAtEvenTimes) {
     const History history = everyTwoMs(60, [](int i, ScopeSample& sample) { sample.position = i * i * i; });
-    const auto cells = column(wideRecordingOf(header(), history, Duration(1ms)), kAcceleration);
+    const auto cells = column(wideRecordingOf(wideHeader(), history, Duration(1ms)), kAcceleration);
     ASSERT_EQ(cells.size(), 119U);
     for (int ms = 0; ms < 119; ++ms) {
         const std::string& cell = cells[static_cast<std::size_t>(ms)];
@@ -207,9 +207,9 @@ TEST(WideRecording, HasTheAccelerationAtEvenTimes) {
 TEST(WideRecording, HasTheAccelerationThatLiesBetweenTwoReplies) {
     History history(1);
     for (int i = 0; i < 60; ++i)
-        history.append(ModuleIndex(0), sampleAt(2750us * i, i * i));
+        history.append(ModuleIndex(0), recordedAt(2750us * i, i * i));
     const double expected = 2 / (0.00275 * 0.00275) / 2;  // mm/s^2
-    const auto cells = column(wideRecordingOf(header(), history), kAcceleration);
+    const auto cells = column(wideRecordingOf(wideHeader(), history), kAcceleration);
     ASSERT_EQ(cells.size(), 60U);
     EXPECT_EQ(cells[7], "") << "the first value is half an interval later";
     for (std::size_t i = 8; i < 52; ++i)
@@ -224,11 +224,11 @@ TEST(WideRecording, HasThePwmWhileTheGainsAreKnown) {
         sample.error = sample.errorLow = sample.errorHigh = -30;
     };
     const History history = everyTwoMs(30, standing, gains, 20);
-    const std::string sparse = wideRecordingOf(header(), history);
+    const std::string sparse = wideRecordingOf(wideHeader(), history);
     std::vector<std::string> expected(30);
     std::fill(expected.begin() + 20, expected.begin() + 29, "-60");
     EXPECT_EQ(column(sparse, kPwm), expected);
-    const std::string even = wideRecordingOf(header(), history, Duration(1ms));
+    const std::string even = wideRecordingOf(wideHeader(), history, Duration(1ms));
     expected.assign(59, "");
     std::fill(expected.begin() + 40, expected.begin() + 57, "-60");
     EXPECT_EQ(column(even, kPwm), expected);
@@ -245,7 +245,7 @@ TEST(WideRecording, MakesThePwmOfWhatWasBeforeToo) {
         },
         gains);
     const std::string table =
-        wideRecordingOf(header(), history, Duration::zero(), TimePoint(1500ms), TimePoint(1600ms));
+        wideRecordingOf(wideHeader(), history, Duration::zero(), TimePoint(1500ms), TimePoint(1600ms));
     EXPECT_EQ(column(table, kPwm), std::vector<std::string>(51, "100"));
     EXPECT_EQ(column(table, "time_s").front(), "1.500000000");
 }
@@ -256,7 +256,7 @@ TEST(WideRecording, HasTheCountRateOfAPicIo) {
         sample.io = sample.counted = true;
         sample.setCounter(static_cast<std::uint32_t>(3 * i));
     });
-    RecordingHeader head = header();
+    RecordingHeader head = wideHeader();
     head.modules[0].identity = {ModuleType::Io, 1};
     for (const Duration interval : {Duration::zero(), Duration(2ms)}) {
         const std::string table = wideRecordingOf(head, history, interval);
@@ -270,8 +270,8 @@ TEST(WideRecording, HasTheCountRateOfAPicIo) {
 
 TEST(WideRecording, HasNoPwmOfAStepper) {
     History history(2);
-    history.append(ModuleIndex(1), sampleAt(0ms, 0));
-    const std::string table = wideRecordingOf(header(), history);
+    history.append(ModuleIndex(1), recordedAt(0ms, 0));
+    const std::string table = wideRecordingOf(wideHeader(), history);
     EXPECT_NE(table.find("module2/acceleration_steps_per_s2"), std::string::npos);
     EXPECT_EQ(table.find("pwm"), std::string::npos);
 }
@@ -283,7 +283,7 @@ TEST(WideRecording, LosesNothingOfALongHistory) {
     const History history = everyTwoMs(
         kCount, [](int, ScopeSample& sample) { sample.error = sample.errorLow = sample.errorHigh = 7; },
         gains);
-    const std::string table = wideRecordingOf(header(), history);
+    const std::string table = wideRecordingOf(wideHeader(), history);
     std::vector<std::string> expected(kCount, "7");
     expected.back() = "";
     EXPECT_EQ(column(table, kPwm), expected);
@@ -292,8 +292,8 @@ TEST(WideRecording, LosesNothingOfALongHistory) {
 }
 
 TEST(WideRecording, OfNothingIsTheTimeAlone) {
-    EXPECT_EQ(wideRecordingOf(header(), History(2)), "time_s" + kAbout + '\n');
-    EXPECT_EQ(wideRecordingOf(header(), History(2), Duration(1ms)), "time_s" + kAbout + '\n');
+    EXPECT_EQ(wideRecordingOf(wideHeader(), History(2)), "time_s" + kAbout + '\n');
+    EXPECT_EQ(wideRecordingOf(wideHeader(), History(2), Duration(1ms)), "time_s" + kAbout + '\n');
 }
 
 }  // namespace

@@ -47,13 +47,13 @@ struct Name {
     }
 };
 
-constexpr servo::SetGain kGood{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
-constexpr servo::SetGain kOther{250, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
-/// Without damping a tick's delay drives it; the output limit leaves it time to be noticed.
-constexpr servo::SetGain kUnstable{5'000, 0, 0, 0, 60, 0, 16'000, 1, std::uint8_t{0}};
-
 class BadBench : public testing::TestWithParam<std::tuple<Kind, Trouble>> {
 protected:
+    static constexpr servo::SetGain kGood{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
+    static constexpr servo::SetGain kOther{250, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
+    /// Without damping a tick's delay drives it; the output limit leaves it time to be noticed.
+    static constexpr servo::SetGain kUnstable{5'000, 0, 0, 0, 60, 0, 16'000, 1, std::uint8_t{0}};
+
     [[nodiscard]] static Kind kind() { return std::get<0>(GetParam()); }
     [[nodiscard]] static Trouble trouble() { return std::get<1>(GetParam()); }
     [[nodiscard]] static sim::ChainOptions options() {

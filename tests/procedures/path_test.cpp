@@ -125,7 +125,7 @@ TEST(Path, OfThreeAxesRunsForTenMinutesWithoutAnUnderRun) {
 }
 
 TEST(Path, IsRefusedBeforeAnythingIsSent) {
-    using Kind = PathObstacle::Kind;
+    using Obstacle = PathObstacle::Kind;
     PathBench bench(scs(2));
     ASSERT_TRUE(bench.hold());
     const auto kindOf = [&](const PathTable& table, const PathLine& line = {115'200, Duration{}}) {
@@ -137,38 +137,38 @@ TEST(Path, IsRefusedBeforeAnythingIsSent) {
     one.columns.pop_back();
     const std::size_t before = bench.bus.sends("AA011");  // neither stops nor I/O Control
     EXPECT_EQ(kindOf(one), std::nullopt);
-    EXPECT_EQ(kindOf(both), Kind::NotAGroup);
+    EXPECT_EQ(kindOf(both), Obstacle::NotAGroup);
     PathTable changed = one;
     changed.rate = PathRate::Hz120;
-    EXPECT_EQ(kindOf(changed), Kind::WrongFastPath);
+    EXPECT_EQ(kindOf(changed), Obstacle::WrongFastPath);
     changed = one;
     changed.columns[0].points[0] = 100 + 8'192;  // 13 bits, and one more
-    EXPECT_EQ(kindOf(changed), Kind::TooFarToStart);
+    EXPECT_EQ(kindOf(changed), Obstacle::TooFarToStart);
     EXPECT_EQ(planPath(changed, bench.modules, {}).error().value, 8'192);
     EXPECT_EQ(planPath(changed, bench.modules, {}).error().allowed, 8'191);
     changed = one;
     changed.columns[0].points[10] += 9'000;
-    EXPECT_EQ(kindOf(changed), Kind::Jump);
+    EXPECT_EQ(kindOf(changed), Obstacle::Jump);
     EXPECT_EQ(planPath(changed, bench.modules, {}).error().point, 11U);
-    EXPECT_EQ(kindOf({}), Kind::NoPoints);
+    EXPECT_EQ(kindOf({}), Obstacle::NoPoints);
     // 24 frames' worth of wire a second would be needed at 1200 Bd, were there such a rate.
-    EXPECT_EQ(kindOf(one, {1'200, Duration{}}), Kind::BusTooSlow);
+    EXPECT_EQ(kindOf(one, {1'200, Duration{}}), Obstacle::BusTooSlow);
     ModuleState& module = bench.module();
     const ModuleState good = module;
     module.attached();
-    EXPECT_EQ(kindOf(one), Kind::ControlUnknown) << "it may be in step and direction mode";
+    EXPECT_EQ(kindOf(one), Obstacle::ControlUnknown) << "it may be in step and direction mode";
     module = good;
     module.pathControl->stepAndDirection = true;
-    EXPECT_EQ(kindOf(one), Kind::StepAndDirection);
+    EXPECT_EQ(kindOf(one), Obstacle::StepAndDirection);
     module = good;
     module.servoRate = 2;
-    EXPECT_EQ(kindOf(one), Kind::ServoRate);
+    EXPECT_EQ(kindOf(one), Obstacle::ServoRate);
     module = good;
     module.travel.fastest = 0.5;  // counts per tick: 16 in a segment of 32 ticks
-    EXPECT_EQ(kindOf(one), Kind::TooFast);
+    EXPECT_EQ(kindOf(one), Obstacle::TooFast);
     module = good;
     module.info.identity.version = 4;
-    EXPECT_EQ(kindOf(one), Kind::NoPathBuffer);
+    EXPECT_EQ(kindOf(one), Obstacle::NoPathBuffer);
     module = good;
     module.rights = OperatorRights{};
     module.rights->moves = false;

@@ -111,11 +111,11 @@ protected:
     PathBench bench{scs(3)};
 };
 
-struct Stop {
+struct PathStop {
     std::string name;
     std::function<void(PathBench&)> stop;
 };
-class PathIsEnded : public PathEnds, public testing::WithParamInterface<Stop> {};
+class PathIsEnded : public PathEnds, public testing::WithParamInterface<PathStop> {};
 
 void ask(PathBench& bench, std::uint8_t module, const Intent& intent) {
     const auto steps = plan(intent, bench.modules.at(module));
@@ -135,21 +135,21 @@ TEST_P(PathIsEnded, ForAllItsAxes) {
 INSTANTIATE_TEST_SUITE_P(
     ByAnyStop, PathIsEnded,
     testing::Values(
-        Stop{"CancelOfTheProcedure", [](PathBench& bench) { bench.procedure->cancel(); }},
-        Stop{"SmoothStop", [](PathBench& bench) { ask(bench, 0, intent::StopSmoothly{}); }},
-        Stop{"AbruptStop", [](PathBench& bench) { ask(bench, 0, intent::StopAbruptly{}); }},
-        Stop{"MotorOff", [](PathBench& bench) { ask(bench, 0, intent::MotorOff{}); }},
-        Stop{"StopOfAnotherAxis", [](PathBench& bench) { ask(bench, 2, intent::StopSmoothly{}); }},
-        Stop{"StopHere", [](PathBench& bench) { ask(bench, 1, intent::StopHere{}); }},
-        Stop{"StopOfAll", [](PathBench& bench) { bench.bus.engine.stopAll(bench.bus.now); }},
-        Stop{"StopOfItsGroup",
-             [](PathBench& bench) {
-                 bench.bus.engine.submit(
-                     bus::GroupOperation{
-                         bus::OperationId(2'000),
-                         bus::GroupCommand{PathBench::kGroup, bus::GroupCommand::Action::StopSmoothly}},
-                     bench.bus.now);
-             }}),
+        PathStop{"CancelOfTheProcedure", [](PathBench& bench) { bench.procedure->cancel(); }},
+        PathStop{"SmoothStop", [](PathBench& bench) { ask(bench, 0, intent::StopSmoothly{}); }},
+        PathStop{"AbruptStop", [](PathBench& bench) { ask(bench, 0, intent::StopAbruptly{}); }},
+        PathStop{"MotorOff", [](PathBench& bench) { ask(bench, 0, intent::MotorOff{}); }},
+        PathStop{"StopOfAnotherAxis", [](PathBench& bench) { ask(bench, 2, intent::StopSmoothly{}); }},
+        PathStop{"StopHere", [](PathBench& bench) { ask(bench, 1, intent::StopHere{}); }},
+        PathStop{"StopOfAll", [](PathBench& bench) { bench.bus.engine.stopAll(bench.bus.now); }},
+        PathStop{"StopOfItsGroup",
+                 [](PathBench& bench) {
+                     bench.bus.engine.submit(
+                         bus::GroupOperation{
+                             bus::OperationId(2'000),
+                             bus::GroupCommand{PathBench::kGroup, bus::GroupCommand::Action::StopSmoothly}},
+                         bench.bus.now);
+                 }}),
     [](const auto& named) { return named.param.name; });
 
 /// Points 300 of 2000 counts' worth are behind it, so a smooth stop slows down by the loaded acceleration.

@@ -10,13 +10,14 @@
 #include "model/procedure/stepresponse.h"
 #include "model/response/responserecord.h"
 #include "tests/procedures/procedurebench.h"
+#include "tests/support/servotick.h"
 
 namespace nmc::test {
 namespace {
 
 using namespace std::chrono_literals;
+using testing_support::kTick;
 
-constexpr double kTick = 0.000'512;
 constexpr double kBandPercent = 2;
 constexpr double kRecord = 0.4;
 
@@ -90,9 +91,9 @@ struct TrueMetrics {
 }
 
 /// One chain for one trial.
-class Bench : public ProcedureBench {
+class ResponseBench : public ProcedureBench {
 public:
-    explicit Bench(std::uint64_t seed) : ProcedureBench(servos(1), phase(seed)) {
+    explicit ResponseBench(std::uint64_t seed) : ProcedureBench(servos(1), phase(seed)) {
         bus.onTime = [this] { look(); };
     }
 
@@ -228,7 +229,7 @@ struct Share {
 
 class Tally {
 public:
-    void add(const ProcedureReport& report, const Bench& bench) {
+    void add(const ProcedureReport& report, const ResponseBench& bench) {
         ++m_sets;
         const auto failure = report.failure;
         if (failure == ProcedureFailure::WentOff) {
@@ -286,7 +287,7 @@ TEST(ResponseTruth, MetricsFromTheWireAreThoseOfTheMotor) {
     for (int tried = 0, done = 0; done < sets; ++tried) {
         const Trial trial = trials.next();
         SCOPED_TRACE(testing::Message() << "set " << tried << ": " << toText(trial));
-        Bench bench(static_cast<std::uint64_t>(tried) + 1);
+        ResponseBench bench(static_cast<std::uint64_t>(tried) + 1);
         if (const auto report = bench.tryOut(trial)) {
             tally.add(*report, bench);
             ++done;

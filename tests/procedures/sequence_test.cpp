@@ -9,13 +9,12 @@ namespace nmc::test {
 namespace {
 
 using namespace std::chrono_literals;
-using Bench = SequenceBench;
 using testing::IsEmpty;
 
 class Sequences : public testing::Test {
 protected:
     void SetUp() override { ASSERT_TRUE(bench.ready()); }
-    Bench bench;
+    SequenceBench bench;
 };
 
 TEST_F(Sequences, GoesThroughItsRows) {
@@ -297,7 +296,7 @@ protected:
     void SetUp() override {
         ASSERT_TRUE(bench.ready());
         bench.start("Main");
-        Bench whole;
+        SequenceBench whole;
         ASSERT_TRUE(whole.ready());
         whole.start("Main");
         int length = 0;
@@ -307,7 +306,7 @@ protected:
         bench.turns(1 + GetParam() * length / kMoments);
         ASSERT_FALSE(bench.run->report().over());
     }
-    Bench bench;
+    SequenceBench bench;
     std::vector<std::int64_t> last;
 };
 

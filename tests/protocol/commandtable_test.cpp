@@ -6,17 +6,17 @@
 #include <set>
 
 #include "protocol/commands.h"
+#include "tests/support/modules.h"
 
 namespace nmc {
 namespace {
 
 using testing::ElementsAre;
-
-constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
-constexpr ModuleIdentity kCmc{ModuleType::Servo, 5};
-constexpr ModuleIdentity kSc{ModuleType::Servo, 10};
-constexpr ModuleIdentity kStep{ModuleType::Stepper, 1};
-constexpr ModuleIdentity kIo{ModuleType::Io, 1};
+using testing_support::kCmc;
+using testing_support::kIo;
+using testing_support::kSc;
+using testing_support::kServo;
+using testing_support::kStep;
 
 std::vector<std::string> keys(const ModuleIdentity& module) {
     std::vector<std::string> names;

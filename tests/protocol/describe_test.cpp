@@ -7,24 +7,18 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include <sstream>
+#include "tests/support/hexbytes.h"
+#include "tests/support/modules.h"
 
 namespace nmc {
 namespace {
 
-std::vector<std::uint8_t> fromHex(const std::string& text) {
-    std::vector<std::uint8_t> bytes;
-    std::istringstream stream(text);
-    for (unsigned byte = 0; stream >> std::hex >> byte;)
-        bytes.push_back(static_cast<std::uint8_t>(byte));
-    return bytes;
-}
-
-constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
-constexpr ModuleIdentity kCmc{ModuleType::Servo, 5};
-constexpr ModuleIdentity kSc{ModuleType::Servo, 10};
-constexpr ModuleIdentity kStep{ModuleType::Stepper, 1};
-constexpr ModuleIdentity kIo{ModuleType::Io, 1};
+using testing_support::fromHex;
+using testing_support::kCmc;
+using testing_support::kIo;
+using testing_support::kSc;
+using testing_support::kServo;
+using testing_support::kStep;
 
 std::string servoSays(const std::string& hex) {
     return describeCommand(kServo, fromHex(hex));
@@ -33,14 +27,14 @@ std::string stepSays(const std::string& hex) {
     return describeCommand(kStep, fromHex(hex));
 }
 
-struct Row {
+struct Described {
     std::string hex;
     std::string text;
 };
 
 TEST(DescribeCommand, SaysWhatTheGoldenFramesSay) {
     // 100 000 / 65 536 = 1.52588, 100 / 65 536 = 0.00152588.
-    for (const Row& row : std::vector<Row>{
+    for (const Described& row : std::vector<Described>{
              {"AA 01 00 01", "Reset Position"},
              {"AA 01 05 06", "Start Motion"},
              {"AA 01 0E 0F", "No Operation"},
@@ -68,7 +62,7 @@ TEST(DescribeCommand, SaysWhatTheGoldenFramesSay) {
 
 TEST(DescribeCommand, SaysTheOtherCommandsOfAServo) {
     // Kp 200 = 00C8, Kd 2000 = 07D0, Ki 20 = 0014, IL 200 = 00C8, OL FF, CL 0, EL 8000 = 1F40, SR 1, DB 0.
-    for (const Row& row : std::vector<Row>{
+    for (const Described& row : std::vector<Described>{
              {"AA 01 E6 C8 00 D0 07 14 00 C8 00 FF 00 40 1F 01 00 C1",
               "Set Gain: Kp 200, Kd 2000, Ki 20, IL 200, OL 255, CL 0, EL 8000, SR 1, DB 0"},
              {"AA 01 D6 C8 00 D0 07 14 00 C8 00 FF 00 40 1F 01 B1",
@@ -93,7 +87,7 @@ TEST(DescribeCommand, SaysTheOtherCommandsOfAServo) {
 }
 
 TEST(DescribeCommand, SaysTheCommandsOfAStepper) {
-    for (const Row& row : std::vector<Row>{
+    for (const Described& row : std::vector<Described>{
              // position 1000 = 03E8, speed 50, acceleration time 20, start now
              {"AA 01 74 87 E8 03 00 00 32 14 2D",
               "Load Trajectory: position 1000, speed 50, acceleration time 20, start now"},
@@ -115,7 +109,7 @@ TEST(DescribeCommand, SaysTheCommandsOfAStepper) {
 }
 
 TEST(DescribeCommand, SaysWhatIsNoPacket) {
-    for (const Row& row : std::vector<Row>{
+    for (const Described& row : std::vector<Described>{
              {"", ""},
              {"00", "1 null"},
              {"00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00", "16 nulls"},
@@ -134,7 +128,7 @@ TEST(DescribeCommand, SaysWhatIsNoPacket) {
 
 TEST(DescribeCommand, SaysWhatTheFramesOfAnScSay) {
     // 0x0321 without its two low bits is 800: 800 / 256 = 3.125 counts per tick, then 3.15625 and so on.
-    for (const Row& row : std::vector<Row>{
+    for (const Described& row : std::vector<Described>{
              {"AA 01 10 01 12", "Reset Position: relative to home"},
              {"AA 01 50 02 A2 32 54 01 7C", "Reset Position: to position 22295202"},
              {"AA 01 12 41 54", "Define Status: position, position error"},
@@ -172,7 +166,7 @@ TEST(DescribeCommand, SaysWhatOlderVersionsMakeOfThem) {
 }
 
 TEST(DescribeCommand, SaysWhatAPicIoIsAsked) {
-    for (const Row& row : std::vector<Row>{
+    for (const Described& row : std::vector<Described>{
              {"AA 02 20 FF 0F 30",
               "Set Direction: inputs IO1 IO2 IO3 IO4 IO5 IO6 IO7 IO8 IO9 IO10 IO11 IO12"},
              {"AA 02 20 00 00 22", "Set Direction: inputs none"},

@@ -3,17 +3,18 @@
 // bytes that came from data sheets and host programs, not from our encoder.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "protocol/commands.h"
 #include "protocol/frame.h"
 #include "protocol/unsupported.h"
+#include "tests/support/hexbytes.h"
+#include "tests/support/modules.h"
 
 namespace nmc {
 namespace {
 
-constexpr ModuleIdentity kFirst{ModuleType::Servo, 4};
-constexpr ModuleIdentity kSc{ModuleType::Servo, 10};
+using testing_support::fromHex;
+using testing_support::kSc;
+using testing_support::kServo;
 
 struct Golden {
     std::string name;
@@ -21,14 +22,6 @@ struct Golden {
     std::uint8_t address;
     ServoCommand command;
 };
-
-std::vector<std::uint8_t> fromHex(const std::string& text) {
-    std::vector<std::uint8_t> bytes;
-    std::istringstream stream(text);
-    for (unsigned byte = 0; stream >> std::hex >> byte;)
-        bytes.push_back(static_cast<std::uint8_t>(byte));
-    return bytes;
-}
 
 servo::LoadTrajectory trapezoid() {
     servo::LoadTrajectory load;
@@ -101,7 +94,7 @@ TEST_P(GoldenFrames, DecodeToTheirMeaning) {
     const auto frame = parsePacket(fromHex(golden.hex));
     ASSERT_TRUE(frame.has_value());
     EXPECT_EQ(frame->address.value(), golden.address);
-    const auto command = decodeServoCommand(kFirst, frame->payload);
+    const auto command = decodeServoCommand(kServo, frame->payload);
     ASSERT_TRUE(command.has_value());
     EXPECT_EQ(*command, golden.command);
 }
@@ -211,7 +204,7 @@ TEST(DataSheetExample, LoadPositionAndAcceleration) {
 
 TEST(GoldenReply, IdleServoWithItems1F) {
     const auto reply = fromHex("11 22 25 00 00 4F 00 00 18 E0 05 00 00 A4");
-    const auto report = decodeStatus(kFirst, StatusItems(0x1F), reply);
+    const auto report = decodeStatus(kServo, StatusItems(0x1F), reply);
     ASSERT_TRUE(report.has_value());
     EXPECT_TRUE(report->servoStatus().moveDone());
     EXPECT_TRUE(report->servoStatus().positionError());

@@ -4,14 +4,16 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "tests/support/modules.h"
+
 namespace nmc {
 namespace {
 
-constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
-constexpr ModuleIdentity kCmc{ModuleType::Servo, 5};
-constexpr ModuleIdentity kSc{ModuleType::Servo, 10};
-constexpr ModuleIdentity kStep{ModuleType::Stepper, 1};
-constexpr ModuleIdentity kIo{ModuleType::Io, 1};
+using testing_support::kCmc;
+using testing_support::kIo;
+using testing_support::kSc;
+using testing_support::kServo;
+using testing_support::kStep;
 
 /// A well-formed reply of any content: status byte and items at random, then their sum.
 std::vector<std::uint8_t> anyReply(const ModuleIdentity& module, StatusItems items) {

@@ -29,12 +29,12 @@ enum class Loss : std::uint8_t {
     AllThatTheModuleSays,  ///< for a second, and whatever else is said
 };
 
-struct Case {
+struct LossCase {
     Loss loss;
     bool restart;
     bool deaf;
 
-    friend void PrintTo(const Case& c, std::ostream* stream) {
+    friend void PrintTo(const LossCase& c, std::ostream* stream) {
         static constexpr std::array kLosses{"Command",           "Answer",
                                             "AnswerAndProbe",    "AnswerAndProbes",
                                             "CommandThenAnswer", "AllThatTheModuleSays"};
@@ -43,8 +43,8 @@ struct Case {
     }
 };
 
-[[nodiscard]] std::vector<Case> cases() {
-    std::vector<Case> all;
+[[nodiscard]] std::vector<LossCase> lossCases() {
+    std::vector<LossCase> all;
     for (unsigned loss = 0; loss <= static_cast<unsigned>(Loss::AllThatTheModuleSays); ++loss)
         for (const bool restart : {false, true})
             all.push_back({static_cast<Loss>(loss), restart, loss % 2 == 1});
@@ -54,7 +54,7 @@ struct Case {
 /// A search in which something gets lost where the module at `place` is given its address.
 class Search {
 public:
-    Search(const Case& c, std::size_t modules, std::size_t place)
+    Search(const LossCase& c, std::size_t modules, std::size_t place)
         : rig(worldOf(c, modules)), m_loss(c.loss), m_place(place) {
         // The bus asks this first, and then lets the packet be changed.
         rig.bus.losesReply = [this](ByteSpan bytes) { return losesReply(bytes); };
@@ -74,7 +74,7 @@ public:
     bool ended = false;
 
 private:
-    static World worldOf(const Case& c, std::size_t modules) {
+    static World worldOf(const LossCase& c, std::size_t modules) {
         World world;
         world.chain = servos(modules);
         world.deafWhenAddressInputRises = c.deaf;
@@ -120,7 +120,7 @@ private:
     TimePoint m_until{};
 };
 
-class AddressesGiven : public testing::TestWithParam<Case> {
+class AddressesGiven : public testing::TestWithParam<LossCase> {
 protected:
     static void expectNoNumberTwice(const Rig& rig) {
         std::map<int, int> times;
@@ -171,7 +171,7 @@ TEST(AddressesGivenWithOneLoss, ReachTheWholeChain) {
     for (const Loss loss : {Loss::Command, Loss::Answer})
         for (const bool restart : {false, true})
             for (std::size_t place = 0; place < 4; ++place) {
-                const Case c{loss, restart, false};
+                const LossCase c{loss, restart, false};
                 SCOPED_TRACE(testing::PrintToString(c) + ", " + std::to_string(place));
                 Search search(c, 4, place);
                 ASSERT_TRUE(search.rig.known.has_value());
@@ -179,7 +179,7 @@ TEST(AddressesGivenWithOneLoss, ReachTheWholeChain) {
             }
 }
 
-INSTANTIATE_TEST_SUITE_P(Losses, AddressesGiven, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Losses, AddressesGiven, testing::ValuesIn(lossCases()),
                          testing::PrintToStringParamName());
 
 /// F-37, at every position: the name of the collision is the module that the engine knows at that address.

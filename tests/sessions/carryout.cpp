@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/baud.h"
+#include "tests/bus/groups.h"
 #include "tests/sessions/operator.h"
 #include "tests/sessions/plan.h"
 
@@ -10,7 +11,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr std::uint8_t kGroup = 0x81;
 constexpr Duration kLongSilence = 4s;  // a search that finds nobody takes about as long
 constexpr Duration kForEver = 30s;
 constexpr Duration kQuietLine = 2s;  // no byte for so long: the stop comes all the same

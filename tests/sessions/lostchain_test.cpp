@@ -16,18 +16,18 @@ using namespace bus;
 using namespace std::chrono_literals;
 using testing::IsEmpty;
 
-struct Case {
+struct ChainCase {
     std::size_t modules;
     std::uint32_t baud;
     bool deaf;
 
-    friend void PrintTo(const Case& c, std::ostream* stream) {
+    friend void PrintTo(const ChainCase& c, std::ostream* stream) {
         *stream << c.modules << "At" << c.baud << (c.deaf ? "Deaf" : "");
     }
 };
 
-[[nodiscard]] std::vector<Case> cases() {
-    std::vector<Case> all;
+[[nodiscard]] std::vector<ChainCase> chainCases() {
+    std::vector<ChainCase> all;
     for (const std::size_t modules : {1U, 2U, 3U, 8U})
         for (const std::uint32_t baud : {19'200U, 57'600U, 115'200U})
             for (const bool deaf : {false, true})
@@ -35,7 +35,7 @@ struct Case {
     return all;
 }
 
-class LostChain : public testing::TestWithParam<Case> {
+class LostChain : public testing::TestWithParam<ChainCase> {
 protected:
     static World world() {
         World world;
@@ -122,7 +122,8 @@ TEST_P(LostChain, IsNotCalledStopped) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Chains, LostChain, testing::ValuesIn(cases()), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Chains, LostChain, testing::ValuesIn(chainCases()),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 

@@ -8,7 +8,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr std::uint32_t kOnePerTick = 65'536;
 constexpr std::uint32_t kAcceleration = 655;  // 0.01 counts per tick squared
 constexpr std::uint8_t kStepRamp = 4;
 

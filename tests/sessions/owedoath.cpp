@@ -12,7 +12,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr Duration kLookEvery = 20ms;
 constexpr std::uint8_t kFirstGroup = 0x80;
 constexpr unsigned kStartNow = 0x80;  // of Load Trajectory's control byte (DS-V 5.2, DS-S 5.1)
 

@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include "tests/bus/groups.h"
 #include "tests/sessions/operator.h"
 
 namespace nmc::test {
@@ -18,18 +19,17 @@ using namespace std::chrono_literals;
 using testing::IsEmpty;
 
 constexpr Duration kSoon = UnacknowledgedStopOath::kSoon;
-constexpr std::uint8_t kGroup = 0x81;
 
 enum class Deaf : std::uint8_t { Module, WholeBus };
 
-struct Case {
+struct SilenceCase {
     StopCause cause;
     Deaf deaf;
     Duration silence;
     std::uint32_t baud;
     std::size_t modules;
 
-    friend void PrintTo(const Case& c, std::ostream* stream) {
+    friend void PrintTo(const SilenceCase& c, std::ostream* stream) {
         static constexpr std::array kCauses{"HoldReleased", "HoldExpired", "MotionSuspect",
                                             "GroupHalfStarted"};
         *stream << kCauses.at(static_cast<std::size_t>(c.cause))
@@ -38,8 +38,8 @@ struct Case {
     }
 };
 
-[[nodiscard]] std::vector<Case> cases() {
-    std::vector<Case> all;
+[[nodiscard]] std::vector<SilenceCase> silenceCases() {
+    std::vector<SilenceCase> all;
     for (const StopCause cause : {StopCause::HoldReleased, StopCause::HoldExpired, StopCause::MotionSuspect,
                                   StopCause::GroupHalfStarted})
         for (const Deaf deaf : {Deaf::Module, Deaf::WholeBus})
@@ -133,10 +133,10 @@ private:
     }
 };
 
-class OwedStopAfterSilence : public testing::TestWithParam<Case> {};
+class OwedStopAfterSilence : public testing::TestWithParam<SilenceCase> {};
 
 TEST_P(OwedStopAfterSilence, ReachesTheModuleAsSoonAsItHears) {
-    const Case& c = GetParam();
+    const SilenceCase& c = GetParam();
     UnacknowledgedStop owed(c.baud, c.modules);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
@@ -156,7 +156,7 @@ TEST_P(OwedStopAfterSilence, ReachesTheModuleAsSoonAsItHears) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Causes, OwedStopAfterSilence, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Causes, OwedStopAfterSilence, testing::ValuesIn(silenceCases()),
                          testing::PrintToStringParamName());
 
 /// "Repeated while the link is open": on a line from which nothing comes back the motor hears all the same.

@@ -14,8 +14,6 @@ using namespace bus;
 using namespace std::chrono_literals;
 using testing::IsEmpty;
 
-constexpr Duration kForLong = 60s;
-
 /// Two servos and a stepper, switched on by the program before.
 class ReadOnlySession : public testing::Test {
 protected:

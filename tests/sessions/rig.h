@@ -17,6 +17,9 @@
 
 namespace nmc::test {
 
+/// How often an oath looks at what moves.
+inline constexpr Duration kLookEvery = std::chrono::milliseconds(20);
+
 struct World {
     std::vector<ModuleIdentity> chain = servos(2);
     std::uint32_t baud = 19'200;

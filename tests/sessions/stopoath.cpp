@@ -26,7 +26,6 @@ constexpr Duration kJustBefore = 10ms;
 /// What is late comes no later than this behind the end of a fault.
 constexpr Duration kSettled = 300ms;
 constexpr double kDrift = 100;  // counts: a servo that was told to hold settles
-constexpr Duration kLookEvery = 20ms;
 
 [[nodiscard]] std::string named(std::size_t index, std::uint8_t place) {
     return "module " + std::to_string(index) + " (place " + std::to_string(place) + ")";

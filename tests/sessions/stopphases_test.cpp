@@ -27,18 +27,17 @@ enum class Phase : std::uint8_t {
     SecondConnect,  ///< comes right behind the stop
 };
 
-struct Case {
+struct PhaseCase {
     Phase phase;
     std::uint32_t baud;
 
-    friend void PrintTo(const Case& c, std::ostream* stream) {
+    friend void PrintTo(const PhaseCase& c, std::ostream* stream) {
         static constexpr std::array kPhases{"Connected", "LookingAgain", "FoundNobody", "LinkLost",
                                             "SecondConnect"};
         *stream << kPhases.at(static_cast<std::size_t>(c.phase)) << c.baud;
     }
 };
 
-constexpr Duration kForLong = 60s;
 /// Two servos in velocity mode and a stepper.
 [[nodiscard]] World threeAt(std::uint32_t baud) {
     World world;
@@ -54,7 +53,7 @@ constexpr Duration kForLong = 60s;
     return n;
 }
 
-class StopInPhase : public testing::TestWithParam<Case> {
+class StopInPhase : public testing::TestWithParam<PhaseCase> {
 protected:
     /// The motors run; what comes next is the stop. Bytes of the search that have crossed the wire, where
     /// there is a search.
@@ -235,14 +234,14 @@ TEST_P(StopInPhase, EndsOnceWhenItIsAskedForTwice) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Phases, StopInPhase,
-                         testing::Values(Case{Phase::Connected, 19'200}, Case{Phase::Connected, 115'200},
-                                         Case{Phase::LookingAgain, 19'200},
-                                         Case{Phase::LookingAgain, 115'200}, Case{Phase::FoundNobody, 19'200},
-                                         Case{Phase::FoundNobody, 115'200}, Case{Phase::LinkLost, 19'200},
-                                         Case{Phase::LinkLost, 115'200}, Case{Phase::SecondConnect, 19'200},
-                                         Case{Phase::SecondConnect, 115'200}),
-                         testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(
+    Phases, StopInPhase,
+    testing::Values(PhaseCase{Phase::Connected, 19'200}, PhaseCase{Phase::Connected, 115'200},
+                    PhaseCase{Phase::LookingAgain, 19'200}, PhaseCase{Phase::LookingAgain, 115'200},
+                    PhaseCase{Phase::FoundNobody, 19'200}, PhaseCase{Phase::FoundNobody, 115'200},
+                    PhaseCase{Phase::LinkLost, 19'200}, PhaseCase{Phase::LinkLost, 115'200},
+                    PhaseCase{Phase::SecondConnect, 19'200}, PhaseCase{Phase::SecondConnect, 115'200}),
+    testing::PrintToStringParamName());
 
 // ---- Where no chain has been known yet ----
 

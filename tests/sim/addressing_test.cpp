@@ -7,9 +7,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Idle after power-up: move_done, power_on, pos_error.
-const Bytes kIdle{0x19, 0x19};
-
 TEST(Addressing, AModuleIsDeafForItsDeadTimeAndThenAnswersAtAddress0WithItsStatusByteOnly) {
     Chain chain(parseChain("servo").value());
     chain.hostSends(packet(0, 0x0E), TimePoint{});

@@ -13,14 +13,6 @@ using testing::IsEmpty;
 using Kind = ViolationKind;
 using Kinds = std::vector<Kind>;
 
-const Bytes kIdle{0x19, 0x19};
-
-ChainOptions withFaults() {
-    ChainOptions options;
-    options.enableFaults = true;
-    return options;
-}
-
 class Blame : public testing::Test {
 protected:
     Blame() { wire.address(2); }

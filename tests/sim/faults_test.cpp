@@ -20,16 +20,6 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr std::uint32_t kOne = 65536;
-const Bytes kIdle{0x19, 0x19};
-
-ChainOptions withFaults(std::uint64_t seed = 1) {
-    ChainOptions options;
-    options.enableFaults = true;
-    options.seed = seed;
-    return options;
-}
-
 class Faults : public testing::Test {
 protected:
     Faults() { wire.address(3); }

@@ -17,6 +17,10 @@ namespace nmc::sim::test {
 using Bytes = std::vector<std::uint8_t>;
 
 inline constexpr Duration kTick = std::chrono::microseconds(512);
+/// One count, or one count per tick, in 16.16.
+inline constexpr std::uint32_t kOne = 65536;
+/// What a servo answers that has nothing to do since it was powered up: move_done, power_on, pos_error.
+inline const Bytes kIdle{0x19, 0x19};
 
 inline Bytes values(const std::vector<HostByte>& bytes) {
     Bytes all;
@@ -169,6 +173,13 @@ private:
         return static_cast<std::int32_t>(value);
     }
 };
+
+inline ChainOptions withFaults(std::uint64_t seed = 1) {
+    ChainOptions options;
+    options.enableFaults = true;
+    options.seed = seed;
+    return options;
+}
 
 /// Gains that hold the default motor well: 11 ms rise, 2 % overshoot (simulator.md, Fidelity).
 inline Bytes goodGains(unsigned el = 0x3FFF) {

@@ -14,8 +14,6 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-const Bytes kIdle{0x19, 0x19};
-
 TEST(Line, TheReplyBeginsAtTheEndOfTheTickWithin512Microseconds) {
     Duration least = kTick;
     Duration most{};

@@ -7,8 +7,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::uint32_t kOne = 65536;
-
 class Servo : public testing::Test {
 protected:
     Servo() {

@@ -11,8 +11,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::uint32_t kOne = 65536;
-
 TEST(PidFilter, ComputesTheSumOfThreeTermsInIntegers) {
     Gains g;
     g.kp = 100;

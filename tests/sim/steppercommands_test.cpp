@@ -8,8 +8,6 @@ namespace {
 using std::chrono::milliseconds;
 using Kinds = std::vector<ViolationKind>;
 
-constexpr std::uint16_t kCount = 65'536 - 625 + 2;  // 1000/s at 1x
-
 TEST(StepperStatus, AfterPowerUpTheReplyIsStatusAndSum) {
     HostWire wire("step");
     EXPECT_EQ(wire.command(0, 0x21, {1, 0xFF}), (Bytes{0x08, 0x08})) << "power, and nothing else";

@@ -14,9 +14,6 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing::HasSubstr;
 
-constexpr std::uint16_t kCount = 65'536 - 625 + 2;  // 1000/s at 1x
-constexpr unsigned kIgnoreLimits = 0x04;
-
 class StepperMachineTest : public testing::Test {
 protected:
     StepperMachineTest() { wire.parameters(k1x); }

@@ -8,9 +8,6 @@ namespace {
 using std::chrono::milliseconds;
 using Kinds = std::vector<ViolationKind>;
 
-constexpr unsigned kIgnoreLimits = 0x04, kIgnoreEstop = 0x08, kMotorOff = 0x10;
-constexpr std::uint16_t kCount = 65'536 - 625 + 2;  // 1000/s at 1x
-
 class StepperPinsTest : public testing::Test {
 protected:
     void run(bool reverse = false) { wire.load({.count = kCount, .nearest = 40, .reverse = reverse}); }

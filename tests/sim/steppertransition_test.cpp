@@ -10,7 +10,6 @@ namespace {
 using Kinds = std::vector<ViolationKind>;
 using enum StepperMode;
 
-constexpr std::uint16_t kCount = 65'536 - 625 + 2;  // 1000/s at 1x
 constexpr std::int32_t kFar = 1'000'000;
 
 /// Brings a new stepper into a mode.

@@ -12,8 +12,6 @@ using std::chrono::milliseconds;
 using Kind = ViolationKind;
 using Kinds = std::vector<Kind>;
 
-constexpr std::uint32_t kOne = 65536;
-
 class Violations : public testing::Test {
 protected:
     Violations() : wire("servo,servo") {

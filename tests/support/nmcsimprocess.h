@@ -9,6 +9,9 @@
 
 namespace nmc::testing_support {
 
+/// Counts per tick; a servo that holds is never quite still.
+inline constexpr double kAtRest = 0.01;
+
 /// The real nmcsim in a process of its own, and its control lines.
 class NmcsimProcess {
 public:

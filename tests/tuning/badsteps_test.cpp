@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing_support;
 
-[[nodiscard]] servo::SetGain gainsOf(std::uint16_t kp, std::uint16_t kd) {
+[[nodiscard]] servo::SetGain limitedGains(std::uint16_t kp, std::uint16_t kd) {
     return {kp, kd, 0, 0, 64, 0, 4'000, 1, std::uint8_t{0}};
 }
 
@@ -38,7 +38,7 @@ TEST_F(BadSteps, OfNoRunsAtAll) {
 }
 
 TEST_F(BadSteps, WithTooFewSamples) {
-    TunedServo servo({}, gainsOf(200, 2'000), 1);
+    TunedServo servo({}, limitedGains(200, 2'000), 1);
     std::vector<ResponseRecord> runs = thereAndBack(servo);
     runs[1].points.resize(20);  // a few of these are from before the step
     expect(runs, IdentifyFailure::TooFewSamples);
@@ -47,18 +47,18 @@ TEST_F(BadSteps, WithTooFewSamples) {
 TEST_F(BadSteps, OfAJammedShaft) {
     sim::MotorParameters motor;
     motor.coulombNm = 1.0;
-    TunedServo servo(motor, gainsOf(200, 2'000), 2);
+    TunedServo servo(motor, limitedGains(200, 2'000), 2);
     expect(thereAndBack(servo), IdentifyFailure::DoesNotMove);
 }
 
 TEST_F(BadSteps, OfAMotorWithoutPower) {
-    TunedServo servo({}, gainsOf(200, 2'000), 3);
+    TunedServo servo({}, limitedGains(200, 2'000), 3);
     servo.setPower(false);
     expect(thereAndBack(servo), IdentifyFailure::DoesNotMove);
 }
 
 TEST_F(BadSteps, WithTheEncoderReversed) {
-    TunedServo servo({}, gainsOf(200, 2'000), 4);
+    TunedServo servo({}, limitedGains(200, 2'000), 4);
     servo.reverseEncoder();
     expect({servo.step(200, 0.1)}, IdentifyFailure::WrongWay);
 }
@@ -66,7 +66,7 @@ TEST_F(BadSteps, WithTheEncoderReversed) {
 TEST_F(BadSteps, ThatHitALimit) {
     sim::MotorParameters motor;
     motor.travelMaxCounts = 120;
-    TunedServo servo(motor, gainsOf(200, 2'000), 5);
+    TunedServo servo(motor, limitedGains(200, 2'000), 5);
     expect(thereAndBack(servo), IdentifyFailure::Obstacle);
 }
 
@@ -85,7 +85,7 @@ TEST_F(BadSteps, ThatEndAtAHardStop) {
 TEST_F(BadSteps, ThatFrictionEndsAreNoObstacle) {
     sim::MotorParameters motor;
     motor.coulombNm = 0.04;  // 12.3 PWM counts; Kp e / 256 is no more at 31 counts
-    TunedServo servo(motor, gainsOf(100, 1'000), 5);
+    TunedServo servo(motor, limitedGains(100, 1'000), 5);
     servo.wait(0.2);
     const auto found = identify(std::vector{servo.step(100, 0.5)});
     EXPECT_TRUE(found || found.error() != IdentifyFailure::Obstacle);
@@ -100,7 +100,7 @@ TEST_F(BadSteps, ThatOscillate) {
 }
 
 TEST_F(BadSteps, WithABacklashOfSomeDegrees) {
-    TunedServo servo({}, gainsOf(200, 2'000), 7);
+    TunedServo servo({}, limitedGains(200, 2'000), 7);
     servo.setBacklash(30);
     expect(thereAndBack(servo), IdentifyFailure::NotExplained);
 }

@@ -10,12 +10,13 @@
 #include "base/time.h"
 #include "model/response/edgefold.h"
 #include "model/response/frequencyfile.h"
+#include "tests/support/servotick.h"
 
 namespace nmc {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kTick = 512e-6;
+using testing_support::kTick;
 
 /// Twelve a decade from 0.01 Hz on, of L(s).
 template <typename Loop>

@@ -15,7 +15,7 @@ namespace {
 constexpr MotorConstants kMotor{1'000, 0.1, 2, 0, 0};
 const double kE = std::exp(1.0);
 
-[[nodiscard]] servo::SetGain gainsOf(std::uint16_t kp, std::uint16_t kd) {
+[[nodiscard]] servo::SetGain bareGains(std::uint16_t kp, std::uint16_t kd) {
     servo::SetGain gains;
     gains.kp = kp;
     gains.kd = kd;
@@ -64,7 +64,7 @@ TEST(MotorMotion, TurnsRoundWithinATickWithFrictionOnTheOtherSide) {
 }
 
 TEST(ControlFilterModel, CutsOffLikeTheChip) {
-    ControlFilter filter(gainsOf(100, 200), Rounding::Chip, 0, 0);
+    ControlFilter filter(bareGains(100, 200), Rounding::Chip, 0, 0);
     EXPECT_EQ(filter.output(5), 5) << "100 x 5 + 200 x 5 = 1500, / 256 = 5.9";
     EXPECT_EQ(filter.output(5), 1) << "500 / 256 = 1.95";
     EXPECT_EQ(filter.output(-5), -9) << "-500 - 2000 = -2500, / 256 = -9.8";
@@ -72,7 +72,7 @@ TEST(ControlFilterModel, CutsOffLikeTheChip) {
 }
 
 TEST(ControlFilterModel, LimitsTheOutputAndAddsTheDeadbandToWhatIsNotZero) {
-    servo::SetGain gains = gainsOf(256, 0);
+    servo::SetGain gains = bareGains(256, 0);
     gains.ol = 20;
     gains.db = std::uint8_t{7};
     ControlFilter filter(gains, Rounding::Chip, 0, 0);
@@ -84,7 +84,7 @@ TEST(ControlFilterModel, LimitsTheOutputAndAddsTheDeadbandToWhatIsNotZero) {
 }
 
 TEST(ControlFilterModel, BoundsTheRunningSumBeforeItIsUsed) {
-    servo::SetGain gains = gainsOf(0, 0);
+    servo::SetGain gains = bareGains(0, 0);
     gains.ki = 256 * 10;
     gains.il = 2;
     ControlFilter filter(gains, Rounding::Chip, 0, 0);
@@ -98,18 +98,18 @@ TEST(LoopModel, FirstMovesATickAfterTheCommandPlusTheDelay) {
     // Kp 256: 5 PWM counts from the first tick on, less 2: v = 3000 (1 - exp(-(t - delay) / tau)).
     MotorConstants motor = kMotor;
     motor.delay = 0.3e-3;
-    Loop loop(motor, gainsOf(256, 0), {0.5, 0, 0}, 5, Rounding::Chip);
+    Loop loop(motor, bareGains(256, 0), {0.5, 0, 0}, 5, Rounding::Chip);
     EXPECT_EQ(loop.at(-1).velocity, 0);
     EXPECT_EQ(loop.at(0.299e-3).velocity, 0);
     EXPECT_NEAR(loop.at(0.5e-3).velocity, 3'000 * (1 - std::exp(-0.002)), 1e-6);
     motor.delay = 0.512e-3 + 0.3e-3;
-    Loop later(motor, gainsOf(256, 0), {0.5, 0, 0}, 5, Rounding::Chip);
+    Loop later(motor, bareGains(256, 0), {0.5, 0, 0}, 5, Rounding::Chip);
     EXPECT_EQ(later.at(0.8e-3).velocity, 0);
     EXPECT_NEAR(later.at(1.012e-3).velocity, 3'000 * (1 - std::exp(-0.002)), 1e-6);
 }
 
 TEST(LoopModel, TicksAtTheServoRate) {
-    servo::SetGain gains = gainsOf(256, 0);
+    servo::SetGain gains = bareGains(256, 0);
     gains.sr = 4;
     EXPECT_DOUBLE_EQ(servoTickOf(gains), 4 * 512e-6);
     MotorConstants fast{1e5, 1e-3, 0, 0, 0};

@@ -197,15 +197,15 @@ struct Bits {
     CommandCode code;
     unsigned mask;
 };
-constexpr std::array kServoBits{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x1F}, Bits{IoControl, 0x0F},
-                                Bits{SetHoming, 0xFF}};
-constexpr std::array kStepBits{Bits{LoadTrajectory, 0x9F}, Bits{SetGain, 0x1F}, Bits{StopMotor, 0x0D},
-                               Bits{IoControl, 0x1F}, Bits{SetHoming, 0x3F}};
+constexpr std::array kServoMasks{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x1F}, Bits{IoControl, 0x0F},
+                                 Bits{SetHoming, 0xFF}};
+constexpr std::array kStepMasks{Bits{LoadTrajectory, 0x9F}, Bits{SetGain, 0x1F}, Bits{StopMotor, 0x0D},
+                                Bits{IoControl, 0x1F}, Bits{SetHoming, 0x3F}};
 
-constexpr std::array kCmcBits{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x3F}, Bits{IoControl, 0x4F},
-                              Bits{SetHoming, 0xFF}, Bits{ResetPosition, 0x03}};
-constexpr std::array kScBits{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x1F},     Bits{IoControl, 0xFC},
-                             Bits{SetHoming, 0xFF},      Bits{ResetPosition, 0x03}, Bits{HardReset, 0xFF}};
+constexpr std::array kCmcMasks{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x3F}, Bits{IoControl, 0x4F},
+                               Bits{SetHoming, 0xFF}, Bits{ResetPosition, 0x03}};
+constexpr std::array kScMasks{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x1F},     Bits{IoControl, 0xFC},
+                              Bits{SetHoming, 0xFF},      Bits{ResetPosition, 0x03}, Bits{HardReset, 0xFF}};
 
 [[nodiscard]] std::vector<Cell> together(std::vector<Cell> cells,
                                          std::initializer_list<const std::vector<Cell>*> others) {
@@ -287,21 +287,21 @@ protected:
 TEST_F(Cells, EachOfThePicServoSheetHasItsControl) {
     showServo();
     expectEachHasItsControl({ModuleType::Servo, 4}, kServoCells);
-    expectEachBit(kServoCells, kServoBits);
+    expectEachBit(kServoCells, kServoMasks);
 }
 
 TEST_F(Cells, EachOfACmcHasItsControl) {
     showServo({.version = 5});
     const auto cells = together(kServoCells, {&kLaterCells, &kCmcCells});
     expectEachHasItsControl({ModuleType::Servo, 5}, cells);
-    expectEachBit(cells, kCmcBits);
+    expectEachBit(cells, kCmcMasks);
 }
 
 TEST_F(Cells, EachOfAnScHasItsControl) {
     showServo({.version = 10});
     const auto cells = together(withoutPins(kServoCells), {&kLaterCells, &kScCells});
     expectEachHasItsControl({ModuleType::Servo, 10}, cells);
-    expectEachBit(cells, kScBits);
+    expectEachBit(cells, kScMasks);
 }
 
 TEST_F(Cells, WhateverSendsSomethingToAnScIsInTheTable) {
@@ -312,7 +312,7 @@ TEST_F(Cells, WhateverSendsSomethingToAnScIsInTheTable) {
 TEST_F(Cells, EachOfThePicStepSheetHasItsControl) {
     window->showLink(connectedTo({Stepper::holding().module}));
     expectEachHasItsControl({ModuleType::Stepper, 1}, kStepCells);
-    expectEachBit(kStepCells, kStepBits);
+    expectEachBit(kStepCells, kStepMasks);
 }
 
 TEST_F(Cells, WhateverSendsSomethingToAServoIsInTheTable) {

@@ -7,12 +7,12 @@ namespace nmc {
 namespace {
 
 using bus::MemberOutcome;
-using Action = bus::GroupCommand::Action;
-using Reason = bus::RateChangeFailed::Reason;
+using GroupAction = bus::GroupCommand::Action;
+using RateFailure = bus::RateChangeFailed::Reason;
 
 bus::GroupFinished start(bus::Outcome outcome, std::vector<bus::GroupMember> members, bool stopped = false) {
-    return {bus::OperationId(1), outcome, bus::GroupCommand{0x81, Action::StartMotion}, std::move(members),
-            stopped};
+    return {bus::OperationId(1), outcome, bus::GroupCommand{0x81, GroupAction::StartMotion},
+            std::move(members), stopped};
 }
 
 TEST(ChainTexts, GroupStartedInPart) {
@@ -50,23 +50,23 @@ TEST(ChainTexts, GroupStartWithheld) {
               u"Group 81 is empty. Nothing was sent."_s);
 }
 
-bus::GroupFinished command(Action action, bus::Outcome outcome, std::vector<bus::GroupMember> members) {
+bus::GroupFinished command(GroupAction action, bus::Outcome outcome, std::vector<bus::GroupMember> members) {
     return {bus::OperationId(1), outcome, bus::GroupCommand{0x81, action}, std::move(members), false};
 }
 
 TEST(ChainTexts, GroupThatIsToldToStop) {
     const std::vector<bus::GroupMember> both{{ModuleIndex(0), MemberOutcome::Done},
                                              {ModuleIndex(2), MemberOutcome::Done}};
-    EXPECT_EQ(texts::groupToldToStop(command(Action::StopSmoothly, bus::Outcome::Done, both)).headline,
+    EXPECT_EQ(texts::groupToldToStop(command(GroupAction::StopSmoothly, bus::Outcome::Done, both)).headline,
               u"Group 81 was told to stop: module 1 and 3."_s);
-    EXPECT_EQ(texts::groupToldToStop(command(Action::MotorOff, bus::Outcome::Done, both)).headline,
+    EXPECT_EQ(texts::groupToldToStop(command(GroupAction::MotorOff, bus::Outcome::Done, both)).headline,
               u"Group 81 was told to switch its motors off: module 1 and 3."_s);
     EXPECT_EQ(texts::stopConfirmed({ModuleIndex(2), bus::StopCause::GroupStop}), u"Module 3 has stopped."_s);
 }
 
 TEST(ChainTexts, GroupWhoseZeroIsNotCertain) {
     const Message m = texts::groupFailed(
-        command(Action::ResetPosition, bus::Outcome::NoAnswer,
+        command(GroupAction::ResetPosition, bus::Outcome::NoAnswer,
                 {{ModuleIndex(0), MemberOutcome::Done}, {ModuleIndex(1), MemberOutcome::NotDone}}));
     EXPECT_EQ(m.headline, u"Not all modules of group 81 confirmed setting their position to 0."_s);
     EXPECT_TRUE(m.body.startsWith(u"Carried out by: 1. Not carried out by: 2."_s)) << m.body.toStdString();
@@ -81,13 +81,13 @@ TEST(ChainTexts, AddressThatIsTaken) {
 }
 
 TEST(ChainTexts, RateThatAModuleDidNotHear) {
-    const Message m = texts::rateNotChanged({Reason::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {}});
+    const Message m = texts::rateNotChanged({RateFailure::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {}});
     EXPECT_EQ(m.headline,
               u"Could not change the baud rate: the chain stays at 19 200 Bd. No motor was moved."_s);
     EXPECT_TRUE(m.body.startsWith(u"Module 2 did not answer at 115 200 Bd, so all modules went back."_s))
         << m.body.toStdString();
     const Message lost =
-        texts::rateNotChanged({Reason::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {ModuleIndex(1)}});
+        texts::rateNotChanged({RateFailure::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {ModuleIndex(1)}});
     EXPECT_EQ(lost.headline,
               u"Module 2 has not answered since the baud rate changed. No motor was moving."_s);
     EXPECT_EQ(lost.severity, Severity::Fault);
@@ -101,9 +101,9 @@ TEST(ChainTexts, RateForAll) {
 
 TEST(ChainTexts, HaveNoForbiddenWords) {
     QStringList all;
-    for (const Reason reason :
-         {Reason::NoSuchRate, Reason::PortCannot, Reason::NotNow, Reason::Missing, Reason::GroupsUnknown,
-          Reason::Leader, Reason::NotHeard, Reason::Interrupted}) {
+    for (const RateFailure reason :
+         {RateFailure::NoSuchRate, RateFailure::PortCannot, RateFailure::NotNow, RateFailure::Missing,
+          RateFailure::GroupsUnknown, RateFailure::Leader, RateFailure::NotHeard, RateFailure::Interrupted}) {
         const Message m = texts::rateNotChanged({reason, 57'600, 19'200, {ModuleIndex(1)}, {}});
         EXPECT_FALSE(m.body.isEmpty());
         all << m.headline << m.body;
@@ -115,7 +115,7 @@ TEST(ChainTexts, HaveNoForbiddenWords) {
                                     false};
     const bus::GroupFinished home{bus::OperationId(1),
                                   bus::Outcome::NoAnswer,
-                                  bus::GroupCommand{0x81, Action::SaveAsHome},
+                                  bus::GroupCommand{0x81, GroupAction::SaveAsHome},
                                   {{ModuleIndex(0), MemberOutcome::Unknown}},
                                   false};
     for (const auto& finished : {change, home, start(bus::Outcome::Cancelled, {})})

@@ -80,15 +80,15 @@ TEST_F(Hold, SpaceHoldsAndAutoRepeatIsIgnored) {
     expectEnded();
 }
 
-struct Ending {
+struct HoldEnding {
     const char* name;
     std::function<void(MainWindow&, HoldButton&)> happen;
 };
-void PrintTo(const Ending& ending, std::ostream* out) {
+void PrintTo(const HoldEnding& ending, std::ostream* out) {
     *out << ending.name;
 }
 
-class HoldEnds : public Hold, public testing::WithParamInterface<Ending> {};
+class HoldEnds : public Hold, public testing::WithParamInterface<HoldEnding> {};
 
 TEST_P(HoldEnds, AtOnceAndForGood) {
     press();
@@ -101,55 +101,57 @@ void sendTo(QWidget& widget, QEvent::Type type) {
     QApplication::sendEvent(&widget, &event);
 }
 
-const std::array kEndings{
-    Ending{"Release", [](MainWindow&, HoldButton& b) { QTest::mouseRelease(&b, Qt::LeftButton); }},
-    Ending{"PointerLeaves",
-           [](MainWindow&, HoldButton& b) {
-               const QPointF out(-50, -50);
-               QMouseEvent move(QEvent::MouseMove, out, b.mapToGlobal(out), Qt::NoButton, Qt::LeftButton,
-                                Qt::NoModifier);
-               QApplication::sendEvent(&b, &move);
-               const QPointF in(5, 5);
-               QMouseEvent back(QEvent::MouseMove, in, b.mapToGlobal(in), Qt::NoButton, Qt::LeftButton,
-                                Qt::NoModifier);
-               QApplication::sendEvent(&b, &back);
-           }},
-    Ending{"FocusOut", [](MainWindow& w,
-                          HoldButton&) { w.findChild<QWidget*>(QStringLiteral("goalField"))->setFocus(); }},
-    Ending{"WindowDeactivated", [](MainWindow&, HoldButton& b) { sendTo(b, QEvent::WindowDeactivate); }},
-    Ending{"WindowHidden", [](MainWindow& w, HoldButton&) { w.hide(); }},
-    Ending{"Disabled", [](MainWindow&, HoldButton& b) { b.setEnabled(false); }},
-    Ending{"Dialog",
-           [](MainWindow& w, HoldButton&) {
-               QDialog dialog(&w);
-               dialog.setModal(true);
-               dialog.show();
-           }},
-    Ending{"AnotherMouseButton", [](MainWindow&, HoldButton& b) { QTest::mousePress(&b, Qt::RightButton); }},
-    Ending{"AModifier", [](MainWindow&, HoldButton& b) { QTest::keyPress(&b, Qt::Key_Shift); }},
-    Ending{"PortError", [](MainWindow& w, HoldButton&) { w.showLink({}); }},
-    Ending{"ServoOff",
-           [](MainWindow& w, HoldButton&) { w.showLink(connectedTo({Servo{.on = false}.state()})); }},
-    Ending{"Silence",
-           [](MainWindow& w, HoldButton&) {
-               ModuleState module = Servo{}.state();
-               module.silent = true;
-               w.showLink(connectedTo({module}));
-           }},
-    Ending{"StopAll",
-           [](MainWindow& w, HoldButton&) {
-               QTest::mousePress(w.findChild<QWidget*>(QStringLiteral("stopAllButton")), Qt::LeftButton);
-           }},
-    Ending{"Esc", [](MainWindow&, HoldButton& b) { QTest::keyClick(&b, Qt::Key_Escape); }},
-    Ending{"AnotherSpeed",
-           [](MainWindow& w, HoldButton&) {
-               auto* field = w.findChild<NumberField*>(QStringLiteral("holdVelocityField"));
-               field->setText(QStringLiteral("2"));
-               emit field->edited();
-           }},
+const std::array kHoldEndings{
+    HoldEnding{"Release", [](MainWindow&, HoldButton& b) { QTest::mouseRelease(&b, Qt::LeftButton); }},
+    HoldEnding{"PointerLeaves",
+               [](MainWindow&, HoldButton& b) {
+                   const QPointF out(-50, -50);
+                   QMouseEvent move(QEvent::MouseMove, out, b.mapToGlobal(out), Qt::NoButton, Qt::LeftButton,
+                                    Qt::NoModifier);
+                   QApplication::sendEvent(&b, &move);
+                   const QPointF in(5, 5);
+                   QMouseEvent back(QEvent::MouseMove, in, b.mapToGlobal(in), Qt::NoButton, Qt::LeftButton,
+                                    Qt::NoModifier);
+                   QApplication::sendEvent(&b, &back);
+               }},
+    HoldEnding{
+        "FocusOut",
+        [](MainWindow& w, HoldButton&) { w.findChild<QWidget*>(QStringLiteral("goalField"))->setFocus(); }},
+    HoldEnding{"WindowDeactivated", [](MainWindow&, HoldButton& b) { sendTo(b, QEvent::WindowDeactivate); }},
+    HoldEnding{"WindowHidden", [](MainWindow& w, HoldButton&) { w.hide(); }},
+    HoldEnding{"Disabled", [](MainWindow&, HoldButton& b) { b.setEnabled(false); }},
+    HoldEnding{"Dialog",
+               [](MainWindow& w, HoldButton&) {
+                   QDialog dialog(&w);
+                   dialog.setModal(true);
+                   dialog.show();
+               }},
+    HoldEnding{"AnotherMouseButton",
+               [](MainWindow&, HoldButton& b) { QTest::mousePress(&b, Qt::RightButton); }},
+    HoldEnding{"AModifier", [](MainWindow&, HoldButton& b) { QTest::keyPress(&b, Qt::Key_Shift); }},
+    HoldEnding{"PortError", [](MainWindow& w, HoldButton&) { w.showLink({}); }},
+    HoldEnding{"ServoOff",
+               [](MainWindow& w, HoldButton&) { w.showLink(connectedTo({Servo{.on = false}.state()})); }},
+    HoldEnding{"Silence",
+               [](MainWindow& w, HoldButton&) {
+                   ModuleState module = Servo{}.state();
+                   module.silent = true;
+                   w.showLink(connectedTo({module}));
+               }},
+    HoldEnding{"StopAll",
+               [](MainWindow& w, HoldButton&) {
+                   QTest::mousePress(w.findChild<QWidget*>(QStringLiteral("stopAllButton")), Qt::LeftButton);
+               }},
+    HoldEnding{"Esc", [](MainWindow&, HoldButton& b) { QTest::keyClick(&b, Qt::Key_Escape); }},
+    HoldEnding{"AnotherSpeed",
+               [](MainWindow& w, HoldButton&) {
+                   auto* field = w.findChild<NumberField*>(QStringLiteral("holdVelocityField"));
+                   field->setText(QStringLiteral("2"));
+                   emit field->edited();
+               }},
 };
-INSTANTIATE_TEST_SUITE_P(When, HoldEnds, testing::ValuesIn(kEndings),
-                         [](const testing::TestParamInfo<Ending>& ending) {
+INSTANTIATE_TEST_SUITE_P(When, HoldEnds, testing::ValuesIn(kHoldEndings),
+                         [](const testing::TestParamInfo<HoldEnding>& ending) {
                              return std::string(ending.param.name);
                          });
 

@@ -184,12 +184,12 @@ TEST_F(PendantMode, NeedsSomethingToMoveAndSomebodyToTell) {
     EXPECT_TRUE(action->toolTip().contains(u"read-only"_s));
 }
 
-struct Ending {
+struct PendantEnding {
     const char* name;
     bool modeToo;
     std::function<void(MainWindow&)> happen;
 };
-void PrintTo(const Ending& ending, std::ostream* out) {
+void PrintTo(const PendantEnding& ending, std::ostream* out) {
     *out << ending.name;
 }
 
@@ -356,8 +356,8 @@ TEST_F(GamepadMode, AKeyOfTheKeyboardEndsWhatThePadHoldsAndTheOtherWayRound) {
     QTest::keyRelease(focused(), Qt::Key_Right, Qt::ShiftModifier);
 }
 
-class PendantEnds : public PendantMode, public testing::WithParamInterface<Ending> {};
-class GamepadEnds : public GamepadMode, public testing::WithParamInterface<Ending> {};
+class PendantEnds : public PendantMode, public testing::WithParamInterface<PendantEnding> {};
+class GamepadEnds : public GamepadMode, public testing::WithParamInterface<PendantEnding> {};
 
 TEST_P(GamepadEnds, AtOnceAndForGood) {
     showServos({{}, {}});
@@ -384,76 +384,78 @@ QWidget* focusIn(MainWindow& window) {
 }
 
 const std::array kOfTheKeyboard{
-    Ending{"TheArrowIsReleased", false,
-           [](MainWindow& w) { QTest::keyRelease(focusIn(w), Qt::Key_Right, Qt::ShiftModifier); }},
-    Ending{"ShiftIsReleased", false, [](MainWindow& w) { QTest::keyRelease(focusIn(w), Qt::Key_Shift); }},
-    Ending{"TheOtherArrow", false,
-           [](MainWindow& w) {
-               // Shift is down already; QTest would press it again.
-               QKeyEvent left(QEvent::KeyPress, Qt::Key_Left, Qt::ShiftModifier);
-               QApplication::sendEvent(focusIn(w), &left);
-           }},
+    PendantEnding{"TheArrowIsReleased", false,
+                  [](MainWindow& w) { QTest::keyRelease(focusIn(w), Qt::Key_Right, Qt::ShiftModifier); }},
+    PendantEnding{"ShiftIsReleased", false,
+                  [](MainWindow& w) { QTest::keyRelease(focusIn(w), Qt::Key_Shift); }},
+    PendantEnding{"TheOtherArrow", false,
+                  [](MainWindow& w) {
+                      // Shift is down already; QTest would press it again.
+                      QKeyEvent left(QEvent::KeyPress, Qt::Key_Left, Qt::ShiftModifier);
+                      QApplication::sendEvent(focusIn(w), &left);
+                  }},
 };
-const std::array kEndings{
-    Ending{"AnyOtherKey", false, [](MainWindow& w) { QTest::keyPress(focusIn(w), Qt::Key_A); }},
-    Ending{"TheMouse", false,
-           [](MainWindow& w) {
-               QTest::mousePress(w.findChild<QWidget*>(QStringLiteral("messageList")), Qt::LeftButton);
-           }},
-    Ending{"Esc", true, [](MainWindow& w) { QTest::keyClick(focusIn(w), Qt::Key_Escape); }},
-    Ending{"StopAll", false,
-           [](MainWindow& w) {
-               QTest::mousePress(w.findChild<QWidget*>(QStringLiteral("stopAllButton")), Qt::LeftButton);
-           }},
-    Ending{"ADialog", true,
-           [](MainWindow& w) {
-               w.askBeforeRestart();
-               ASSERT_TRUE(
-                   QTest::qWaitForWindowActive(w.findChild<QDialog*>(QStringLiteral("restartDialog"))));
-           }},
-    Ending{"AnotherWindow", true,
-           [](MainWindow&) {
-               QWidget other;
-               other.show();
-               other.activateWindow();
-               ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
-           }},
-    Ending{"TheWindowHides", true, [](MainWindow& w) { w.hide(); }},
-    Ending{"TheLinkIsLost", true,
-           [](MainWindow& w) {
-               LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1}.state()});
-               link.phase = LinkPhase::Lost;
-               w.showLink(link);
-           }},
-    Ending{"Disconnected", true, [](MainWindow& w) { w.showLink({}); }},
-    Ending{"TheChainIsLookedForAnew", true,
-           [](MainWindow& w) {
-               LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1}.state()});
-               link.phase = LinkPhase::Connecting;
-               w.showLink(link);
-           }},
-    Ending{"TheServoGoesOff", false,
-           [](MainWindow& w) {
-               w.showLink(connectedTo({Servo{.on = false}.state(), Servo{.index = 1}.state()}));
-           }},
-    Ending{"TheModuleIsSilent", false,
-           [](MainWindow& w) {
-               LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1}.state()});
-               link.modules[0].silent = true;
-               w.showLink(link);
-           }},
-    Ending{"AnotherModuleIsChosen", false,
-           [](MainWindow& w) {
-               auto* chain = w.findChild<QAbstractItemView*>(QStringLiteral("chainList"));
-               chain->setCurrentIndex(chain->model()->index(1, 0));
-           }},
+const std::array kPendantEndings{
+    PendantEnding{"AnyOtherKey", false, [](MainWindow& w) { QTest::keyPress(focusIn(w), Qt::Key_A); }},
+    PendantEnding{"TheMouse", false,
+                  [](MainWindow& w) {
+                      QTest::mousePress(w.findChild<QWidget*>(QStringLiteral("messageList")), Qt::LeftButton);
+                  }},
+    PendantEnding{"Esc", true, [](MainWindow& w) { QTest::keyClick(focusIn(w), Qt::Key_Escape); }},
+    PendantEnding{"StopAll", false,
+                  [](MainWindow& w) {
+                      QTest::mousePress(w.findChild<QWidget*>(QStringLiteral("stopAllButton")),
+                                        Qt::LeftButton);
+                  }},
+    PendantEnding{
+        "ADialog", true,
+        [](MainWindow& w) {
+            w.askBeforeRestart();
+            ASSERT_TRUE(QTest::qWaitForWindowActive(w.findChild<QDialog*>(QStringLiteral("restartDialog"))));
+        }},
+    PendantEnding{"AnotherWindow", true,
+                  [](MainWindow&) {
+                      QWidget other;
+                      other.show();
+                      other.activateWindow();
+                      ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
+                  }},
+    PendantEnding{"TheWindowHides", true, [](MainWindow& w) { w.hide(); }},
+    PendantEnding{"TheLinkIsLost", true,
+                  [](MainWindow& w) {
+                      LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1}.state()});
+                      link.phase = LinkPhase::Lost;
+                      w.showLink(link);
+                  }},
+    PendantEnding{"Disconnected", true, [](MainWindow& w) { w.showLink({}); }},
+    PendantEnding{"TheChainIsLookedForAnew", true,
+                  [](MainWindow& w) {
+                      LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1}.state()});
+                      link.phase = LinkPhase::Connecting;
+                      w.showLink(link);
+                  }},
+    PendantEnding{"TheServoGoesOff", false,
+                  [](MainWindow& w) {
+                      w.showLink(connectedTo({Servo{.on = false}.state(), Servo{.index = 1}.state()}));
+                  }},
+    PendantEnding{"TheModuleIsSilent", false,
+                  [](MainWindow& w) {
+                      LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1}.state()});
+                      link.modules[0].silent = true;
+                      w.showLink(link);
+                  }},
+    PendantEnding{"AnotherModuleIsChosen", false,
+                  [](MainWindow& w) {
+                      auto* chain = w.findChild<QAbstractItemView*>(QStringLiteral("chainList"));
+                      chain->setCurrentIndex(chain->model()->index(1, 0));
+                  }},
 };
-std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
+std::string nameOf(const testing::TestParamInfo<PendantEnding>& ending) {
     return ending.param.name;
 }
 INSTANTIATE_TEST_SUITE_P(OfTheKeyboard, PendantEnds, testing::ValuesIn(kOfTheKeyboard), nameOf);
-INSTANTIATE_TEST_SUITE_P(When, PendantEnds, testing::ValuesIn(kEndings), nameOf);
-INSTANTIATE_TEST_SUITE_P(When, GamepadEnds, testing::ValuesIn(kEndings), nameOf);
+INSTANTIATE_TEST_SUITE_P(When, PendantEnds, testing::ValuesIn(kPendantEndings), nameOf);
+INSTANTIATE_TEST_SUITE_P(When, GamepadEnds, testing::ValuesIn(kPendantEndings), nameOf);
 
 }  // namespace
 }  // namespace nmc

@@ -9,12 +9,11 @@
 namespace nmc {
 namespace {
 
-using Kind = QuantityField::Kind;
 using Problem = NumberField::Problem;
 
 class Quantities : public testing::Test {
 protected:
-    QuantityField& shown(Kind kind, const AxisScale& scale) {
+    QuantityField& shown(QuantityField::Kind kind, const AxisScale& scale) {
         parent = std::make_unique<QWidget>();
         auto* field = new QuantityField(kind, parent.get());
         field->setAccessibleName(u"Speed"_s);
@@ -32,7 +31,8 @@ protected:
 TEST_F(Quantities, NoUnitRefusesALimitThatTheFieldItselfWrites) {
     for (const double counts : {80.0, 400.0, 2'000.0, 2'048.0, 4'000.0, 4'096.0, 8'192.0, 10'000.0})
         for (const int rate : {1, 2, 3, 5, 10, 255}) {
-            QuantityField& field = shown(Kind::Velocity, AxisScale::servo({UnitKind::Turns, counts}, rate));
+            QuantityField& field =
+                shown(QuantityField::Kind::Velocity, AxisScale::servo({UnitKind::Turns, counts}, rate));
             field.setNativeRange(servodefaults::kSmallest, servodefaults::kHoldCap);
             for (const double limit : {servodefaults::kSmallest, servodefaults::kHoldCap}) {
                 field.showNative(limit);
@@ -52,7 +52,7 @@ TEST_F(Quantities, NoUnitRefusesALimitThatTheFieldItselfWrites) {
 
 TEST_F(Quantities, AnArrowKeyIsAsMuchInEveryUnit) {
     const auto up = [this](const AxisScale& scale) {
-        QuantityField& field = shown(Kind::Position, scale);
+        QuantityField& field = shown(QuantityField::Kind::Position, scale);
         field.setNativeRange(-1e9, 1e9);
         field.setNativeStep(100);
         field.showNative(0);
@@ -67,7 +67,8 @@ TEST_F(Quantities, AnArrowKeyIsAsMuchInEveryUnit) {
 
 /// 10 mm/s is no number of counts per tick while nobody knows how long a tick is.
 TEST_F(Quantities, NothingPerSecondIsShownOrTakenWhileTheServoRateIsUnknown) {
-    QuantityField& field = shown(Kind::Velocity, AxisScale::servo({UnitKind::Millimetres, 100}, 1));
+    QuantityField& field =
+        shown(QuantityField::Kind::Velocity, AxisScale::servo({UnitKind::Millimetres, 100}, 1));
     field.setNativeRange(servodefaults::kSmallest, 100);
     field.showNative(0.512);
     EXPECT_EQ(field.text(), QLocale().toString(10)) << "0.512 / 0.000512 s / 100";
@@ -91,7 +92,7 @@ TEST_F(Quantities, NothingPerSecondIsShownOrTakenWhileTheServoRateIsUnknown) {
 }
 
 TEST_F(Quantities, ARangeThatBeginsAboveZeroDoesNotSayZero) {
-    QuantityField& field = shown(Kind::Velocity, AxisScale::servo({}, 1));
+    QuantityField& field = shown(QuantityField::Kind::Velocity, AxisScale::servo({}, 1));
     field.setQuantity(u"The speed"_s);
     field.setNativeRange(1.0 / 65'536, 32'767);
     QTest::keyClicks(&field, u"0"_s);

@@ -7,20 +7,19 @@
 namespace nmc {
 namespace {
 
-using Kind = RecordingProblem::Kind;
-
 QString sentence(const RecordingProblem& problem) {
     return texts::recordingProblem(u"mill.csv"_s, problem);
 }
 
 TEST(RecordingTexts, SayWhatIsWrongWithAFile) {
-    EXPECT_EQ(sentence({.kind = Kind::Empty}), u"\"mill.csv\" is empty."_s);
-    EXPECT_EQ(sentence({.kind = Kind::OtherFormat}), u"\"mill.csv\" is not a recording of NMC Panel."_s);
+    EXPECT_EQ(sentence({.kind = RecordingProblem::Kind::Empty}), u"\"mill.csv\" is empty."_s);
+    EXPECT_EQ(sentence({.kind = RecordingProblem::Kind::OtherFormat}),
+              u"\"mill.csv\" is not a recording of NMC Panel."_s);
     EXPECT_EQ(
-        sentence({.kind = Kind::OtherForm}),
+        sentence({.kind = RecordingProblem::Kind::OtherForm}),
         u"\"mill.csv\" has one column per signal, a form for other programs. The scope opens files with one row per reply."_s);
     EXPECT_EQ(
-        sentence({.kind = Kind::NewerVersion, .found = "7", .max = 1}),
+        sentence({.kind = RecordingProblem::Kind::NewerVersion, .found = "7", .max = 1}),
         u"\"mill.csv\" was written by a newer NMC Panel: its format is 7; this version reads formats up to 1."_s);
 }
 
@@ -29,28 +28,32 @@ TEST(RecordingTexts, SayWhatIsWrongInALine) {
         problem.line = 12;
         return sentence(problem);
     };
-    EXPECT_EQ(inLine({.kind = Kind::NoColumns}),
+    EXPECT_EQ(inLine({.kind = RecordingProblem::Kind::NoColumns}),
               u"\"mill.csv\" line 12: the file ends before its column names."_s);
-    EXPECT_EQ(inLine({.kind = Kind::MissingColumn, .field = "time_s"}),
+    EXPECT_EQ(inLine({.kind = RecordingProblem::Kind::MissingColumn, .field = "time_s"}),
               u"\"mill.csv\" line 12: column time_s is missing."_s);
-    EXPECT_EQ(inLine({.kind = Kind::LineTooLong, .max = 20'000}),
+    EXPECT_EQ(inLine({.kind = RecordingProblem::Kind::LineTooLong, .max = 20'000}),
               u"\"mill.csv\" line 12: the line is longer than 20000 bytes, too long for a recording."_s);
-    EXPECT_EQ(inLine({.kind = Kind::Truncated}),
+    EXPECT_EQ(inLine({.kind = RecordingProblem::Kind::Truncated}),
               u"\"mill.csv\" line 12: the file ends in the middle of this line."_s);
-    EXPECT_EQ(inLine({.kind = Kind::TooFewCells, .found = "3", .max = 12}),
+    EXPECT_EQ(inLine({.kind = RecordingProblem::Kind::TooFewCells, .found = "3", .max = 12}),
               u"\"mill.csv\" line 12: the line has 3 cells for 12 columns."_s);
-    EXPECT_EQ(inLine({.kind = Kind::EmptyCell, .field = "position"}),
+    EXPECT_EQ(inLine({.kind = RecordingProblem::Kind::EmptyCell, .field = "position"}),
               u"\"mill.csv\" line 12: position is empty."_s);
-    EXPECT_EQ(inLine({.kind = Kind::NotANumber, .field = "position", .found = "x"}),
+    EXPECT_EQ(inLine({.kind = RecordingProblem::Kind::NotANumber, .field = "position", .found = "x"}),
               u"\"mill.csv\" line 12: position is \"x\", which is not a number."_s);
-    EXPECT_EQ(inLine({.kind = Kind::OutOfRange, .field = "status", .found = "256", .min = 0, .max = 255}),
+    EXPECT_EQ(inLine({.kind = RecordingProblem::Kind::OutOfRange,
+                      .field = "status",
+                      .found = "256",
+                      .min = 0,
+                      .max = 255}),
               u"\"mill.csv\" line 12: status is 256; it must be 0 to 255."_s);
-    EXPECT_EQ(inLine({.kind = Kind::TimeGoesBack, .field = "time_s", .found = "2"}),
+    EXPECT_EQ(inLine({.kind = RecordingProblem::Kind::TimeGoesBack, .field = "time_s", .found = "2"}),
               u"\"mill.csv\" line 12: time_s of module 2 goes backwards."_s);
 }
 
 TEST(RecordingTexts, SayWhatIsShownOfAFileThatIsCut) {
-    const RecordingProblem cut{.kind = Kind::Truncated, .line = 12};
+    const RecordingProblem cut{.kind = RecordingProblem::Kind::Truncated, .line = 12};
     EXPECT_EQ(texts::recordingCut(u"/home/anna/mill.csv"_s, cut, 8).body,
               u"The scope shows the samples above that line: 8."_s);
     EXPECT_EQ(texts::recordingCut(u"/home/anna/mill.csv"_s, cut, 0).body,

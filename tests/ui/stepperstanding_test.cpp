@@ -12,8 +12,7 @@ using namespace testing_support;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr unsigned kOn = kStepPower | kAmplifier;
-constexpr unsigned kRuns = kOn | kMoving | kVelocityMode | kAtSpeed;
+constexpr unsigned kRuns = kStepOn | kMoving | kVelocityMode | kAtSpeed;
 
 class StepperStanding : public testing::Test {
 protected:
@@ -68,21 +67,21 @@ TEST_F(StepperStanding, WhatSwitchedItOffStaysToldWhenSomethingElseIsTheCaseLate
 TEST_F(StepperStanding, ALimitStopThatKeepsTheAmplifierOnIsToldUntilTheSwitchOpens) {
     runsAgain(false);
     stepper.inputs = kLimit1In;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_THAT(keys(), ElementsAre("limit1.1"));
     EXPECT_TRUE(texts::limitClosed(stepper.module, 1).headline.contains(QStringLiteral("stopped its motor")));
     stepper.inputs = 0;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_THAT(keys(), IsEmpty());
 }
 
 TEST_F(StepperStanding, AnEstopThatKeepsTheAmplifierOnIsToldUntilItIsReleased) {
     runsAgain(false);
     stepper.inputs = kEstopIn;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_THAT(keys(), ElementsAre("estopActive.1"));
     stepper.inputs = 0;
-    stepper.says(kOn);
+    stepper.says(kStepOn);
     EXPECT_THAT(keys(), IsEmpty());
 }
 
@@ -91,7 +90,7 @@ TEST_F(StepperStanding, HomesOwnMotorOffIsNoFault) {
     stepper::SetHoming homing;
     homing.onLimit1Change = homing.motorOff = true;
     stepper.was(homing);
-    stepper.says(kRuns | kHoming);
+    stepper.says(kRuns | kStepHoming);
     stepper.inputs = kLimit1In;
     stepper.says(kStepPower);
     EXPECT_EQ(stepper.module.activity(), Activity::AmplifierOff);

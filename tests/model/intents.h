@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "model/intent/intent.h"
+
+/// What a panel wants of a module, and why it does not get it.
+namespace nmc::testing_support {
+
+/// 8 counts per tick, 0.02 counts per tick squared.
+inline const intent::GoTo kGoTo{Counts(20'000), CountsPerTick(8 << 16), CountsPerTickSquared(1'311)};
+
+[[nodiscard]] inline std::optional<Refusal> refusalOf(const Intent& intent, const ModuleState& module) {
+    const auto steps = plan(intent, module);
+    return steps ? std::nullopt : std::optional(steps.error());
+}
+
+}  // namespace nmc::testing_support
