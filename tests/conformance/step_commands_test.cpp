@@ -94,7 +94,7 @@ TEST_P(PicStepCommands, SetParameters7_Bit3DisablesTheEStop) {
 
 TEST_P(PicStepCommands, SetParameters8_Bit4TurnsTheMotorOffOnLimitOrEStop) {
     for (const std::string pin : {"limit1", "estop"}) {
-        for (const unsigned off : {0U, kMotorOff}) {
+        for (const unsigned off : {0U, kMotorOffAtLimit}) {
             stop(0x01);
             parameters(k1x | off);
             run();

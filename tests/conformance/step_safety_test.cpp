@@ -37,7 +37,7 @@ TEST_P(PicStep, ErrorChecking3_RunningIntoALimitSwitchStopsTheMotion) {
 }
 
 TEST_P(PicStep, ErrorChecking4_ALimitSwitchOptionallyTurnsTheMotorOff) {
-    parameters(k1x | kMotorOff);
+    parameters(k1x | kMotorOffAtLimit);
     set("travel_max 400");
     set("limits auto");
     run();
@@ -80,7 +80,7 @@ TEST_P(PicStep, ErrorChecking7_EstopHighStopsTheMotor) {
 }
 
 TEST_P(PicStep, ErrorChecking8_EstopOptionallyTurnsTheMotorOff) {
-    parameters(k1x | kMotorOff);
+    parameters(k1x | kMotorOffAtLimit);
     run();
     set("estop 1");
     EXPECT_EQ(status(), 0x08U);

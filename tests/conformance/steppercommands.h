@@ -12,7 +12,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 // Set Parameters, first byte.
 inline constexpr unsigned k8x = 0, k4x = 1, k2x = 2, k1x = 3;
-inline constexpr unsigned kIgnoreLimits = 0x04, kIgnoreEstop = 0x08, kMotorOff = 0x10;
+inline constexpr unsigned kIgnoreLimits = 0x04, kIgnoreEstop = 0x08, kMotorOffAtLimit = 0x10;
 
 /// 1x, 1000 steps per second: 65 536 - 625 000 / 1000 + 2.
 inline constexpr std::uint16_t kCount = 64'913;

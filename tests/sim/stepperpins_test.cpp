@@ -85,7 +85,7 @@ TEST_F(StepperPinsTest, EStopStopsAndCanBeDisabled) {
 TEST_F(StepperPinsTest, TheMotorIsTurnedOffOnLimitOrEStopWhenAskedTo) {
     for (const Input input : {Input::Limit1, Input::Estop}) {
         wire.stop(0x01);
-        wire.parameters(k1x | kMotorOff);
+        wire.parameters(k1x | kMotorOffAtLimit);
         run();
         EXPECT_TRUE(amplifier());
         wire.set(input, 1);

@@ -8,7 +8,7 @@ namespace nmc::sim::test {
 
 using stepperchip::k1x, stepperchip::k2x, stepperchip::k4x, stepperchip::k8x;
 using stepperchip::kCount;
-using stepperchip::kIgnoreEstop, stepperchip::kIgnoreLimits, stepperchip::kMotorOff;
+using stepperchip::kIgnoreEstop, stepperchip::kIgnoreLimits, stepperchip::kMotorOffAtLimit;
 using stepperchip::Load;
 using stepperchip::StepperReport;
 
