@@ -80,6 +80,62 @@ TEST(ModuleState, ConstantVelocityIsMotionAlthoughMoveDoneIsSet) {
     EXPECT_EQ(module.activity(), Activity::Holding);
 }
 
+/// It holds 20 000, and stands 3 counts beside it.
+ModuleState heldAt20000() {
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1.0, trapezoid(20'000, 8 << 16, 1311)));
+    module.apply(executedAt(1.1, StartMotion{}));
+    module.apply(sampleOf(9.0, kPower | kMoveDone, kServoOn | kAccelDone | kSlewDone, 19'997));
+    return module;
+}
+
+/// The chip has no velocity to lose: its command position stays where it is (DS-V 5.2, Stop Motor).
+TEST(ModuleState, AStopAtRestLeavesWhatIsHeld) {
+    for (const auto manner : {servo::StopManner::Smoothly, servo::StopManner::Abruptly}) {
+        ModuleState module = heldAt20000();
+        EXPECT_TRUE(module.headsFor(20'000));
+        module.apply(executedAt(9.5, stopWith(manner)));
+        module.apply(sampleOf(9.5, kPower | kMoveDone, kServoOn, 19'998));
+        EXPECT_EQ(module.goal(), 20'000);
+        EXPECT_FALSE(module.headsFor(20'000)) << "whoever waits for the move has been stopped";
+        module.confirmedAtRest();
+        EXPECT_EQ(module.goal(), 20'000);
+        // As when somebody presses Esc three times.
+        module.apply(executedAt(9.6, stopWith(manner)));
+        module.apply(executedAt(9.65, stopWith(manner)));
+        module.apply(sampleOf(9.7, kPower | kMoveDone, kServoOn, 19'997));
+        EXPECT_EQ(module.goal(), 20'000);
+    }
+}
+
+TEST(ModuleState, AStopThatMayHaveCutAMoveShortLeavesTheGoalUnknown) {
+    ModuleState moving = heldAt20000();
+    moving.apply(executedAt(9.5, trapezoid(0, 8 << 16, 1311)));
+    moving.apply(executedAt(9.6, StartMotion{}));
+    // The last status is older than the start, and says that nothing moves.
+    moving.apply(executedAt(9.601, stopWith(servo::StopManner::Abruptly)));
+    moving.apply(sampleOf(9.602, kPower | kMoveDone, kServoOn, 19'997));
+    EXPECT_FALSE(moving.goal());
+
+    ModuleState unheard = heldAt20000();
+    unheard.confirmedAtRest();  // by a stop that nobody has heard an answer to
+    EXPECT_FALSE(unheard.goal());
+
+    ModuleState gone = heldAt20000();
+    gone.apply(executedAt(9.5, stopWith(servo::StopManner::Smoothly)));
+    gone.apply(sampleOf(9.5, kPower | kMoveDone, kServoOn, 19'992));
+    EXPECT_FALSE(gone.goal()) << "5 counts away: it may have been off, and caught where it was";
+}
+
+TEST(ModuleState, WhatAStopLeavesDoesNotOutliveTheNextMove) {
+    ModuleState module = heldAt20000();
+    module.apply(executedAt(9.5, stopWith(servo::StopManner::Smoothly)));
+    module.apply(executedAt(9.501, trapezoid(20'002, 8 << 16, 1311)));
+    module.apply(executedAt(9.502, StartMotion{}));
+    module.apply(sampleOf(9.502, kPower, kServoOn, 19'997));
+    EXPECT_EQ(module.goal(), 20'002);
+}
+
 TEST(ModuleState, AServoThatGoesOffByItselfIsTripped) {
     ModuleState module = holdingServo();
     module.apply(sampleOf(1.0, kMoveDone | kPosError | kPower, 0));

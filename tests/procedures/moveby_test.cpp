@@ -131,7 +131,7 @@ TEST_F(MoveBy, ALinkInDoubtEndsIt) {
 TEST_F(MoveBy, BeyondTheChipsRangeNothingIsSent) {
     ASSERT_TRUE(bench.enable());
     const std::size_t before = bench.bus.sent.size();
-    ASSERT_TRUE(bench.perform(intent::StopAbruptly{}));
+    ASSERT_TRUE(bench.perform(intent::ResetPosition{}));
     bench.module().latest->position = 0x7FFFFF00;
     bench.begin(intent::MoveBy{{0x7FFFFFFF}, CountsPerTick(1), CountsPerTickSquared(1)});
     bench.module().latest->position = 0x7FFFFF00;

@@ -135,7 +135,7 @@ TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
     bench.settle();
     EXPECT_EQ(refusal(by(100)), Refusal::ServoOff);
     ASSERT_TRUE(bench.enable(110));
-    ASSERT_TRUE(bench.perform(intent::StopAbruptly{}));
+    ASSERT_TRUE(bench.perform(intent::ResetPosition{}));
     EXPECT_EQ(refusal(by(50)), Refusal::CommandUnknown);
     ASSERT_TRUE(bench.perform(intent::StopHere{}));
     EXPECT_EQ(refusal(by(0)), Refusal::StepTooShort);
@@ -162,6 +162,26 @@ TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(refusal(by(50)), Refusal::GainsUnknown);
     bench.module().silent = true;
     EXPECT_EQ(refusal(by(50)), Refusal::Unresponsive);
+}
+
+/// A stop at rest, as Esc sends it, leaves the command position where it is: what is held stays known.
+TEST_F(StepResponse, BeginsWhereTheMotorIsHeldBehindAStopAtRest) {
+    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(
+        bench.perform(intent::GoTo{Counts(1'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}));
+    bench.bus.runFor(2s);
+    bench.take();
+    for (const Intent& stop : {Intent(intent::StopSmoothly{}), Intent(intent::StopAbruptly{})}) {
+        ASSERT_TRUE(bench.perform(stop));
+        bench.bus.runFor(1s);
+        bench.take();
+        ASSERT_EQ(bench.module().goal(), 1'000);
+        EXPECT_EQ(bench.truth().commandPosition, 1'000);
+    }
+    const ProcedureReport report = bench.run(by(100));
+    ASSERT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_EQ(report.step->from, 1'000);
+    EXPECT_EQ(report.step->goal, 1'100);
 }
 
 /// A load keeps the shaft off its command: from where it hangs, each step would begin lower.

@@ -2,6 +2,7 @@
 #include "model/module/modulestate.h"
 
 #include <cmath>
+#include <cstdlib>
 
 #include "bus/standstill.h"
 
@@ -85,10 +86,11 @@ void ModuleState::apply(const bus::Sample& sample) {
     watchLimits(wasMoving, watchBefore, endedBefore);
     if (!isServo() || !sample.report.aux)
         return;
-    if (sample.report.position && m_enabledAt) {
-        if (servoOn() && sample.report.position == m_enabledAt)
-            m_goal = m_enabledAt;
-        m_enabledAt.reset();
+    if (sample.report.position && m_held) {
+        const std::int64_t off = countsBetween(m_held->stood, *sample.report.position);
+        if (servoOn() && std::abs(off) <= m_held->within)
+            m_goal = m_held->goal;
+        m_held.reset();
     }
     watchPath(sample.report);
     m_looksWhileOn = servoOn() ? m_looksWhileOn + 1 : 0;
@@ -275,7 +277,7 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
             startPath(executed.time);
     } else if (bus::setsCounter(executed.command)) {
         m_goal.reset();
-        m_enabledAt.reset();
+        m_held.reset();
         m_restedAt.reset();
         m_drifts = false;
         m_trip.forget();
@@ -297,7 +299,7 @@ void ModuleState::restarted() {
     limits = {};
     home = {};
     m_loaded = {};
-    m_enabledAt.reset();
+    m_held.reset();
     m_goal.reset();
     m_looksWhileOff = 0;
     loadWaiting = false;
@@ -331,13 +333,17 @@ void ModuleState::confirmedAtRest() {
     goalVelocity = m_loadedVelocity = 0.0;
     m_motionUnknown = m_drifts = loadWaiting = false;
     m_restedAt.reset();
-    m_goal.reset();
+    // A stop that nobody has heard an answer to may have cut a move short. Of one that was carried out it is
+    // known what it left.
+    if (motion != MotionMode::Velocity)
+        m_goal.reset();
 }
 
 void ModuleState::applyLoaded(TimePoint time) {
     motionCommandedAt = time;
     const std::optional<std::int32_t> from = goal();
     m_goal.reset();
+    m_held.reset();
     if (!m_loaded.servo) {
         motion = MotionMode::Pwm;
         offCommanded = true;
@@ -369,6 +375,7 @@ void ModuleState::startPath(TimePoint time) {
     goalVelocity = 0.0;
     m_goal.reset();
     m_goalReverse.reset();
+    m_held.reset();
 }
 
 void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
@@ -377,16 +384,16 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
         return;
     if (stop.manner != servo::StopManner::MotorOff)
         noteCommand(time, 0, 0.0);
+    m_held = stop.manner == servo::StopManner::MotorOff || stop.manner == servo::StopManner::Here
+                 ? std::nullopt
+                 : heldThroughStop();
     motionCommandedAt = time;
     // The chip zeroes its velocity parameter: the next move must load it again (protocol.md 2).
     goalVelocity = m_loadedVelocity = 0.0;
     m_goal.reset();
     m_goalReverse.reset();
-    m_enabledAt.reset();
     if (stop.manner == servo::StopManner::Here)
         m_goal = stop.here.value();
-    else if (stop.manner != servo::StopManner::MotorOff && latest && !servoOn())
-        m_enabledAt = latest->position;
     loadWaiting = m_motionUnknown = false;
     m_looksWhileOff = 0;
     if (stop.manner == servo::StopManner::MotorOff) {
@@ -398,6 +405,22 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
         motion = MotionMode::Velocity;
         offCommanded = false;
     }
+}
+
+/// DS-V 5.2, Stop Motor: switched on by a stop, a servo holds the position at which it is. One that is at
+/// rest already goes on holding what it held, which its position need not be.
+std::optional<ModuleState::Held> ModuleState::heldThroughStop() const {
+    if (!latest || !latest->position)
+        return std::nullopt;
+    const std::int32_t stood = *latest->position;
+    if (!servoOn())
+        return Held{stood, stood, 0};
+    // A move may have begun since the last status, a stop leaves nothing that could.
+    const bool rests = !moving() && !m_motionUnknown &&
+                       (motion == MotionMode::Velocity || latestTime - motionCommandedAt > SwingWatch::kCalm);
+    if (!rests || !m_goal)
+        return m_held;
+    return Held{*m_goal, stood, kStillCounts};
 }
 
 bool ModuleState::servoOn() const {
@@ -421,6 +444,10 @@ std::optional<bool> ModuleState::goalReverse() const {
     if (!goal())
         return std::nullopt;
     return isStepper() ? stepper.lastReverse() : m_goalReverse;
+}
+
+bool ModuleState::headsFor(std::int32_t goal) const {
+    return isStepper() ? stepper.goal() == goal : motion == MotionMode::Trapezoidal && this->goal() == goal;
 }
 
 bool ModuleState::positionDoubtful() const {

@@ -129,6 +129,9 @@ struct ModuleState {
     }
     /// The direction of the move that leads to goal(); nothing: there is none, or it was no move.
     [[nodiscard]] std::optional<bool> goalReverse() const;
+    /// What moves it, or holds it, is still the move to there that was commanded last. A stop ends that even
+    /// where it changes nothing, since it may have been meant for more than this motor.
+    [[nodiscard]] bool headsFor(std::int32_t goal) const;
     /// PIC-SERVO: the load that waits for a start, null for none.
     [[nodiscard]] const servo::LoadTrajectory* waiting() const {
         return isServo() && loadWaiting ? &m_loaded : nullptr;
@@ -177,9 +180,14 @@ private:
     std::optional<std::int32_t> m_goal;  ///< as goal() says
     std::optional<bool> m_goalReverse;   ///< likewise
     std::optional<std::int32_t> m_commandPosition;
-    /// Where it stood when it was switched on, until a status shows whether it stands there still: then that
-    /// is what it holds (DS-V 5.2, Stop Motor).
-    std::optional<std::int32_t> m_enabledAt;
+    /// What it will hold by a stop, if the next status shows it within that many counts of where it stood.
+    struct Held {
+        std::int32_t goal = 0;
+        std::int32_t stood = 0;
+        std::int32_t within = 0;
+    };
+    [[nodiscard]] std::optional<Held> heldThroughStop() const;
+    std::optional<Held> m_held;
     unsigned m_looksWhileOn = 0;   ///< in a row
     unsigned m_looksWhileOff = 0;  ///< in a row, that say that it went off by itself, until that is a fact
     unsigned m_looksToBeOff = 0;   ///< how many make it one

@@ -44,7 +44,7 @@ std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, Ti
     }
     // Its goal is not ours any more: something else moves or has stopped it. One that its chip has stopped
     // short still has it.
-    if ((module.isStepper() ? module.stepper.goal() : module.goal()) != m_heading) {
+    if (!module.headsFor(m_heading)) {
         m_mayRun = false;
         cancel();
         return Wait{};

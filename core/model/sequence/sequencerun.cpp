@@ -199,7 +199,7 @@ void SequenceRun::watchMove(const ModuleState& module, Move& move, TimePoint now
         if (module.limits.ranInto(limit) && !move.closedBefore[limit])
             return endBy(SequenceEnd::LimitClosed, index);
     // Its goal is not ours any more: something else moves it or has stopped it.
-    if (module.isServo() && module.goal() != move.goal) {
+    if (module.isServo() && !module.headsFor(move.goal)) {
         m_leftAlone.insert(index);
         endBy(SequenceEnd::NotArrived, index);
     }
