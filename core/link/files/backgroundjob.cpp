@@ -6,6 +6,8 @@
 #include <mutex>
 #include <utility>
 
+#include "link/files/inbackground.h"
+
 namespace nmc {
 
 struct BackgroundJob::Shared {
@@ -37,9 +39,9 @@ struct BackgroundJob::Shared {
         const std::scoped_lock lock(mutex);
         return over;
     }
-    bool waitForEnd(std::chrono::milliseconds patience) {
+    void waitForEnd(std::chrono::milliseconds patience) {
         std::unique_lock lock(mutex);
-        return changed.wait_for(lock, patience, [this] { return over; });
+        changed.wait_for(lock, patience, [this] { return over; });
     }
 };
 
@@ -49,16 +51,13 @@ BackgroundJob::~BackgroundJob() {
     if (!m_shared)
         return;
     m_shared->forgetOwner();
-    if (m_shared->waitForEnd(kPatience))
-        m_thread.join();
-    else
-        m_thread.detach();
+    m_shared->waitForEnd(kPatience);
 }
 
 void BackgroundJob::start(Work work) {
     assert(!isBusy());
     m_shared = std::make_shared<Shared>(std::move(work), *this);
-    m_thread = std::thread([run = m_shared] { run->run(); });
+    inBackground([run = m_shared] { run->run(); });
 }
 
 void BackgroundJob::cancel() {
@@ -66,14 +65,12 @@ void BackgroundJob::cancel() {
         return;
     m_shared->forgetOwner();
     m_shared.reset();
-    m_thread.detach();
 }
 
 void BackgroundJob::take() {
     // One that was cancelled may have announced its end before.
     if (!m_shared || !m_shared->isOver())
         return;
-    m_thread.join();
     m_shared.reset();
     emit ended();
 }

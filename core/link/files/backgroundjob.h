@@ -6,19 +6,18 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <thread>
 
 namespace nmc {
 
-/// Work that a disk may hold up for as long as it likes, in a thread of its own, one piece at a time. All
-/// members belong to the GUI thread.
+/// Work that a disk may hold up for as long as it likes, in the background, one piece at a time. All members
+/// belong to the GUI thread.
 class BackgroundJob : public QObject {
     Q_OBJECT
 
 public:
     using Cancelled = std::atomic<bool>;
-    /// Runs in the thread: what it shares with the owner must belong to both, because it is left behind when
-    /// it does not end soon after the owner has.
+    /// Runs in another thread: what it shares with the owner must belong to both, because it is left behind
+    /// when it does not end soon after the owner has.
     using Work = std::function<void(const Cancelled& cancelled)>;
 
     explicit BackgroundJob(QObject* parent = nullptr);
@@ -41,7 +40,6 @@ private:
     void take();
 
     std::shared_ptr<Shared> m_shared;  ///< shared with the thread
-    std::thread m_thread;
 };
 
 }  // namespace nmc

@@ -6,8 +6,9 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
+
+#include "link/files/inbackground.h"
 
 namespace nmc {
 
@@ -27,12 +28,12 @@ struct FileWriter::Files : std::enable_shared_from_this<Files> {
     std::map<QString, std::optional<Wanted>> next;  ///< of those that a thread is at
 
     void put(const QString& path, Wanted wanted) {
-        const std::scoped_lock lock(mutex);
+        std::unique_lock lock(mutex);
         const auto [file, idle] = next.try_emplace(path);
         file->second = std::move(wanted);
-        // Not joined: a disk that does not answer holds up no program that wants to end.
+        lock.unlock();
         if (idle)
-            std::thread([files = shared_from_this(), path] { files->carryOut(path); }).detach();
+            inBackground([files = shared_from_this(), path] { files->carryOut(path); });
     }
 
     void carryOut(const QString& path) {
