@@ -4,7 +4,7 @@
 
 #include <QPushButton>
 
-#include "tests/app/panel.h"
+#include "tests/support/panel.h"
 
 namespace nmc {
 namespace {

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "tests/app/othermaster.h"
-#include "tests/app/panel.h"
+#include "tests/support/panel.h"
 
 namespace nmc {
 namespace {

@@ -8,7 +8,7 @@
 #include <QFileInfo>
 #include <QLabel>
 
-#include "tests/app/panel.h"
+#include "tests/support/panel.h"
 
 namespace nmc {
 namespace {

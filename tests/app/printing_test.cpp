@@ -8,8 +8,8 @@
 #include <QFileDialog>
 #include <QSignalSpy>
 
-#include "panel.h"
 #include "tests/support/choosefile.h"
+#include "tests/support/panel.h"
 
 namespace nmc {
 namespace {

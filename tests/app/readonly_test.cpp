@@ -8,7 +8,7 @@
 #include <QJsonArray>
 
 #include "tests/app/othermaster.h"
-#include "tests/app/panel.h"
+#include "tests/support/panel.h"
 #include "widgets/scope/scopefiles.h"
 
 namespace nmc {

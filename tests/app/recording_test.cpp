@@ -10,8 +10,8 @@
 #include <bit>
 
 #include "model/recording/recordingreader.h"
-#include "panel.h"
 #include "tests/support/choosefile.h"
+#include "tests/support/panel.h"
 #include "widgets/scope/scopefiles.h"
 
 namespace nmc {

@@ -8,7 +8,7 @@
 
 #include "app/unixsignals.h"
 #include "link/guardian/guardreport.h"
-#include "tests/app/panel.h"
+#include "tests/support/panel.h"
 
 namespace nmc {
 namespace {

@@ -11,8 +11,8 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "tests/app/panel.h"
 #include "tests/support/choosefile.h"
+#include "tests/support/panel.h"
 
 namespace nmc {
 namespace {

@@ -15,7 +15,7 @@
 #include <array>
 #include <utility>
 
-#include "tests/monkey/virtualtime.h"
+#include "tests/support/virtualtime.h"
 
 namespace nmc::monkey {
 
@@ -94,7 +94,7 @@ QPoint center(const QWidget* widget) {
 Monkey::Monkey(std::uint64_t seed)
     : m_random(seed * 0x9E37'79B9U + 1),
       m_settings(m_directory.filePath(u"panel.ini"_s), QSettings::IniFormat),
-      m_bench(kChain, seed),
+      m_chain(kChain, seed),
       m_faultFree(seed % 4 == 0) {
     QDir::setCurrent(m_directory.path());
     qputenv("HOME", m_directory.path().toLocal8Bit());
@@ -111,8 +111,8 @@ Monkey::~Monkey() {
 
 void Monkey::startProgram() {
     m_program = std::make_unique<Composition>(m_settings, places(m_directory.path()), m_directory.path());
-    m_program->setTransports(m_bench.transports());
-    m_oath = std::make_unique<Oath>(m_bench, *m_program);
+    m_program->setTransports(m_chain.transports());
+    m_oath = std::make_unique<Oath>(m_chain, *m_program);
     // Every second user has its port on the command line.
     Start start;
     if (below(2) == 0)
@@ -129,8 +129,8 @@ void Monkey::endProgram() {
     m_oath.reset();
     // Or it would wait for the bus thread, which has no time.
     m_program->worker().close();
-    while (m_bench.open())
-        m_bench.run(kFrame);
+    while (m_chain.open())
+        m_chain.run(kFrame);
     m_program.reset();
 }
 
@@ -156,8 +156,8 @@ std::string Monkey::state() {
     text += link.readOnly ? " read-only" : "";
     if (const auto module = m_program->window().selectedModule())
         text += ", module " + std::to_string(module->value() + 1);
-    for (std::size_t place = 0; place < m_bench.size(); ++place)
-        text += m_bench.driven(place) ? ", " + std::to_string(place + 1) + " moves" : "";
+    for (std::size_t place = 0; place < m_chain.size(); ++place)
+        text += m_chain.driven(place) ? ", " + std::to_string(place + 1) + " moves" : "";
     if (const QWidget* focus = QApplication::focusWidget())
         text += ", at " + focus->objectName().toStdString();
     return text;
@@ -169,7 +169,7 @@ Duration Monkey::milliseconds(std::size_t from, std::size_t to) {
 
 void Monkey::wait(Duration time) {
     for (Duration passed{}; passed < time; passed += kFrame) {
-        m_bench.run(kFrame);
+        m_chain.run(kFrame);
         QApplication::processEvents();
         QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         m_oath->look();
@@ -507,7 +507,7 @@ void Monkey::stopAll() {
 
 void Monkey::freeze() {
     note("the window hangs");
-    m_bench.run(milliseconds(500, 3'500));
+    m_chain.run(milliseconds(500, 3'500));
     if (m_program->store().link().phase != LinkPhase::Disconnected)
         m_oath->fault(virtualtime::now());
 }
@@ -516,9 +516,9 @@ void Monkey::befall() {
     if (m_faultFree)
         return pressAnything();
     ++m_strikes;
-    if (below(12) == 0 || !m_bench.plugged()) {
-        note(m_bench.plugged() ? "the adapter is pulled out" : "the adapter is back");
-        m_bench.plugged() ? m_bench.unplug() : m_bench.plugIn();
+    if (below(12) == 0 || !m_chain.plugged()) {
+        note(m_chain.plugged() ? "the adapter is pulled out" : "the adapter is back");
+        m_chain.plugged() ? m_chain.unplug() : m_chain.plugIn();
         return m_oath->fault(virtualtime::now());
     }
     const Strike& strike = kStrikes[below(kStrikes.size())];
@@ -532,20 +532,20 @@ void Monkey::befall() {
     note(inWords(strike.line));
     m_oath->fault(virtualtime::now() + lasts);
     if (m_strikes % kFaultsAtOnce == 0)
-        m_bench.tell("fault clear");
+        m_chain.tell("fault clear");
     // On the simulator's page they may have been told to follow the travel.
     if (QLatin1StringView(strike.line).contains("limit"_L1))
-        m_bench.tell(inWords("set %1 limits manual"));
-    m_bench.tell(inWords(strike.line));
+        m_chain.tell(inWords("set %1 limits manual"));
+    m_chain.tell(inWords(strike.line));
     if (*strike.end != '\0') {
         wait(lasts);
-        m_bench.tell(inWords(strike.end));
+        m_chain.tell(inWords(strike.end));
     }
 }
 
 void Monkey::inNestedLoop() {
     m_oath->userActs(false);
-    m_bench.run(kFrame);
+    m_chain.run(kFrame);
     m_oath->look();
     m_oath->userActs(true);
     // From the loop itself, which has something to do then.

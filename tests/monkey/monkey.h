@@ -71,7 +71,7 @@ private:
     sim::Random m_random;
     QTemporaryDir m_directory;
     QSettings m_settings;
-    Bench m_bench;
+    VirtualChain m_chain;
     std::unique_ptr<Composition> m_program;
     std::unique_ptr<Oath> m_oath;
     std::deque<std::string> m_story;

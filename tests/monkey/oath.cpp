@@ -7,7 +7,7 @@
 #include "base/bytes.h"
 #include "model/procedure/procedures.h"
 #include "tests/monkey/controls.h"
-#include "tests/monkey/virtualtime.h"
+#include "tests/support/virtualtime.h"
 
 namespace nmc::monkey {
 
@@ -37,7 +37,8 @@ std::string named(std::size_t place) {
 
 }  // namespace
 
-Oath::Oath(Bench& bench, Composition& program) : m_bench(bench), m_program(program), m_motors(bench.size()) {
+Oath::Oath(VirtualChain& chain, Composition& program)
+    : m_chain(chain), m_program(program), m_motors(chain.size()) {
     MainWindow& window = program.window();
     QObject::connect(&window, &MainWindow::intentRequested, &m_context,
                      [this](ModuleIndex module, const Intent& intent) { checkIntent(module, intent); });
@@ -62,8 +63,8 @@ void Oath::complain(const std::string& what) {
 
 std::optional<std::size_t> Oath::placeOf(ModuleIndex module) {
     const ModuleState* state = m_program.store().module(module);
-    for (std::size_t place = 0; state != nullptr && place < m_bench.size(); ++place)
-        if (m_bench.address(place) == state->info.address.value())
+    for (std::size_t place = 0; state != nullptr && place < m_chain.size(); ++place)
+        if (m_chain.address(place) == state->info.address.value())
             return place;
     return std::nullopt;
 }
@@ -97,7 +98,7 @@ void Oath::aboutToStopAll() {
     const bool open = link().phase != LinkPhase::Disconnected;
     m_stop = Stop{virtualtime::now(), m_stops, open, link().phase == LinkPhase::Connected && calm()};
     for (std::size_t place = 0; place < m_motors.size(); ++place)
-        m_stopsInMotion += open && m_bench.driven(place) ? 1U : 0U;
+        m_stopsInMotion += open && m_chain.driven(place) ? 1U : 0U;
 }
 
 void Oath::stoppedAll() {
@@ -118,7 +119,7 @@ void Oath::movedFocus() {
 }
 
 void Oath::fault(TimePoint until) {
-    m_bench.disturb();
+    m_chain.disturb();
     m_faultsUntil = std::max(m_faultsUntil, until);
 }
 
@@ -146,7 +147,7 @@ void Oath::checkIntent(ModuleIndex module, const Intent& intent) {
 }
 
 void Oath::checkPackets() {
-    const std::vector<Packet> packets = m_bench.takePackets();
+    const std::vector<Packet> packets = m_chain.takePackets();
     for (const Packet& packet : packets) {
         if (link().readOnly && packet.code() != CommandCode::Nop &&
             packet.code() != CommandCode::ReadStatus &&
@@ -154,7 +155,7 @@ void Oath::checkPackets() {
             complain("read: " + toHex(packet.bytes) + " goes out");
         for (std::size_t place = 0; packet.starts() && place < m_motors.size(); ++place)
             if (!m_motors[place].mayMove &&
-                (packet.address() == m_bench.address(place) || packet.address() == m_bench.group(place)))
+                (packet.address() == m_chain.address(place) || packet.address() == m_chain.group(place)))
                 complain("asked: " + toHex(packet.bytes) + " goes out to " + named(place));
     }
     checkStopPackets(packets);
@@ -165,7 +166,7 @@ void Oath::checkStopPackets(const std::vector<Packet>& packets) {
         return;
     const bool anyOn = [this] {
         for (std::size_t place = 0; place < m_motors.size(); ++place)
-            if (m_bench.isOn(place))
+            if (m_chain.isOn(place))
                 return true;
         return false;
     }();
@@ -188,7 +189,7 @@ void Oath::checkMotors() {
     const TimePoint now = virtualtime::now();
     for (std::size_t place = 0; place < m_motors.size(); ++place) {
         Motor& motor = m_motors[place];
-        const bool moves = m_bench.driven(place);
+        const bool moves = m_chain.driven(place);
         if (moves) {
             m_motions += motor.moves ? 0U : 1U;
             motor.lastMoved = now;
@@ -200,7 +201,7 @@ void Oath::checkMotors() {
             motor.stopAsked && now > *motor.stopAsked + kOnTheWay && now > m_faultsUntil + kSettled;
         if (!moves && (stopped || now > motor.lastMoved + kPauseAtMost))
             motor.mayMove = false;
-        if (link().phase != LinkPhase::Connected || m_bench.address(place) == 0)
+        if (link().phase != LinkPhase::Connected || m_chain.address(place) == 0)
             motor.restDue.reset();  // the link has a word of its own for that
         if (motor.restDue && now > std::max(*motor.restDue, m_faultsUntil + kAtRestWithin)) {
             motor.restDue.reset();
@@ -208,8 +209,8 @@ void Oath::checkMotors() {
                 complain("stop: " + named(place) + " hears, and still moves");
         }
     }
-    if (!m_bench.disturbed() && m_bench.violations() > 0)
-        complain("chip: " + m_bench.firstViolation());
+    if (const std::string violation = m_chain.violations(); !m_chain.disturbed() && !violation.empty())
+        complain("chip: " + violation);
 }
 
 void Oath::checkWindow() {

@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "tests/monkey/bench.h"
 #include "tests/monkey/controls.h"
+#include "tests/support/virtualchain.h"
 
 namespace nmc::monkey {
+
+using testing_support::Packet;
+using testing_support::VirtualChain;
 
 /// What must be true whatever anybody does to the window, and whatever befalls the chain.
 ///
@@ -26,7 +29,7 @@ public:
     /// Of a stop of all where the line is well (faults.md F-01).
     static constexpr Duration kAtRestWithin = std::chrono::milliseconds(2'500);
 
-    Oath(Bench& bench, Composition& program);
+    Oath(VirtualChain& chain, Composition& program);
 
     // Told by who acts.
     /// Something of the user's is being delivered: the window may ask for something.
@@ -68,7 +71,7 @@ private:
     void checkMotors();
     void checkWindow();
 
-    Bench& m_bench;
+    VirtualChain& m_chain;
     Composition& m_program;
     QObject m_context;
     std::vector<Motor> m_motors;

@@ -5,15 +5,15 @@
 #include <QAction>
 #include <QPushButton>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using testing_support::IntentPanel;
 using testing_support::moves;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class Standing : public testing::Test {
 protected:
@@ -38,8 +38,9 @@ protected:
                panel.window().findChild<QPushButton*>(u"listAction_clearAndStayOff"_s) != nullptr;
     }
 
-    NmcsimProcess sim{u"servo,servo"_s, {u"--enable-faults"_s}};
-    IntentPanel panel;
+    VirtualChain sim{u"servo,servo"_s};
+    VirtualChain other{u"servo,servo"_s};
+    VirtualPanel panel;
 };
 
 TEST_F(Standing, ATripIsOverWhenTheServoIsOnAgain) {
@@ -84,7 +85,6 @@ TEST_F(Standing, AFaultOfAnotherChainActsOnNobody) {
         panel.waitFor([&] { return panel.composition().store().link().phase == LinkPhase::Disconnected; }));
     EXPECT_TRUE(isOver(u"switched its servo off"_s));
     EXPECT_FALSE(offersToClear());
-    NmcsimProcess other(u"servo,servo"_s);
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(other.terminal()));
     EXPECT_FALSE(offersToClear()) << "it would switch the new module 1 off";
     EXPECT_TRUE(isOver(u"switched its servo off"_s));
@@ -130,7 +130,6 @@ TEST_F(Standing, ALimitStopThatTripsIsOverWhenItIsDisarmed) {
 TEST_F(Standing, AFaultLeavesWithItsConnectionAndIsNotOfferedInTheNext) {
     (void)sim.control(u"set 1 limit1 1"_s);
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"Limit switch 1 of module 1"_s) != nullptr; }));
-    NmcsimProcess other(u"servo,servo"_s);
     emit panel.window().connectRequested(other.terminal(), 115'200);
     ASSERT_TRUE(panel.waitFor([&] { return panel.chainsFound() == 2; }));
     EXPECT_TRUE(isOver(u"Limit switch 1 of module 1"_s));

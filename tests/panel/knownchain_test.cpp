@@ -4,19 +4,19 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class KnownChain : public testing::Test {
 protected:
     /// A run of the panel with the settings of the one before.
     void run(const QString& port) {
-        panel = std::make_unique<IntentPanel>(directory.filePath(QStringLiteral("panel.ini")));
+        panel = std::make_unique<VirtualPanel>(directory.filePath(QStringLiteral("panel.ini")));
         panel->start();
         ASSERT_NO_FATAL_FAILURE(panel->connectTo(port));
     }
@@ -30,11 +30,11 @@ protected:
     std::string told() { return panel->headlines().join(QLatin1Char('\n')).toStdString(); }
 
     QTemporaryDir directory;
-    std::unique_ptr<IntentPanel> panel;
+    VirtualChain sim{QStringLiteral("servo,servo,step")};
+    std::unique_ptr<VirtualPanel> panel;
 };
 
 TEST_F(KnownChain, AModuleThatWasPowerCycledMeanwhileIsNamedAndNoneTakesItsPlace) {
-    NmcsimProcess sim(QStringLiteral("servo,servo,step"));
     ASSERT_NO_FATAL_FAILURE(run(sim.terminal()));
     ASSERT_EQ(modules().size(), 3U);
     end();
@@ -51,7 +51,6 @@ TEST_F(KnownChain, AModuleThatWasPowerCycledMeanwhileIsNamedAndNoneTakesItsPlace
 
 TEST_F(KnownChain, AModuleThatWasTakenOutOnPurposeIsForgotten) {
     const QString missing = QStringLiteral("Module 2 of this chain does not answer");
-    NmcsimProcess sim(QStringLiteral("servo,servo,step"), {QStringLiteral("--enable-faults")});
     ASSERT_NO_FATAL_FAILURE(run(sim.terminal()));
     end();
     (void)sim.control(QStringLiteral("fault module 2 silent"));
@@ -75,7 +74,6 @@ TEST_F(KnownChain, AModuleThatWasTakenOutOnPurposeIsForgotten) {
 }
 
 TEST_F(KnownChain, OneThatIsLongerThanBeforeIsTakenAsItIs) {
-    NmcsimProcess sim(QStringLiteral("servo,servo,step"));
     {
         QSettings settings(directory.filePath(QStringLiteral("panel.ini")), QSettings::IniFormat);
         rememberChain(settings, sim.terminal(), {{ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}}});

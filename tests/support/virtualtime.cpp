@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/monkey/virtualtime.h"
+#include "tests/support/virtualtime.h"
 
 #include <sys/syscall.h>
 #include <time.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths by mouse and key, over a pseudo-terminal that nmcsim serves; the oracle is what nmcsim knows of its
-// modules.
+// Paths by mouse and key; the oracle is what the simulator knows of its modules.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -11,21 +10,20 @@
 #include <cmath>
 #include <numbers>
 
-#include "panel.h"
 #include "tests/support/choosefile.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using testing_support::IntentPanel;
 using testing_support::moves;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class Paths : public testing::Test {
 protected:
-    explicit Paths(const QString& chain = u"servo@10"_s, const QStringList& options = {})
-        : sim(chain, options) {}
+    explicit Paths(const QString& chain = u"servo@10"_s) : sim(chain) {}
     void begin(std::uint8_t axes = 1) {
         panel.window().resize(1'500, 1'100);
         panel.composition().show({sim.terminal(), 115'200, false});
@@ -80,8 +78,8 @@ protected:
     }
 
     QTemporaryDir directory;
-    NmcsimProcess sim;
-    IntentPanel panel;
+    VirtualChain sim;
+    VirtualPanel panel;
 };
 
 class PathsOfTwo : public Paths {
@@ -217,37 +215,37 @@ TEST_F(Paths, OneIsDrawnFromTheMovesOfASequence) {
 /// What else happens in the window, or on the line, while a path runs.
 struct Phase {
     const char* name;
-    void (*enter)(IntentPanel& panel, NmcsimProcess& sim);
+    void (*enter)(VirtualPanel& panel, VirtualChain& sim);
     friend void PrintTo(const Phase& phase, std::ostream* out) { *out << phase.name; }
 };
 
-void choose(IntentPanel& panel, const char* action) {
+void choose(VirtualPanel& panel, const char* action) {
     panel.window().findChild<QAction*>(QLatin1String(action))->trigger();
 }
 
 constexpr Phase kPhases[] = {
     {"AnotherModuleIsSelected",
-     [](IntentPanel& panel, NmcsimProcess&) {
+     [](VirtualPanel& panel, VirtualChain&) {
          auto* list = panel.window().findChild<QAbstractItemView*>(u"chainList"_s);
          const QModelIndex other = list->model()->index(1, 0);
          QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(other).center());
      }},
     {"DisconnectingIsAskedAbout",
-     [](IntentPanel& panel, NmcsimProcess&) { panel.click("disconnectButton"); }},
-    {"TheManualIsOpen", [](IntentPanel& panel, NmcsimProcess&) { choose(panel, "manualAction"); }},
-    {"ScanningAgain", [](IntentPanel& panel, NmcsimProcess&) { choose(panel, "scanAction"); }},
+     [](VirtualPanel& panel, VirtualChain&) { panel.click("disconnectButton"); }},
+    {"TheManualIsOpen", [](VirtualPanel& panel, VirtualChain&) { choose(panel, "manualAction"); }},
+    {"ScanningAgain", [](VirtualPanel& panel, VirtualChain&) { choose(panel, "scanAction"); }},
     {"ItsModuleFallsSilent",
-     [](IntentPanel& panel, NmcsimProcess& sim) {
+     [](VirtualPanel& panel, VirtualChain& sim) {
          (void)sim.control(u"fault module 1 silent"_s);
          EXPECT_TRUE(panel.waitFor([&] { return panel.module().silent; }));
      }},
     {"TheLineIsLost",
-     [](IntentPanel& panel, NmcsimProcess& sim) {
+     [](VirtualPanel& panel, VirtualChain& sim) {
          (void)sim.control(u"fault bus mute tx"_s);
          EXPECT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
      }},
     {"TheLineComesBack",
-     [](IntentPanel& panel, NmcsimProcess& sim) {
+     [](VirtualPanel& panel, VirtualChain& sim) {
          (void)sim.control(u"fault bus mute tx"_s);
          EXPECT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
          (void)sim.control(u"fault clear"_s);
@@ -256,7 +254,7 @@ constexpr Phase kPhases[] = {
 
 class PathWhile : public Paths, public testing::WithParamInterface<Phase> {
 protected:
-    PathWhile() : Paths(u"servo@10,servo@10"_s, {u"--enable-faults"_s}) {}
+    PathWhile() : Paths(u"servo@10,servo@10"_s) {}
 };
 
 TEST_P(PathWhile, EscEndsItForGood) {

@@ -9,16 +9,16 @@
 
 #include "model/machinefile/machinefile.h"
 #include "model/machinefile/responsestore.h"
-#include "tests/app/panel.h"
 #include "tests/support/choosefile.h"
+#include "tests/support/virtualpanel.h"
 #include "widgets/response/responsedock.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class RunsKept : public testing::Test {
 protected:
@@ -30,7 +30,7 @@ protected:
         return runs.value_or(std::vector<KeptResponse>{});
     }
     /// As a step of module 2 would leave it.
-    static void makeRun(IntentPanel& panel, int milliseconds) {
+    static void makeRun(VirtualPanel& panel, int milliseconds) {
         KeptResponse kept;
         kept.run.module = ModuleIndex(1);
         kept.run.taken = {TimePoint{}, 0, 100, 0.1, ResponseMethod::Profile, servo::SetGain{}};
@@ -42,10 +42,10 @@ protected:
         kept.port = "simulator";
         panel.window().showResponse(kept);
     }
-    [[nodiscard]] static std::size_t listed(IntentPanel& panel) {
+    [[nodiscard]] static std::size_t listed(VirtualPanel& panel) {
         return panel.window().stepResponses().runs().size();
     }
-    static void name(IntentPanel& panel, int row, const QString& words) {
+    static void name(VirtualPanel& panel, int row, const QString& words) {
         panel.window().stepResponses().open();
         auto* table = panel.window().findChild<QTableWidget*>(u"responseRunTable"_s);
         table->setFocus();
@@ -56,7 +56,7 @@ protected:
         QTest::keyClicks(editor, words);
         QTest::keyClick(editor, Qt::Key_Return);
     }
-    static void choose(IntentPanel& panel, QKeyCombination keys, const char* dialog, const QString& path) {
+    static void choose(VirtualPanel& panel, QKeyCombination keys, const char* dialog, const QString& path) {
         panel.window().activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
         QTest::keyClick(&panel.window(), keys.key(), keys.keyboardModifiers());
@@ -64,7 +64,7 @@ protected:
         ASSERT_NE(asked, nullptr) << dialog;
         testing_support::chooseFile(*asked, path);
     }
-    void startWith(IntentPanel& panel, const QString& machine) {
+    void startWith(VirtualPanel& panel, const QString& machine) {
         Start start;
         start.machine = file(machine);
         panel.composition().show(start);
@@ -85,9 +85,9 @@ protected:
 };
 
 TEST_F(RunsKept, WithTheirNamesUntilTheNextSession) {
-    NmcsimProcess sim(u"servo"_s);
+    VirtualChain sim(u"servo"_s);
     {
-        IntentPanel panel({}, {}, folder.path());
+        VirtualPanel panel({}, {}, folder.path());
         panel.composition().show({sim.terminal(), 115'200, false});
         ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
         panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}}});
@@ -105,7 +105,7 @@ TEST_F(RunsKept, WithTheirNamesUntilTheNextSession) {
             return runs.size() == 1 && runs[0].name == "first light";
         }));
     }
-    IntentPanel panel({}, {}, folder.path());
+    VirtualPanel panel({}, {}, folder.path());
     panel.start();
     ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 1; }));
     panel.window().stepResponses().open();
@@ -122,7 +122,7 @@ TEST_F(RunsKept, WithTheirNamesUntilTheNextSession) {
 
 TEST_F(RunsKept, BesideTheMachineFile) {
     {
-        IntentPanel panel({}, {}, folder.path());
+        VirtualPanel panel({}, {}, folder.path());
         panel.start();
         makeRun(panel, 100);
         ASSERT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).size() == 1; }));
@@ -138,7 +138,7 @@ TEST_F(RunsKept, BesideTheMachineFile) {
     machine.axes[2].name = "X axis";
     ASSERT_TRUE(writeFile(file(u"lathe.json"_s), writeMachine(machine)));
     {
-        IntentPanel panel({}, {}, folder.path());
+        VirtualPanel panel({}, {}, folder.path());
         ASSERT_NO_FATAL_FAILURE(startWith(panel, u"mill.json"_s));
         ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 2; }));
     }
@@ -147,7 +147,7 @@ TEST_F(RunsKept, BesideTheMachineFile) {
     moved[0].axisName = "X axis";
     moved[1].axisName = "Y axis";
     ASSERT_TRUE(writeFile(file(u"lathe.runs"_s), writeResponses(moved)));
-    IntentPanel panel({}, {}, folder.path());
+    VirtualPanel panel({}, {}, folder.path());
     ASSERT_NO_FATAL_FAILURE(startWith(panel, u"lathe.json"_s));
     ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 2; }));
     EXPECT_EQ(panel.window().stepResponses().runs()[0].run.module, ModuleIndex(2));
@@ -157,7 +157,7 @@ TEST_F(RunsKept, BesideTheMachineFile) {
 TEST_F(RunsKept, ABadFileIsSaidAndSetAside) {
     const QByteArray bad = "{\n\"format\": \"nmc-panel-step-runs\",\n\"version\": 1,\n\"runs\": 7\n}\n";
     ASSERT_NO_FATAL_FAILURE(writeBad(bad));
-    IntentPanel panel({}, {}, folder.path());
+    VirtualPanel panel({}, {}, folder.path());
     panel.start();
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(notRead) != nullptr; }));
     EXPECT_TRUE(panel.standing(notRead)->message().body.contains(u"line 4: runs is not a list"_s))
@@ -174,7 +174,7 @@ TEST_F(RunsKept, ABadFileIsSaidAndSetAside) {
 TEST_F(RunsKept, AFileOfANewerProgramIsNotOverwritten) {
     ASSERT_NO_FATAL_FAILURE(
         writeBad("{\"format\": \"nmc-panel-step-runs\", \"version\": 2, \"runs\": []}\n"));
-    IntentPanel panel({}, {}, folder.path());
+    VirtualPanel panel({}, {}, folder.path());
     panel.start();
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(notRead) != nullptr; }));
     EXPECT_TRUE(panel.standing(notRead)->message().body.contains(u"newer NMC Panel"_s));
@@ -184,8 +184,8 @@ TEST_F(RunsKept, AFileOfANewerProgramIsNotOverwritten) {
 }
 
 TEST_F(RunsKept, TwoPanelsLoseNothingToEachOther) {
-    IntentPanel one({}, {}, folder.path());
-    IntentPanel other({}, {}, folder.path());
+    VirtualPanel one({}, {}, folder.path());
+    VirtualPanel other({}, {}, folder.path());
     one.start();
     other.start();
     makeRun(one, 100);
@@ -198,7 +198,7 @@ TEST_F(RunsKept, TwoPanelsLoseNothingToEachOther) {
 
 TEST_F(RunsKept, ADiskThatTakesNothingIsSaidOnce) {
     std::atomic<bool> full = true;
-    IntentPanel panel({}, {}, folder.path(), [&full](const QString& path, std::string_view content) {
+    VirtualPanel panel({}, {}, folder.path(), [&full](const QString& path, std::string_view content) {
         return full ? FileWriter::Result(tl::unexpected(FileError{FileErrorKind::NoSpace, path}))
                     : writeFile(path, content);
     });

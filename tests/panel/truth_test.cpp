@@ -5,14 +5,14 @@
 #include <QLabel>
 #include <QLineEdit>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
 using testing_support::moves;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class Truth : public testing::Test {
 protected:
@@ -26,8 +26,8 @@ protected:
         return panel.waitFor([&] { return label("stateLabel") == QLatin1String(state); });
     }
 
-    NmcsimProcess sim{QStringLiteral("servo,servo"), {QStringLiteral("--enable-faults")}};
-    IntentPanel panel;
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualPanel panel;
 };
 
 TEST_F(Truth, AMotorThatWasStoppedWhileItWasSilentIsNotAtSpeedWhenItIsBack) {

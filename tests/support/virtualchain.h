@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QJsonObject>
+#include <QString>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -11,7 +13,7 @@
 #include "protocol/commandcode.h"
 #include "sim/chain.h"
 
-namespace nmc::monkey {
+namespace nmc::testing_support {
 
 /// What the program gave to its port.
 struct Packet {
@@ -24,12 +26,22 @@ struct Packet {
     [[nodiscard]] bool starts() const;
 };
 
-/// Motor modules on a table, and the port to them, in virtual time. They stay as they are while no port is
-/// open. The program's bus thread runs only while the GUI thread waits in run(), so that a seed is the same
+/// Motor modules, and the port to them, in virtual time. They stay as they are while no port is open. The
+/// program's bus thread runs only while the GUI thread waits in run(), so that a seed is the same
 /// session each time. All public members belong to the GUI thread.
-class Bench {
+class VirtualChain {
 public:
-    Bench(const std::vector<ModuleIdentity>& modules, std::uint64_t seed);
+    explicit VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed = 1);
+    /// As nmcsim has it: "servo,servo,step".
+    explicit VirtualChain(const QString& modules);
+    ~VirtualChain();
+    VirtualChain(const VirtualChain&) = delete;
+    VirtualChain& operator=(const VirtualChain&) = delete;
+
+    /// Of the chain that is at this port; null: there is none.
+    [[nodiscard]] static VirtualChain* at(const QString& terminal);
+    /// Lets time pass at all of them.
+    static void runAll(Duration time);
 
     [[nodiscard]] Composition::Transports transports();
     /// Lets time pass, on the bus and not in the window.
@@ -39,6 +51,12 @@ public:
 
     /// A line of the simulator (simulator.md, Control).
     void tell(const std::string& line);
+    // As NmcsimProcess has them.
+    [[nodiscard]] const QString& terminal() const { return m_terminal; }
+    QJsonObject control(const QString& line);
+    [[nodiscard]] QJsonObject state(int module) { return control(QStringLiteral("state %1").arg(module)); }
+    /// The first; empty: none.
+    [[nodiscard]] std::string violations() const;
     /// The adapter is gone, and comes back.
     void unplug() { m_plugged = false; }
     void plugIn() { m_plugged = true; }
@@ -54,8 +72,6 @@ public:
     [[nodiscard]] bool driven(std::size_t place);
     /// The motor has current.
     [[nodiscard]] bool isOn(std::size_t place);
-    [[nodiscard]] std::uint64_t violations() const { return m_chain.violations().count(); }
-    [[nodiscard]] std::string firstViolation() const;
     /// Those since the last call.
     [[nodiscard]] std::vector<Packet> takePackets() { return std::exchange(m_packets, {}); }
 
@@ -71,6 +87,7 @@ private:
     void waitUntil(std::optional<TimePoint> time);
 
     sim::Chain m_chain;
+    QString m_terminal;
     TimePoint m_powerUp;
     bool m_plugged = true;
     bool m_disturbed = false;
@@ -83,4 +100,4 @@ private:
     TimePoint m_until{};
 };
 
-}  // namespace nmc::monkey
+}  // namespace nmc::testing_support

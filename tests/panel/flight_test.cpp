@@ -5,7 +5,7 @@
 #include <QAbstractButton>
 #include <QLabel>
 
-#include "panel.h"
+#include "tests/support/virtualpanel.h"
 #include "widgets/messages/banner.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopestrips.h"
@@ -13,8 +13,8 @@
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class Flight : public testing::Test {
 protected:
@@ -38,8 +38,8 @@ protected:
     }
     QString title() { return panel.window().findChild<QLabel*>(QStringLiteral("scopeRecordLabel"))->text(); }
 
-    NmcsimProcess sim{QStringLiteral("servo,servo")};
-    IntentPanel panel;
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualPanel panel;
 };
 
 TEST_F(Flight, AStopIsShownWithWhatLedToItWhilePollingGoesOn) {

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A limit stop armed for each motion, in the whole program, against what nmcsim knows of the motor.
+// A limit stop armed for each motion, in the whole program, against what the simulator knows of the motor.
 #include <gtest/gtest.h>
 
 #include <QAction>
 #include <QApplication>
 #include <QLabel>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 #include "widgets/mainwindow/operatorlock.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using testing_support::IntentPanel;
 using testing_support::moves;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class ArmedLimits : public testing::Test {
 protected:
@@ -64,8 +64,8 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
     }
     [[nodiscard]] double shaft() { return sim.state(1)[u"shaft"_s].toDouble(); }
-    NmcsimProcess sim{u"servo"_s};
-    IntentPanel panel;
+    VirtualChain sim{u"servo"_s};
+    VirtualPanel panel;
 };
 
 TEST_F(ArmedLimits, TheChipStopsAtTheSwitchAndIsArmedAgain) {

@@ -17,14 +17,14 @@
 
 #include "link/files/machineio.h"
 #include "model/machinefile/machinefile.h"
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 #include "widgets/machine/machinemenu.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 const servo::SetGain kGains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
 
@@ -61,7 +61,7 @@ protected:
         return parsed ? parsed->machine : Machine{};
     }
     /// How often a module carried a command out.
-    static int executed(NmcsimProcess& sim, int module, const char* command) {
+    static int executed(VirtualChain& sim, int module, const char* command) {
         const QJsonArray modules = sim.control(QStringLiteral("stats"))[QStringLiteral("modules")].toArray();
         return modules[module - 1]
             .toObject()[QStringLiteral("executed")]
@@ -69,7 +69,7 @@ protected:
             .toInt();
     }
     /// Everything that each module was told, as text; looking at them is not telling.
-    static std::string told(NmcsimProcess& sim) {
+    static std::string told(VirtualChain& sim) {
         std::string all;
         for (const QJsonValue& module :
              sim.control(QStringLiteral("stats"))[QStringLiteral("modules")].toArray()) {
@@ -80,57 +80,57 @@ protected:
         }
         return all;
     }
-    static MachineMenu& menu(IntentPanel& panel) { return panel.window().machineMenu(); }
-    static QTreeWidget* table(IntentPanel& panel) {
+    static MachineMenu& menu(VirtualPanel& panel) { return panel.window().machineMenu(); }
+    static QTreeWidget* table(VirtualPanel& panel) {
         return panel.window().findChild<QTreeWidget*>(QStringLiteral("differencesTable"));
     }
-    static void click(IntentPanel& panel, const char* button) {
+    static void click(VirtualPanel& panel, const char* button) {
         auto* widget = panel.window().findChild<QAbstractButton*>(QLatin1String(button));
         ASSERT_NE(widget, nullptr) << button;
         ASSERT_TRUE(widget->isEnabled()) << button << ": " << widget->toolTip().toStdString();
         QTest::mouseClick(widget, Qt::LeftButton);
     }
-    static void tickOnly(IntentPanel& panel, const QStringList& rows) {
+    static void tickOnly(VirtualPanel& panel, const QStringList& rows) {
         for (int i = 0; i < table(panel)->topLevelItemCount(); ++i) {
             QTreeWidgetItem* row = table(panel)->topLevelItem(i);
             if (row->data(0, Qt::CheckStateRole).isValid())
                 row->setCheckState(0, rows.contains(row->text(0)) ? Qt::Checked : Qt::Unchecked);
         }
     }
-    static void connectTo(IntentPanel& panel, NmcsimProcess& sim) {
+    static void connectTo(VirtualPanel& panel, VirtualChain& sim) {
         panel.start();
         panel.connectTo(sim.terminal());
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
     }
     /// In the main window, whatever stood in front of it before.
-    static void strike(IntentPanel& panel, QKeyCombination keys) {
+    static void strike(VirtualPanel& panel, QKeyCombination keys) {
         panel.window().activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
         QTest::keyClick(&panel.window(), keys.key(), keys.keyboardModifiers());
     }
-    static void open(IntentPanel& panel, const QString& path) {
+    static void open(VirtualPanel& panel, const QString& path) {
         strike(panel, Qt::CTRL | Qt::Key_O);
         if (auto* drop = panel.window().findChild<QAbstractButton*>(QStringLiteral("goOnUnsavedButton")))
             QTest::mouseClick(drop, Qt::LeftButton);
         choose(panel, "openMachineDialog", path);
     }
-    static void save(IntentPanel& panel) {
+    static void save(VirtualPanel& panel) {
         strike(panel, Qt::CTRL | Qt::Key_S);
         EXPECT_TRUE(panel.waitFor([&] { return !menu(panel).file().saving; }));
     }
-    static void saveAs(IntentPanel& panel, const QString& path) {
+    static void saveAs(VirtualPanel& panel, const QString& path) {
         strike(panel, Qt::CTRL | Qt::SHIFT | Qt::Key_S);
         choose(panel, "saveMachineDialog", path);
         EXPECT_TRUE(panel.waitFor([&] { return !menu(panel).file().saving; }));
     }
-    static void choose(IntentPanel& panel, const char* name, const QString& path) {
+    static void choose(VirtualPanel& panel, const char* name, const QString& path) {
         auto* dialog = panel.window().findChild<QFileDialog*>(QLatin1String(name));
         ASSERT_NE(dialog, nullptr) << name;
         emit dialog->fileSelected(path);
         dialog->close();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
-    static void rename(IntentPanel& panel, const char* name) {
+    static void rename(VirtualPanel& panel, const char* name) {
         AxisSettings axis;
         axis.name = name;
         emit panel.window().axisEdited(ModuleIndex(0), axis);
@@ -141,7 +141,7 @@ protected:
 };
 
 TEST_F(MachineFiles, OneOfTheCommandLineIsOpenedAtTheStart) {
-    IntentPanel panel;
+    VirtualPanel panel;
     Start start;
     start.machine = file;
     panel.composition().show(start);
@@ -151,7 +151,7 @@ TEST_F(MachineFiles, OneOfTheCommandLineIsOpenedAtTheStart) {
 
 TEST_F(MachineFiles, ABadOneOfTheCommandLineIsASentenceInTheWindow) {
     for (const QString& bad : {directory.filePath(QStringLiteral("none.json")), write("bad.json", "{")}) {
-        IntentPanel panel;
+        VirtualPanel panel;
         Start start;
         start.machine = bad;
         panel.composition().show(start);
@@ -162,8 +162,8 @@ TEST_F(MachineFiles, ABadOneOfTheCommandLineIsASentenceInTheWindow) {
 }
 
 TEST_F(MachineFiles, OpeningSendsNothingAndCancellingChangesNothing) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    IntentPanel panel;
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
     connectTo(panel, sim);
     const std::string before = told(sim);
     open(panel, file);
@@ -186,8 +186,8 @@ TEST_F(MachineFiles, OpeningSendsNothingAndCancellingChangesNothing) {
 }
 
 TEST_F(MachineFiles, ApplySendsExactlyWhatIsTickedAndMovesNothing) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    IntentPanel panel;
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
     connectTo(panel, sim);
     const std::string before = told(sim);
     open(panel, file);
@@ -210,8 +210,8 @@ TEST_F(MachineFiles, ApplySendsExactlyWhatIsTickedAndMovesNothing) {
 }
 
 TEST_F(MachineFiles, ApplyingAllOfItMakesItTheOpenFile) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    IntentPanel panel;
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
     connectTo(panel, sim);
     open(panel, file);
     click(panel, "applyDifferencesButton");
@@ -232,8 +232,8 @@ TEST_F(MachineFiles, ApplyingAllOfItMakesItTheOpenFile) {
 }
 
 TEST_F(MachineFiles, AMotorThatMovesGoesOnAndNothingIsSentToIt) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    IntentPanel panel;
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
     panel.startMoving(sim);
     // Its gains are the file's already; the limit pins are not.
     ASSERT_EQ(kGains.kp, panel.module().gains->kp);
@@ -258,8 +258,8 @@ TEST_F(MachineFiles, AMotorThatMovesGoesOnAndNothingIsSentToIt) {
 }
 
 TEST_F(MachineFiles, AFileForOtherHardwareSaysSoAndIsNotOverwritten) {
-    NmcsimProcess sim(QStringLiteral("servo@3,servo"));
-    IntentPanel panel;
+    VirtualChain sim(QStringLiteral("servo@3,servo"));
+    VirtualPanel panel;
     connectTo(panel, sim);
     const std::string content = readFile(file, kMaxMachineFile).value();
     open(panel, file);
@@ -275,8 +275,8 @@ TEST_F(MachineFiles, AFileForOtherHardwareSaysSoAndIsNotOverwritten) {
 }
 
 TEST_F(MachineFiles, WhatThePanelKnowsIsSavedAndOpenedAgain) {
-    NmcsimProcess sim(QStringLiteral("servo,step"));
-    IntentPanel panel;
+    VirtualChain sim(QStringLiteral("servo,step"));
+    VirtualPanel panel;
     connectTo(panel, sim);
     rename(panel, "Spindle");
     panel.ask(intent::ApplyGains{kGains});
@@ -295,7 +295,7 @@ TEST_F(MachineFiles, WhatThePanelKnowsIsSavedAndOpenedAgain) {
     EXPECT_EQ(saved.axes[0].expected, (ModuleIdentity{ModuleType::Servo, 4}));
     EXPECT_EQ(saved.axes[1].expected, (ModuleIdentity{ModuleType::Stepper, 1}));
 
-    IntentPanel another;
+    VirtualPanel another;
     another.start();
     open(another, path);
     click(another, "applyDifferencesButton");
@@ -308,7 +308,7 @@ TEST_F(MachineFiles, UnknownKeysAreStillThereAfterSaving) {
     std::string text = writeMachine(twoServos());
     text.insert(1, "\n  \"serial\": \"A-17\",");
     const QString path = write("keys.json", text);
-    IntentPanel panel;
+    VirtualPanel panel;
     panel.start();
     open(panel, path);
     click(panel, "applyDifferencesButton");
@@ -324,7 +324,7 @@ TEST_F(MachineFiles, ABadFileNamesLineAndFieldAndNothingChanges) {
     const QString path = write("bad.json", text);
     const auto line =
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("40000")), '\n');
-    IntentPanel panel;
+    VirtualPanel panel;
     panel.start();
     open(panel, path);
     EXPECT_EQ(panel.headlines().first(),
@@ -336,7 +336,7 @@ TEST_F(MachineFiles, ABadFileNamesLineAndFieldAndNothingChanges) {
 }
 
 TEST_F(MachineFiles, AFolderThatIsNotThereLosesNothing) {
-    IntentPanel panel;
+    VirtualPanel panel;
     panel.start();
     rename(panel, "Z");
     saveAs(panel, directory.filePath(QStringLiteral("none/mill.json")));
@@ -353,13 +353,13 @@ TEST_F(MachineFiles, AFolderThatIsNotThereLosesNothing) {
 TEST_F(MachineFiles, TheLastEightFilesAreRemembered) {
     const QString settings = directory.filePath(QStringLiteral("panel.ini"));
     {
-        IntentPanel panel(settings);
+        VirtualPanel panel(settings);
         panel.start();
         for (int i = 1; i <= 9; ++i)
             saveAs(panel, directory.filePath(QStringLiteral("m%1.json").arg(i)));
         saveAs(panel, directory.filePath(QStringLiteral("m5.json")));
     }
-    IntentPanel panel(settings);
+    VirtualPanel panel(settings);
     panel.start();
     QStringList names;
     for (const QString& path : menu(panel).file().recent)
@@ -372,7 +372,7 @@ TEST_F(MachineFiles, TheLastEightFilesAreRemembered) {
 TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
     const QString settings = directory.filePath(QStringLiteral("panel.ini"));
     {
-        IntentPanel panel(settings);
+        VirtualPanel panel(settings);
         panel.start();
         open(panel, file);
         click(panel, "applyDifferencesButton");
@@ -380,7 +380,7 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
     }
     EXPECT_EQ(machineIn(file), twoServos()) << "the file is the user's to save";
     {
-        IntentPanel panel(settings);
+        VirtualPanel panel(settings);
         panel.start();
         EXPECT_EQ(panel.headlines().first(), QStringLiteral("Unsaved changes to \"mill\" were recovered."));
         EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel")) << "not before it is asked for";
@@ -392,7 +392,7 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
         EXPECT_EQ(machineIn(file).axes[0].name, "Unsaved");
         EXPECT_EQ(machineIn(file).axes[1], twoServos().axes[1]);
     }
-    IntentPanel panel(settings);
+    VirtualPanel panel(settings);
     panel.start();
     EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), 0) << "it is saved";
 }
@@ -400,7 +400,7 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
 TEST_F(MachineFiles, UnsavedWorkThatIsDiscardedIsGone) {
     const QString settings = directory.filePath(QStringLiteral("panel.ini"));
     for (const int starts : {1, 2}) {
-        IntentPanel panel(settings);
+        VirtualPanel panel(settings);
         panel.start();
         EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), starts - 1);
         if (starts == 1)
@@ -408,14 +408,14 @@ TEST_F(MachineFiles, UnsavedWorkThatIsDiscardedIsGone) {
         else
             EXPECT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Discard")));
     }
-    IntentPanel panel(settings);
+    VirtualPanel panel(settings);
     panel.start();
     EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), 0);
 }
 
 TEST_F(MachineFiles, UnsavedWorkIsKeptAFewSecondsAfterTheChange) {
     const QString settings = directory.filePath(QStringLiteral("panel.ini"));
-    IntentPanel panel(settings);
+    VirtualPanel panel(settings);
     panel.start();
     rename(panel, "Z");
     // As a program that is killed would leave it.
@@ -430,14 +430,14 @@ TEST_F(MachineFiles, UnsavedWorkIsKeptAFewSecondsAfterTheChange) {
 TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothing) {
     const QString settings = directory.filePath(QStringLiteral("panel.ini"));
     {
-        IntentPanel panel(settings);
+        VirtualPanel panel(settings);
         panel.start();
         open(panel, file);
         click(panel, "applyDifferencesButton");
         rename(panel, "Unsaved");
     }
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    IntentPanel panel(settings);
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel(settings);
     connectTo(panel, sim);
     const std::string before = told(sim);
     ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Restore")));
@@ -450,8 +450,8 @@ TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothin
 }
 
 TEST_F(MachineFiles, TheTableFollowsTheChainThatIsConnected) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    IntentPanel panel;
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
     panel.start();
     open(panel, file);
     const auto gains = [&] { return table(panel)->topLevelItem(3)->text(3); };

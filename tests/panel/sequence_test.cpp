@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A person teaches points, makes a sequence of them and runs it, in the window against nmcsim: where the
-// motor is, is the simulator's word.
+// A person teaches points, makes a sequence of them and runs it, in the window against the simulator: where
+// the motor is, is the simulator's word.
 #include <gtest/gtest.h>
 
 #include <QAbstractItemView>
@@ -10,14 +10,14 @@
 #include <QLineEdit>
 #include <QTableView>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
 using testing_support::moves;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 using namespace Qt::StringLiterals;
 
 class Sequences : public testing::Test {
@@ -100,8 +100,8 @@ protected:
             ASSERT_NO_FATAL_FAILURE(panel.click("addRowButton"));
         ASSERT_NO_FATAL_FAILURE(choose(1, 1, u"Place"_s));
     }
-    NmcsimProcess sim{u"servo"_s};
-    IntentPanel panel;
+    VirtualChain sim{u"servo"_s};
+    VirtualPanel panel;
 };
 
 TEST_F(Sequences, TaughtMadeAndRun) {

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Amplifier of an SC, by mouse and keys, over a pseudo-terminal that nmcsim serves; the oracle is
-// what nmcsim knows of the module.
+// The page Amplifier of an SC, by mouse and keys; the oracle is what the simulator knows of the module.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
 #include <QLabel>
 
-#include "panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using testing_support::IntentPanel;
 using testing_support::moves;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class AmplifierPage : public testing::Test {
 protected:
@@ -62,8 +61,8 @@ protected:
                 all << label->text();
         return all.join(u'\n');
     }
-    NmcsimProcess sim{u"servo@10"_s};
-    IntentPanel panel;
+    VirtualChain sim{u"servo@10"_s};
+    VirtualPanel panel;
 };
 
 TEST_F(AmplifierPage, AClosedLimitStopsTheMotorAndItIsShownAtRest) {

@@ -5,14 +5,14 @@
 #include <QDir>
 #include <QLabel>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 QString logIn(const QTemporaryDir& folder) {
     const QDir dir(folder.filePath(u"log"_s));
@@ -28,7 +28,7 @@ QString logIn(const QTemporaryDir& folder) {
 class HistoryKept : public testing::Test {
 protected:
     /// The stepper runs; a limit or the E-stop input switches it off.
-    void run(IntentPanel& panel) {
+    void run(VirtualPanel& panel) {
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() != Activity::Unknown; }));
         ASSERT_TRUE(panel.answersFor(0.3));
         stepper::SetParameters parameters;
@@ -45,14 +45,14 @@ protected:
         panel.ask(stepperintent::Move{steppermotion::VelocityProfile{40, 4, false}});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
     }
-    void offBy(IntentPanel& panel, const QString& line, const QString& back, const QString& words) {
+    void offBy(VirtualPanel& panel, const QString& line, const QString& back, const QString& words) {
         ASSERT_NO_FATAL_FAILURE(run(panel));
         (void)sim.control(line);
         ASSERT_TRUE(panel.waitFor([&] { return panel.standing(words) != nullptr; }))
             << panel.headlines().join(u" | "_s).toStdString();
         (void)sim.control(back);
     }
-    NmcsimProcess sim{u"step"_s};
+    VirtualChain sim{u"step"_s};
 };
 
 TEST_F(HistoryKept, HeatLimitAndEstopAreThreeEntriesThatEndAndTheLogHasThem) {
@@ -60,7 +60,7 @@ TEST_F(HistoryKept, HeatLimitAndEstopAreThreeEntriesThatEndAndTheLogHasThem) {
     const QStringList causes{u"is too hot"_s, u"because a limit switch is active"_s,
                              u"because its E-stop input is active"_s};
     {
-        IntentPanel panel({}, {}, folder.path());
+        VirtualPanel panel({}, {}, folder.path());
         panel.start();
         ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
         ASSERT_NO_FATAL_FAILURE(offBy(panel, u"set 1 analog 70"_s, u"set 1 analog 200"_s, causes[0]));
@@ -78,7 +78,7 @@ TEST_F(HistoryKept, HeatLimitAndEstopAreThreeEntriesThatEndAndTheLogHasThem) {
     const QString log = logIn(folder);
     for (const QString& cause : causes)
         EXPECT_EQ(log.count(cause), 2) << "told, and over: " << log.toStdString();
-    IntentPanel later({}, {}, folder.path());
+    VirtualPanel later({}, {}, folder.path());
     later.start();
     ASSERT_NO_FATAL_FAILURE(later.connectTo(sim.terminal()));
     EXPECT_TRUE(later.waitFor([&] { return logIn(folder).size() > log.size(); }));
@@ -89,7 +89,7 @@ TEST_F(HistoryKept, ALogThatCannotBeWrittenIsSaidOnceAndEverythingElseWorks) {
     const QTemporaryDir folder;
     QFile inTheWay(folder.filePath(u"log"_s));
     ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
-    IntentPanel panel({}, {}, folder.path());
+    VirtualPanel panel({}, {}, folder.path());
     panel.start();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"lost when this session ends"_s) == 1; }));

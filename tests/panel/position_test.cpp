@@ -4,19 +4,19 @@
 
 #include <QLabel>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class PositionKept : public testing::Test {
 protected:
     /// Home is saved where the servo is, and it goes 5 000 counts away from there.
-    void leaveAt5000(IntentPanel& panel) {
+    void leaveAt5000(VirtualPanel& panel) {
         panel.composition().show({sim.terminal(), 115'200, false});
         ASSERT_TRUE(panel.waitFor(
             [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
@@ -35,23 +35,23 @@ protected:
     }
     /// All modules lose their power and have it again.
     void power() { (void)sim.control(u"power-cycle all"_s); }
-    [[nodiscard]] static QString head(IntentPanel& panel) {
+    [[nodiscard]] static QString head(VirtualPanel& panel) {
         return panel.window().findChild<QLabel*>(u"homeState"_s)->text();
     }
-    NmcsimProcess sim{u"servo,servo"_s};
+    VirtualChain sim{u"servo,servo"_s};
     QTemporaryDir folder;
     const QString offer = u"from home when last seen"_s;
 };
 
 TEST_F(PositionKept, IsOfferedAfterAPowerOffAndIsNotVerifiedUntilHomeIsSavedAgain) {
     {
-        IntentPanel panel({}, {}, folder.path());
+        VirtualPanel panel({}, {}, folder.path());
         ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
         panel.disconnect();
         ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
     }
     power();
-    IntentPanel panel({}, {}, folder.path());
+    VirtualPanel panel({}, {}, folder.path());
     panel.start();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }))
@@ -75,12 +75,12 @@ TEST_F(PositionKept, IsOfferedAfterAPowerOffAndIsNotVerifiedUntilHomeIsSavedAgai
 
 TEST_F(PositionKept, WhatIsForgottenIsNotOfferedAgain) {
     {
-        IntentPanel panel({}, {}, folder.path());
+        VirtualPanel panel({}, {}, folder.path());
         ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
     }
     power();
     {
-        IntentPanel panel({}, {}, folder.path());
+        VirtualPanel panel({}, {}, folder.path());
         panel.start();
         ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
         ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
@@ -89,7 +89,7 @@ TEST_F(PositionKept, WhatIsForgottenIsNotOfferedAgain) {
         ASSERT_TRUE(panel.answersFor(1.0));
     }
     power();
-    IntentPanel panel({}, {}, folder.path());
+    VirtualPanel panel({}, {}, folder.path());
     panel.start();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
@@ -99,14 +99,14 @@ TEST_F(PositionKept, WhatIsForgottenIsNotOfferedAgain) {
 
 TEST_F(PositionKept, OneThatMovedWhenItsPowerWentIsNotOffered) {
     {
-        IntentPanel panel({}, {}, folder.path());
+        VirtualPanel panel({}, {}, folder.path());
         ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
         panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
         power();
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().silent || !panel.connected(); }));
     }
-    IntentPanel panel({}, {}, folder.path());
+    VirtualPanel panel({}, {}, folder.path());
     panel.start();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything the servo's panel can ask for, through the whole program by object name, against nmcsim.
+// Everything the servo's panel can ask for, through the whole program by object name, against the simulator.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -11,13 +11,13 @@
 #include <QLineEdit>
 #include <QTabWidget>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 using namespace Qt::StringLiterals;
 
 class ServoPage : public testing::Test {
@@ -63,8 +63,8 @@ protected:
         return panel.waitFor(
             [&] { return std::abs(sim.state(number)[u"position"_s].toInt() - position) <= 3; });
     }
-    NmcsimProcess sim{u"servo,servo,servo"_s};
-    IntentPanel panel;
+    VirtualChain sim{u"servo,servo,servo"_s};
+    VirtualPanel panel;
 };
 
 TEST_F(ServoPage, LoadsNowAndStartsLaterByADistance) {

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The homing page through the whole program, by object name, against nmcsim: where home is, is the
+// The homing page through the whole program, by object name, against the simulator: where home is, is the
 // simulator's word.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTabWidget>
 #include <QTimer>
 
 #include "model/intent/homingplan.h"
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
+using namespace std::chrono_literals;
 using namespace Qt::StringLiterals;
 
 class HomingPage : public testing::Test {
 protected:
     /// Connected, with gains, enabled, and the homing page in sight.
-    void begin(NmcsimProcess& sim) {
+    void begin() {
         panel.composition().show({sim.terminal(), 115'200, false});
         ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
         // Limit 1 is at -700, limit 2 at 9 000; the shaft stands on its index.
@@ -66,12 +66,13 @@ protected:
         EXPECT_TRUE(came) << text("homingResultLabel").toStdString();
         return came;
     }
-    IntentPanel panel;
+    VirtualChain sim{u"servo,servo"_s};
+    VirtualChain stepFirst{u"step,servo"_s};
+    VirtualPanel panel;
 };
 
 TEST_F(HomingPage, FindsTheLimitGoesThereAndMakesItZero) {
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     type("homingVelocityField", u"1,5"_s);
     click("homeButton");
     EXPECT_TRUE(panel.waitFor([&] { return button("cancelHomingButton")->isEnabled(); }));
@@ -93,8 +94,7 @@ TEST_F(HomingPage, FindsTheLimitGoesThereAndMakesItZero) {
 
 /// The shaft's word, whatever the counter was set to: home is where limit 1 closes, at -700.
 TEST_F(HomingPage, GoHomeAfterAZeroGoesWhereHomeIs) {
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     const auto shaft = [&] { return sim.state(1)[u"shaft"_s].toDouble(); };
     EXPECT_FALSE(button("goHomeButton")->isEnabled()) << "nobody has searched for it";
     EXPECT_EQ(text("homeState"), u"Home: unknown"_s);
@@ -124,8 +124,7 @@ TEST_F(HomingPage, GoHomeAfterAZeroGoesWhereHomeIs) {
 }
 
 TEST_F(HomingPage, ScanAgainEndsTheSearchForHomeAndThenLooks) {
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
@@ -136,8 +135,7 @@ TEST_F(HomingPage, ScanAgainEndsTheSearchForHomeAndThenLooks) {
 }
 
 TEST_F(HomingPage, TheIndexBehindTheLimit) {
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     type("homingVelocityField", u"1.5"_s);
     type("homingIndexVelocityField", u"0.3"_s);
     click("thenIndexBox");
@@ -152,8 +150,7 @@ TEST_F(HomingPage, TheIndexBehindTheLimit) {
 }
 
 TEST_F(HomingPage, AHardStopIsHomeAndNoTrip) {
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 150, 1, std::uint8_t{0}}});
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->el == 150; }));
     type("homingVelocityField", u"1.5"_s);
@@ -171,8 +168,7 @@ TEST_F(HomingPage, AHardStopIsHomeAndNoTrip) {
 }
 
 TEST_F(HomingPage, M15_AModuleThatFallsSilentIsNotHomedAndToldToStop) {
-    NmcsimProcess sim(u"servo,servo"_s, {u"--enable-faults"_s});
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
@@ -188,10 +184,9 @@ TEST_F(HomingPage, M15_AModuleThatFallsSilentIsNotHomedAndToldToStop) {
 }
 
 TEST_F(HomingPage, AStepperFindsItsHomeSwitchToo) {
-    NmcsimProcess sim(u"step,servo"_s);
-    panel.composition().show({sim.terminal(), 115'200, false});
+    panel.composition().show({stepFirst.terminal(), 115'200, false});
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
-    std::ignore = sim.control(u"set 1 home_switch_at 600"_s);
+    std::ignore = stepFirst.control(u"set 1 home_switch_at 600"_s);
     const stepper::SetParameters parameters{stepper::SpeedMode::X1, false, false, false, 4, 200, 50, 0};
     panel.composition().worker().submit(
         {bus::OperationId(1'000'000),
@@ -203,14 +198,13 @@ TEST_F(HomingPage, AStepperFindsItsHomeSwitchToo) {
     panel.ask(intent::Home{recipe});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"found home"_s) == 1; }))
         << panel.headlines().join(u'\n').toStdString();
-    EXPECT_EQ(sim.state(1)[u"position"_s].toInt(), 0);
-    EXPECT_NEAR(sim.state(1)[u"home"_s].toInt(), 600, 1);
-    EXPECT_EQ(sim.violations(), "");
+    EXPECT_EQ(stepFirst.state(1)[u"position"_s].toInt(), 0);
+    EXPECT_NEAR(stepFirst.state(1)[u"home"_s].toInt(), 600, 1);
+    EXPECT_EQ(stepFirst.violations(), "");
 }
 
 TEST_F(HomingPage, CancelStopsTheMotor) {
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
@@ -234,8 +228,7 @@ class OtherWish : public HomingPage, public testing::WithParamInterface<Other> {
 /// Whatever the user asks for meanwhile ends the search, and the motor is left as that asked for.
 TEST_P(OtherWish, EndsTheSearchAndIsNotUndone) {
     const auto [name, on] = GetParam();
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
@@ -262,8 +255,7 @@ INSTANTIATE_TEST_SUITE_P(Buttons, OtherWish,
                          [](const auto& tested) { return std::string(tested.param.button); });
 
 TEST_F(HomingPage, ClosingThePortEndsIt) {
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
@@ -274,8 +266,7 @@ TEST_F(HomingPage, ClosingThePortEndsIt) {
 }
 
 TEST_F(HomingPage, TheLimitStopStopsTheMotorAndSaysSo) {
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     EXPECT_TRUE(text("limitStopState").contains(u"Not armed"_s));
     click("armLimitStopButton");
     ASSERT_TRUE(panel.waitFor([&] {
@@ -291,8 +282,7 @@ TEST_F(HomingPage, TheLimitStopStopsTheMotorAndSaysSo) {
 }
 
 TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     auto* procedures = panel.composition().findChild<ProcedureController*>();
     panel.ask(intent::MoveBy{{250, 3, 0.05, false}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)});
     ASSERT_TRUE(procedures->anyRunning());
@@ -314,19 +304,12 @@ TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
 }
 
 TEST_F(HomingPage, N2_AfterAFreezeOfThePanelNoMoveFollows) {
-    NmcsimProcess sim(u"servo,servo"_s);
-    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    ASSERT_NO_FATAL_FAILURE(begin());
     auto* procedures = panel.composition().findChild<ProcedureController*>();
     panel.ask(intent::MoveBy{{5'000, 1'000, 0.0, true}, CountsPerTick(1 << 15), CountsPerTickSquared(1'311)});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
-    bool frozen = false;
-    QTimer::singleShot(0, [&] {
-        QElapsedTimer clock;
-        clock.start();
-        while (clock.elapsed() < 2'600)
-            frozen = !testing_support::moves(sim);
-    });
-    ASSERT_TRUE(panel.waitFor([&] { return frozen; }));
+    panel.freeze(2'600ms);
+    ASSERT_FALSE(testing_support::moves(sim));
     const int there = sim.state(1)[u"position"_s].toInt();
     EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning(); }));
     ASSERT_TRUE(panel.answersFor(0.3));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step responses through the whole program, by object name, against nmcsim: what the motor did is the
+// Step responses through the whole program, by object name, against the simulator: what the motor did is the
 // simulator's word.
 #include <gtest/gtest.h>
 
@@ -8,15 +8,15 @@
 #include <QLineEdit>
 #include <QTableWidget>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 #include "widgets/response/responsepage.h"
 #include "widgets/response/responseplot.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 using namespace Qt::StringLiterals;
 
 class StepResponsePlace : public testing::Test {
@@ -77,8 +77,8 @@ protected:
         return find<QTableWidget>("responseResults")->item(row, column)->text();
     }
 
-    NmcsimProcess sim{u"servo,servo,servo"_s};
-    IntentPanel panel;
+    VirtualChain sim{u"servo,servo,servo"_s};
+    VirtualPanel panel;
     int goal = 0;  ///< counts, of the last step
 };
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pendant and operator mode in the whole program, against what nmcsim knows of the motor.
+// Pendant and operator mode in the whole program, against what the simulator knows of the motor.
 #include <gtest/gtest.h>
 
 #include <QAction>
 #include <QLineEdit>
 
-#include "tests/app/panel.h"
 #include "tests/support/virtualpad.h"
+#include "tests/support/virtualpanel.h"
 #include "widgets/mainwindow/operatorlock.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using testing_support::IntentPanel;
 using testing_support::moves;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class ByHand : public testing::Test {
 protected:
@@ -47,8 +47,8 @@ protected:
         panel.window().activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
     }
-    NmcsimProcess sim{u"servo,servo"_s};
-    IntentPanel panel;
+    VirtualChain sim{u"servo,servo"_s};
+    VirtualPanel panel;
 };
 
 TEST_F(ByHand, TheMotorMovesWhileBothKeysAreHeldAndStopsWithTheFirstThatIsReleased) {

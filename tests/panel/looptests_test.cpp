@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Square waves, frequency responses and the report, in the whole program: by its buttons, against nmcsim.
+// Square waves, frequency responses and the report, in the whole program: by its buttons, against the
+// simulator.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -10,15 +11,15 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 
-#include "tests/app/panel.h"
 #include "tests/support/choosefile.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class TestsOfTheLoop : public testing::Test {
 protected:
@@ -56,8 +57,8 @@ protected:
         return panel.waitFor([&] { return !end->isEnabled(); });
     }
     [[nodiscard]] int position() { return sim.state(1)[u"position"_s].toInt(); }
-    NmcsimProcess sim{u"servo"_s};
-    IntentPanel panel;
+    VirtualChain sim{u"servo"_s};
+    VirtualPanel panel;
 };
 
 TEST_F(TestsOfTheLoop, ASquareWaveTakesNewGainsAndItsFoldIsKept) {

@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/monkey/bench.h"
+#include "tests/support/virtualchain.h"
 
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <QJsonDocument>
 #include <algorithm>
 #include <utility>
 
 #include "base/bytes.h"
+#include "sim/chainspec.h"
 #include "sim/control.h"
-#include "tests/monkey/virtualtime.h"
+#include "tests/support/virtualtime.h"
 
-namespace nmc::monkey {
+namespace nmc::testing_support {
 
 namespace {
 
 constexpr std::uint8_t kHeaderByte = 0xAA;
 constexpr std::size_t kShortest = 4;      // header, address, command, sum
 constexpr std::uint8_t kStartNow = 0x80;  // of Load Trajectory's control byte
+
+/// In the order of their ports.
+std::vector<VirtualChain*>& chains() {
+    static std::vector<VirtualChain*> all;
+    return all;
+}
 
 }  // namespace
 
@@ -28,29 +36,29 @@ bool Packet::starts() const {
 }
 
 /// Lives in the bus thread, all of it.
-class Bench::Port : public Transport {
+class VirtualChain::Port : public Transport {
 public:
-    Port(Bench& bench, std::string name) : m_bench(bench), m_name(std::move(name)) {
-        std::unique_lock lock(m_bench.m_mutex);
-        m_bench.waitForTurn(lock);
+    Port(VirtualChain& bench, std::string name) : m_on(bench), m_name(std::move(name)) {
+        std::unique_lock lock(m_on.m_mutex);
+        m_on.waitForTurn(lock);
     }
-    ~Port() override { m_bench.end(); }
+    ~Port() override { m_on.end(); }
 
     tl::expected<void, PortError> open() override {
-        if (!m_bench.m_plugged)
+        if (!m_on.m_plugged)
             return tl::unexpected(error(PortProblem::NotFound));
         return setBaud(19'200);
     }
     tl::expected<void, PortError> setBaud(std::uint32_t baud) override {
-        m_bench.m_chain.advanceTo(m_bench.chainTime());
-        m_bench.m_chain.setHostBaud(baud);
+        m_on.m_chain.advanceTo(m_on.chainTime());
+        m_on.m_chain.setHostBaud(baud);
         return {};
     }
     tl::expected<void, PortError> send(ByteSpan bytes) override {
-        if (!m_bench.m_plugged)
+        if (!m_on.m_plugged)
             return tl::unexpected(error(PortProblem::Gone));
         note(bytes);
-        m_bench.m_chain.hostSends(bytes, m_bench.chainTime());
+        m_on.m_chain.hostSends(bytes, m_on.chainTime());
         return {};
     }
     void discardInput() override { (void)arrived(); }
@@ -58,7 +66,7 @@ public:
     tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
                                                                int wakeFd) override {
         while (true) {
-            if (!m_bench.m_plugged)
+            if (!m_on.m_plugged)
                 return tl::unexpected(error(PortProblem::Gone));
             std::vector<std::uint8_t> bytes = arrived();
             pollfd wake{wakeFd, POLLIN, 0};
@@ -66,15 +74,15 @@ public:
             if (woken || !bytes.empty() || (until && virtualtime::now() >= *until))
                 return bytes;
             std::optional<TimePoint> next = until;
-            if (const auto event = m_bench.m_chain.nextEvent()) {
-                const TimePoint due = m_bench.m_powerUp + event->time_since_epoch();
+            if (const auto event = m_on.m_chain.nextEvent()) {
+                const TimePoint due = m_on.m_powerUp + event->time_since_epoch();
                 next = next ? std::min(*next, due) : due;
             }
-            m_bench.waitUntil(next);
+            m_on.waitUntil(next);
         }
     }
     std::optional<std::string> control(std::string_view line) override {
-        return sim::handleControlLine(m_bench.m_chain, line, m_bench.chainTime());
+        return sim::handleControlLine(m_on.m_chain, line, m_on.chainTime());
     }
 
 private:
@@ -85,9 +93,9 @@ private:
         return error;
     }
     std::vector<std::uint8_t> arrived() {
-        m_bench.m_chain.advanceTo(m_bench.chainTime());
+        m_on.m_chain.advanceTo(m_on.chainTime());
         std::vector<std::uint8_t> bytes;
-        for (const sim::HostByte& byte : m_bench.m_chain.takeHostBytes())
+        for (const sim::HostByte& byte : m_on.m_chain.takeHostBytes())
             bytes.push_back(byte.value);
         return bytes;
     }
@@ -99,18 +107,18 @@ private:
                 continue;
             }
             const std::size_t end = std::min(at + kShortest + (bytes[at + 2] >> 4U), bytes.size());
-            m_bench.m_packets.push_back({virtualtime::now(),
-                                         {bytes.begin() + static_cast<std::ptrdiff_t>(at),
-                                          bytes.begin() + static_cast<std::ptrdiff_t>(end)}});
+            m_on.m_packets.push_back({virtualtime::now(),
+                                      {bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                                       bytes.begin() + static_cast<std::ptrdiff_t>(end)}});
             at = end;
         }
     }
 
-    Bench& m_bench;
+    VirtualChain& m_on;
     std::string m_name;
 };
 
-Bench::Bench(const std::vector<ModuleIdentity>& modules, std::uint64_t seed)
+VirtualChain::VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed)
     : m_chain(modules,
               [seed] {
                   sim::ChainOptions options;
@@ -118,16 +126,41 @@ Bench::Bench(const std::vector<ModuleIdentity>& modules, std::uint64_t seed)
                   options.enableFaults = true;
                   return options;
               }()),
-      m_powerUp(virtualtime::now()) {}
+      m_terminal(QStringLiteral("/dev/ttyUSB%1").arg(chains().size())),
+      m_powerUp(virtualtime::now()) {
+    chains().push_back(this);
+}
 
-Composition::Transports Bench::transports() {
+VirtualChain::VirtualChain(const QString& modules)
+    : VirtualChain(sim::parseChain(modules.toStdString()).value()) {}
+
+VirtualChain::~VirtualChain() {
+    if (open())
+        qFatal("A chain must outlive the panels at it.");
+    std::erase(chains(), this);
+}
+
+VirtualChain* VirtualChain::at(const QString& terminal) {
+    const auto chain = std::ranges::find(chains(), terminal, &VirtualChain::terminal);
+    return chain != chains().end() ? *chain : nullptr;
+}
+
+void VirtualChain::runAll(Duration time) {
+    const TimePoint until = virtualtime::now() + time;
+    for (VirtualChain* chain : chains())
+        if (chain->open())
+            chain->run(until - virtualtime::now());
+    virtualtime::set(until);
+}
+
+Composition::Transports VirtualChain::transports() {
     return [this](const ConnectTarget& target) {
         m_open = true;
         return [this, name = target.port.toStdString()] { return std::make_unique<Port>(*this, name); };
     };
 }
 
-void Bench::run(Duration time) {
+void VirtualChain::run(Duration time) {
     std::unique_lock lock(m_mutex);
     m_until = virtualtime::now() + time;
     if (m_open) {
@@ -138,16 +171,16 @@ void Bench::run(Duration time) {
     virtualtime::set(m_until);
 }
 
-bool Bench::open() {
+bool VirtualChain::open() {
     const std::scoped_lock lock(m_mutex);
     return m_open;
 }
 
-void Bench::waitForTurn(std::unique_lock<std::mutex>& lock) {
+void VirtualChain::waitForTurn(std::unique_lock<std::mutex>& lock) {
     m_changed.wait(lock, [this] { return !m_guisTurn; });
 }
 
-void Bench::waitUntil(std::optional<TimePoint> time) {
+void VirtualChain::waitUntil(std::optional<TimePoint> time) {
     std::unique_lock lock(m_mutex);
     if (time && *time <= m_until) {
         virtualtime::set(std::max(virtualtime::now(), *time));
@@ -158,28 +191,34 @@ void Bench::waitUntil(std::optional<TimePoint> time) {
     waitForTurn(lock);
 }
 
-void Bench::end() {
+void VirtualChain::end() {
     const std::scoped_lock lock(m_mutex);
     m_open = false;
     m_guisTurn = true;
     m_changed.notify_all();
 }
 
-TimePoint Bench::chainTime() const {
+TimePoint VirtualChain::chainTime() const {
     return TimePoint(virtualtime::now() - m_powerUp);
 }
 
-sim::ModuleSnapshot Bench::look(std::size_t place) {
+sim::ModuleSnapshot VirtualChain::look(std::size_t place) {
     return m_chain.snapshot(ModuleIndex(static_cast<std::uint8_t>(place)), chainTime());
 }
 
-void Bench::tell(const std::string& line) {
+QJsonObject VirtualChain::control(const QString& line) {
+    return QJsonDocument::fromJson(
+               QByteArray::fromStdString(sim::handleControlLine(m_chain, line.toStdString(), chainTime())))
+        .object();
+}
+
+void VirtualChain::tell(const std::string& line) {
     const std::string answer = sim::handleControlLine(m_chain, line, chainTime());
     if (answer.find("error") != std::string::npos)
         ADD_FAILURE() << line << ": " << answer;
 }
 
-bool Bench::driven(std::size_t place) {
+bool VirtualChain::driven(std::size_t place) {
     const sim::ModuleSnapshot module = look(place);
     if (module.stepper)
         return module.stepper->moving;
@@ -189,12 +228,12 @@ bool Bench::driven(std::size_t place) {
     return servo.mode == sim::ServoMode::Pwm && servo.pwm != 0 && servo.ampEnabled && servo.power;
 }
 
-bool Bench::isOn(std::size_t place) {
+bool VirtualChain::isOn(std::size_t place) {
     const sim::ModuleSnapshot module = look(place);
     return module.stepper ? module.stepper->ampEnabled : module.servo.servoOn || module.servo.pwm != 0;
 }
 
-std::string Bench::firstViolation() const {
+std::string VirtualChain::violations() const {
     const auto& entries = m_chain.violations().entries();
     if (entries.empty())
         return {};
@@ -203,4 +242,4 @@ std::string Bench::firstViolation() const {
            toHex(first.bytes);
 }
 
-}  // namespace nmc::monkey
+}  // namespace nmc::testing_support

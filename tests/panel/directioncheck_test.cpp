@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a servo that nobody knows to its first home, through the whole program against nmcsim; and one whose
-// encoder is reversed.
+// From a servo that nobody knows to its first home, through the whole program against the simulator; and one
+// whose encoder is reversed.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
 #include <QLabel>
 #include <QTabWidget>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 using namespace Qt::StringLiterals;
 
 class FirstSession : public testing::Test {
@@ -52,8 +52,8 @@ protected:
         EXPECT_EQ(truth[u"pwm"_s].toInt(), 0);
     }
 
-    NmcsimProcess sim{u"servo,servo"_s, {u"--enable-faults"_s}};
-    IntentPanel panel;
+    VirtualChain sim{u"servo,servo"_s};
+    VirtualPanel panel;
 };
 
 TEST_F(FirstSession, ChecksEnablesAndHomesWithStartingValues) {

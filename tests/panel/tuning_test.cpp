@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From all gains zero to a settled loop, in the whole program: by its buttons, against nmcsim.
+// From all gains zero to a settled loop, in the whole program: by its buttons, against the simulator.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -12,14 +12,14 @@
 #include <numbers>
 #include <utility>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class Tuning : public testing::Test {
 protected:
@@ -77,8 +77,8 @@ protected:
         EXPECT_FALSE(panel.window().findChild<QAbstractButton*>(u"identifyButton"_s)->isEnabled());
         EXPECT_TRUE(text("suggestedGains").isEmpty());
     }
-    NmcsimProcess sim{u"servo"_s, {u"--enable-faults"_s}};
-    IntentPanel panel;
+    VirtualChain sim{u"servo"_s};
+    VirtualPanel panel;
 };
 
 TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
@@ -107,10 +107,9 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
     ASSERT_NO_FATAL_FAILURE(click("fillSuggestedButton"));
     EXPECT_EQ(panel.module().gains->kp, 100) << "nothing is sent";
     clicks += 2;
-    ASSERT_NO_FATAL_FAILURE(panel.step([this, sent = false]() mutable {
+    ASSERT_NO_FATAL_FAILURE(panel.step([this] {
         panel.click("responseButton");
-        if (!std::exchange(sent, true))
-            panel.click("applyAndStepButton");
+        panel.click("applyAndStepButton");
     }));
     EXPECT_LE(clicks, 8);
     const auto* table = panel.window().findChild<QTableWidget*>(u"responseResults"_s);

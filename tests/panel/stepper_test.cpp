@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that a PIC-STEP can do, through the window and by object name, over a pseudo-terminal that
-// nmcsim serves; the oracle is what nmcsim knows of the motor, and it must have seen nothing that a chip
-// would not forgive.
+// Everything that a PIC-STEP can do, through the window and by object name; the oracle is what the simulator
+// knows of the motor, and it must have seen nothing that a chip would not forgive.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -9,30 +8,24 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QSettings>
 #include <QTabWidget>
-#include <QTemporaryDir>
-#include <QTest>
 
-#include "app/composition.h"
 #include "app/procedurecontroller.h"
-#include "tests/support/nmcsimprocess.h"
-#include "tests/support/turnto.h"
-#include "widgets/messages/messagelist.h"
-#include "widgets/messages/messagerow.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class SteppersByHand : public testing::Test {
 protected:
     void SetUp() override {
-        m_composition.show({sim.terminal(), 115'200, false});
+        panel.composition().show({sim.terminal(), 115'200, false});
         ASSERT_TRUE(waitFor([&] {
-            return m_composition.store().link().phase == LinkPhase::Connected &&
-                   m_composition.store().link().modules.size() == 2;
+            return panel.composition().store().link().phase == LinkPhase::Connected &&
+                   panel.composition().store().link().modules.size() == 2;
         })) << headlines().join(QStringLiteral(" | ")).toStdString();
         auto& list = find<QAbstractItemView>("chainList");
         list.setCurrentIndex(list.model()->index(1, 0));
@@ -42,7 +35,7 @@ protected:
 
     template <typename Widget = QWidget>
     Widget& find(const char* name) {
-        auto* widget = m_composition.window().findChild<Widget*>(QLatin1String(name));
+        auto* widget = panel.composition().window().findChild<Widget*>(QLatin1String(name));
         if (widget == nullptr)
             throw std::runtime_error(std::string("there is no ") + name);
         testing_support::turnTo(*widget);
@@ -66,18 +59,13 @@ protected:
     }
     template <typename Predicate>
     bool waitFor(Predicate predicate) {
-        return QTest::qWaitFor(predicate, 20'000);
+        return panel.waitFor(predicate);
     }
-    [[nodiscard]] const ModuleState& module() const { return *m_composition.store().module(ModuleIndex(1)); }
+    [[nodiscard]] const ModuleState& module() { return *panel.composition().store().module(ModuleIndex(1)); }
     [[nodiscard]] QJsonObject truth() { return sim.state(2); }
     [[nodiscard]] double rate() { return truth()[QStringLiteral("step_rate")].toDouble(); }
     [[nodiscard]] int position() { return truth()[QStringLiteral("position")].toInt(); }
-    QStringList headlines() {
-        QStringList lines;
-        for (const MessageRow* row : m_composition.window().findChild<MessageList*>()->rows())
-            lines << row->message().headline;
-        return lines;
-    }
+    QStringList headlines() { return panel.headlines(); }
 
     /// 4x: 100 to 25 000 steps/s.
     void setParameters() {
@@ -112,16 +100,12 @@ protected:
         return waitFor([&] { return !module().moving() && *module().latest->position == goal; });
     }
 
-    NmcsimProcess sim{QStringLiteral("servo,step")};
+    VirtualChain sim{QStringLiteral("servo,step")};
     /// A stop, wait, go is under way.
-    [[nodiscard]] bool changing() const {
-        return m_composition.findChild<ProcedureController*>()->anyRunning();
+    [[nodiscard]] bool changing() {
+        return panel.composition().findChild<ProcedureController*>()->anyRunning();
     }
-
-private:
-    QTemporaryDir m_directory;
-    QSettings m_settings{m_directory.filePath(QStringLiteral("panel.ini")), QSettings::IniFormat};
-    Composition m_composition{m_settings};
+    VirtualPanel panel;
 };
 
 TEST_F(SteppersByHand, NothingMovesOrHoldsBeforeTheParametersWereSent) {

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A PIC-I/O, through the window and by object name, over a pseudo-terminal that nmcsim serves; the oracle is
-// what nmcsim knows of its pins.
+// A PIC-I/O, through the window and by object name; the oracle is what the simulator knows of its pins.
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 
-#include "panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
 using testing_support::clickOn;
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class IoModulePage : public testing::Test {
 protected:
@@ -47,8 +46,8 @@ protected:
         return panel.waitFor([&] { return find<QLabel>(label).text() == words; });
     }
 
-    NmcsimProcess sim{QStringLiteral("io")};
-    IntentPanel panel;
+    VirtualChain sim{QStringLiteral("io")};
+    VirtualPanel panel;
 };
 
 TEST_F(IoModulePage, StopAllTakesLowWhatTheMachineWantsLowAndLeavesTheRest) {

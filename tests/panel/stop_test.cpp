@@ -9,14 +9,14 @@
 #include <QMouseEvent>
 #include <functional>
 
-#include "tests/app/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
 using testing_support::moves;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 struct Open {
     const char* name;
@@ -35,8 +35,8 @@ protected:
     bool stops() {
         return panel.waitFor([this] { return !moves(sim); });
     }
-    NmcsimProcess sim{QStringLiteral("servo,servo")};
-    IntentPanel panel;
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualPanel panel;
 };
 
 TEST_P(StopWhile, ItIsOpenAPressOnStopAllStopsTheMotor) {

@@ -9,9 +9,9 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
-#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <functional>
 
 #include "app/composition.h"
 #include "tests/support/nmcsimprocess.h"
@@ -36,6 +36,8 @@ public:
                              m_chainsFound += std::holds_alternative<bus::ChainFound>(event) ? 1 : 0;
                          });
     }
+
+    virtual ~IntentPanel() = default;
 
     void start() { m_composition.show({}); }
     /// Connects, and waits until the modules are there.
@@ -102,26 +104,9 @@ public:
         ASSERT_NO_FATAL_FAILURE(click("enableButton"));
         ASSERT_TRUE(waitFor([&] { return m_composition.store().module(ModuleIndex(index))->servoOn(); }));
     }
-    /// Makes steps by `start` until one is recorded whole; removes those before it. So does somebody who
-    /// reads "samples missing, repeat" where a busy machine was late.
-    template <typename Start>
-    void step(Start start) {
-        auto* runs = window().findChild<QTableWidget*>(QStringLiteral("responseRunTable"));
-        for (int tries = 0; tries < 10; ++tries) {
-            const int before = runs->rowCount();
-            ASSERT_NO_FATAL_FAILURE(start());
-            ASSERT_TRUE(waitFor([&] { return runs->rowCount() > before; }))
-                << window().findChild<QLabel*>(QStringLiteral("responseState"))->text().toStdString();
-            const auto* results = window().findChild<QTableWidget*>(QStringLiteral("responseResults"));
-            if (results->findItems(QStringLiteral("samples missing, repeat"), Qt::MatchExactly).empty())
-                return;
-            runs->setCurrentCell(0, 2);
-            ASSERT_NO_FATAL_FAILURE(click("responseRemoveButton"));
-        }
-        FAIL() << "ten steps, and none without missing samples";
-    }
     /// Connects to the first of two modules and sets it going.
-    void startMoving(NmcsimProcess& sim) {
+    template <typename Simulator>
+    void startMoving(Simulator& sim) {
         m_composition.show({sim.terminal(), 115'200, false});
         ASSERT_TRUE(waitFor([&] { return connected() && module().activity() != Activity::Unknown; }));
         ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
@@ -133,7 +118,7 @@ public:
     }
     template <typename Predicate>
     bool waitFor(Predicate predicate) {
-        return QTest::qWaitFor(predicate, 20'000);
+        return wait(predicate);
     }
     /// The first module has answered for so much longer: what was on its way to it has come.
     bool answersFor(double seconds) {
@@ -192,6 +177,10 @@ public:
     Composition& composition() { return m_composition; }
     QSettings& settings() { return m_settings; }
 
+protected:
+    /// Until that holds. False: not within 20 seconds.
+    virtual bool wait(const std::function<bool()>& predicate) { return QTest::qWaitFor(predicate, 20'000); }
+
 private:
     QTemporaryDir m_directory;
     QSettings m_settings;
@@ -199,8 +188,9 @@ private:
     int m_chainsFound = 0;
 };
 
-/// Module 1 of nmcsim is on its way.
-inline bool moves(NmcsimProcess& sim) {
+/// Module 1 of a simulator is on its way.
+template <typename Simulator>
+bool moves(Simulator& sim) {
     return std::abs(sim.state(1)[QStringLiteral("command_velocity")].toDouble()) > 0.01;
 }
 

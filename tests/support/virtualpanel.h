@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QTableWidget>
+
+#include "link/files/inbackground.h"
+#include "tests/support/panel.h"
+#include "tests/support/virtualchain.h"
+
+namespace nmc::testing_support {
+
+/// The whole program at a chain in virtual time: while a test waits, time passes on the bus and in the
+/// window, and otherwise it stands still. So the same test is the same session each time, on any machine.
+class VirtualPanel : public IntentPanel {
+public:
+    /// As IntentPanel has them.
+    explicit VirtualPanel(const QString& settings = {}, PortController::Places places = {},
+                          const QString& data = {}, const FileWriter::Disk& disk = writeFile)
+        : IntentPanel(settings, std::move(places), data, disk) {
+        workAtOnce();
+        composition().setTransports([this](const ConnectTarget& target) {
+            m_chain = VirtualChain::at(target.port);
+            return m_chain->transports()(target);
+        });
+    }
+    /// The program would wait for its bus thread, which has time only while somebody waits here.
+    ~VirtualPanel() override {
+        composition().worker().close();
+        while (m_chain != nullptr && m_chain->open())
+            VirtualChain::runAll(kFrame);
+    }
+
+    /// Makes a step by `start`, which is recorded whole.
+    template <typename Start>
+    void step(Start start) {
+        auto* runs = window().findChild<QTableWidget*>(QStringLiteral("responseRunTable"));
+        const int before = runs->rowCount();
+        ASSERT_NO_FATAL_FAILURE(start());
+        ASSERT_TRUE(waitFor([&] { return runs->rowCount() > before; }))
+            << window().findChild<QLabel*>(QStringLiteral("responseState"))->text().toStdString();
+        const auto* results = window().findChild<QTableWidget*>(QStringLiteral("responseResults"));
+        EXPECT_TRUE(results->findItems(QStringLiteral("samples missing, repeat"), Qt::MatchExactly).empty());
+    }
+    /// Time passes on the bus only, as when the window is busy with itself.
+    void freeze(Duration time) { VirtualChain::runAll(time); }
+
+protected:
+    bool wait(const std::function<bool()>& predicate) override {
+        for (Duration waited{}; !predicate(); waited += kFrame) {
+            if (waited > kPatience)
+                return false;
+            VirtualChain::runAll(kFrame);
+            QCoreApplication::processEvents();
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        }
+        return true;
+    }
+
+private:
+    static constexpr Duration kFrame = std::chrono::milliseconds(10);
+    static constexpr Duration kPatience = std::chrono::seconds(20);
+
+    VirtualChain* m_chain = nullptr;  ///< at the port that was opened last
+};
+
+}  // namespace nmc::testing_support
