@@ -99,6 +99,20 @@ TEST_F(ServoPage, StopsHereInTheMiddleOfARun) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+/// The command is on its way: no answer has said yet that anything moves.
+TEST_F(ServoPage, LeavingRightBehindAStartAsksAsWhileItMoves) {
+    ASSERT_NO_FATAL_FAILURE(connectAll(3));
+    ASSERT_NO_FATAL_FAILURE(panel.makeReady());
+    ASSERT_TRUE(panel.answersFor(0.3));
+    QTest::mouseClick(find<QAbstractButton>("runForwardButton"), Qt::LeftButton);
+    EXPECT_FALSE(module(0).moving());
+    QTest::mouseClick(find<QAbstractButton>("disconnectButton"), Qt::LeftButton);
+    ASSERT_NE(panel.window().findChild<QAbstractButton*>(u"stopAndCloseButton"_s), nullptr);
+    EXPECT_TRUE(panel.composition().worker().isOpen());
+    panel.pressStopAll();
+    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim) && !module(0).moving(); }));
+}
+
 TEST_F(ServoPage, StepsThereAndBackAsOftenAsAsked) {
     ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());

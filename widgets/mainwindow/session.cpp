@@ -93,9 +93,11 @@ std::vector<ScopeModule> Session::scopeModules() const {
 int Session::movingMotors() const {
     if (!isOpen())
         return 0;
-    return static_cast<int>(std::count_if(
-        m_link.modules.begin(), m_link.modules.end(),
-        [this](const ModuleState& module) { return module.moving() || procedureMoves(module.info.index); }));
+    return static_cast<int>(std::ranges::count_if(m_link.modules, [this](const ModuleState& module) {
+        // What a motor that is on was asked for last may have set it going, and nobody has seen it yet.
+        const bool asked = module.awaited && module.driveOn();
+        return module.moving() || asked || procedureMoves(module.info.index);
+    }));
 }
 
 /// It may have sent what sets the motor going already, and nobody has seen it yet.

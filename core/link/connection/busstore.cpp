@@ -160,8 +160,10 @@ void BusStore::executed(const bus::CommandExecuted& command) {
 }
 
 void BusStore::noteAsked(ModuleIndex module, bus::OperationId operation) {
-    if (known(module))
-        m_link.modules[module.value()].awaited = operation;
+    if (!known(module))
+        return;
+    m_link.modules[module.value()].awaited = operation;
+    emit linkChanged();
 }
 
 void BusStore::note(const bus::OperationFinished& finished) {
