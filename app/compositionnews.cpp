@@ -90,6 +90,7 @@ void Composition::told(const bus::StopFinished& finished) {
                   monotonicNow() - finished.took);
     m_recordings.note(texts::stopOfAll());
     endLeft(m_motionMarker.stopped(finished.stopped));
+    m_positions.look();  // the port may be closed at once, and then nothing is known any more
     m_window.showStopResult(finished);
 }
 

@@ -23,6 +23,8 @@ public:
     /// `folder` need not be there.
     PositionKeeper(QString folder, BusStore& store, FileWriter::Disk disk = writeFile,
                    QObject* parent = nullptr);
+    /// Keeps what came to rest last: a program that stops its motors and ends does so within a moment.
+    ~PositionKeeper() override { keep(); }
 
     /// A port is being opened. `owns`: its axes are this session's business; else nothing is kept.
     void begin(const QString& port, const QString& machine, bool owns);

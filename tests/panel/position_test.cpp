@@ -114,5 +114,26 @@ TEST_F(PositionKept, OneThatMovedWhenItsPowerWentIsNotOffered) {
     EXPECT_EQ(panel.count(offer), 0);
 }
 
+/// Quitting stops the motor, which is known to rest then.
+TEST_F(PositionKept, OneThatWasStoppedByQuittingIsOffered) {
+    {
+        VirtualPanel panel({}, {}, folder.path());
+        ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
+        panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
+        panel.composition().stopAndQuit();
+        ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
+    }
+    const int rests = sim.state(1)[u"position"_s].toInt();
+    power();
+    VirtualPanel panel({}, {}, folder.path());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
+    ASSERT_TRUE(panel.press(offer, u"Restore home"_s));
+    // The counter began at 0 where the motor rests; home was at 0.
+    EXPECT_NEAR(panel.module().home.place()->counts, -rests, 4 + 5);
+}
+
 }  // namespace
 }  // namespace nmc
