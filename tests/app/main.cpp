@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     // What moves here is no reason for the developer's computer to delay its sleep.
     qputenv("DBUS_SYSTEM_BUS_ADDRESS", "unix:path=/nowhere");
+    qputenv("QT_HASH_SEED", "0");
     testing::InitGoogleTest(&argc, argv);
     QApplication application(argc, argv);
     nmc::look::setUp(application);

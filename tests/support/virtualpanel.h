@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QTableWidget>
+#include <thread>
 
 #include "link/files/inbackground.h"
 #include "tests/support/panel.h"
@@ -41,6 +42,17 @@ public:
             << window().findChild<QLabel*>(QStringLiteral("responseState"))->text().toStdString();
         const auto* results = window().findChild<QTableWidget*>(QStringLiteral("responseResults"));
         EXPECT_TRUE(results->findItems(QStringLiteral("samples missing, repeat"), Qt::MatchExactly).empty());
+    }
+    /// For what a thread of its own does with a disk: that takes real time, and here none passes.
+    bool waitForDisk(const std::function<bool()>& predicate) {
+        constexpr int kMilliseconds = 20'000;
+        for (int waited = 0; !predicate(); ++waited) {
+            if (waited == kMilliseconds)
+                return false;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            QCoreApplication::processEvents();
+        }
+        return true;
     }
     /// Time passes on the bus only, as when the window is busy with itself.
     void freeze(Duration time) { VirtualChain::runAll(time); }
