@@ -10,9 +10,8 @@ namespace nmc {
 /// Without the blanks around it.
 [[nodiscard]] inline std::string_view trimmed(std::string_view text, std::string_view blanks = " \t") {
     const auto first = text.find_first_not_of(blanks);
-    return first == std::string_view::npos
-               ? std::string_view()
-               : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+    return first == std::string_view::npos ? std::string_view()
+                                           : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 /// Its first bytes as one line of a file, whatever a port or a module is called: '?' in place of line ends

@@ -22,8 +22,7 @@ std::int64_t systemTime(clockid_t clock) {
 /// Begins about the system's time, so that what another thread waits for in the kernel is not long past; and
 /// with a whole second, since Qt's coarse timers fall due at round moments.
 std::atomic<std::int64_t>& clock() {
-    static std::atomic<std::int64_t> time =
-        (systemTime(CLOCK_MONOTONIC) / kNanoseconds + 1) * kNanoseconds;
+    static std::atomic<std::int64_t> time = (systemTime(CLOCK_MONOTONIC) / kNanoseconds + 1) * kNanoseconds;
     return time;
 }
 

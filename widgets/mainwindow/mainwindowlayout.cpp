@@ -91,7 +91,7 @@ void MainWindow::buildDocks() {
     connect(m_stepNow, &QAction::triggered, this, &MainWindow::stepNow);
     // Whatever were added afterwards would undo it.
     const int em = fontMetrics().height();
-    resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
+    resizeDocks({m_docks.front()}, {em * 15}, Qt::Horizontal);
     resizeDocks({m_scopeDock, messages}, {em * 43, em * 22}, Qt::Horizontal);
     resizeDocks({m_scopeDock}, {em * 23}, Qt::Vertical);
 }

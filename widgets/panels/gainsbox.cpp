@@ -51,7 +51,7 @@ GainsBox::GainsBox(ModuleContext& context, QWidget* parent)
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(unit, unit, unit, unit);
-    grid->setHorizontalSpacing(unit);
+    grid->setHorizontalSpacing(unit * 2 / 3);
     grid->setVerticalSpacing(unit / 3);
     int line = 0;
     for (Gain gain : kAllGains) {
@@ -194,7 +194,10 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
     arrange(false);
 }
 
-void GainsBox::setNarrow(bool narrow) {
+void GainsBox::fitInto(int width) {
+    if (!m_narrow)
+        m_wideWidth = minimumSizeHint().width();
+    const bool narrow = width < m_wideWidth;
     if (narrow == m_narrow)
         return;
     arrange(narrow);

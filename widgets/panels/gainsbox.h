@@ -28,8 +28,8 @@ public:
     GainsBox(ModuleContext& context, QWidget* parent);
     ~GainsBox() override;
 
-    /// For a column beside plots.
-    void setNarrow(bool narrow);
+    /// Pixels that there are: with few of them letters stand for names.
+    void fitInto(int width);
     /// Fills the fields, as an edit that can be undone; sends nothing.
     void stage(const servo::SetGain& gains);
 
@@ -93,6 +93,7 @@ private:
     std::array<Command*, 9> m_buttons{};
     QGridLayout* m_buttonGrid = nullptr;
     bool m_narrow = false;
+    int m_wideWidth = 0;  ///< pixels that it needs with names
     QUndoStack* m_edits;
     Texts m_before;        ///< what stood there before the edit that is being made
     bool m_typed = false;  ///< since it was sent, or a machine file was opened

@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 
 #include "model/intent/homingplan.h"
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 
@@ -51,12 +52,9 @@ QString HomingForm::named(const QString& name) const {
 
 QWidget* HomingForm::row(const QList<QWidget*>& widgets) {
     auto* holder = new QWidget(this);
-    auto* layout = new QHBoxLayout(holder);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(look::gridUnit(this) * 3 / 2);
+    auto* layout = new FlowLayout(look::gridUnit(this) * 3 / 2, holder);
     for (QWidget* widget : widgets)
         layout->addWidget(widget);
-    layout->addStretch(1);
     return holder;
 }
 
@@ -105,8 +103,7 @@ void HomingForm::buildConditions(QGridLayout* grid) {
         << addBox(
                u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
                tr("Home is at a hard stop: the motor runs against it until the current limit is reached. Alone, it takes effect only at full speed; with other conditions from the start, so the starting current must stay below it. Sticky bits are cleared first."));
-    addTitle(grid, tr("Home is at"), row(conditions.mid(0, 3)));
-    addTitle(grid, QString(), row(conditions.mid(3)));
+    addTitle(grid, tr("Home is at"), row(conditions));
     addTitle(
         grid, QString(),
         addBox(

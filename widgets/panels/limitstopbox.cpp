@@ -8,6 +8,7 @@
 #include <QRadioButton>
 
 #include "model/intent/homingplan.h"
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -70,17 +71,14 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     m_state->setTextFormat(Qt::PlainText);
 
     const int unit = look::gridUnit(this);
-    auto* limitRow = new QHBoxLayout;
-    limitRow->setSpacing(unit * 2);
+    auto* limitRow = new FlowLayout(unit * 2);
     for (QAbstractButton* box : conditions())
         limitRow->addWidget(box);
-    limitRow->addStretch(1);
     const std::array names{u"armAbruptlyButton"_s, u"armSmoothlyButton"_s, u"armMotorOffButton"_s};
     const std::array texts{tr("Abruptly"), tr("Smoothly"), tr("Motor off")};
     const std::array accessible{tr("Abruptly: stop at the limit"), tr("Smoothly: stop at the limit"),
                                 tr("Motor off at the limit")};
-    auto* mannerRow = new QHBoxLayout;
-    mannerRow->setSpacing(unit * 2);
+    auto* mannerRow = new FlowLayout(unit * 2);
     auto* group = new QButtonGroup(this);
     for (std::size_t i = 0; i < kManners.size(); ++i) {
         m_manners[i] = new QRadioButton(texts[i], this);
@@ -88,7 +86,6 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
         group->addButton(m_manners[i]);
         mannerRow->addWidget(m_manners[i]);
     }
-    mannerRow->addStretch(1);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(unit);
     buttons->addStretch(1);

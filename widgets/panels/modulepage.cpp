@@ -61,7 +61,7 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     motions->setContentsMargins(0, 0, 0, unit);
     left->setLayout(motions);
     m_motions = scrolled(left, u"panelScroll"_s, tr("Motions of the selected module"));
-    m_columnWidth = left->sizeHint().width() + m_motions->verticalScrollBar()->sizeHint().width();
+    m_columnWidth = left->minimumSizeHint().width() + m_motions->verticalScrollBar()->sizeHint().width();
     m_motions->setMinimumWidth(m_columnWidth);
     m_columns = new QHBoxLayout;
     m_columns->setContentsMargins(unit, 0, unit, 0);
@@ -93,7 +93,7 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool narrow = width() < m_columnWidth + fontMetrics().height() * kNarrowestPages;
     if (narrow == m_narrow)
-        return;
+        return fitPages(pageWidth());
     m_narrow = narrow;
     // As a page it scrolls in both directions: a button that is cut off can't be reached.
     m_motions->setMinimumWidth(narrow ? 0 : m_columnWidth);
@@ -107,6 +107,16 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
         m_columns->insertWidget(0, m_motions, 1);
         m_motions->show();
     }
+    fitPages(pageWidth());
+}
+
+int ModulePage::pageWidth() const {
+    const int scrollBar = m_motions->verticalScrollBar()->sizeHint().width();
+    const int room = width() - m_columns->contentsMargins().left() - m_columns->contentsMargins().right();
+    if (m_narrow)
+        return room - scrollBar;
+    const int both = room - m_columns->spacing();
+    return qMin(both / 2, both - m_columnWidth) - scrollBar;
 }
 
 void ModulePage::setTuning(bool on) {

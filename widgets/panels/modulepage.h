@@ -56,10 +56,13 @@ protected:
     static void pointTo(QWidget& control);
     /// Brings the tab to the front that the box stands on.
     void reveal(const QWidget& box);
+    /// The pages have so many pixels from now on; for those that leave out words where there are few.
+    virtual void fitPages(int /*width*/) {}
     /// What is for tuning; nothing where there is none.
     virtual void revealTuning() {}
 
 private:
+    [[nodiscard]] int pageWidth() const;
     /// In operator mode, pages whose fields are not the operator's.
     void lockPages();
 

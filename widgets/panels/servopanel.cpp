@@ -26,10 +26,6 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-constexpr int kRoomForGainNames = 34;  ///< lines of text, from which on the gains have their names
-}
-
 ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view, parent) {
     look::name(this, u"servoPanel"_s, tr("Servo module"));
     auto* head = new PanelHead(m_context, this);
@@ -78,8 +74,11 @@ void ServoPanel::showPlaceOf(FirstStep step) {
 
 void ServoPanel::resizeEvent(QResizeEvent* event) {
     ModulePage::resizeEvent(event);
-    m_gains->setNarrow(width() < fontMetrics().height() * kRoomForGainNames);
     m_steps->giveRoomBack();
+}
+
+void ServoPanel::fitPages(int width) {
+    m_gains->fitInto(width);
 }
 
 int ServoPanel::spareHeight() const {

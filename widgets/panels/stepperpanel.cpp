@@ -30,7 +30,8 @@ StepperPanel::StepperPanel(const PanelView& view, QWidget* parent) : ModulePage(
     motion->addStretch(1);
     auto* pages = new QTabWidget(this);
     look::name(pages, u"stepperPages"_s, tr("Pages of the module"));
-    pages->addTab(new StepperParametersBox(m_context, this), tr("Parameters"));
+    m_parameters = new StepperParametersBox(m_context, this);
+    pages->addTab(m_parameters, tr("Parameters"));
     pages->addTab(new StepperIoBox(m_context, this), tr("I/O"));
     pages->addTab(new HomingBox(m_context, this), tr("Homing"));
     auto* axis = new AxisBox(m_context, this);
@@ -39,6 +40,10 @@ StepperPanel::StepperPanel(const PanelView& view, QWidget* parent) : ModulePage(
     pages->addTab(new StepperDetailsBox(m_context, this), tr("Details"));
     pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
     layOut(head, motion, pages);
+}
+
+void StepperPanel::fitPages(int width) {
+    m_parameters->fitInto(width);
 }
 
 }  // namespace nmc

@@ -5,6 +5,8 @@
 
 namespace nmc {
 
+class StepperParametersBox;
+
 /// Everything one PIC-STEP can be asked for. Motion is always in sight; parameters, inputs and outputs,
 /// homing, axis and details share the pages beside it.
 class StepperPanel : public ModulePage {
@@ -12,6 +14,11 @@ class StepperPanel : public ModulePage {
 
 public:
     explicit StepperPanel(const PanelView& view, QWidget* parent = nullptr);
+
+private:
+    void fitPages(int width) override;
+
+    StepperParametersBox* m_parameters = nullptr;
 };
 
 }  // namespace nmc

@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 
 #include "model/intent/stepperplan.h"
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/words.h"
@@ -164,13 +165,9 @@ void StepperParametersBox::buildButtons(QGridLayout* grid, int line) {
     m_hint->setObjectName(u"stepperParametersHint"_s);
     m_hint->setWordWrap(true);
     m_hint->setTextFormat(Qt::PlainText);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(look::gridUnit(this));
-    buttons->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
-    buttons->addWidget(m_fill->button());
-    buttons->addStretch(1);
-    buttons->addWidget(m_revert->button());
-    buttons->addWidget(m_apply->button());
+    auto* buttons = new FlowLayout(look::gridUnit(this));
+    for (const Command* command : {m_fill, m_revert, m_apply})
+        buttons->addWidget(command->button());
     grid->addLayout(buttons, line, 0, 1, 5);
     grid->addWidget(m_hint, line + 1, 0, 1, 5);
 }
@@ -333,11 +330,23 @@ void StepperParametersBox::refreshRow(StepperParameter parameter) {
     const bool unknown = !sent && (!value || (choice && !m_kept));
     // Shape, then word, as with gains.
     const bool edited = !unknown && (!value || value != sent);
-    look::setText(row.state, unknown ? tr("? unknown") : edited ? tr("● not sent") : tr("✓ sent"));
+    const QString state = unknown ? tr("? unknown") : edited ? tr("● not sent") : tr("✓ sent");
+    look::setText(row.state, m_narrow ? state.section(u' ', 0, 0) : state);
     QFont font = this->font();
     font.setBold(edited);
     if (row.state->font().bold() != edited)
         row.state->setFont(font);
+}
+
+void StepperParametersBox::fitInto(int width) {
+    if (!m_narrow)
+        m_wideWidth = minimumSizeHint().width();
+    const bool narrow = width < m_wideWidth;
+    if (narrow == m_narrow)
+        return;
+    m_narrow = narrow;
+    m_ramp->setNarrow(narrow);
+    refresh();
 }
 
 void StepperParametersBox::refresh() {

@@ -29,6 +29,9 @@ class StepperParametersBox : public QWidget {
 public:
     StepperParametersBox(ModuleContext& context, QWidget* parent);
 
+    /// Pixels that there are: with few of them marks stand for words.
+    void fitInto(int width);
+
 private:
     struct Row {
         QLabel* label = nullptr;
@@ -72,6 +75,8 @@ private:
     Command* m_fill;
     Command* m_revert;
     Command* m_apply;
+    bool m_narrow = false;
+    int m_wideWidth = 0;  ///< pixels that it needs with words
     QLabel* m_hint;
 
     bool m_typed = false;  ///< since it was sent, or a machine file was opened

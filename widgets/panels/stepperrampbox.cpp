@@ -86,6 +86,11 @@ void StepperRampBox::showModule() {
     refresh();
 }
 
+void StepperRampBox::setNarrow(bool narrow) {
+    m_narrow = narrow;
+    refresh();
+}
+
 void StepperRampBox::refresh() {
     const StepperState& stepper = m_context.state().stepper;
     const StepperSpeed speeds = stepperdefaults::speedMode(stepper, m_context.settings());
@@ -93,7 +98,8 @@ void StepperRampBox::refresh() {
     look::setText(m_acceleration, time ? texts::acceleration(speeds, static_cast<int>(*time), m_cap->scale())
                                        : m_time->problemText());
     const auto loaded = stepper.accelerationTime();
-    look::setText(m_state, !loaded ? tr("? unknown") : *loaded == time ? tr("✓ sent") : tr("● not sent"));
+    const QString state = !loaded ? tr("? unknown") : *loaded == time ? tr("✓ sent") : tr("● not sent");
+    look::setText(m_state, m_narrow ? state.section(u' ', 0, 0) : state);
 }
 
 }  // namespace nmc

@@ -20,6 +20,9 @@ class StepperRampBox : public QWidget {
 public:
     StepperRampBox(ModuleContext& context, QWidget* parent);
 
+    /// Marks stand for words.
+    void setNarrow(bool narrow);
+
 private:
     void showModule();
     void refresh();
@@ -29,6 +32,7 @@ private:
     QLabel* m_acceleration;
     QLabel* m_state;
     QuantityField* m_cap;
+    bool m_narrow = false;
 };
 
 }  // namespace nmc

@@ -26,7 +26,7 @@ TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
     look::name(this, named(u"travelBox"_s), tr("Travel and speed limits"));
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
-    grid->setHorizontalSpacing(unit);
+    grid->setHorizontalSpacing(unit / 2);
     grid->setVerticalSpacing(unit / 2);
     buildLimit(grid, Lowest);
     buildLimit(grid, Highest);
@@ -35,6 +35,8 @@ TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
     look::nameText(m_state, named(u"travelState"_s), tr("State of the travel limits"));
     m_hint = new QLabel(this);
     m_hint->setObjectName(named(u"travelHint"_s));
+    for (QuantityField* field : {m_limits[Lowest], m_limits[Highest], m_fastest})
+        field->setDigits(8);
     for (QLabel* label : {m_state, m_hint}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
@@ -99,6 +101,7 @@ void TravelBox::buildBacklash(QGridLayout* grid, int line) {
     m_backlash = new QuantityField(QuantityField::Kind::Position, this);
     m_backlash->setName(named(u"backlashField"_s), tr("Backlash"));
     m_backlash->setQuantity(tr("Backlash"));
+    m_backlash->setDigits(8);
     m_backlash->setNativeRange(1, layout::kPlace.max);
     m_backlash->setMeaning(tr(
         "Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none."));

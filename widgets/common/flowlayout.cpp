@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/flowlayout.h"
+
+#include <QStyle>
+#include <QWidget>
+
+namespace nmc {
+
+FlowLayout::FlowLayout(int spacing, QWidget* parent) : QLayout(parent) {
+    setContentsMargins(0, 0, 0, 0);
+    setSpacing(spacing);
+}
+
+FlowLayout::~FlowLayout() = default;
+
+void FlowLayout::addItem(QLayoutItem* item) {
+    m_items.emplace_back(item);
+}
+
+QLayoutItem* FlowLayout::itemAt(int index) const {
+    return index >= 0 && index < count() ? m_items[static_cast<std::size_t>(index)].get() : nullptr;
+}
+
+QLayoutItem* FlowLayout::takeAt(int index) {
+    if (index < 0 || index >= count())
+        return nullptr;
+    const auto place = m_items.begin() + index;
+    QLayoutItem* item = place->release();
+    m_items.erase(place);
+    return item;
+}
+
+int FlowLayout::heightForWidth(int width) const {
+    return place({0, 0, width, 0}, Move::No);
+}
+
+QSize FlowLayout::sizeHint() const {
+    QSize all;
+    for (const auto& item : m_items) {
+        if (item->isEmpty())
+            continue;
+        const QSize one = item->sizeHint();
+        all = {all.width() + one.width() + (all.width() > 0 ? spacing() : 0),
+               qMax(all.height(), one.height())};
+    }
+    return all;
+}
+
+QSize FlowLayout::minimumSize() const {
+    QSize widest;
+    for (const auto& item : m_items)
+        widest = widest.expandedTo(item->minimumSize());
+    return widest;
+}
+
+void FlowLayout::setGeometry(const QRect& rect) {
+    QLayout::setGeometry(rect);
+    place(rect, Move::Yes);
+}
+
+int FlowLayout::place(const QRect& rect, Move move) const {
+    int left = 0;
+    int top = 0;
+    int high = 0;
+    for (const auto& item : m_items) {
+        if (item->isEmpty())
+            continue;
+        const QSize size =
+            item->sizeHint().boundedTo({qMax(rect.width(), item->minimumSize().width()), QWIDGETSIZE_MAX});
+        if (left > 0 && left + size.width() > rect.width()) {
+            left = 0;
+            top += high + spacing() / 2;
+            high = 0;
+        }
+        if (move == Move::Yes)
+            item->setGeometry(QStyle::visualRect(parentWidget()->layoutDirection(), rect,
+                                                 {rect.topLeft() + QPoint(left, top), size}));
+        left += size.width() + spacing();
+        high = qMax(high, size.height());
+    }
+    return top + high;
+}
+
+}  // namespace nmc
