@@ -8,6 +8,7 @@
 #include <QPointer>
 
 #include "widgets/common/askdialog.h"
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/words.h"
@@ -139,11 +140,9 @@ void AmplifierBox::buildSaved(QGridLayout& grid, int& line) {
     grid.addWidget(remark, line++, 0, 1, 4);
     for (QCheckBox* box : {m_savesAddress, m_savesAmplifier, m_savesServo})
         grid.addWidget(box, line++, 0, 1, 3);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(look::gridUnit(this));
-    buttons->addStretch(1);
-    buttons->addWidget(m_erase->button());
-    buttons->addWidget(m_save->button());
+    auto* buttons = new FlowLayout(look::gridUnit(this));
+    for (const Command* command : {m_erase, m_save})
+        buttons->addWidget(command->button());
     grid.addLayout(buttons, line++, 0, 1, 4);
 }
 

@@ -88,6 +88,7 @@ DirectBox::Value DirectBox::addValue(const QString& name, const QString& text, d
     value.field = new NumberField(0, this);
     look::name(value.field, named(name), text);
     value.field->setRange(min, max);
+    value.field->setDigits(9);
     value.field->setWords(text, {});
     value.field->setMeaning(tr("Data of %1: %2").arg(title(), text));
     value.field->showValue(std::max(min, 0.0));

@@ -35,7 +35,7 @@ HomingForm::HomingForm(ModuleType type, QWidget* parent) : QWidget(parent), m_ty
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(unit);
+    grid->setHorizontalSpacing(unit * 2 / 3);
     grid->setVerticalSpacing(unit / 3);
     buildConditions(grid);
     buildMotion(grid);

@@ -2,6 +2,7 @@
 #include "widgets/panels/modulepage.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTabBar>
@@ -31,10 +32,14 @@ namespace {
 constexpr int kNarrowestPages = 17;  ///< lines of text
 constexpr int kWindowChanges = 250;  ///< ms
 
-/// What does not fit is scrolled for itself, and the motions stay where they are.
+/// What does not fit is scrolled for itself, and the motions stay where they are. Names of fields take a
+/// second line before that.
 void letScroll(QTabWidget& pages) {
     for (int i = 0; i < pages.count(); ++i) {
         QWidget* page = pages.widget(i);
+        for (QLabel* label : page->findChildren<QLabel*>())
+            if (label->buddy() != nullptr)
+                label->setWordWrap(true);
         const QString title = pages.tabText(i);
         pages.removeTab(i);
         pages.insertTab(i, scrolled(page), title);

@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
@@ -61,13 +62,9 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
     grid->addWidget(label, 1, 0);
     grid->addWidget(m_value, 1, 1);
     grid->addWidget(m_percent, 1, 2);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(unit);
-    buttons->addWidget(m_reverse->button());
-    buttons->addWidget(m_forward->button());
-    buttons->addSpacing(unit);
-    buttons->addWidget(m_off->button());
-    buttons->addStretch(1);
+    auto* buttons = new FlowLayout(unit);
+    for (const Command* command : {m_reverse, m_forward, m_off})
+        buttons->addWidget(command->button());
     grid->addLayout(buttons, 2, 0, 1, 4);
     grid->setRowStretch(3, 1);
     grid->setColumnStretch(3, 1);

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 
@@ -22,7 +23,7 @@ StatusTable::StatusTable(QWidget* parent)
     : QWidget(parent), m_grid(new QGridLayout(this)), m_line(kFirstValue) {
     const int unit = look::gridUnit(this);
     m_grid->setContentsMargins(unit, unit, unit, unit);
-    m_grid->setHorizontalSpacing(unit);
+    m_grid->setHorizontalSpacing(unit * 2 / 3);
     m_grid->setVerticalSpacing(unit / 3);
     m_grid->setRowMinimumHeight(kFirstValue - 1, unit);
     m_grid->setColumnStretch(kColumnsOfByte - 1, 1);
@@ -69,11 +70,9 @@ QLabel* StatusTable::addValue(const QString& label, const QString& objectName) {
 
 void StatusTable::addButtons(std::initializer_list<QPushButton*> buttons) {
     const int unit = look::gridUnit(this);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(unit);
+    auto* row = new FlowLayout(unit);
     for (QPushButton* button : buttons)
         row->addWidget(button);
-    row->addStretch(1);
     m_grid->setRowMinimumHeight(m_line++, unit);
     m_grid->addLayout(row, m_line++, 0, 1, kColumnsOfBoth);
     m_grid->setRowStretch(m_line, 1);

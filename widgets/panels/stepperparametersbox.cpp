@@ -78,7 +78,7 @@ StepperParametersBox::StepperParametersBox(ModuleContext& context, QWidget* pare
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(unit, unit, unit, unit);
-    grid->setHorizontalSpacing(unit);
+    grid->setHorizontalSpacing(unit * 2 / 3);
     grid->setVerticalSpacing(unit / 3);
     buildRows(grid);
     const int line = static_cast<int>(kStepperParameters.size());
