@@ -93,12 +93,12 @@ TEST_P(Whole, IsEveryPageOfEveryModule) {
     }
 }
 
-/// In German and French a window of 1280 pixels is still some words too narrow.
+/// In German, French and Spanish a window of 1280 pixels is still some words too narrow.
 INSTANTIATE_TEST_SUITE_P(D21, Whole,
-                         testing::Values(Shown{"en", {1'280, 800}}, Shown{"es", {1'280, 800}},
-                                         Shown{"ja", {1'280, 800}}, Shown{"en", {1'456, 952}},
-                                         Shown{"de", {1'456, 952}}, Shown{"fr", {1'456, 952}},
-                                         Shown{"es", {1'456, 952}}, Shown{"ja", {1'456, 952}}));
+                         testing::Values(Shown{"en", {1'280, 800}}, Shown{"ja", {1'280, 800}},
+                                         Shown{"en", {1'456, 952}}, Shown{"de", {1'456, 952}},
+                                         Shown{"fr", {1'456, 952}}, Shown{"es", {1'456, 952}},
+                                         Shown{"ja", {1'456, 952}}));
 
 }  // namespace
 }  // namespace nmc

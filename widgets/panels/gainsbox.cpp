@@ -51,7 +51,7 @@ GainsBox::GainsBox(ModuleContext& context, QWidget* parent)
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(unit, unit, unit, unit);
-    grid->setHorizontalSpacing(unit * 2 / 3);
+    grid->setHorizontalSpacing(unit / 2);
     grid->setVerticalSpacing(unit / 3);
     int line = 0;
     for (Gain gain : kAllGains) {
@@ -126,7 +126,7 @@ void GainsBox::addSense(int line, QGridLayout* grid) {
         m_sense->addItem(currentSenseName(sense), static_cast<int>(sense));
     m_sense->setToolTip(tr(
         "Whether a high or a low A/D value means overcurrent. The chip tells them apart by odd and even numbers."));
-    grid->addWidget(m_sense, line, 1, 1, 2);
+    grid->addWidget(m_sense, line, 1, 1, 3, Qt::AlignLeft);
     connect(m_sense, &QComboBox::activated, this, [this] { chooseSense(m_sense->currentData().toInt()); });
 }
 
@@ -217,9 +217,9 @@ void GainsBox::arrange(bool narrow) {
         {{0, 0}, {0, 1}, {0, 3}, {0, 4}, {1, 0}, {1, 3}, {1, 4}, {2, 3}, {2, 4}}};
     constexpr std::array<Place, 9> kNarrowPlaces{
         {{0, 0}, {0, 1}, {1, 0}, {1, 1}, {4, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}}};
-    m_buttonGrid->setSpacing(look::gridUnit(this) / (narrow ? 3 : 2));
-    layout()->setContentsMargins(look::gridUnit(this), look::gridUnit(this) / (narrow ? 3 : 1),
-                                 look::gridUnit(this), 0);
+    m_buttonGrid->setSpacing(look::gridUnit(this) / 3);
+    const int side = look::gridUnit(this) / 2;
+    layout()->setContentsMargins(side, look::gridUnit(this) / (narrow ? 3 : 1), side, 0);
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         const Place& place = narrow ? kNarrowPlaces[i] : kWidePlaces[i];
         m_buttonGrid->addWidget(m_buttons[i]->button(), place.line, place.column);

@@ -32,14 +32,10 @@ namespace {
 constexpr int kNarrowestPages = 17;  ///< lines of text
 constexpr int kWindowChanges = 250;  ///< ms
 
-/// What does not fit is scrolled for itself, and the motions stay where they are. Names of fields take a
-/// second line before that.
+/// What does not fit is scrolled for itself, and the motions stay where they are.
 void letScroll(QTabWidget& pages) {
     for (int i = 0; i < pages.count(); ++i) {
         QWidget* page = pages.widget(i);
-        for (QLabel* label : page->findChildren<QLabel*>())
-            if (label->buddy() != nullptr)
-                label->setWordWrap(true);
         const QString title = pages.tabText(i);
         pages.removeTab(i);
         pages.insertTab(i, scrolled(page), title);
@@ -66,7 +62,7 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     motions->setContentsMargins(0, 0, 0, unit);
     left->setLayout(motions);
     m_motions = scrolled(left, u"panelScroll"_s, tr("Motions of the selected module"));
-    m_columnWidth = left->minimumSizeHint().width() + m_motions->verticalScrollBar()->sizeHint().width();
+    m_columnWidth = left->sizeHint().width() + m_motions->verticalScrollBar()->sizeHint().width();
     m_motions->setMinimumWidth(m_columnWidth);
     m_columns = new QHBoxLayout;
     m_columns->setContentsMargins(unit, 0, unit, 0);
@@ -98,7 +94,7 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool narrow = width() < m_columnWidth + fontMetrics().height() * kNarrowestPages;
     if (narrow == m_narrow)
-        return fitPages(pageWidth());
+        return fit(pageWidth());
     m_narrow = narrow;
     // As a page it scrolls in both directions: a button that is cut off can't be reached.
     m_motions->setMinimumWidth(narrow ? 0 : m_columnWidth);
@@ -112,7 +108,26 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
         m_columns->insertWidget(0, m_motions, 1);
         m_motions->show();
     }
-    fitPages(pageWidth());
+    fit(pageWidth());
+}
+
+/// Names of fields take a second line before a page scrolls sideways. Not before: a label that may wrap does
+/// so where there is room, too.
+void ModulePage::fit(int width) {
+    fitPages(width);
+    for (int i = 0; i < m_pages->count(); ++i) {
+        const auto* area = qobject_cast<QScrollArea*>(m_pages->widget(i));
+        if (area == nullptr || area == m_motions)
+            continue;
+        QWidget* page = area->widget();
+        // What it needs with all names in one line.
+        const auto need = m_needs.find(page);
+        const int whole = need != m_needs.end() ? need->second : page->minimumSizeHint().width();
+        m_needs[page] = whole;
+        for (QLabel* label : page->findChildren<QLabel*>())
+            if (label->buddy() != nullptr)
+                label->setWordWrap(width < whole);
+    }
 }
 
 int ModulePage::pageWidth() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <map>
 
 #include "widgets/panels/modulecontext.h"
 
@@ -63,6 +64,7 @@ protected:
 
 private:
     [[nodiscard]] int pageWidth() const;
+    void fit(int width);
     /// In operator mode, pages whose fields are not the operator's.
     void lockPages();
 
@@ -70,7 +72,8 @@ private:
     QTabWidget* m_pages = nullptr;
     QScrollArea* m_motions = nullptr;
     QHBoxLayout* m_columns = nullptr;
-    int m_columnWidth = 0;  ///< pixels, below which the motions don't fit beside the pages
+    int m_columnWidth = 0;                  ///< pixels, below which the motions don't fit beside the pages
+    std::map<const QWidget*, int> m_needs;  ///< pixels that a page needs to stand whole
     bool m_narrow = false;
     bool m_tuning = false;
 };

@@ -13,7 +13,7 @@ QGridLayout* newGrid(QWidget* parent) {
     const int unit = look::gridUnit(parent);
     auto* grid = new QGridLayout(parent);
     grid->setContentsMargins(unit, unit / 2, unit, unit / 2);
-    grid->setHorizontalSpacing(unit);
+    grid->setHorizontalSpacing(unit * 2 / 3);
     grid->setVerticalSpacing(unit / 3);
     // Wide enough for the titles, so that the fields of boxes below each other stand in line.
     grid->setColumnMinimumWidth(0, unit * 14);
@@ -25,6 +25,7 @@ namespace {
 QLabel* addWithLabel(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
     auto* name = new QLabel(label, grid->parentWidget());
     name->setBuddy(field);
+    field->setDigits(9);
     grid->addWidget(name, line, 0);
     grid->addWidget(field, line, 1);
     grid->addWidget(field->unitLabel(), line, 2);
