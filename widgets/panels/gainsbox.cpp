@@ -191,6 +191,7 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
     m_buttonGrid->setSpacing(look::gridUnit(this) / 2);
     m_buttonGrid->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
     grid->addLayout(m_buttonGrid, line, 0, 1, 4);
+    nameRows(false);
     arrange(false);
 }
 
@@ -198,18 +199,29 @@ void GainsBox::fitInto(int width) {
     if (!m_narrow)
         m_wideWidth = minimumSizeHint().width();
     const bool narrow = width < m_wideWidth;
+    int names = 0;
+    for (const Row& row : m_rows)
+        names = qMax(names, row.label->fontMetrics().horizontalAdvance(fullName(row.gain)));
+    const int field = m_rows.front().field->sizeHint().width();
+    nameRows(width < names + field + 4 * look::gridUnit(this));
     if (narrow == m_narrow)
         return;
     arrange(narrow);
     refresh();
 }
 
-/// In a narrow column letters stand for names, and the buttons need more lines.
+QString GainsBox::fullName(Gain gain) {
+    return u"%1  %2"_s.arg(gainLetters(gain), gainName(gain));
+}
+
+void GainsBox::nameRows(bool letters) {
+    for (const Row& row : m_rows)
+        look::setText(row.label, letters ? gainLetters(row.gain) : fullName(row.gain));
+}
+
+/// In a narrow column marks stand for words, and the buttons need more lines.
 void GainsBox::arrange(bool narrow) {
     m_narrow = narrow;
-    for (const Row& row : m_rows)
-        row.label->setText(narrow ? gainLetters(row.gain)
-                                  : u"%1  %2"_s.arg(gainLetters(row.gain), gainName(row.gain)));
     struct Place {
         int line, column;
     };

@@ -28,7 +28,7 @@ public:
     GainsBox(ModuleContext& context, QWidget* parent);
     ~GainsBox() override;
 
-    /// Pixels that there are: with few of them letters stand for names.
+    /// Pixels that there are: with few of them marks stand for words, with very few letters for names.
     void fitInto(int width);
     /// Fills the fields, as an edit that can be undone; sends nothing.
     void stage(const servo::SetGain& gains);
@@ -52,6 +52,8 @@ private:
     void addRow(Gain gain, int row, QGridLayout* grid);
     void addSense(int line, QGridLayout* grid);
     void addButtons(int line, QGridLayout* grid);
+    [[nodiscard]] static QString fullName(Gain gain);
+    void nameRows(bool letters);
     void arrange(bool narrow);
     /// By the user's hand, in one field or in all (`gain` empty).
     void edited(std::optional<Gain> gain);
