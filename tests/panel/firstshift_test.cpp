@@ -8,7 +8,6 @@
 #include <QAbstractItemView>
 #include <QAccessible>
 #include <QComboBox>
-#include <QDialog>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -36,7 +35,8 @@ class Hand {
 public:
     explicit Hand(VirtualPanel& panel) : m_panel(panel) {}
 
-    /// In sight, and alone there under a name that begins so; scrolled to where that is needed.
+    /// The first in sight whose name begins so, in the window in front before others; scrolled to where that
+    /// is needed.
     template <typename Widget>
     Widget* find(const QString& name) {
         Widget* found = nullptr;

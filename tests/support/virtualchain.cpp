@@ -38,7 +38,7 @@ bool Packet::starts() const {
 /// Lives in the bus thread, all of it.
 class VirtualChain::Port : public Transport {
 public:
-    Port(VirtualChain& bench, std::string name) : m_on(bench), m_name(std::move(name)) {
+    Port(VirtualChain& chain, std::string name) : m_on(chain), m_name(std::move(name)) {
         std::unique_lock lock(m_on.m_mutex);
         m_on.waitForTurn(lock);
     }

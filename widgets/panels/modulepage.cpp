@@ -120,13 +120,15 @@ void ModulePage::fit(int width) {
         if (area == nullptr || area == m_motions)
             continue;
         QWidget* page = area->widget();
-        // What it needs with all names in one line.
-        const auto need = m_needs.find(page);
-        const int whole = need != m_needs.end() ? need->second : page->minimumSizeHint().width();
-        m_needs[page] = whole;
+        // At first all names stand in one line.
+        const auto [need, first] = m_needs.try_emplace(page);
+        if (first)
+            need->second = page->minimumSizeHint().width();
+        const bool wraps = width < need->second;
+        // A label lays its page out anew even where it is told what it does already.
         for (QLabel* label : page->findChildren<QLabel*>())
-            if (label->buddy() != nullptr)
-                label->setWordWrap(width < whole);
+            if (label->buddy() != nullptr && label->wordWrap() != wraps)
+                label->setWordWrap(wraps);
     }
 }
 
