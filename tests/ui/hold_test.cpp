@@ -146,8 +146,8 @@ const std::array kHoldEndings{
     HoldEnding{"AnotherSpeed",
                [](MainWindow& w, HoldButton&) {
                    auto* field = w.findChild<NumberField*>(QStringLiteral("holdVelocityField"));
-                   field->setText(QStringLiteral("2"));
-                   emit field->edited();
+                   field->selectAll();
+                   QTest::keyClicks(field, QStringLiteral("2"));
                }},
 };
 INSTANTIATE_TEST_SUITE_P(When, HoldEnds, testing::ValuesIn(kHoldEndings),
