@@ -35,7 +35,7 @@ inline constexpr StatusItems kStandingItems{StatusItems::Position | StatusItems:
                                             StatusItems::Velocity | StatusItems::Aux};
 /// Every module that no host has put into another group (DS-V 4.1).
 inline constexpr BusAddress kEverybody{0xFF};
-/// Of every module after power-up, until a host has given it one (DS-V 4.1).
+/// The address of a module after power-up, until a host gives it one (DS-V 4.1).
 inline constexpr BusAddress kUnaddressed{0x00};
 /// Addresses from here on are those of groups (DS-V 4.1).
 inline constexpr std::uint8_t kFirstGroup = 0x80;

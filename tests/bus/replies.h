@@ -14,7 +14,7 @@ namespace nmc::test {
 inline constexpr std::uint8_t kLong = 0x3F;
 inline constexpr std::uint8_t kShort = 0x0F;
 
-/// Of a servo that is off, at 0: status, position, A/D, aux and the sum.
+/// A reply of a servo that is off, at 0: status, position, A/D, aux and the sum.
 inline constexpr const char* kReply = "19 00 00 00 00 00 00 19 ";
 
 /// A PIC-SERVO that holds: move_done and power_on, servo_on.

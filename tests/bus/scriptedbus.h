@@ -16,7 +16,7 @@
 
 namespace nmc::test {
 
-/// Of the auxiliary status byte (DS-V 5.3).
+/// The bit servo_on of the auxiliary status byte (DS-V 5.3).
 inline constexpr std::uint8_t kServoOn = 0x04;
 
 using testing_support::fromHex;

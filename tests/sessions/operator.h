@@ -10,7 +10,7 @@
 /// What an operator asks of one module, whichever chip it is; `index` is the engine's.
 namespace nmc::test {
 
-/// Of a fault that outlasts whatever is tried meanwhile.
+/// How long a fault lasts that outlasts whatever is tried meanwhile.
 inline constexpr Duration kForLong = std::chrono::seconds(60);
 
 /// Gains, or the parameters without which a stepper does not move; then the motor's current.

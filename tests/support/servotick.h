@@ -3,7 +3,7 @@
 
 namespace nmc::testing_support {
 
-/// Of a PIC-SERVO, in seconds (DS-V 3.1).
+/// The servo tick of a PIC-SERVO, in seconds (DS-V 3.1).
 inline constexpr double kTick = 0.000'512;
 
 }  // namespace nmc::testing_support

@@ -38,7 +38,7 @@ public:
     VirtualChain(const VirtualChain&) = delete;
     VirtualChain& operator=(const VirtualChain&) = delete;
 
-    /// Of the chain that is at this port; null: there is none.
+    /// The chain at this port; null: there is none.
     [[nodiscard]] static VirtualChain* at(const QString& terminal);
     /// Lets time pass at all of them.
     static void runAll(Duration time);

@@ -7,7 +7,7 @@
 
 namespace nmc {
 
-/// Of an axis, an input or an output.
+/// Characters in the name of an axis, an input or an output.
 inline constexpr int kMaxNameLength = 40;
 
 [[nodiscard]] constexpr bool bitOf(unsigned mask, std::size_t bit) {

@@ -9,7 +9,7 @@ namespace nmc {
 
 struct PlotGeometry;
 
-/// Of the settling band and what else lies behind the lines.
+/// How opaque the settling band is, like everything that lies behind the lines; of 255.
 inline constexpr int kBandAlpha = 45;
 
 /// `line`, in seconds and values, as far as it is in the area: an SVG file knows no clipping. In whole lines,
