@@ -8690,7 +8690,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Active only</source>
-        <translation>Solo activos</translation>
+        <translation>Activos</translation>
     </message>
     <message>
         <source>Shows only messages whose cause persists.</source>
@@ -10652,7 +10652,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>Settling band</source>
-        <translation>Banda de establecimiento</translation>
+        <translation>Banda</translation>
     </message>
     <message>
         <source>Step</source>

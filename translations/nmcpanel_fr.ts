@@ -8690,7 +8690,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Active only</source>
-        <translation>Actifs seulement</translation>
+        <translation>Actifs</translation>
     </message>
     <message>
         <source>Shows only messages whose cause persists.</source>
@@ -10652,7 +10652,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Settling band</source>
-        <translation>Bande de tolérance</translation>
+        <translation>Tolérance</translation>
     </message>
     <message>
         <source>Step</source>

@@ -17,6 +17,8 @@ inline void turnTo(QObject& control) {
         if (page->parentWidget() != nullptr)
             if (auto* tabs = qobject_cast<QTabWidget*>(page->parentWidget()->parentWidget()))
                 tabs->setCurrentWidget(page);
+    // What just came in sight has its place only then.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     for (QWidget* around = widget; around != nullptr; around = around->parentWidget())
         if (auto* scroll = qobject_cast<QScrollArea*>(around); scroll != nullptr && around != widget)
             scroll->ensureWidgetVisible(widget);

@@ -21,9 +21,11 @@ protected:
     Scope() { showServo(); }
     ScopePlot* plot(const QString& name = u"scopePlot1"_s) { return find<ScopePlot>(name); }
     void show(HandMadeHistory& made, double now) {
-        for (int i = 0; i < 2; ++i) {  // the first one lays the labels out
+        // The labels have their places when they are painted, and the plot what they leave of the strip.
+        for (QRectF area; area != plot()->plotArea(); QApplication::processEvents()) {
+            area = plot()->plotArea();
             window->showHistory(made.history(), HandMadeHistory::at(now));
-            QApplication::processEvents();
+            plot()->grab();
         }
     }
     /// Rows of the plot area that a trace colours, at a time within the visible 0..10 s. Axes and grid are
@@ -49,14 +51,21 @@ protected:
 };
 
 TEST_F(Scope, DrawsASpikeOfOneSample) {
+    HandMadeHistory level;
+    level.add(0, 0);
+    show(level, 10);
+    const QRectF area = plot()->plotArea();
+    // In the middle of a pixel: between two of them each has half of its colour.
+    const double middle = std::floor(area.center().x()) + 0.5;
+    const auto at = std::lround((middle - area.left()) / area.width() * 4800);
     HandMadeHistory history;
     for (int i = 0; i <= 4800; ++i)
-        history.add(i / 480.0, i == 2400 ? 1000 : 0);
+        history.add(i / 480.0, i == at ? 1000 : 0);
     show(history, 10);
-    const QRectF area = plot()->plotArea();
+    ASSERT_EQ(plot()->plotArea(), area);
     const AxisRange::Range range = plot()->valueRange();
     const double top = area.bottom() - (1000 - range.min) / (range.max - range.min) * area.height();
-    const QList<int> rows = rowsAt(u"scopePlot1"_s, 5, 1);
+    const QList<int> rows = rowsAt(u"scopePlot1"_s, static_cast<double>(at) / 480, 1);
     ASSERT_FALSE(rows.isEmpty());
     EXPECT_NEAR(rows.first(), top, 3);
     EXPECT_GT(rows.size(), area.height() / 4) << "a line from the floor to the tip";

@@ -17,6 +17,17 @@ void FlowLayout::addItem(QLayoutItem* item) {
     m_items.emplace_back(item);
 }
 
+void FlowLayout::insertWidget(int index, QWidget* widget) {
+    addChildWidget(widget);
+    m_items.emplace(m_items.begin() + index, std::make_unique<QWidgetItem>(widget));
+    invalidate();
+}
+
+void FlowLayout::addLayout(QLayout* layout) {
+    addChildLayout(layout);
+    addItem(layout);
+}
+
 QLayoutItem* FlowLayout::itemAt(int index) const {
     return index >= 0 && index < count() ? m_items[static_cast<std::size_t>(index)].get() : nullptr;
 }
@@ -31,7 +42,9 @@ QLayoutItem* FlowLayout::takeAt(int index) {
 }
 
 int FlowLayout::heightForWidth(int width) const {
-    return place({0, 0, width, 0}, Move::No);
+    const QMargins around = contentsMargins();
+    return place(QRect(0, 0, width, 0).marginsRemoved({around.left(), 0, around.right(), 0}), Move::No) +
+           around.top() + around.bottom();
 }
 
 QSize FlowLayout::sizeHint() const {
@@ -43,41 +56,56 @@ QSize FlowLayout::sizeHint() const {
         all = {all.width() + one.width() + (all.width() > 0 ? spacing() : 0),
                qMax(all.height(), one.height())};
     }
-    return all;
+    return all.grownBy(contentsMargins());
 }
 
 QSize FlowLayout::minimumSize() const {
     QSize widest;
     for (const auto& item : m_items)
         widest = widest.expandedTo(item->minimumSize());
-    return widest;
+    return widest.grownBy(contentsMargins());
 }
 
 void FlowLayout::setGeometry(const QRect& rect) {
     QLayout::setGeometry(rect);
-    place(rect, Move::Yes);
+    place(rect.marginsRemoved(contentsMargins()), Move::Yes);
 }
 
 int FlowLayout::place(const QRect& rect, Move move) const {
-    int left = 0;
+    struct Placed {
+        QLayoutItem* item;
+        int left;
+        QSize size;
+    };
+    std::vector<Placed> row;
     int top = 0;
     int high = 0;
+    const auto endRow = [&] {
+        // What is lower than its row stands in the middle of it, as words beside a field do.
+        for (const auto& [item, left, size] : row)
+            if (move == Move::Yes)
+                item->setGeometry(QStyle::visualRect(
+                    parentWidget()->layoutDirection(), rect,
+                    {rect.topLeft() + QPoint(left, top + (high - size.height()) / 2), size}));
+        row.clear();
+    };
+    int left = 0;
     for (const auto& item : m_items) {
         if (item->isEmpty())
             continue;
         const QSize size =
             item->sizeHint().boundedTo({qMax(rect.width(), item->minimumSize().width()), QWIDGETSIZE_MAX});
         if (left > 0 && left + size.width() > rect.width()) {
+            endRow();
             left = 0;
             top += high + spacing() / 2;
             high = 0;
         }
-        if (move == Move::Yes)
-            item->setGeometry(QStyle::visualRect(parentWidget()->layoutDirection(), rect,
-                                                 {rect.topLeft() + QPoint(left, top), size}));
+        row.push_back({item.get(), left, size});
         left += size.width() + spacing();
         high = qMax(high, size.height());
     }
+    endRow();
     return top + high;
 }
 

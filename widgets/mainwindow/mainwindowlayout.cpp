@@ -37,9 +37,10 @@ namespace {
 constexpr int kStepResponseWidth = 58;
 constexpr int kPathsWidth = 52;
 constexpr int kSequencesWidth = 62;
+constexpr int kLeastMessagesWidth = 18;
 constexpr int kSequencesHeight = 24;
 constexpr int kLowestScope = 12;
-constexpr int kColumnWidth = 20;  ///< beside the plots
+constexpr int kColumnWidth = 22;  ///< beside the plots
 constexpr int kTitleBar = 3;      ///< above the window; how high it is is known only once it is there
 }  // namespace
 
@@ -158,12 +159,13 @@ void MainWindow::addMotionDocks(QDockWidget& scope, QDockWidget& messages) {
 
 /// The messages beside it give way.
 void MainWindow::makeRoomBeside(QDockWidget& messages, QDockWidget& dock, int lines) {
-    const int wanted = fontMetrics().height() * lines;
+    const int line = fontMetrics().height();
+    const int wanted = line * lines;
     const bool beside = dockWidgetArea(&dock) == dockWidgetArea(&messages) && messages.isVisible();
     if (!beside || dock.width() >= wanted)
         return;
     const int both = dock.width() + messages.width();
-    const int taken = qMin(wanted, both * 4 / 5);
+    const int taken = qMin(wanted, qMax(both / 2, both - line * kLeastMessagesWidth));
     resizeDocks({&dock, &messages}, {taken, both - taken}, Qt::Horizontal);
 }
 

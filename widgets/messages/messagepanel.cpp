@@ -54,7 +54,7 @@ void MessagePanel::build() {
     const int unit = look::gridUnit(this);
     for (QComboBox* box : {m_kind, m_module}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(7);
+        box->setMinimumContentsLength(2);
         connect(box, &QComboBox::currentIndexChanged, this, &MessagePanel::filter);
     }
     connect(m_notOver, &QCheckBox::toggled, this, &MessagePanel::filter);

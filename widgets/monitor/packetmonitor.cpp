@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QShortcut>
@@ -13,6 +12,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/monitor/countertable.h"
@@ -94,14 +94,12 @@ void PacketMonitor::buildControls() {
 
 void PacketMonitor::buildContent() {
     const int unit = look::gridUnit(this);
-    auto* controls = new QHBoxLayout;
+    auto* controls = new FlowLayout(unit / 2);
     controls->setContentsMargins(unit / 2, unit / 3, unit / 2, unit / 3);
-    controls->setSpacing(unit / 2);
     for (QWidget* widget :
          {static_cast<QWidget*>(m_module), static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_pause),
           static_cast<QWidget*>(m_clear), static_cast<QWidget*>(m_copy), static_cast<QWidget*>(m_save)})
         controls->addWidget(widget);
-    controls->addStretch(1);
     auto* packets = new QWidget(this);
     auto* layout = new QVBoxLayout(packets);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -117,9 +117,11 @@ void DirectBox::setCommand(std::function<bus::ModuleCommand()> command,
     m_command = std::move(command);
     m_tell = std::move(meaning);
     addRow(m_meaning, nullptr);
-    const int row = m_grid->rowCount();
-    m_grid->addWidget(m_bytes, row, 0);
-    m_grid->addWidget(m_send->button(), row, 1, Qt::AlignRight);
+    auto* last = new QHBoxLayout;
+    last->setSpacing(look::gridUnit(this));
+    last->addWidget(m_bytes, 1);
+    last->addWidget(m_send->button());
+    m_grid->addLayout(last, m_grid->rowCount(), 0, 1, 2);
     m_context.whenSeen(this, [this] { refresh(); });
 }
 

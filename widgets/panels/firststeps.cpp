@@ -70,6 +70,7 @@ FirstSteps::FirstSteps(ModuleContext& context, QWidget* parent)
         layout->addWidget(m_steps[i]);
     }
     layout->addWidget(m_hint, 1);
+    layout->addStretch();
     layout->addWidget(m_show);
     connect(m_show, &QPushButton::clicked, this, [this] {
         if (m_next)
@@ -120,6 +121,8 @@ void FirstSteps::refreshSteps(FirstStep next) {
         m_steps[i]->setVisible(wide || step == next);
     }
     look::setText(m_hint, hintFor(next));
+    m_hint->setVisible(wide);
+    setToolTip(hintFor(next));
     setAccessibleDescription(
         tr("Step %1 of %2: %3").arg(static_cast<int>(next) + 1).arg(m_steps.size()).arg(stepTitle(next)));
 }

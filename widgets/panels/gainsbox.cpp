@@ -202,8 +202,9 @@ void GainsBox::fitInto(int width) {
     int names = 0;
     for (const Row& row : m_rows)
         names = qMax(names, row.label->fontMetrics().horizontalAdvance(fullName(row.gain)));
-    const int field = m_rows.front().field->sizeHint().width();
-    nameRows(width < names + field + 4 * look::gridUnit(this));
+    const int unit = look::gridUnit(this);
+    const int field = m_rows.front().field->sizeHint().width() + 2 * unit;
+    nameRows(width < names + qMax(field, m_sense->sizeHint().width()) + 2 * unit);
     if (narrow == m_narrow)
         return;
     arrange(narrow);
@@ -234,7 +235,9 @@ void GainsBox::arrange(bool narrow) {
     layout()->setContentsMargins(side, look::gridUnit(this) / (narrow ? 3 : 1), side, 0);
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         const Place& place = narrow ? kNarrowPlaces[i] : kWidePlaces[i];
-        m_buttonGrid->addWidget(m_buttons[i]->button(), place.line, place.column);
+        // The last of a narrow column has its line for itself.
+        const int columns = narrow && place.line == 4 ? 2 : 1;
+        m_buttonGrid->addWidget(m_buttons[i]->button(), place.line, place.column, 1, columns);
     }
     m_buttonGrid->setColumnStretch(2, 1);
 }

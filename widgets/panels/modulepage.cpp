@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QToolTip>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "widgets/common/focuskeeper.h"
@@ -62,8 +63,8 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     motions->setContentsMargins(0, 0, 0, unit);
     left->setLayout(motions);
     m_motions = scrolled(left, u"panelScroll"_s, tr("Motions of the selected module"));
-    m_columnWidth = left->sizeHint().width() + m_motions->verticalScrollBar()->sizeHint().width();
-    m_motions->setMinimumWidth(m_columnWidth);
+    m_columnWidth = left->minimumSizeHint().width() + scrollBarWidth();
+    m_columnWish = left->sizeHint().width() + scrollBarWidth();
     m_columns = new QHBoxLayout;
     m_columns->setContentsMargins(unit, 0, unit, 0);
     m_columns->setSpacing(unit);
@@ -92,13 +93,19 @@ void ModulePage::changeEvent(QEvent* event) {
 
 void ModulePage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    if (m_pagesWish == 0)
+        for (const QScrollArea* page : m_pages->findChildren<QScrollArea*>())
+            m_pagesWish = qMax(m_pagesWish, page->widget()->minimumSizeHint().width() + scrollBarWidth());
     const bool narrow = width() < m_columnWidth + fontMetrics().height() * kNarrowestPages;
+    if (!narrow)
+        m_motions->setFixedWidth(motionsWidth());
     if (narrow == m_narrow)
         return fit(pageWidth());
     m_narrow = narrow;
-    // As a page it scrolls in both directions: a button that is cut off can't be reached.
-    m_motions->setMinimumWidth(narrow ? 0 : m_columnWidth);
     if (narrow) {
+        // As a page it scrolls in both directions: a button that is cut off can't be reached.
+        m_motions->setMinimumWidth(0);
+        m_motions->setMaximumWidth(QWIDGETSIZE_MAX);
         m_pages->insertTab(0, m_motions, tr("Motion"));
         m_pages->setCurrentIndex(0);
         if (m_tuning)
@@ -132,13 +139,23 @@ void ModulePage::fit(int width) {
     }
 }
 
+int ModulePage::columnsWidth() const {
+    return width() - m_columns->contentsMargins().left() - m_columns->contentsMargins().right();
+}
+
+int ModulePage::scrollBarWidth() const {
+    return m_motions->verticalScrollBar()->sizeHint().width();
+}
+
+/// Half of the room, or more as far as they want it and the pages do not.
+int ModulePage::motionsWidth() const {
+    const int room = columnsWidth() - m_columns->spacing();
+    return std::max({room / 2, m_columnWidth, std::min(m_columnWish, room - m_pagesWish)});
+}
+
 int ModulePage::pageWidth() const {
-    const int scrollBar = m_motions->verticalScrollBar()->sizeHint().width();
-    const int room = width() - m_columns->contentsMargins().left() - m_columns->contentsMargins().right();
-    if (m_narrow)
-        return room - scrollBar;
-    const int both = room - m_columns->spacing();
-    return qMin(both / 2, both - m_columnWidth) - scrollBar;
+    const int beside = m_narrow ? 0 : motionsWidth() + m_columns->spacing();
+    return columnsWidth() - beside - scrollBarWidth();
 }
 
 void ModulePage::setTuning(bool on) {

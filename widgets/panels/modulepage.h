@@ -63,6 +63,9 @@ protected:
     virtual void revealTuning() {}
 
 private:
+    [[nodiscard]] int scrollBarWidth() const;
+    [[nodiscard]] int columnsWidth() const;
+    [[nodiscard]] int motionsWidth() const;
     [[nodiscard]] int pageWidth() const;
     void fit(int width);
     /// In operator mode, pages whose fields are not the operator's.
@@ -73,6 +76,8 @@ private:
     QScrollArea* m_motions = nullptr;
     QHBoxLayout* m_columns = nullptr;
     int m_columnWidth = 0;                  ///< pixels, below which the motions don't fit beside the pages
+    int m_columnWish = 0;                   ///< pixels, from which on each row of them is one
+    int m_pagesWish = 0;                    ///< pixels, from which on no page needs to be arranged otherwise
     std::map<const QWidget*, int> m_needs;  ///< pixels that a page needs to stand whole
     bool m_narrow = false;
     bool m_tuning = false;

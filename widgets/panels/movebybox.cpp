@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <utility>
 
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/quantityfield.h"
@@ -98,18 +99,18 @@ void MoveByBox::buildRepeat(QGridLayout* grid, int& line) {
                         this, [this] { m_context.ask(intent::CancelProcedure{}); });
     m_progress = look::newMutedLabel({}, this);
     m_progress->setObjectName(named(u"moveByProgress"_s));
-    auto* repeat = new QHBoxLayout;
-    repeat->setSpacing(look::gridUnit(this));
-    repeat->addWidget(m_rounds);
     auto* pause = new QLabel(tr("times, pause"), this);
     pause->setBuddy(m_pause);
-    repeat->addWidget(pause);
-    repeat->addWidget(m_pause);
-    repeat->addWidget(new QLabel(tr("s"), this));
-    repeat->addWidget(m_backAndForth);
-    repeat->addWidget(m_progress, 1);
-    repeat->addWidget(m_end->button());
-    grid->addWidget(new QLabel(tr("Repeat"), this), line, 0);
+    auto* repeat = new FlowLayout(look::gridUnit(this));
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_rounds), static_cast<QWidget*>(pause), static_cast<QWidget*>(m_pause),
+          static_cast<QWidget*>(new QLabel(tr("s"), this)), static_cast<QWidget*>(m_backAndForth),
+          static_cast<QWidget*>(m_end->button()), static_cast<QWidget*>(m_progress)})
+        repeat->addWidget(part);
+    auto* title = new QLabel(tr("Repeat"), this);
+    // Beside the first row, should there be two.
+    title->setMinimumHeight(m_rounds->sizeHint().height());
+    grid->addWidget(title, line, 0, Qt::AlignTop);
     grid->addLayout(repeat, line++, 1, 1, quantitygrid::kColumns - 1);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "widgets/common/elidedlabel.h"
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
@@ -194,26 +195,25 @@ void PanelHead::arrangeNarrow(QGridLayout& grid, QHBoxLayout* what) {
     where->addStretch(1);
     where->addWidget(m_position);
     where->addWidget(m_positionUnit);
-    QHBoxLayout* all = signs();
-    all->addStretch(1);
     QHBoxLayout* more = row({m_current});
     more->addWidget(m_home, 1);
     more->addWidget(m_travel);
     if (m_limitStop != nullptr)
         more->addWidget(m_limitStop);
-    QHBoxLayout* first = row({m_enable->button(), m_stopSmoothly->button(), m_motorOff->button()});
-    first->addStretch(1);
-    QHBoxLayout* others =
-        row({m_stopAbruptly->button(), m_stopHere != nullptr ? m_stopHere->button() : nullptr});
-    others->addStretch(1);
+    auto* all = new FlowLayout(look::gridUnit(this));
+    for (const Sign& sign : {m_limits[0], m_limits[1], m_power})
+        all->addLayout(row({sign.glyph, sign.word}));
+    auto* buttons = new FlowLayout(look::gridUnit(this) / 2);
+    for (const Command* command : {m_enable, m_stopSmoothly, m_motorOff, m_stopAbruptly, m_stopHere})
+        if (command != nullptr)
+            buttons->addWidget(command->button());
     grid.addLayout(what, 1, 0);
     grid.addWidget(m_meaning, 2, 0);
     grid.addLayout(where, 3, 0);
     grid.addWidget(m_velocity, 4, 0, Qt::AlignRight);
     grid.addLayout(all, 5, 0);
     grid.addLayout(more, 6, 0);
-    grid.addLayout(first, 7, 0);
-    grid.addLayout(others, 8, 0);
+    grid.addLayout(buttons, 7, 0);
 }
 
 QString PanelHead::named(const QString& name) const {

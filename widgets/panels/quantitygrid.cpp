@@ -22,24 +22,24 @@ QGridLayout* newGrid(QWidget* parent) {
 }
 
 namespace {
-QLabel* addWithLabel(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
+QLabel* addWithLabel(QGridLayout* grid, int line, const QString& label, QuantityField* field, int columns) {
     auto* name = new QLabel(label, grid->parentWidget());
     name->setBuddy(field);
     field->setDigits(9);
     grid->addWidget(name, line, 0);
     grid->addWidget(field, line, 1);
     grid->addWidget(field->unitLabel(), line, 2);
-    grid->addWidget(field->otherView(), line, 3);
+    grid->addWidget(field->otherView(), line, 3, 1, columns);
     return name;
 }
 }  // namespace
 
 void addRow(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
-    addWithLabel(grid, line, label, field);
+    addWithLabel(grid, line, label, field, kColumns - 3);
 }
 
 void addFirstRow(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
-    QLabel* name = addWithLabel(grid, line, label, field);
+    QLabel* name = addWithLabel(grid, line, label, field, 1);
     QFont bold = name->font();
     bold.setBold(true);
     name->setFont(bold);

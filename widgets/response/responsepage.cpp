@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "model/machinefile/responsestore.h"
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
@@ -82,13 +83,9 @@ QWidget* ResponsePage::newRunsPart() {
     connect(m_all, &QCheckBox::toggled, this, &ResponsePage::refreshRuns);
     m_view->addControl(m_all);
     auto* part = new QWidget(this);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(look::gridUnit(this));
-    buttons->addWidget(m_use);
-    buttons->addWidget(m_remove);
-    buttons->addWidget(m_putBack);
-    buttons->addStretch(1);
-    buttons->addWidget(m_save);
+    auto* buttons = new FlowLayout(look::gridUnit(this));
+    for (QWidget* button : {m_use, m_remove, m_putBack, m_save})
+        buttons->addWidget(button);
     auto* layout = new QVBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(look::gridUnit(this) / 2);

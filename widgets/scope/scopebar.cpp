@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 
@@ -16,7 +17,7 @@ using namespace Qt::StringLiterals;
 
 ScopeBar::ScopeBar(QWidget* parent)
     : QWidget(parent),
-      m_buttons(new QHBoxLayout),
+      m_buttons(new FlowLayout(look::gridUnit(this) / 2)),
       m_window(new QComboBox(this)),
       m_which(look::newMutedLabel({}, this)),
       m_record(new QLabel(this)),
@@ -34,10 +35,8 @@ ScopeBar::ScopeBar(QWidget* parent)
     rows->setSpacing(0);
     rows->addLayout(m_buttons);
     rows->addWidget(newRecordRow());
-    m_buttons->setSpacing(look::gridUnit(this));
     buildWindowBox();
     buildButtons();
-    m_buttons->addStretch(1);
 }
 
 QAction* ScopeBar::newAction(const QString& objectName, const QString& text, const QString& meaning,
@@ -60,7 +59,7 @@ QToolButton* ScopeBar::addButton(QAction* action, const QString& objectName) {
     look::name(button, objectName, action->text());
     connect(action, &QAction::changed, button,
             [button] { button->setAccessibleName(button->defaultAction()->text()); });
-    m_buttons->insertWidget(m_buttons->indexOf(m_which), button);
+    m_buttons->insertWidget(m_buttons->count() - 1, button);
     return button;
 }
 

@@ -8,11 +8,12 @@
 #include "widgets/scope/timewindow.h"
 
 class QComboBox;
-class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
 namespace nmc {
+
+class FlowLayout;
 
 /// The scope's tool bar: how much time is shown, and what else stands beside the traces. It says whose
 /// samples these are.
@@ -52,7 +53,7 @@ private:
     [[nodiscard]] QWidget* newRecordRow();
 
     QList<QAction*> m_menuActions;  ///< filled while those below are made
-    QHBoxLayout* m_buttons;
+    FlowLayout* m_buttons;
     QComboBox* m_window;
     QLabel* m_which;
     QLabel* m_record;

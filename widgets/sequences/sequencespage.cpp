@@ -19,6 +19,7 @@
 #include "model/module/modulescale.h"
 #include "model/sequence/sequencecheck.h"
 #include "model/sequence/sequenceedit.h"
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sequencetexts.h"
 #include "widgets/common/words.h"
@@ -66,11 +67,9 @@ QTableView* newTable(QAbstractItemModel* model, const QString& objectName, const
 }
 
 template <typename... Commands>
-QHBoxLayout* inARow(const QWidget* box, Commands*... commands) {
-    auto* layout = new QHBoxLayout;
-    layout->setSpacing(look::gridUnit(box) / 2);
+FlowLayout* inARow(const QWidget* box, Commands*... commands) {
+    auto* layout = new FlowLayout(look::gridUnit(box) / 2);
     (layout->addWidget(commands->button()), ...);
-    layout->addStretch(1);
     return layout;
 }
 
@@ -155,7 +154,8 @@ QWidget* SequencesPage::buildSequences() {
     look::name(box, u"sequencesBox"_s, tr("Sequences"));
     m_sequence = new QComboBox(box);
     look::name(m_sequence, u"sequenceBox"_s, tr("Sequence"));
-    m_sequence->setMinimumContentsLength(10);
+    m_sequence->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_sequence->setMinimumContentsLength(6);
     m_sequenceName = new QLineEdit(box);
     look::name(m_sequenceName, u"sequenceNameField"_s, tr("Name of the sequence"));
     m_sequenceName->setMaxLength(60);
