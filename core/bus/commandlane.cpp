@@ -89,6 +89,11 @@ bool CommandLane::concerns(const Waiting& waiting, const std::vector<ModuleIndex
     return waiting.group || std::any_of(waiting.orders.begin(), waiting.orders.end(), toOne);
 }
 
+bool CommandLane::concerns(ModuleIndex module) const {
+    return std::any_of(m_waiting.begin(), m_waiting.end(),
+                       [&](const Waiting& waiting) { return concerns(waiting, {module}); });
+}
+
 std::vector<Event> CommandLane::cancelFor(const std::vector<ModuleIndex>& modules) {
     std::vector<Event> events;
     while (isFor(modules))

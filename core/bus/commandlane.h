@@ -22,6 +22,7 @@ public:
     [[nodiscard]] bool submit(Operation operation);
     [[nodiscard]] bool submit(GroupOperation operation);
     [[nodiscard]] bool empty() const { return m_waiting.empty(); }
+    [[nodiscard]] bool concerns(ModuleIndex module) const;
 
     /// The operation to carry out now, when it is one of groups. It has no orders before plan() gives it
     /// some.

@@ -387,7 +387,13 @@ bool Engine::dispatch(TimePoint now) {
     if (taken == Turn::Nobody)
         taken = repeat(false, now);
     if (taken == Turn::Nobody && live)
-        taken = turn(m_search, m_rate, m_readdress, m_trials, m_hold, m_path, m_operations);
+        taken = turn(m_search, m_rate, m_readdress, m_trials);
+    // What was asked of its module before a hold goes before it: a stop that came behind the start would end
+    // the motion while the hold takes it to go on.
+    if (taken == Turn::Nobody && live && !(m_hold.active() && m_operations.concerns(m_hold.module())))
+        taken = turn(m_hold);
+    if (taken == Turn::Nobody && live)
+        taken = turn(m_path, m_operations);
     if (taken == Turn::Nobody && !m_search.active())
         taken = turn(m_wellAgain);
     if (taken == Turn::Nobody && live)

@@ -34,6 +34,8 @@ public:
         return m_lane.wanted() && m_lane.wanted()->module == module;
     }
     [[nodiscard]] bool active() const { return m_lane.wanted().has_value(); }
+    /// While it is active().
+    [[nodiscard]] ModuleIndex module() const { return m_lane.wanted()->module; }
 
     [[nodiscard]] bool wants(TimePoint now) const override;
     [[nodiscard]] bool pipelines() const override { return true; }

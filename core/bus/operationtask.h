@@ -36,6 +36,8 @@ public:
         return m_commands.swings() && m_commands.isFor({module});
     }
     [[nodiscard]] bool empty() const { return m_commands.empty(); }
+    /// Something that it waits for, or is told just now, is for that module.
+    [[nodiscard]] bool concerns(ModuleIndex module) const { return m_commands.concerns(module); }
     /// Half a group has started: its members have to be stopped. Once.
     [[nodiscard]] std::vector<GroupMember> takeHalfStarted() { return m_group.takeHalfStarted(); }
 

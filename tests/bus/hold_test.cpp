@@ -50,6 +50,19 @@ TEST_F(Hold, MovesUntilReleased) {
     bus.expectNoViolations();
 }
 
+/// What was asked for before goes before it: behind the start it would end a motion that is held.
+TEST_F(Hold, BeginsBehindAStopThatWasAskedForBefore) {
+    enableFirst();
+    servo::StopMotor stop;
+    stop.amplifierEnable = true;
+    stop.manner = servo::StopManner::Smoothly;
+    bus.engine.submit({OperationId{7}, {{ModuleIndex(0), ServoCommand(stop)}}}, bus.now);
+    holdFor(1s, forward(0));
+    EXPECT_NEAR(bus.servo(0).commandVelocity, 1.0, 1e-3);
+    EXPECT_EQ(bus.sends(kSmoothStop, from), 1U);
+    bus.expectNoViolations();
+}
+
 TEST_F(Hold, EndsByItselfWhenTheEvidenceStopsComing) {
     enableFirst();
     bus.engine.hold(forward(0), bus.now);

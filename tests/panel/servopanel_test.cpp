@@ -237,5 +237,27 @@ TEST_F(ServoPage, TheChainChangesItsRateAndKeepsItsPositions) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+/// A step ends once its motor was seen at rest. Who jogs before that wants something else of it: the step's
+/// own stop must not come behind the start of the jog.
+TEST_F(ServoPage, AJogTakesOverFromAStepWhereverThatIs) {
+    ASSERT_NO_FATAL_FAILURE(connectAll(3));
+    ASSERT_NO_FATAL_FAILURE(panel.makeReady());
+    const auto place = [&] { return sim.state(1)[u"position"_s].toDouble(); };
+    for (const double left : {1'000.0, 40.0, 3.0}) {
+        ASSERT_NO_FATAL_FAILURE(type("moveByDistanceField", u"2000"_s));
+        const double goal = place() + 2'000;
+        ASSERT_NO_FATAL_FAILURE(click("moveByForwardButton"));
+        ASSERT_TRUE(panel.waitFor([&] { return place() > goal - left; })) << left;
+        auto* hold = find<QAbstractButton>("holdReverseButton");
+        ASSERT_TRUE(panel.waitFor([&] { return hold->isEnabled(); })) << hold->toolTip().toStdString();
+        QTest::mousePress(hold, Qt::LeftButton);
+        EXPECT_TRUE(panel.waitFor([&] { return place() < goal - left - 200; })) << left << ": " << place();
+        QTest::mouseRelease(hold, Qt::LeftButton);
+        EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
+        ASSERT_TRUE(panel.answersFor(0.5));
+    }
+    EXPECT_EQ(sim.violations(), "");
+}
+
 }  // namespace
 }  // namespace nmc
