@@ -2874,14 +2874,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der E-Stop-Eingang des Moduls ist aktiv. Zuerst freigeben.</translation>
     </message>
     <message>
-        <source>Limit switch 1 is active: the motor can move in reverse only.</source>
-        <translation>Endschalter 1 ist aktiv: Der Motor kann nur rückwärts fahren.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2 is active: the motor can move forward only.</source>
-        <translation>Endschalter 2 ist aktiv: Der Motor kann nur vorwärts fahren.</translation>
-    </message>
-    <message>
         <source>The A/D value is below the thermal limit: let the motor cool down, or lower the limit.</source>
         <translation>Der A/D-Wert liegt unter der Temperaturgrenze: Den Motor abkühlen lassen oder die Grenze senken.</translation>
     </message>
@@ -4667,6 +4659,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
         <translation>Sie hat 32 Bit und ging am anderen Ende ihres Bereichs weiter. Positionen und Verfahrgrenzen von vorher sind nicht mehr, wo sie waren: Referenz suchen, dann auf der Seite Details die Sticky-Bits löschen.</translation>
     </message>
+    <message>
+        <source>Limit switch 1 is active: the motor can only move away from it.</source>
+        <translation>Endschalter 1 ist aktiv: Der Motor kann sich nur von ihm weg bewegen.</translation>
+    </message>
+    <message>
+        <source>Limit switch 2 is active: the motor can only move away from it.</source>
+        <translation>Endschalter 2 ist aktiv: Der Motor kann sich nur von ihm weg bewegen.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4949,10 +4949,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>schalten den Motor aus</translation>
     </message>
     <message>
-        <source>What the module does by itself when limit 1 closes in forward motion, or limit 2 in reverse. It stays armed.</source>
-        <translation>Was das Modul von selbst tut, wenn Endschalter 1 bei Vorwärtsfahrt schließt oder Endschalter 2 bei Rückwärtsfahrt. Es bleibt scharf.</translation>
-    </message>
-    <message>
         <source>Amplifier settings of the module</source>
         <translation>Verstärkereinstellungen des Moduls</translation>
     </message>
@@ -5051,6 +5047,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Erase and restart</source>
         <translation>Löschen und neu starten</translation>
+    </message>
+    <message>
+        <source>What the module does by itself when limit 1 closes while it counts up, or limit 2 while it counts down. It stays armed.</source>
+        <translation>Was das Modul von selbst tut, wenn Endschalter 1 schließt, während es aufwärts zählt, oder Endschalter 2, während es abwärts zählt. Es bleibt scharf.</translation>
     </message>
 </context>
 <context>
@@ -5273,6 +5273,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Calculates the unit from the data of encoder, gear and screw. Sends nothing.</source>
         <translation>Berechnet die Einheit aus den Daten von Encoder, Getriebe und Spindel. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>reversed: forward counts down</source>
+        <translation>umgekehrt: vorwärts zählt abwärts</translation>
+    </message>
+    <message>
+        <source>Turns positions, directions and travel limits of this axis round on the screen. Sends nothing.</source>
+        <translation>Kehrt Positionen, Richtungen und Verfahrgrenzen dieser Achse in der Anzeige um. Sendet nichts.</translation>
     </message>
 </context>
 <context>
@@ -7699,6 +7707,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Once the motor is at home, its position becomes 0.</source>
         <translation>Sobald der Motor an der Referenz steht, wird seine Position 0.</translation>
     </message>
+    <message>
+        <source>Limit 1 (reverse)</source>
+        <translation>Endschalter 1 (rückwärts)</translation>
+    </message>
+    <message>
+        <source>Limit 2 (forward)</source>
+        <translation>Endschalter 2 (vorwärts)</translation>
+    </message>
 </context>
 <context>
     <name>nmc::IoBox</name>
@@ -9861,16 +9877,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Endschaltereingang 1.</translation>
     </message>
     <message>
-        <source>Limit switch 1: high blocks forward.</source>
-        <translation>Endschaltereingang 1: high sperrt vorwärts.</translation>
-    </message>
-    <message>
         <source>Limit switch 2.</source>
         <translation>Endschaltereingang 2.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2: high blocks reverse.</source>
-        <translation>Endschaltereingang 2: high sperrt rückwärts.</translation>
     </message>
     <message>
         <source>Motor power as sensed by the module.</source>
@@ -9947,6 +9955,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The test moves the motor around the position that it held.</source>
         <translation>Der Test bewegt den Motor um die Position, die er hielt.</translation>
+    </message>
+    <message>
+        <source>Limit switch 1: high blocks the way to it.</source>
+        <translation>Endschalter 1: high sperrt den Weg dorthin.</translation>
+    </message>
+    <message>
+        <source>Limit switch 2: high blocks the way to it.</source>
+        <translation>Endschalter 2: high sperrt den Weg dorthin.</translation>
     </message>
 </context>
 <context>
@@ -12310,14 +12326,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Eingang zur freien Verwendung.</translation>
     </message>
     <message>
-        <source>High blocks forward, unless it is ignored.</source>
-        <translation>High sperrt vorwärts, wenn der Eingang nicht ignoriert wird.</translation>
-    </message>
-    <message>
-        <source>High blocks reverse, unless it is ignored.</source>
-        <translation>High sperrt rückwärts, wenn der Eingang nicht ignoriert wird.</translation>
-    </message>
-    <message>
         <source>For homing.</source>
         <translation>Für die Referenzfahrt.</translation>
     </message>
@@ -12409,6 +12417,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Home register</source>
         <translation>Referenzregister</translation>
     </message>
+    <message>
+        <source>High blocks counting up, unless it is ignored.</source>
+        <translation>High sperrt das Aufwärtszählen, außer wenn ignoriert.</translation>
+    </message>
+    <message>
+        <source>High blocks counting down, unless it is ignored.</source>
+        <translation>High sperrt das Abwärtszählen, außer wenn ignoriert.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepperHoldBox</name>
@@ -12496,14 +12512,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>E-Stop-Eingang</translation>
     </message>
     <message>
-        <source>Limit 1 (forward)</source>
-        <translation>Endschalter 1 (vorwärts)</translation>
-    </message>
-    <message>
-        <source>Limit 2 (reverse)</source>
-        <translation>Endschalter 2 (rückwärts)</translation>
-    </message>
-    <message>
         <source>Home switch</source>
         <translation>Referenzschalter</translation>
     </message>
@@ -12566,6 +12574,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Outputs unknown: they cannot be read back. Select all five levels, then set them.</source>
         <translation>Ausgänge unbekannt: Sie lassen sich nicht auslesen. Alle fünf Pegel wählen, dann setzen.</translation>
+    </message>
+    <message>
+        <source>Limit 1</source>
+        <translation>Endschalter 1</translation>
+    </message>
+    <message>
+        <source>Limit 2</source>
+        <translation>Endschalter 2</translation>
     </message>
 </context>
 <context>

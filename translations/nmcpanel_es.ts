@@ -2874,14 +2874,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>La entrada E-Stop del módulo está activa. Libérela primero.</translation>
     </message>
     <message>
-        <source>Limit switch 1 is active: the motor can move in reverse only.</source>
-        <translation>El final de carrera 1 está activo: el motor solo puede moverse hacia atrás.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2 is active: the motor can move forward only.</source>
-        <translation>El final de carrera 2 está activo: el motor solo puede moverse hacia adelante.</translation>
-    </message>
-    <message>
         <source>The A/D value is below the thermal limit: let the motor cool down, or lower the limit.</source>
         <translation>El valor A/D está por debajo del límite térmico: deje enfriar el motor o reduzca el límite.</translation>
     </message>
@@ -4667,6 +4659,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
         <translation>Tiene 32 bits y continuó en el otro extremo de su rango. Las posiciones y los límites de recorrido anteriores ya no están donde estaban: busque la referencia y luego borre los bits enclavados en la página Detalles.</translation>
     </message>
+    <message>
+        <source>Limit switch 1 is active: the motor can only move away from it.</source>
+        <translation>El final de carrera 1 está activo: el motor solo puede alejarse de él.</translation>
+    </message>
+    <message>
+        <source>Limit switch 2 is active: the motor can only move away from it.</source>
+        <translation>El final de carrera 2 está activo: el motor solo puede alejarse de él.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4949,10 +4949,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>apagan el motor</translation>
     </message>
     <message>
-        <source>What the module does by itself when limit 1 closes in forward motion, or limit 2 in reverse. It stays armed.</source>
-        <translation>Lo que hace el módulo por sí solo cuando se cierra el final 1 al ir hacia adelante, o el final 2 al ir hacia atrás. Sigue armado.</translation>
-    </message>
-    <message>
         <source>Amplifier settings of the module</source>
         <translation>Ajustes del amplificador del módulo</translation>
     </message>
@@ -5051,6 +5047,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Erase and restart</source>
         <translation>Borrar y reiniciar</translation>
+    </message>
+    <message>
+        <source>What the module does by itself when limit 1 closes while it counts up, or limit 2 while it counts down. It stays armed.</source>
+        <translation>Lo que hace el módulo por sí solo cuando se cierra el final 1 mientras cuenta hacia arriba, o el final 2 mientras cuenta hacia abajo. Sigue armado.</translation>
     </message>
 </context>
 <context>
@@ -5273,6 +5273,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Calculates the unit from the data of encoder, gear and screw. Sends nothing.</source>
         <translation>Calcula la unidad a partir de los datos del encoder, la reductora y el husillo. No envía nada.</translation>
+    </message>
+    <message>
+        <source>reversed: forward counts down</source>
+        <translation>invertido: adelante cuenta hacia abajo</translation>
+    </message>
+    <message>
+        <source>Turns positions, directions and travel limits of this axis round on the screen. Sends nothing.</source>
+        <translation>Invierte en pantalla las posiciones, los sentidos y los límites de recorrido de este eje. No envía nada.</translation>
     </message>
 </context>
 <context>
@@ -7699,6 +7707,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Once the motor is at home, its position becomes 0.</source>
         <translation>Cuando el motor está en la referencia, su posición pasa a ser 0.</translation>
     </message>
+    <message>
+        <source>Limit 1 (reverse)</source>
+        <translation>Final 1 (atrás)</translation>
+    </message>
+    <message>
+        <source>Limit 2 (forward)</source>
+        <translation>Final 2 (adelante)</translation>
+    </message>
 </context>
 <context>
     <name>nmc::IoBox</name>
@@ -9861,16 +9877,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Final de carrera 1.</translation>
     </message>
     <message>
-        <source>Limit switch 1: high blocks forward.</source>
-        <translation>Final de carrera 1: alto bloquea hacia adelante.</translation>
-    </message>
-    <message>
         <source>Limit switch 2.</source>
         <translation>Final de carrera 2.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2: high blocks reverse.</source>
-        <translation>Final de carrera 2: alto bloquea hacia atrás.</translation>
     </message>
     <message>
         <source>Motor power as sensed by the module.</source>
@@ -9947,6 +9955,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>The test moves the motor around the position that it held.</source>
         <translation>La prueba mueve el motor alrededor de la posición que mantenía.</translation>
+    </message>
+    <message>
+        <source>Limit switch 1: high blocks the way to it.</source>
+        <translation>Final de carrera 1: alto bloquea el avance hacia él.</translation>
+    </message>
+    <message>
+        <source>Limit switch 2: high blocks the way to it.</source>
+        <translation>Final de carrera 2: alto bloquea el avance hacia él.</translation>
     </message>
 </context>
 <context>
@@ -12310,14 +12326,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Entrada de uso general.</translation>
     </message>
     <message>
-        <source>High blocks forward, unless it is ignored.</source>
-        <translation>El nivel alto bloquea hacia adelante, salvo que se ignore.</translation>
-    </message>
-    <message>
-        <source>High blocks reverse, unless it is ignored.</source>
-        <translation>El nivel alto bloquea hacia atrás, salvo que se ignore.</translation>
-    </message>
-    <message>
         <source>For homing.</source>
         <translation>Sirve para el referenciado.</translation>
     </message>
@@ -12409,6 +12417,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Home register</source>
         <translation>Registro de referencia</translation>
     </message>
+    <message>
+        <source>High blocks counting up, unless it is ignored.</source>
+        <translation>El nivel alto bloquea la cuenta hacia arriba, salvo que se ignore.</translation>
+    </message>
+    <message>
+        <source>High blocks counting down, unless it is ignored.</source>
+        <translation>El nivel alto bloquea la cuenta hacia abajo, salvo que se ignore.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepperHoldBox</name>
@@ -12496,14 +12512,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Entrada E-Stop</translation>
     </message>
     <message>
-        <source>Limit 1 (forward)</source>
-        <translation>Final 1 (adelante)</translation>
-    </message>
-    <message>
-        <source>Limit 2 (reverse)</source>
-        <translation>Final 2 (atrás)</translation>
-    </message>
-    <message>
         <source>Home switch</source>
         <translation>Interruptor de referencia</translation>
     </message>
@@ -12566,6 +12574,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Outputs unknown: they cannot be read back. Select all five levels, then set them.</source>
         <translation>Salidas desconocidas: no se pueden leer del módulo. Seleccione los cinco niveles y después fíjelos.</translation>
+    </message>
+    <message>
+        <source>Limit 1</source>
+        <translation>Final 1</translation>
+    </message>
+    <message>
+        <source>Limit 2</source>
+        <translation>Final 2</translation>
     </message>
 </context>
 <context>

@@ -2874,14 +2874,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>L’entrée E-Stop du module est active. Relâchez-la d’abord.</translation>
     </message>
     <message>
-        <source>Limit switch 1 is active: the motor can move in reverse only.</source>
-        <translation>Le fin de course 1 est actif&#xa0;: le moteur ne peut aller qu’en arrière.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2 is active: the motor can move forward only.</source>
-        <translation>Le fin de course 2 est actif&#xa0;: le moteur ne peut aller qu’en avant.</translation>
-    </message>
-    <message>
         <source>The A/D value is below the thermal limit: let the motor cool down, or lower the limit.</source>
         <translation>La valeur A/D est sous le seuil thermique&#xa0;: laissez refroidir le moteur, ou abaissez le seuil.</translation>
     </message>
@@ -4667,6 +4659,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
         <translation>Elle a 32 bits et a continué à l’autre bout de leur plage. Les positions et limites de course d’avant ne sont plus où elles étaient : cherchez l’origine, puis effacez les bits mémorisés à la page Détails.</translation>
     </message>
+    <message>
+        <source>Limit switch 1 is active: the motor can only move away from it.</source>
+        <translation>Le fin de course 1 est actif&#xa0;: le moteur ne peut que s’en éloigner.</translation>
+    </message>
+    <message>
+        <source>Limit switch 2 is active: the motor can only move away from it.</source>
+        <translation>Le fin de course 2 est actif&#xa0;: le moteur ne peut que s’en éloigner.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4949,10 +4949,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>moteur coupé</translation>
     </message>
     <message>
-        <source>What the module does by itself when limit 1 closes in forward motion, or limit 2 in reverse. It stays armed.</source>
-        <translation>Ce que le module fait de lui-même quand le fin de course 1 se ferme en marche avant, ou le fin de course 2 en marche arrière. Cela reste armé.</translation>
-    </message>
-    <message>
         <source>Amplifier settings of the module</source>
         <translation>Réglages d’amplificateur du module</translation>
     </message>
@@ -5051,6 +5047,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Erase and restart</source>
         <translation>Effacer et redémarrer</translation>
+    </message>
+    <message>
+        <source>What the module does by itself when limit 1 closes while it counts up, or limit 2 while it counts down. It stays armed.</source>
+        <translation>Ce que le module fait de lui-même quand le fin de course 1 se ferme pendant qu’il compte vers le haut, ou le fin de course 2 pendant qu’il compte vers le bas. Cela reste armé.</translation>
     </message>
 </context>
 <context>
@@ -5273,6 +5273,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Calculates the unit from the data of encoder, gear and screw. Sends nothing.</source>
         <translation>Calcule l’unité d’après les caractéristiques du codeur, du réducteur et de la vis. N’envoie rien.</translation>
+    </message>
+    <message>
+        <source>reversed: forward counts down</source>
+        <translation>inversé&#xa0;: avant compte vers le bas</translation>
+    </message>
+    <message>
+        <source>Turns positions, directions and travel limits of this axis round on the screen. Sends nothing.</source>
+        <translation>Inverse à l’écran les positions, les sens et les limites de course de cet axe. N’envoie rien.</translation>
     </message>
 </context>
 <context>
@@ -7699,6 +7707,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Once the motor is at home, its position becomes 0.</source>
         <translation>Dès que le moteur est à l’origine, sa position devient 0.</translation>
     </message>
+    <message>
+        <source>Limit 1 (reverse)</source>
+        <translation>Fin de course 1 (arrière)</translation>
+    </message>
+    <message>
+        <source>Limit 2 (forward)</source>
+        <translation>Fin de course 2 (avant)</translation>
+    </message>
 </context>
 <context>
     <name>nmc::IoBox</name>
@@ -9861,16 +9877,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Fin de course 1.</translation>
     </message>
     <message>
-        <source>Limit switch 1: high blocks forward.</source>
-        <translation>Fin de course 1&#xa0;: l’état haut bloque la marche avant.</translation>
-    </message>
-    <message>
         <source>Limit switch 2.</source>
         <translation>Fin de course 2.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2: high blocks reverse.</source>
-        <translation>Fin de course 2&#xa0;: l’état haut bloque la marche arrière.</translation>
     </message>
     <message>
         <source>Motor power as sensed by the module.</source>
@@ -9947,6 +9955,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>The test moves the motor around the position that it held.</source>
         <translation>L’essai déplace le moteur autour de la position qu’il maintenait.</translation>
+    </message>
+    <message>
+        <source>Limit switch 1: high blocks the way to it.</source>
+        <translation>Fin de course 1&#xa0;: l’état haut bloque la marche vers lui.</translation>
+    </message>
+    <message>
+        <source>Limit switch 2: high blocks the way to it.</source>
+        <translation>Fin de course 2&#xa0;: l’état haut bloque la marche vers lui.</translation>
     </message>
 </context>
 <context>
@@ -12310,14 +12326,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Entrée à usage général.</translation>
     </message>
     <message>
-        <source>High blocks forward, unless it is ignored.</source>
-        <translation>L’état haut bloque la marche avant, sauf si l’entrée est ignorée.</translation>
-    </message>
-    <message>
-        <source>High blocks reverse, unless it is ignored.</source>
-        <translation>L’état haut bloque la marche arrière, sauf si l’entrée est ignorée.</translation>
-    </message>
-    <message>
         <source>For homing.</source>
         <translation>Pour la prise d’origine.</translation>
     </message>
@@ -12409,6 +12417,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Home register</source>
         <translation>Registre d’origine</translation>
     </message>
+    <message>
+        <source>High blocks counting up, unless it is ignored.</source>
+        <translation>L’état haut bloque le comptage vers le haut, sauf si l’entrée est ignorée.</translation>
+    </message>
+    <message>
+        <source>High blocks counting down, unless it is ignored.</source>
+        <translation>L’état haut bloque le comptage vers le bas, sauf si l’entrée est ignorée.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepperHoldBox</name>
@@ -12496,14 +12512,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Entrée E-Stop</translation>
     </message>
     <message>
-        <source>Limit 1 (forward)</source>
-        <translation>Fin de course 1 (avant)</translation>
-    </message>
-    <message>
-        <source>Limit 2 (reverse)</source>
-        <translation>Fin de course 2 (arrière)</translation>
-    </message>
-    <message>
         <source>Home switch</source>
         <translation>Capteur d’origine</translation>
     </message>
@@ -12566,6 +12574,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Outputs unknown: they cannot be read back. Select all five levels, then set them.</source>
         <translation>Sorties inconnues&#xa0;: elles ne peuvent pas être relues. Choisissez les cinq niveaux, puis définissez-les.</translation>
+    </message>
+    <message>
+        <source>Limit 1</source>
+        <translation>Fin de course 1</translation>
+    </message>
+    <message>
+        <source>Limit 2</source>
+        <translation>Fin de course 2</translation>
     </message>
 </context>
 <context>

@@ -2867,14 +2867,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュールのE-stop入力がオンです。先に解除してください。</translation>
     </message>
     <message>
-        <source>Limit switch 1 is active: the motor can move in reverse only.</source>
-        <translation>リミットスイッチ1がオンです。モーターは逆方向にだけ動けます。</translation>
-    </message>
-    <message>
-        <source>Limit switch 2 is active: the motor can move forward only.</source>
-        <translation>リミットスイッチ2がオンです。モーターは正方向にだけ動けます。</translation>
-    </message>
-    <message>
         <source>The A/D value is below the thermal limit: let the motor cool down, or lower the limit.</source>
         <translation>A/D値が温度制限を下回っています。モーターを冷ますか、制限値を下げてください。</translation>
     </message>
@@ -4650,6 +4642,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
         <translation>32ビットの範囲の反対側の端から続いています。以前の位置や移動範囲はもう元の場所を指しません。原点復帰を行い、「詳細」ページでスティッキービットをクリアしてください。</translation>
     </message>
+    <message>
+        <source>Limit switch 1 is active: the motor can only move away from it.</source>
+        <translation>リミットスイッチ1がオンです。モーターはそこから離れる方向にだけ動けます。</translation>
+    </message>
+    <message>
+        <source>Limit switch 2 is active: the motor can only move away from it.</source>
+        <translation>リミットスイッチ2がオンです。モーターはそこから離れる方向にだけ動けます。</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4932,10 +4932,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モーターオフ</translation>
     </message>
     <message>
-        <source>What the module does by itself when limit 1 closes in forward motion, or limit 2 in reverse. It stays armed.</source>
-        <translation>正方向の動作中にリミット1、または逆方向の動作中にリミット2が閉じたとき、モジュールが自動で行う動作です。作動後も有効なままです。</translation>
-    </message>
-    <message>
         <source>Amplifier settings of the module</source>
         <translation>モジュールのアンプ設定</translation>
     </message>
@@ -5034,6 +5030,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Erase and restart</source>
         <translation>消去して再起動</translation>
+    </message>
+    <message>
+        <source>What the module does by itself when limit 1 closes while it counts up, or limit 2 while it counts down. It stays armed.</source>
+        <translation>カウントが増えている間にリミット1、または減っている間にリミット2が閉じたとき、モジュールが自動で行う動作です。作動後も有効なままです。</translation>
     </message>
 </context>
 <context>
@@ -5256,6 +5256,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Calculates the unit from the data of encoder, gear and screw. Sends nothing.</source>
         <translation>エンコーダー、ギア、ねじのデータから単位を計算します。何も送信しません。</translation>
+    </message>
+    <message>
+        <source>reversed: forward counts down</source>
+        <translation>反転：正方向でカウントが減る</translation>
+    </message>
+    <message>
+        <source>Turns positions, directions and travel limits of this axis round on the screen. Sends nothing.</source>
+        <translation>この軸の位置、方向、移動範囲の表示を反転します。何も送信しません。</translation>
     </message>
 </context>
 <context>
@@ -7682,6 +7690,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Once the motor is at home, its position becomes 0.</source>
         <translation>モーターが原点に達すると、その位置が0になります。</translation>
     </message>
+    <message>
+        <source>Limit 1 (reverse)</source>
+        <translation>リミット1（逆方向）</translation>
+    </message>
+    <message>
+        <source>Limit 2 (forward)</source>
+        <translation>リミット2（正方向）</translation>
+    </message>
 </context>
 <context>
     <name>nmc::IoBox</name>
@@ -9842,16 +9858,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>リミットスイッチ1です。</translation>
     </message>
     <message>
-        <source>Limit switch 1: high blocks forward.</source>
-        <translation>リミットスイッチ1：Highで正方向を禁止。</translation>
-    </message>
-    <message>
         <source>Limit switch 2.</source>
         <translation>リミットスイッチ2です。</translation>
-    </message>
-    <message>
-        <source>Limit switch 2: high blocks reverse.</source>
-        <translation>リミットスイッチ2：Highで逆方向を禁止。</translation>
     </message>
     <message>
         <source>Motor power as sensed by the module.</source>
@@ -9928,6 +9936,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>The test moves the motor around the position that it held.</source>
         <translation>テストは、保持していた位置のまわりでモーターを動かします。</translation>
+    </message>
+    <message>
+        <source>Limit switch 1: high blocks the way to it.</source>
+        <translation>リミットスイッチ1：Highでそこへ向かう動作を禁止。</translation>
+    </message>
+    <message>
+        <source>Limit switch 2: high blocks the way to it.</source>
+        <translation>リミットスイッチ2：Highでそこへ向かう動作を禁止。</translation>
     </message>
 </context>
 <context>
@@ -12290,14 +12306,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>汎用入力です。</translation>
     </message>
     <message>
-        <source>High blocks forward, unless it is ignored.</source>
-        <translation>無視されていなければ、Highで正方向を禁止します。</translation>
-    </message>
-    <message>
-        <source>High blocks reverse, unless it is ignored.</source>
-        <translation>無視されていなければ、Highで逆方向を禁止します。</translation>
-    </message>
-    <message>
         <source>For homing.</source>
         <translation>原点復帰用です。</translation>
     </message>
@@ -12389,6 +12397,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Home register</source>
         <translation>原点レジスター</translation>
     </message>
+    <message>
+        <source>High blocks counting up, unless it is ignored.</source>
+        <translation>無視されていなければ、Highでカウントの増える方向を禁止します。</translation>
+    </message>
+    <message>
+        <source>High blocks counting down, unless it is ignored.</source>
+        <translation>無視されていなければ、Highでカウントの減る方向を禁止します。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepperHoldBox</name>
@@ -12476,14 +12492,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>E-stop入力</translation>
     </message>
     <message>
-        <source>Limit 1 (forward)</source>
-        <translation>リミット1（正方向）</translation>
-    </message>
-    <message>
-        <source>Limit 2 (reverse)</source>
-        <translation>リミット2（逆方向）</translation>
-    </message>
-    <message>
         <source>Home switch</source>
         <translation>原点スイッチ</translation>
     </message>
@@ -12546,6 +12554,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Outputs unknown: they cannot be read back. Select all five levels, then set them.</source>
         <translation>出力は不明です。読み出せません。5つすべてのレベルを選択してから、設定してください。</translation>
+    </message>
+    <message>
+        <source>Limit 1</source>
+        <translation>リミット1</translation>
+    </message>
+    <message>
+        <source>Limit 2</source>
+        <translation>リミット2</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,21 @@ TEST(AxisScale, TheServoRateStretchesTheTick) {
     EXPECT_NEAR(*scale.acceleration(1.0), 3814.697265625, 1e-9);
 }
 
+/// Its positions are those of the other side; what has no direction stays what it is.
+TEST(AxisScale, AReversedAxisTurnsPositionsRoundAndNoAmount) {
+    const AxisScale scale = AxisScale::servo({UnitKind::Turns, -2000.0, {}}, 1);
+    EXPECT_TRUE(scale.reversed());
+    EXPECT_DOUBLE_EQ(scale.position(500.0), -0.25);
+    EXPECT_DOUBLE_EQ(scale.counts(0.25), -500.0);
+    EXPECT_DOUBLE_EQ(scale.distance(500.0), 0.25);
+    EXPECT_DOUBLE_EQ(scale.countsOfDistance(0.25), 500.0);
+    EXPECT_DOUBLE_EQ(*scale.velocity(1.0), 0.9765625);
+    EXPECT_DOUBLE_EQ(*scale.nativeAcceleration(1907.3486328125), 1.0);
+    EXPECT_EQ(*countsPerTurn(scale.unit()), 2000.0);
+    EXPECT_EQ(homeTolerance(scale.unit()), 2);
+    EXPECT_FALSE(AxisScale::servo({}, 1).reversed());
+}
+
 /// Another host may have set SR: a count per tick is 1953 counts/s or 7.7, and nobody can say which.
 TEST(AxisScale, NothingPerSecondIsKnownWhileTheServoRateIsNot) {
     const AxisScale counts = AxisScale::servo({}, std::nullopt);

@@ -308,7 +308,8 @@ TEST(BadMachineFile, OtherNumbersOutOfRange) {
     EXPECT_EQ(field(motion("step_counts", "2147483648", "PIC-SERVO")), "step_counts");
     EXPECT_EQ(field(motion("velocity_steps_per_s", "50001", "PIC-STEP")), "velocity_steps_per_s");
     EXPECT_EQ(field(axisWith("\"unit\": {\"kind\": \"turns\", \"counts_per_unit\": 0}")), "counts_per_unit");
-    EXPECT_EQ(field(axisWith("\"unit\": {\"kind\": \"turns\", \"counts_per_unit\": -5}")), "counts_per_unit");
+    EXPECT_EQ(field(axisWith("\"unit\": {\"kind\": \"turns\", \"counts_per_unit\": -1e-7}")),
+              "counts_per_unit");
     EXPECT_EQ(field(axisWith("\"expected\": {\"type\": 256, \"version\": 1}")), "type");
     EXPECT_EQ(field(axisWith("\"expected\": {\"type\": 0, \"version\": 256}")), "version");
     EXPECT_EQ(field(axisWith("\"acceleration_time\": 256")), "acceleration_time");

@@ -62,6 +62,16 @@ TEST(MachineFile, SaysWhatStandsInIt) {
     EXPECT_EQ(machine.groups[0].leader, ModuleIndex(0));
 }
 
+/// A number below 0 says that the user's forward is the chip's reverse.
+TEST(MachineFile, AReversedAxisIsKept) {
+    std::string text(kSmall);
+    text.replace(text.find("2000.25"), 7, "-2000.25");
+    const auto parsed = parseMachine(text);
+    ASSERT_TRUE(parsed.has_value());
+    EXPECT_EQ(parsed->machine.axes[0].unit, (AxisUnit{UnitKind::Turns, -2000.25, ""}));
+    EXPECT_EQ(parseMachine(writeMachine(parsed->machine))->machine, parsed->machine);
+}
+
 TEST(MachineFile, EveryMachineIsReadAsItWasWritten) {
     EXPECT_TRUE(rc::check([] {
         const Machine machine = anyMachine();

@@ -113,7 +113,7 @@ TEST(Recording, WhatAModuleIsCalledStaysOnItsLine) {
 
 TEST(Recording, TheHeadIsReadBack) {
     RecordingHeader header = recordingHeader();
-    header.modules[0].unit.countsPerUnit = 0.1 + 0.2;
+    header.modules[0].unit.countsPerUnit = -(0.1 + 0.2);
     header.modules[1].unit = {UnitKind::Own, 1e-6, "inch"};
     header.modules[1].analog.unit = "";
     header.modules[1].identity = {static_cast<ModuleType>(77), 255};

@@ -219,10 +219,10 @@ TEST(RecordingReader, RefusesWhatNoSampleCanBe) {
     EXPECT_EQ(problemIn(withRow("1,1,1,,,,,,256,0,0,0\n")), outOfRange("analog", "256", 0, 255));
     EXPECT_EQ(problemIn(withRow("1,1,1,,,,,,0,-1,0,0\n")), outOfRange("status", "-1", 0, 255));
     EXPECT_EQ(problemIn(withRow("1,1,1,,,,,,0,0,0,2\n")), outOfRange("gap", "2", 0, 1));
-    EXPECT_EQ(problemIn(allReplaced(kRecording, "counts per unit: 1024.5", "counts per unit: -3")),
+    EXPECT_EQ(problemIn(allReplaced(kRecording, "counts per unit: 1024.5", "counts per unit: -1e-7")),
               inLine(10, {.kind = RecordingFault::OutOfRange,
                           .field = "module 1 counts per unit",
-                          .found = "-3",
+                          .found = "-1e-7",
                           .min = 1e-6,
                           .max = 1e9}));
     EXPECT_EQ(

@@ -94,6 +94,8 @@ protected:
     }
     void look(const QString& where) {
         ASSERT_TRUE(panel.answersFor(0.1));
+        // What the last answer changed has its room only then.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         for (const QString& line : cut(panel.window()))
             m_first.try_emplace(line, where);
     }

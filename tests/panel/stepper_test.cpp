@@ -299,7 +299,7 @@ TEST_F(SteppersByHand, ALimitStopsItAndLeavesTheWayBackOpen) {
     EXPECT_EQ(text("stepperStateLabel"), QStringLiteral("Stopped by a limit"));
     EXPECT_FALSE(find("stepperRunForwardButton").isEnabled());
     EXPECT_EQ(tip("stepperRunForwardButton"),
-              "Limit switch 1 is active: the motor can move in reverse only.");
+              "Limit switch 1 is active: the motor can only move away from it.");
     EXPECT_FALSE(find("stepperHoldForwardButton").isEnabled());
     click("stepperRunReverseButton");
     ASSERT_TRUE(waitFor([&] { return rate() < 0; }));

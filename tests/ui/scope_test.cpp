@@ -72,6 +72,26 @@ TEST_F(Scope, DrawsASpikeOfOneSample) {
     EXPECT_LT(rowsAt(u"scopePlot1"_s, 3).size(), 6);
 }
 
+/// 800 counts up are 2 mm down, on an axis that is reversed.
+TEST_F(Scope, AReversedAxisIsDrawnFromItsOtherSide) {
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Millimetres, -400.0, ""};
+    window->showMachine(machine);
+    HandMadeHistory history;
+    for (int i = 0; i <= 1'000; ++i)
+        history.add(i / 100.0, 800 * i / 1'000);
+    show(history, 10);
+    const AxisRange::Range range = plot()->valueRange();
+    EXPECT_LE(range.min, -2);
+    EXPECT_NEAR(range.max, 0, 0.5);
+    const QRectF area = plot()->plotArea();
+    const double middle = area.bottom() - (-1 - range.min) / (range.max - range.min) * area.height();
+    const QList<int> rows = rowsAt(u"scopePlot1"_s, 5, 1);
+    ASSERT_FALSE(rows.isEmpty());
+    EXPECT_NEAR(rows.first(), middle, 3);
+    EXPECT_LT(rowsAt(u"scopePlot1"_s, 2).first(), rowsAt(u"scopePlot1"_s, 8).first()) << "it goes down";
+}
+
 /// An error of ±100 counts. A band of a fifth more is in the strip; of one of a thousand the strip says so,
 /// and the error is still seen as what it is.
 TEST_F(Scope, AnErrorsBandIsTakenInAsFarAsTheErrorCanStillBeSeen) {

@@ -89,6 +89,8 @@ void AxisRow::remove() {
 }
 
 void AxisRow::show(const PanelView& view) {
+    if (view.scale().reversed() != m_context.scale().reversed())
+        endHold();
     m_context.show(view);
 }
 
@@ -130,14 +132,15 @@ std::optional<steppermotion::VelocityProfile> AxisRow::pace(bool reverse) const 
     const double units = std::floor(velocity() / StepperSpeed(parameters->speedMode).unit() + 1e-9);
     return steppermotion::VelocityProfile{
         static_cast<std::uint8_t>(std::clamp(units, 1.0, 250.0)),
-        static_cast<std::uint8_t>(stepperdefaults::accelerationTime(m_context.settings())), reverse};
+        static_cast<std::uint8_t>(stepperdefaults::accelerationTime(m_context.settings())),
+        m_context.chipReverse(reverse)};
 }
 
 std::optional<Intent> AxisRow::stepperIntent(bool reverse) const {
-    const double counts = std::round(m_context.scale().counts(m_step));
+    const double counts = std::round(m_context.scale().countsOfDistance(m_step));
     if (counts < 1 || counts > static_cast<double>(servo::kPositionRange.max))
         return std::nullopt;
-    const auto way = static_cast<std::int32_t>(reverse ? -counts : counts);
+    const auto way = static_cast<std::int32_t>(m_context.chipReverse(reverse) ? -counts : counts);
     if (m_context.state().isStepper()) {
         const auto wanted = pace(reverse);
         if (!wanted)
@@ -204,7 +207,7 @@ void AxisRow::refresh() {
 void AxisRow::hold(const HoldButton& button, bool reverse) {
     bus::HoldToMove hold;
     hold.module = m_context.state().info.index;
-    hold.reverse = reverse;
+    hold.reverse = m_context.chipReverse(reverse);
     hold.press = button.press();
     if (m_context.state().isStepper()) {
         const auto wanted = pace(reverse);

@@ -339,7 +339,9 @@ Message runsNotKept(const FileError& error) {
             .stands = true};
 }
 
-QString machineField(const QString& key) {
+QString machineField(const QString& key, bool reversed) {
+    if (reversed && (key == u"lowest"_s || key == u"highest"_s))
+        return machineField(key == u"lowest"_s ? u"highest"_s : u"lowest"_s);
     static const QHash<QString, const char*> words{
         {u"name"_s, QT_TRANSLATE_NOOP("Texts", "Name")},
         {u"enable"_s, QT_TRANSLATE_NOOP("Texts", "Enable")},
@@ -422,8 +424,9 @@ QString machineValue(const FieldDifference& field, const std::optional<FieldValu
                      const AxisScale& scale, const QString& unknown) {
     if (!value)
         return unknown;
+    const bool way = scale.reversed() && (field.key == "reverse" || field.key == "from_above");
     if (const auto* flag = std::get_if<bool>(&*value))
-        return *flag ? Texts::tr("yes") : Texts::tr("no");
+        return *flag != way ? Texts::tr("yes") : Texts::tr("no");
     if (const auto* text = std::get_if<std::string>(&*value))
         return field.key == "kind" || field.key == "stop" ? choiceWord(*text) : QString::fromStdString(*text);
     const double number = std::get<double>(*value);
@@ -431,6 +434,8 @@ QString machineValue(const FieldDifference& field, const std::optional<FieldValu
         case Quantity::Plain:
             return readout(number, 6);
         case Quantity::Distance:
+            return distance(scale, number);
+        case Quantity::Place:
             return position(scale, number);
         case Quantity::Velocity:
             return velocity(scale, number);

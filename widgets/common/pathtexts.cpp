@@ -49,7 +49,7 @@ QString sentence(const PathProblem& problem, const AxisScale& scale) {
             return Texts::tr("\"%1\" is beyond what the module can count.").arg(text);
         case Jump:
             return Texts::tr("The point is %1 from the previous one; at this rate the maximum is %2.")
-                .arg(position(scale, problem.value), position(scale, problem.allowed));
+                .arg(distance(scale, problem.value), distance(scale, problem.allowed));
         case TooFast:
             return Texts::tr("This needs a velocity of %1; the limit of the axis is %2.")
                 .arg(velocity(scale, problem.value), velocity(scale, problem.allowed));
@@ -108,10 +108,10 @@ QString pathObstacle(const PathObstacle& obstacle, servo::PathRate rate, const S
             return Texts::tr("%1 has not told its command position yet.").arg(who);
         case TooFarToStart:
             return Texts::tr("%1 is %2 from the first point. Choose Move to start first.")
-                .arg(who, position(scale, obstacle.value));
+                .arg(who, distance(scale, obstacle.value));
         case Jump:
             return Texts::tr("%1: point %2 is %3 from the previous one; at this rate the maximum is %4.")
-                .arg(who, point, position(scale, obstacle.value), position(scale, obstacle.allowed));
+                .arg(who, point, distance(scale, obstacle.value), distance(scale, obstacle.allowed));
         case TooFast:
             return Texts::tr("%1: point %2 needs a velocity of %3; the limit of the axis is %4.")
                 .arg(who, point, velocity(scale, obstacle.value), velocity(scale, obstacle.allowed));
@@ -189,7 +189,9 @@ QString pathState(const ProcedureReport& report) {
 }
 
 QString pathReach(const PathTable::Column& column, const PathColumn& axis) {
-    const auto [least, most] = std::ranges::minmax(column.points);
+    auto [least, most] = std::ranges::minmax(column.points);
+    if (axis.scale.reversed())
+        std::swap(least, most);
     return Texts::tr("%1 from %2 to %3")
         .arg(QString::fromStdString(axis.name), position(axis.scale, least), position(axis.scale, most));
 }

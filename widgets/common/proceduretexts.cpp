@@ -80,7 +80,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
                 Texts::tr("%1 found home and holds close to it, but the position was not set to 0.").arg(who),
                 Texts::tr(
                     "Friction holds it %1 off home, too far to set the position to 0. Raise Ki and IL on the Gains page, or clear \"Set position to 0\" on the Homing page. The tolerance follows from the unit on the Axis page.")
-                    .arg(position(scale, std::abs(report.offHome)))};
+                    .arg(distance(scale, std::abs(report.offHome)))};
     }
     return {};
 }
@@ -225,7 +225,7 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
     message.headline = Texts::tr("%1 found home at %2.").arg(who, position(scale, *report.home));
     if (report.offHome != 0)
         message.body = Texts::tr("It rests %1 off home; its position is 0 there.")
-                           .arg(position(scale, std::abs(report.offHome)));
+                           .arg(distance(scale, std::abs(report.offHome)));
     return message;
 }
 

@@ -105,7 +105,8 @@ void QuantityField::refresh() {
     if (!tellable())
         return;
     setDecimals(decimalsWanted());
-    setRange(toUser(m_min), toUser(m_max));
+    const auto [lowest, highest] = std::minmax({toUser(m_min), toUser(m_max)});
+    setRange(lowest, highest);
     const double finest = std::pow(10.0, -decimals());
     setSingleStep(m_scale.native() ? m_step : std::max(roundBelow(std::abs(toUser(m_step))), finest));
 }
@@ -114,6 +115,8 @@ double QuantityField::toUser(double native) const {
     switch (m_kind) {
         case Kind::Position:
             return m_scale.position(native);
+        case Kind::Distance:
+            return m_scale.distance(native);
         case Kind::Velocity:
             return *m_scale.velocity(native);
         case Kind::Acceleration:
@@ -127,6 +130,8 @@ double QuantityField::toNative(double user) const {
         case Kind::Position:
             // The chip knows whole counts.
             return std::round(m_scale.counts(user));
+        case Kind::Distance:
+            return std::round(m_scale.countsOfDistance(user));
         case Kind::Velocity:
             return *m_scale.nativeVelocity(user);
         case Kind::Acceleration:
@@ -140,6 +145,7 @@ int QuantityField::decimalsWanted() const {
     double finest = 1.0;
     switch (m_kind) {
         case Kind::Position:
+        case Kind::Distance:
             return texts::positionDecimals(m_scale);
         case Kind::Velocity:
             if (m_scale.native())
@@ -158,6 +164,7 @@ int QuantityField::decimalsWanted() const {
 QString QuantityField::unitText() const {
     switch (m_kind) {
         case Kind::Position:
+        case Kind::Distance:
             return texts::unitOf(m_scale);
         case Kind::Velocity:
             return texts::velocityUnitOf(m_scale);
@@ -170,6 +177,7 @@ QString QuantityField::unitText() const {
 QString QuantityField::otherText(double native) const {
     switch (m_kind) {
         case Kind::Position:
+        case Kind::Distance:
             return texts::otherPosition(m_scale, native);
         case Kind::Velocity:
             return texts::otherVelocity(m_scale, native);

@@ -15,7 +15,8 @@ class QuantityField : public NumberField {
     Q_OBJECT
 
 public:
-    enum class Kind : std::uint8_t { Position, Velocity, Acceleration };
+    /// A position may be below 0, and is that of a reversed axis from its other side; all others are amounts.
+    enum class Kind : std::uint8_t { Position, Distance, Velocity, Acceleration };
 
     QuantityField(Kind kind, QWidget* parent = nullptr);
 
@@ -49,7 +50,7 @@ signals:
 private:
     void takeText();
     void refresh();
-    [[nodiscard]] bool tellable() const { return m_kind == Kind::Position || m_scale.timed(); }
+    [[nodiscard]] bool tellable() const { return m_kind <= Kind::Distance || m_scale.timed(); }
     /// These two only while it is tellable().
     [[nodiscard]] double toUser(double native) const;
     [[nodiscard]] double toNative(double user) const;

@@ -131,8 +131,8 @@ bool hasRows(const SequenceReport& report) {
 
 QString axisLine(const DryRun::Axis& axis, const AxisScale& scale) {
     return Texts::tr("%1: %2 to %3, %4 in all, moves: %5")
-        .arg(moduleName(axis.module), position(scale, axis.lowest), position(scale, axis.highest),
-             position(scale, axis.travelled))
+        .arg(moduleName(axis.module), position(scale, scale.reversed() ? axis.highest : axis.lowest),
+             position(scale, scale.reversed() ? axis.lowest : axis.highest), distance(scale, axis.travelled))
         .arg(axis.moves);
 }
 

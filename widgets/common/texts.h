@@ -199,7 +199,8 @@ namespace texts {
 /// Why the window does not close yet.
 [[nodiscard]] QString beingSaved(const QString& machine);
 [[nodiscard]] QString machinePart(MachinePart part);
-[[nodiscard]] QString machineField(const QString& key);
+/// `reversed`: of an axis whose lowest position is the chip's highest.
+[[nodiscard]] QString machineField(const QString& key, bool reversed = false);
 /// What stands in the file, or what there is now; `unknown` for what is neither.
 [[nodiscard]] QString machineValue(const FieldDifference& field, const std::optional<FieldValue>& value,
                                    const AxisScale& scale, const QString& unknown);

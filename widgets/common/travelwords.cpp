@@ -2,6 +2,8 @@
 #include "widgets/common/travelwords.h"
 
 #include <QCoreApplication>
+#include <array>
+#include <utility>
 
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
@@ -23,9 +25,10 @@ QString travelProblem(const TravelProblem& problem, const AxisScale& scale) {
         return TravelTexts::tr("That is %1; the highest velocity of this axis is %2 (Axis page).")
             .arg(velocity(scale, problem.velocity, 6), velocity(scale, problem.fastest, 6));
     const QString limit = position(scale, problem.limit);
+    const bool lowest = problem.lowest != scale.reversed();
     if (problem.turn) {
         const QString turn = position(scale, *problem.turn);
-        return problem.lowest
+        return lowest
                    ? TravelTexts::tr(
                          "To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).")
                          .arg(turn, limit)
@@ -34,9 +37,9 @@ QString travelProblem(const TravelProblem& problem, const AxisScale& scale) {
                          .arg(turn, limit);
     }
     if (problem.refusal == Refusal::AtTravelEnd)
-        return problem.lowest ? TravelTexts::tr("Lowest position reached: %1. Move forward.").arg(limit)
-                              : TravelTexts::tr("Highest position reached: %1. Move in reverse.").arg(limit);
-    return problem.lowest
+        return lowest ? TravelTexts::tr("Lowest position reached: %1. Move forward.").arg(limit)
+                      : TravelTexts::tr("Highest position reached: %1. Move in reverse.").arg(limit);
+    return lowest
                ? TravelTexts::tr("That is beyond the travel limits: the lowest position is %1 (Axis page).")
                      .arg(limit)
                : TravelTexts::tr("That is beyond the travel limits: the highest position is %1 (Axis page).")
@@ -67,7 +70,9 @@ QString travelState(const ModuleState& module, const AxisScale& scale) {
         case TravelForce::InForce:
             break;
     }
-    const TravelRange range = travelRange(module).value_or(TravelRange{});
+    TravelRange range = travelRange(module).value_or(TravelRange{});
+    if (scale.reversed())
+        std::swap(range.lowest, range.highest);
     if (!range.highest)
         return u"● "_s + TravelTexts::tr("In force: not below %1.").arg(position(scale, *range.lowest));
     if (!range.lowest)
@@ -76,10 +81,14 @@ QString travelState(const ModuleState& module, const AxisScale& scale) {
                          .arg(position(scale, *range.lowest), position(scale, *range.highest));
 }
 
-QString travelSign(const ModuleState& module) {
+QString travelSign(const ModuleState& module, const AxisScale& scale) {
     if (travelForce(module) == TravelForce::HomeUnknown)
         return u"▲ "_s + TravelTexts::tr("Travel limits not in force");
-    switch (travelPlace(module)) {
+    using enum TravelPlace;
+    const TravelPlace place = travelPlace(module);
+    // From below: within, at the lowest, at the highest, below the lowest, above the highest.
+    constexpr std::array<TravelPlace, 5> kReversed{Within, AtHighest, AtLowest, AboveHighest, BelowLowest};
+    switch (scale.reversed() ? kReversed.at(static_cast<std::size_t>(place)) : place) {
         case TravelPlace::Within:
             break;
         case TravelPlace::AtLowest:

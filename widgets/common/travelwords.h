@@ -22,7 +22,7 @@ namespace nmc::texts {
 [[nodiscard]] QString travelState(const ModuleState& module, const AxisScale& scale);
 /// For the head of a panel: that it is at a limit, or outside; empty within. And that set limits are not in
 /// force.
-[[nodiscard]] QString travelSign(const ModuleState& module);
+[[nodiscard]] QString travelSign(const ModuleState& module, const AxisScale& scale);
 /// What is asked before somebody declares the position right.
 [[nodiscard]] QString declareQuestion(const ModuleState& module, const AxisScale& scale);
 

@@ -29,7 +29,7 @@ QString countsOf(const AxisScale& scale) {
 }
 
 QString offBy(const Holding& holding, const AxisScale& scale) {
-    return position(scale, static_cast<double>(std::abs(holding.off)));
+    return distance(scale, static_cast<double>(std::abs(holding.off)));
 }
 
 QString nativeVelocityUnit(const AxisScale& scale) {
@@ -84,7 +84,7 @@ QString acceleration(const AxisScale& scale, double native) {
 
 int positionDecimals(const AxisScale& scale) {
     constexpr int kMax = 6;
-    return qBound(0, static_cast<int>(std::ceil(-std::log10(scale.position(1.0)))), kMax);
+    return qBound(0, static_cast<int>(std::ceil(-std::log10(scale.distance(1.0)))), kMax);
 }
 
 QString fixedPosition(const AxisScale& scale, double counts) {
@@ -102,8 +102,12 @@ QString position(const AxisScale& scale, double counts) {
     return readout(scale.position(counts), 6) + u' ' + unitOf(scale);
 }
 
+QString distance(const AxisScale& scale, double counts) {
+    return readout(scale.distance(counts), 6) + u' ' + unitOf(scale);
+}
+
 QString swing(const SwingWatch::Swing& swing, const AxisScale& scale) {
-    const QString far = readout(scale.position(swing.amplitude), 2) + u' ' + unitOf(scale);
+    const QString far = readout(scale.distance(swing.amplitude), 2) + u' ' + unitOf(scale);
     if (swing.hunts)
         return Units::tr("Hunting ± %1 every %2 s. Lower Ki.").arg(far, readout(1 / *swing.hertz, 2));
     return swing.hertz ? Units::tr("Oscillating ± %1 at about %2 Hz").arg(far, readout(*swing.hertz, 2))

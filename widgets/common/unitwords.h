@@ -34,6 +34,8 @@ namespace nmc::texts {
 [[nodiscard]] int positionDecimals(const AxisScale& scale);
 /// "1 234 counts", "0.617 turns".
 [[nodiscard]] QString position(const AxisScale& scale, double counts);
+/// The same of an amount, which has no direction.
+[[nodiscard]] QString distance(const AxisScale& scale, double counts);
 /// Of a servo that should hold: "Oscillating ± 200 counts at about 37 Hz"
 [[nodiscard]] QString swing(const SwingWatch::Swing& swing, const AxisScale& scale);
 /// What it is doing in a few words: "Moving", "Holding, oscillating", "Holding, 24 counts off".

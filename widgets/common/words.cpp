@@ -263,9 +263,9 @@ QString refusal(Refusal refusal) {
         case Refusal::EstopActive:
             return Texts::tr("The module's E-stop input is active. Release it first.");
         case Refusal::Limit1Active:
-            return Texts::tr("Limit switch 1 is active: the motor can move in reverse only.");
+            return Texts::tr("Limit switch 1 is active: the motor can only move away from it.");
         case Refusal::Limit2Active:
-            return Texts::tr("Limit switch 2 is active: the motor can move forward only.");
+            return Texts::tr("Limit switch 2 is active: the motor can only move away from it.");
         case Refusal::TooHot:
             return Texts::tr(
                 "The A/D value is below the thermal limit: let the motor cool down, or lower the limit.");

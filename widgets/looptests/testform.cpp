@@ -76,7 +76,7 @@ NumberField* TestForm::addNumber(const QString& objectName, const QString& label
 }
 
 QuantityField* TestForm::addDistance(const QString& objectName, const QString& label, const QString& name) {
-    auto* field = new QuantityField(QuantityField::Kind::Position, this);
+    auto* field = new QuantityField(QuantityField::Kind::Distance, this);
     field->setName(objectName, name);
     field->setQuantity(name);
     field->setDigits(6);

@@ -73,7 +73,8 @@ QString whatOf(const Difference& difference) {
     const PartId& id = difference.id;
     QString what = texts::machinePart(id.part);
     if (difference.fields.size() == 1 && hasFields(id.part))
-        what += u", "_s + texts::machineField(QString::fromStdString(difference.fields.front().key));
+        what += u", "_s + texts::machineField(QString::fromStdString(difference.fields.front().key),
+                                              difference.scale.reversed());
     return id.module ? u"%1: %2"_s.arg(texts::moduleName(*id.module), what) : what;
 }
 
@@ -184,7 +185,8 @@ void DifferencesDialog::addRow(const Difference& difference) {
     }
     for (const FieldDifference& field : difference.fields) {
         auto* line = new QTreeWidgetItem(row);
-        line->setText(kWhat, texts::machineField(QString::fromStdString(field.key)));
+        line->setText(kWhat,
+                      texts::machineField(QString::fromStdString(field.key), difference.scale.reversed()));
         fill(*line, field);
     }
     row->setText(kFile, tr("%1 values").arg(difference.fields.size()));

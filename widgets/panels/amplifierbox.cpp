@@ -99,8 +99,8 @@ void AmplifierBox::buildDrive(QGridLayout& grid, int& line) {
     m_limits->addItem(tr("stop abruptly"), static_cast<int>(LimitStop::Abruptly));
     m_limits->addItem(tr("switch the motor off"), static_cast<int>(LimitStop::MotorOff));
     m_limits->setToolTip(
-        tr("What the module does by itself when limit 1 closes in forward motion, or limit 2 in "
-           "reverse. It stays armed."));
+        tr("What the module does by itself when limit 1 closes while it counts up, or limit 2 while it "
+           "counts down. It stays armed."));
     connect(m_limits, &QComboBox::activated, this, &AmplifierBox::refresh);
     auto* limits = new QLabel(tr("Limit inputs"), this);
     limits->setBuddy(m_limits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/axisbox.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -8,6 +9,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <cmath>
 
 #include "model/module/servodefaults.h"
 #include "widgets/common/look.h"
@@ -115,6 +117,11 @@ void AxisBox::build() {
         addNumber(form, tr("Counts in 1 unit"), u"countsPerUnitField"_s, tr("Counts or steps per unit."));
     m_countsPerUnit->setRange(kLeastCountsPerUnit, kMostCountsPerUnit);
     m_countsPerUnitLabel = qobject_cast<QLabel*>(form->labelForField(m_countsPerUnit));
+    m_reversed = new QCheckBox(tr("reversed: forward counts down"), this);
+    look::name(m_reversed, named(u"axisReversedBox"_s), m_reversed->text());
+    m_reversed->setToolTip(
+        tr("Turns positions, directions and travel limits of this axis round on the screen. Sends nothing."));
+    form->addRow(QString(), m_reversed);
     auto* workOut = new QPushButton(tr("Calculate…"), this);
     look::name(workOut, named(u"workOutUnitButton"_s), tr("Calculate the unit from encoder, gear and screw"));
     workOut->setToolTip(tr("Calculates the unit from the data of encoder, gear and screw. Sends nothing."));
@@ -187,8 +194,12 @@ void AxisBox::showModule() {
         const QSignalBlocker blocker(m_unit);
         m_unit->setCurrentIndex(m_unit->findData(static_cast<int>(settings.unit.kind)));
     }
-    showNumber(m_countsPerUnit, settings.unit.countsPerUnit,
-               before([](const AxisSettings& axis) { return axis.unit.countsPerUnit; }));
+    showNumber(m_countsPerUnit, std::abs(settings.unit.countsPerUnit),
+               before([](const AxisSettings& axis) { return std::abs(axis.unit.countsPerUnit); }));
+    {
+        const QSignalBlocker blocker(m_reversed);
+        m_reversed->setChecked(settings.unit.countsPerUnit < 0);
+    }
     showText(m_symbol, settings.unit.ownSymbol);
     m_holdCap->setScale(m_context.scale());
     m_holdCap->setNativeRange(servodefaults::kSmallest, servodefaults::kLargest);
@@ -224,8 +235,14 @@ void AxisBox::connectControls() {
         m_name, [](AxisSettings & axis) -> auto& { return axis.name; });
     keepText(
         m_analogUnit, [](AxisSettings & axis) -> auto& { return axis.analog.unit; });
-    keepNumber(
-        m_countsPerUnit, [](AxisSettings & axis) -> auto& { return axis.unit.countsPerUnit; });
+    const auto keepScale = [this] {
+        edit([typed = m_countsPerUnit->value(), reversed = m_reversed->isChecked()](AxisSettings& axis) {
+            const double counts = typed.value_or(std::abs(axis.unit.countsPerUnit));
+            axis.unit.countsPerUnit = reversed ? -counts : counts;
+        });
+    };
+    connect(m_countsPerUnit, &NumberField::edited, this, keepScale);
+    connect(m_reversed, &QCheckBox::toggled, this, keepScale);
     keepNumber(
         m_analogPerCount, [](AxisSettings & axis) -> auto& { return axis.analog.perCount; });
     keepNumber(
@@ -261,6 +278,7 @@ void AxisBox::refresh() {
     m_symbolLabel->setVisible(own);
     m_countsPerUnit->setVisible(unit != UnitKind::Native);
     m_countsPerUnitLabel->setVisible(unit != UnitKind::Native);
+    m_reversed->setVisible(unit != UnitKind::Native);
     AxisUnit shown = m_context.settings().unit;
     shown.kind = unit;
     const bool steps = m_context.scale().steps();

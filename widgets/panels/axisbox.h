@@ -6,6 +6,7 @@
 
 #include "widgets/panels/modulecontext.h"
 
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
@@ -50,6 +51,7 @@ private:
     QComboBox* m_unit = nullptr;
     NumberField* m_countsPerUnit = nullptr;
     QLabel* m_countsPerUnitLabel = nullptr;
+    QCheckBox* m_reversed = nullptr;
     QLineEdit* m_symbol = nullptr;
     QLabel* m_symbolLabel = nullptr;
     QuantityField* m_holdCap = nullptr;

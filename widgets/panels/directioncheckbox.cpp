@@ -75,8 +75,8 @@ QString DirectionCheckBox::question() const {
     return tr("The motor of %1 will move a little, forward and in reverse. It is driven in pulses of less than 0.1 s, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.")
         .arg(texts::moduleName(m_context.state().info.index))
         .arg(qRound(kStrongestPush * 100.0 / kWhole))
-        .arg(texts::position(scale, kMovedCounts),
-             texts::position(scale, directionReach(m_context.settings().unit)));
+        .arg(texts::distance(scale, kMovedCounts),
+             texts::distance(scale, directionReach(m_context.settings().unit)));
 }
 
 void DirectionCheckBox::ask() {
@@ -102,7 +102,8 @@ void DirectionCheckBox::ask() {
 QString DirectionCheckBox::found() const {
     const auto check = report();
     if (running())
-        return u"▶ "_s + (check->round > 1 ? tr("Driving it in reverse.") : tr("Driving it forward."));
+        return u"▶ "_s + (m_context.chipReverse(check->round > 1) ? tr("Driving it in reverse.")
+                                                                  : tr("Driving it forward."));
     if (check && check->direction)
         return (check->direction->verdict == DirectionVerdict::Right ? u"✓ "_s : u"▲ "_s) +
                texts::directionFound(*check->direction);

@@ -118,7 +118,7 @@ void HomingForm::buildMotion(QGridLayout* grid) {
     directions->addButton(m_reverse);
     directions->addButton(m_forward);
     connect(m_reverse, &QAbstractButton::toggled, this, [this](bool on) {
-        m_recipe.reverse = on;
+        m_recipe.reverse = on != m_reversed;
         tell();
     });
     addTitle(grid, tr("Direction"), row({m_reverse, m_forward}));
@@ -132,7 +132,7 @@ void HomingForm::buildMotion(QGridLayout* grid) {
                     tr("Velocity of the second search, for the index. Slower is more exact."));
     addQuantity(grid, Kind::Acceleration, u"homingAccelerationField"_s, tr("Acceleration"),
                 &HomingRecipe::acceleration, tr("Also used for smooth stops."));
-    addQuantity(grid, Kind::Position, u"homingTravelField"_s, tr("Search distance"),
+    addQuantity(grid, Kind::Distance, u"homingTravelField"_s, tr("Search distance"),
                 &HomingRecipe::travelLimit,
                 tr("A search, or backing off, stops and fails after this distance."));
     m_time = new QLabel(tr("Time limit"), this);
@@ -210,6 +210,12 @@ void HomingForm::showRecipe(const HomingRecipe& recipe) {
 
 void HomingForm::showChip(const AxisScale& scale, int version, double speedUnit) {
     m_version = version;
+    m_reversed = scale.reversed();
+    for (const Box& box : m_boxes)
+        if (m_type == ModuleType::Stepper && box.flag == &HomingRecipe::onLimit1)
+            box.button->setText(m_reversed ? tr("Limit 1 (reverse)") : tr("Limit 1 (forward)"));
+        else if (m_type == ModuleType::Stepper && box.flag == &HomingRecipe::onLimit2)
+            box.button->setText(m_reversed ? tr("Limit 2 (forward)") : tr("Limit 2 (reverse)"));
     for (const Quantity& quantity : m_quantities) {
         double most = m_type == ModuleType::Stepper ? kFastestStep : kFastestServo;
         double least = m_type == ModuleType::Stepper ? 1.0 : kSlowestServo;
@@ -267,7 +273,7 @@ void HomingForm::refresh() {
         // Both: checking one unchecks the other, and that one would tell of it.
         const QSignalBlocker forward(m_forward);
         const QSignalBlocker reverse(m_reverse);
-        (m_recipe.reverse ? m_reverse : m_forward)->setChecked(true);
+        (m_recipe.reverse != m_reversed ? m_reverse : m_forward)->setChecked(true);
     }
     for (QAbstractButton* button : {m_forward, m_reverse})
         look::setPossible(button, locked, tr("The search direction, in which the switch closes."));

@@ -67,6 +67,7 @@ private:
 
     ModuleType m_type;
     HomingRecipe m_recipe;
+    bool m_reversed = false;  ///< the axis: what is forward here is reverse to the chip
     int m_version = 0;
     int m_line = 0;
     bool m_locked = false;

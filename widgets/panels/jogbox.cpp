@@ -138,7 +138,7 @@ std::optional<bus::HoldToMove> JogBox::wanted(bool reverse) const {
     hold.module = m_context.state().info.index;
     hold.velocity = CountsPerTick(servodefaults::toFixed(*velocity));
     hold.acceleration = *acceleration;
-    hold.reverse = reverse;
+    hold.reverse = m_context.chipReverse(reverse);
     return hold;
 }
 

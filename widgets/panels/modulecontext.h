@@ -23,6 +23,8 @@ public:
     [[nodiscard]] const ModuleState& state() const { return m_state; }
     [[nodiscard]] const AxisSettings& settings() const { return m_settings; }
     [[nodiscard]] AxisScale scale() const { return scaleOf(m_state, m_settings); }
+    /// What the user's direction is to the chip.
+    [[nodiscard]] bool chipReverse(bool reverse) const { return reverse != scale().reversed(); }
     [[nodiscard]] bool connected() const { return m_connected; }
     /// s, of what is older than it should be.
     [[nodiscard]] std::optional<double> age() const { return m_age; }

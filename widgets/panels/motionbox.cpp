@@ -280,7 +280,8 @@ std::optional<intent::RunAtVelocity> MotionBox::enteredRun(bool reverse) const {
     const auto acceleration = this->acceleration();
     if (!velocity || !acceleration)
         return std::nullopt;
-    return intent::RunAtVelocity{CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration, reverse};
+    return intent::RunAtVelocity{CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration,
+                                 m_context.chipReverse(reverse)};
 }
 
 /// A goal beyond the limits has a nearest one within.
@@ -358,11 +359,13 @@ void MotionBox::refresh() {
                         texts::zeroMeaning(m_context.state(), m_goal->scale()));
     const ModuleState& module = m_context.state();
     refreshRun(*m_runForward, false,
-               travelEnd(module, false) ? tr("Runs forward until stopped, or to its highest position.")
-                                        : tr("Runs forward until stopped."));
+               travelEnd(module, m_context.chipReverse(false))
+                   ? tr("Runs forward until stopped, or to its highest position.")
+                   : tr("Runs forward until stopped."));
     refreshRun(*m_runReverse, true,
-               travelEnd(module, true) ? tr("Runs in reverse until stopped, or to its lowest position.")
-                                       : tr("Runs in reverse until stopped."));
+               travelEnd(module, m_context.chipReverse(true))
+                   ? tr("Runs in reverse until stopped, or to its lowest position.")
+                   : tr("Runs in reverse until stopped."));
 
     QString hint;
     for (const QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})

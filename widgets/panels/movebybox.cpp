@@ -41,7 +41,7 @@ QString MoveByBox::named(const QString& name) const {
 }
 
 void MoveByBox::buildDistance(QGridLayout* grid, int& line) {
-    m_distance = new QuantityField(QuantityField::Kind::Position, this);
+    m_distance = new QuantityField(QuantityField::Kind::Distance, this);
     m_distance->setName(named(u"moveByDistanceField"_s), tr("Distance of a step"));
     m_distance->setQuantity(tr("The distance of a step"));
     m_distance->setNativeRange(1, static_cast<double>(servo::kPositionRange.max));
@@ -163,8 +163,9 @@ std::optional<Intent> MoveByBox::wanted(bool reverse) const {
     const auto pause = m_pause->value();
     if (!distance || !rounds || !pause)
         return std::nullopt;
-    return m_motion.movesBy({static_cast<std::int32_t>(reverse ? -*distance : *distance),
-                             static_cast<unsigned>(*rounds), *pause, m_backAndForth->isChecked()});
+    return m_motion.movesBy(
+        {static_cast<std::int32_t>(m_context.chipReverse(reverse) ? -*distance : *distance),
+         static_cast<unsigned>(*rounds), *pause, m_backAndForth->isChecked()});
 }
 
 void MoveByBox::step(bool reverse) {

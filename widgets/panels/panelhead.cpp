@@ -100,10 +100,10 @@ void PanelHead::build() {
         m_limitStop = new QLabel(this);
         look::nameText(m_limitStop, u"headLimitStop"_s, tr("Limit stop"));
     }
-    m_limits[0] = newSign(u"headLimit1"_s,
-                          isServo() ? tr("Limit switch 1.") : tr("Limit switch 1: high blocks forward."));
-    m_limits[1] = newSign(u"headLimit2"_s,
-                          isServo() ? tr("Limit switch 2.") : tr("Limit switch 2: high blocks reverse."));
+    m_limits[0] = newSign(u"headLimit1"_s, isServo() ? tr("Limit switch 1.")
+                                                     : tr("Limit switch 1: high blocks the way to it."));
+    m_limits[1] = newSign(u"headLimit2"_s, isServo() ? tr("Limit switch 2.")
+                                                     : tr("Limit switch 2: high blocks the way to it."));
     m_power = newSign(u"headPower"_s, tr("Motor power as sensed by the module."));
     arrange(false);
 }
@@ -313,7 +313,7 @@ void PanelHead::refreshSigns() {
     const auto& home = module.home.place();
     look::setText(m_home, texts::home(home, m_context.scale()));
     m_home->setToolTip(texts::homeMeaning(home, module.latestTime, m_context.scale()));
-    look::setText(m_travel, texts::travelSign(module));
+    look::setText(m_travel, texts::travelSign(module, m_context.scale()));
     m_travel->setToolTip(texts::travelState(module, m_context.scale()));
     if (m_limitStop != nullptr) {
         using Watch = HomeWatch::State;

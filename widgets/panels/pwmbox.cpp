@@ -75,7 +75,7 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
 
 void PwmBox::drive(bool reverse) {
     if (const auto value = m_value->value())
-        m_context.ask(intent::DrivePwm{static_cast<std::uint8_t>(*value), reverse});
+        m_context.ask(intent::DrivePwm{static_cast<std::uint8_t>(*value), m_context.chipReverse(reverse)});
 }
 
 void PwmBox::refresh() {
@@ -85,7 +85,8 @@ void PwmBox::refresh() {
     if (reason.isEmpty())
         reason = m_value->problemText();
     const auto reasonOf = [&](bool reverse) {
-        const intent::DrivePwm drive{static_cast<std::uint8_t>(value.value_or(0)), reverse};
+        const intent::DrivePwm drive{static_cast<std::uint8_t>(value.value_or(0)),
+                                     m_context.chipReverse(reverse)};
         return reason.isEmpty() ? m_context.reasonFor(Intent(drive)) : reason;
     };
     m_reverse->setPossible(reasonOf(true), tr("Drives the motor in reverse until you switch it off."));

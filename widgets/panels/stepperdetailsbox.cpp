@@ -35,8 +35,8 @@ QString inputMeaning(std::size_t bit) {
         StepperDetailsBox::tr("High stops the motor, unless it is ignored."),
         StepperDetailsBox::tr("General purpose input."),
         StepperDetailsBox::tr("General purpose input."),
-        StepperDetailsBox::tr("High blocks forward, unless it is ignored."),
-        StepperDetailsBox::tr("High blocks reverse, unless it is ignored."),
+        StepperDetailsBox::tr("High blocks counting up, unless it is ignored."),
+        StepperDetailsBox::tr("High blocks counting down, unless it is ignored."),
         StepperDetailsBox::tr("For homing."),
         QString(),
         QString()};

@@ -93,7 +93,8 @@ void StepperHoldBox::showModule() {
     const double slowest = stepperdefaults::slowestProfile(stepper, m_context.settings());
     const double cap = stepperdefaults::holdCap(stepper, m_context.settings());
     const bool otherRange = m_slowest != slowest || m_cap != cap;
-    if (otherRange)
+    // What is held was asked for with other words.
+    if (otherRange || scale != m_speed->scale())
         endHold();
     m_slowest = slowest;
     m_cap = cap;
@@ -133,7 +134,8 @@ std::optional<steppermotion::VelocityProfile> StepperHoldBox::motion(bool revers
     const auto whole = std::max(1.0, std::floor(*speed / mode.unit() + 1e-9));
     return steppermotion::VelocityProfile{
         static_cast<std::uint8_t>(std::min(whole, 250.0)),
-        static_cast<std::uint8_t>(stepperdefaults::accelerationTime(m_context.settings())), reverse};
+        static_cast<std::uint8_t>(stepperdefaults::accelerationTime(m_context.settings())),
+        m_context.chipReverse(reverse)};
 }
 
 QString StepperHoldBox::reasonFor(bool reverse) const {
@@ -145,7 +147,7 @@ QString StepperHoldBox::reasonFor(bool reverse) const {
     const ModuleState& module = m_context.state();
     const stepperintent::Move move{*wanted};
     // Towards a limit of travel what moves is stopped first, by the bus.
-    const auto refusal = travelEnd(module, reverse)
+    const auto refusal = travelEnd(module, wanted->reverse)
                              ? whyNotFromStandstill(move.motion, module, IntentKind::Hold)
                              : whyNot(move.motion, module, IntentKind::Hold);
     return refusal ? texts::refusal(*refusal, move, module, m_context.scale()) : QString();
@@ -170,7 +172,7 @@ void StepperHoldBox::hold(const HoldButton& button, bool reverse) {
         return;
     bus::HoldToMove hold;
     hold.module = m_context.state().info.index;
-    hold.reverse = reverse;
+    hold.reverse = wanted->reverse;
     hold.pace = bus::StepperPace{wanted->speed, wanted->accelerationTime};
     hold.press = button.press();
     m_context.hold(hold);

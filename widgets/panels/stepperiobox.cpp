@@ -105,9 +105,8 @@ void StepperIoBox::buildOutputs(QGridLayout* grid) {
 
 void StepperIoBox::buildInputs(QGridLayout* grid, int line) {
     grid->addWidget(newHeading(tr("Inputs"), this), line, 0, 1, 4);
-    const std::array<QString, kInputs> names{
-        tr("E-stop input"),      u"IN1"_s,         u"IN2"_s, tr("Limit 1 (forward)"),
-        tr("Limit 2 (reverse)"), tr("Home switch")};
+    const std::array<QString, kInputs> names{tr("E-stop input"), u"IN1"_s,      u"IN2"_s,
+                                             tr("Limit 1"),      tr("Limit 2"), tr("Home switch")};
     const std::array<QString, kInputs> objects{u"stepperEstopInput"_s,  u"stepperIn1Input"_s,
                                                u"stepperIn2Input"_s,    u"stepperLimit1Input"_s,
                                                u"stepperLimit2Input"_s, u"stepperHomeInput"_s};
@@ -189,14 +188,17 @@ void StepperIoBox::sendAll() {
 QString StepperIoBox::effectOf(std::size_t input, bool active) const {
     const auto& parameters = m_context.state().stepper.parameters();
     const bool limitsIgnored = parameters && parameters->ignoreLimits;
+    const auto blocked = [this](bool reverse) {
+        return m_context.chipReverse(reverse) ? tr("blocks reverse") : tr("blocks forward");
+    };
     const bool estopIgnored = parameters && parameters->ignoreEstop;
     switch (input) {
         case 0:
             return estopIgnored ? tr("ignored") : active ? tr("keeps the motor from moving") : QString();
         case 3:
-            return limitsIgnored ? tr("ignored") : active ? tr("blocks forward") : QString();
+            return limitsIgnored ? tr("ignored") : active ? blocked(false) : QString();
         case 4:
-            return limitsIgnored ? tr("ignored") : active ? tr("blocks reverse") : QString();
+            return limitsIgnored ? tr("ignored") : active ? blocked(true) : QString();
         default:
             return {};
     }

@@ -233,11 +233,12 @@ std::optional<StepperMotion> StepperMotionBox::motion(bool reverse) const {
             return steppermotion::Trapezoid{position, m_relative->isChecked(), speeds.speedFor(*speed),
                                             acceleration};
         case StepperModeChoice::Mode::Profile:
-            return steppermotion::VelocityProfile{speeds.speedFor(*speed), acceleration, reverse};
+            return steppermotion::VelocityProfile{speeds.speedFor(*speed), acceleration,
+                                                  m_context.chipReverse(reverse)};
         case StepperModeChoice::Mode::TimedMove:
             return steppermotion::UnprofiledMove{position, m_relative->isChecked(), speeds.timerFor(*speed)};
         case StepperModeChoice::Mode::TimedRun:
-            return steppermotion::UnprofiledRun{speeds.timerFor(*speed), reverse};
+            return steppermotion::UnprofiledRun{speeds.timerFor(*speed), m_context.chipReverse(reverse)};
     }
     return std::nullopt;
 }

@@ -98,7 +98,7 @@ void TravelBox::buildFastest(QGridLayout* grid, int line) {
 }
 
 void TravelBox::buildBacklash(QGridLayout* grid, int line) {
-    m_backlash = new QuantityField(QuantityField::Kind::Position, this);
+    m_backlash = new QuantityField(QuantityField::Kind::Distance, this);
     m_backlash->setName(named(u"backlashField"_s), tr("Backlash"));
     m_backlash->setQuantity(tr("Backlash"));
     m_backlash->setDigits(8);
@@ -126,7 +126,7 @@ void TravelBox::keepBacklash() {
     BacklashSettings backlash = m_context.settings().backlash;
     if (usable(*m_backlash))
         backlash.distance = m_backlash->native().value_or(0.0);
-    backlash.fromAbove = m_side->currentData().toBool();
+    backlash.fromAbove = m_context.chipReverse(m_side->currentData().toBool());
     m_shownBacklash = backlash;
     m_context.edit([backlash](AxisSettings& axis) { axis.backlash = backlash; });
     refresh();
@@ -151,8 +151,9 @@ void TravelBox::buildWord(QGridLayout* grid, int line) {
     grid->addLayout(buttons, line, 0, 1, 5);
 }
 
-std::optional<std::int32_t>& TravelBox::of(TravelSettings& travel, Limit limit) {
-    return limit == Lowest ? travel.lowest : travel.highest;
+/// A reversed axis is lowest where the chip counts highest.
+std::optional<std::int32_t>& TravelBox::of(TravelSettings& travel, Limit limit) const {
+    return (limit == Lowest) != m_context.scale().reversed() ? travel.lowest : travel.highest;
 }
 
 bool TravelBox::usable(const QuantityField& field) {
@@ -162,7 +163,8 @@ bool TravelBox::usable(const QuantityField& field) {
 bool TravelBox::crossed() const {
     const auto lowest = m_limits[Lowest]->native();
     const auto highest = m_limits[Highest]->native();
-    return lowest && highest && *lowest >= *highest;
+    const double room = lowest && highest ? *highest - *lowest : 1;
+    return (m_context.scale().reversed() ? -room : room) <= 0;
 }
 
 /// Home is within the limits, and nearer to one of them than the backlash.
@@ -229,6 +231,7 @@ void TravelBox::showField(QuantityField& field, std::optional<double> native) {
 
 void TravelBox::showModule() {
     const AxisScale scale = m_context.scale();
+    const bool turned = scale.reversed() != m_fastest->scale().reversed();
     for (QuantityField* field : {m_limits[Lowest], m_limits[Highest], m_fastest, m_backlash})
         if (field != nullptr)
             field->setScale(scale);
@@ -236,18 +239,18 @@ void TravelBox::showModule() {
     m_fastest->setNativeRange(steps ? 1.0 : servodefaults::kSmallest,
                               steps ? layout::kMaxStepSpeed : servodefaults::kLargest);
     // What is being typed is not touched.
-    const TravelSettings& travel = m_context.settings().travel;
-    if (m_shown != travel) {
-        showField(*m_limits[Lowest], travel.lowest);
-        showField(*m_limits[Highest], travel.highest);
+    TravelSettings travel = m_context.settings().travel;
+    if (m_shown != travel || turned) {
+        for (const Limit limit : {Lowest, Highest})
+            showField(*m_limits[limit], of(travel, limit));
         showField(*m_fastest, travel.fastest > 0 ? std::optional(travel.fastest) : std::nullopt);
         m_shown = travel;
     }
     const BacklashSettings& backlash = m_context.settings().backlash;
-    if (m_backlash != nullptr && m_shownBacklash != backlash) {
+    if (m_backlash != nullptr && (m_shownBacklash != backlash || turned)) {
         showField(*m_backlash, backlash.distance > 0 ? std::optional(backlash.distance) : std::nullopt);
         const QSignalBlocker blocker(m_side);
-        m_side->setCurrentIndex(backlash.fromAbove ? 1 : 0);
+        m_side->setCurrentIndex(m_context.chipReverse(backlash.fromAbove) ? 1 : 0);
         m_shownBacklash = backlash;
     }
     refresh();

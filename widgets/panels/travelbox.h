@@ -34,7 +34,7 @@ private:
     void buildBacklash(QGridLayout* grid, int line);
     void keepBacklash();
     void buildWord(QGridLayout* grid, int line);
-    [[nodiscard]] static std::optional<std::int32_t>& of(TravelSettings& travel, Limit limit);
+    [[nodiscard]] std::optional<std::int32_t>& of(TravelSettings& travel, Limit limit) const;
     /// Empty, or a number within its range.
     [[nodiscard]] static bool usable(const QuantityField& field);
     [[nodiscard]] bool crossed() const;

@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <cmath>
 
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
@@ -109,8 +110,11 @@ void UnitDialog::refresh() {
 
 void UnitDialog::take() {
     if (const auto counts = countsPerUnit(kind(), drive()))
-        m_context.edit([unit = AxisUnit{kind(), *counts, m_context.settings().unit.ownSymbol}](
-                           AxisSettings& axis) { axis.unit = unit; });
+        // Which way it goes, no drive train tells.
+        m_context.edit([chosen = kind(), counts = *counts](AxisSettings& axis) {
+            axis.unit.kind = chosen;
+            axis.unit.countsPerUnit = std::copysign(counts, axis.unit.countsPerUnit);
+        });
     close();
 }
 

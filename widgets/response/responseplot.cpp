@@ -62,7 +62,7 @@ ResponsePlot::Curve ResponsePlot::curveOf(const KeptResponse& kept, const AxisSc
         curve.parts.back() << next;
     }
     curve.goal = scale.position(static_cast<double>(taken.goal) - taken.from);
-    curve.band = scale.position(kept.run.band());
+    curve.band = scale.distance(kept.run.band());
     curve.bandPercent = kept.run.bandPercent;
     curve.record = taken.record;
     // As long again as it takes to settle, so that it is seen to stay.

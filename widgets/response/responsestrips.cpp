@@ -29,8 +29,8 @@ void ResponseStrips::show(const KeptResponse* a, const KeptResponse* b) {
     if (first == nullptr)
         return;
     m_unit = texts::unitOf(first->scale);
-    m_band = std::abs(first->scale.position(first->run.band()));
-    m_zoom = std::max(kBands * m_band, std::abs(first->scale.position(kFewestCounts)));
+    m_band = first->scale.distance(first->run.band());
+    m_zoom = std::max(kBands * m_band, first->scale.distance(kFewestCounts));
     m_limit = 1.0;
     for (const KeptResponse* kept : {a, b}) {
         if (kept == nullptr)
@@ -42,7 +42,7 @@ void ResponseStrips::show(const KeptResponse* a, const KeptResponse* b) {
         }
         const ResponseMetrics& metrics = kept->run.metrics;
         if (metrics.steadyError)
-            m_zoom = std::max(m_zoom, 2 * std::abs(kept->scale.position(metrics.steadyError->value)));
+            m_zoom = std::max(m_zoom, 2 * kept->scale.distance(std::abs(metrics.steadyError->value)));
         const servo::SetGain& gains = kept->run.taken.gains;
         m_limit = std::max<double>(m_limit, std::min(gains.ol + gains.db.value_or(0), 255));
     }

@@ -200,18 +200,20 @@ void TraceDrawing::take(const ModuleHistory& history, ScopeSignal signal, const 
     const auto visit = [&](const ScopeSpan& span) {
         const ScopeSpan::Extremes extremes = span.extremes(signal);
         if (extremes.known()) {
-            const double low = scale(extremes.low);
-            const double high = scale(extremes.high);
+            const double first = scale(extremes.lowFirst ? extremes.low : extremes.high);
+            const double last = scale(extremes.lowFirst ? extremes.high : extremes.low);
+            // By a scale below 0 the lowest becomes the highest.
+            const auto [low, high] = std::minmax({first, last});
             Column column{toSeconds(span.first - zero),
                           toSeconds(span.last - zero),
-                          extremes.lowFirst ? low : high,
-                          extremes.lowFirst ? high : low,
+                          first,
+                          last,
                           low,
                           high,
                           beforeKnown && span.joins(before, signal)};
             if (band && std::isfinite(span.bandLow)) {
-                column.bandLow = scale(static_cast<double>(span.bandLow));
-                column.bandHigh = scale(static_cast<double>(span.bandHigh));
+                std::tie(column.bandLow, column.bandHigh) = std::minmax(
+                    {scale(static_cast<double>(span.bandLow)), scale(static_cast<double>(span.bandHigh))});
                 m_hasBand = m_hasBand || column.bandHigh > column.bandLow;
             }
             m_columns.push_back(column);

@@ -52,7 +52,7 @@ public:
     }
     void place(std::string_view key, const std::optional<std::int32_t>& place) {
         if (place)
-            add(key, Quantity::Distance, static_cast<double>(*place));
+            add(key, Quantity::Place, static_cast<double>(*place));
     }
     void velocity(std::string_view key, double number, Need /*need*/ = {}) {
         addSet(key, Quantity::Velocity, number);

@@ -265,7 +265,8 @@ private:
         return false;
     }
     bool within(std::string_view key, const JsonValue& value, Bounds bounds) {
-        if (value.number >= bounds.min && value.number <= bounds.max)
+        const double number = bounds.eitherSign ? std::abs(value.number) : value.number;
+        if (number >= bounds.min && number <= bounds.max)
             return true;
         refuse(key, value,
                {.kind = Kind::OutOfRange,

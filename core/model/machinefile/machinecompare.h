@@ -44,7 +44,7 @@ struct PartId {
 };
 
 /// What a number is of, for the unit it is shown in.
-enum class Quantity : std::uint8_t { Plain, Distance, Velocity, Acceleration, Seconds };
+enum class Quantity : std::uint8_t { Plain, Distance, Place, Velocity, Acceleration, Seconds };
 
 using FieldValue = std::variant<bool, double, std::string>;
 

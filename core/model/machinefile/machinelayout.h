@@ -32,7 +32,8 @@ inline constexpr std::size_t kMaxRows = 200;
 struct Bounds {
     double min;
     double max;
-    bool ofModule = false;  ///< what the module takes
+    bool ofModule = false;    ///< what the module takes
+    bool eitherSign = false;  ///< the same below 0
 };
 
 [[nodiscard]] constexpr Bounds takenByModule(ValueRange range) {
@@ -47,7 +48,7 @@ inline constexpr double kMaxStepSpeed = 50'000.0;
 inline constexpr double kMaxStepAcceleration = 800'000.0;
 inline constexpr Bounds kDistance{0, 0x7FFFFFFF, true};
 inline constexpr Bounds kPlace{-0x7FFFFFFF, 0x7FFFFFFF, true};
-inline constexpr Bounds kPerUnit{kMinCountsPerUnit, kMaxCountsPerUnit};
+inline constexpr Bounds kPerUnit{kMinCountsPerUnit, kMaxCountsPerUnit, false, true};
 inline constexpr Bounds kSeconds{0, 86'400};
 inline constexpr Bounds kAnyNumber{-1e12, 1e12};
 

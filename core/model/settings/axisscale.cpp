@@ -23,26 +23,26 @@ AxisScale AxisScale::step(AxisUnit unit) {
 std::optional<double> AxisScale::velocity(double nativeVelocity) const {
     if (native())
         return nativeVelocity;
-    return m_perSecond ? std::optional(nativeVelocity * *m_perSecond / countsPerUnit()) : std::nullopt;
+    return m_perSecond ? std::optional(distance(nativeVelocity * *m_perSecond)) : std::nullopt;
 }
 
 std::optional<double> AxisScale::nativeVelocity(double velocity) const {
     if (native())
         return velocity;
-    return m_perSecond ? std::optional(velocity * countsPerUnit() / *m_perSecond) : std::nullopt;
+    return m_perSecond ? std::optional(countsOfDistance(velocity) / *m_perSecond) : std::nullopt;
 }
 
 std::optional<double> AxisScale::acceleration(double nativeAcceleration) const {
     if (native())
         return nativeAcceleration;
-    return m_perSecond ? std::optional(nativeAcceleration * *m_perSecond * *m_perSecond / countsPerUnit())
+    return m_perSecond ? std::optional(distance(nativeAcceleration * *m_perSecond * *m_perSecond))
                        : std::nullopt;
 }
 
 std::optional<double> AxisScale::nativeAcceleration(double acceleration) const {
     if (native())
         return acceleration;
-    return m_perSecond ? std::optional(acceleration * countsPerUnit() / (*m_perSecond * *m_perSecond))
+    return m_perSecond ? std::optional(countsOfDistance(acceleration) / (*m_perSecond * *m_perSecond))
                        : std::nullopt;
 }
 
@@ -50,9 +50,9 @@ std::optional<double> countsPerTurn(const AxisUnit& unit) {
     constexpr double kDegreesPerTurn = 360.0;
     switch (unit.kind) {
         case UnitKind::Turns:
-            return unit.countsPerUnit;
+            return std::abs(unit.countsPerUnit);
         case UnitKind::Degrees:
-            return unit.countsPerUnit * kDegreesPerTurn;
+            return std::abs(unit.countsPerUnit) * kDegreesPerTurn;
         case UnitKind::Native:
         case UnitKind::Millimetres:
         case UnitKind::Own:
@@ -75,10 +75,10 @@ std::int32_t homeTolerance(const AxisUnit& unit) {
             counts = *countsPerTurn(unit) * kPart;
             break;
         case UnitKind::Millimetres:
-            counts = unit.countsPerUnit * kMillimetres;
+            counts = std::abs(unit.countsPerUnit) * kMillimetres;
             break;
         case UnitKind::Own:
-            counts = unit.countsPerUnit * kPart;
+            counts = std::abs(unit.countsPerUnit) * kPart;
             break;
     }
     return static_cast<std::int32_t>(std::floor(std::clamp(counts, 1.0, kMax)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,13 +11,14 @@ namespace nmc {
 /// What the user reads an axis in (interface.md, "Values"). The chip only knows counts (PIC-STEP: steps).
 enum class UnitKind : std::uint8_t { Native, Turns, Degrees, Millimetres, Own };
 
-/// What makes sense as AxisUnit::countsPerUnit, with much to spare.
+/// What makes sense as AxisUnit::countsPerUnit, with much to spare; its sign apart.
 inline constexpr double kMinCountsPerUnit = 1e-6;
 inline constexpr double kMaxCountsPerUnit = 1e9;
 
 struct AxisUnit {
     UnitKind kind = UnitKind::Native;
-    /// Counts (steps) in one of them; above 0. 1 for UnitKind::Native.
+    /// Counts (steps) in one of them; below 0: a reversed axis, whose forward is the chip's reverse. 1 for
+    /// UnitKind::Native.
     double countsPerUnit = 1.0;
     std::string ownSymbol{};  ///< of UnitKind::Own
 
@@ -42,6 +44,8 @@ public:
     [[nodiscard]] static AxisScale step(AxisUnit unit);
 
     [[nodiscard]] const AxisUnit& unit() const { return m_unit; }
+    /// The user's forward is the chip's reverse, his highest position the chip's lowest.
+    [[nodiscard]] bool reversed() const { return countsPerUnit() < 0; }
     /// A PIC-STEP: its positions are steps.
     [[nodiscard]] bool steps() const { return m_steps; }
     [[nodiscard]] bool native() const { return m_unit.kind == UnitKind::Native; }
@@ -52,8 +56,13 @@ public:
 
     [[nodiscard]] double position(double counts) const { return counts / countsPerUnit(); }
     [[nodiscard]] double counts(double position) const { return position * countsPerUnit(); }
-    /// In the user's units per second; with UnitKind::Native it stays native. These four are empty unless
-    /// timed().
+    /// Amounts, above 0 either way.
+    [[nodiscard]] double distance(double counts) const { return counts / std::abs(countsPerUnit()); }
+    [[nodiscard]] double countsOfDistance(double distance) const {
+        return distance * std::abs(countsPerUnit());
+    }
+    /// Amounts in the user's units per second; with UnitKind::Native they stay native. These four are empty
+    /// unless timed().
     [[nodiscard]] std::optional<double> velocity(double nativeVelocity) const;
     [[nodiscard]] std::optional<double> nativeVelocity(double velocity) const;
     [[nodiscard]] std::optional<double> acceleration(double nativeAcceleration) const;
