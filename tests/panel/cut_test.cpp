@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStatusBar>
 #include <QTabWidget>
 
 #include "tests/support/virtualpanel.h"
@@ -75,6 +76,11 @@ protected:
             ADD_FAILURE() << line.toStdString() << "; first at " << where.toStdString();
     }
 
+    /// What the last answer changed has its room only behind the event loop's next turn.
+    void wait(double seconds) {
+        ASSERT_TRUE(panel.answersFor(seconds));
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    }
     void choose(const QString& layout) {
         panel.window().findChild<QAction*>(layout)->trigger();
         panel.window().resize(GetParam().size);
@@ -93,9 +99,7 @@ protected:
         return nullptr;
     }
     void look(const QString& where) {
-        ASSERT_TRUE(panel.answersFor(0.1));
-        // What the last answer changed has its room only then.
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        ASSERT_NO_FATAL_FAILURE(wait(0.1));
         for (const QString& line : cut(panel.window()))
             m_first.try_emplace(line, where);
     }
@@ -139,6 +143,22 @@ TEST_P(Whole, IsEveryDock) {
         ASSERT_NO_FATAL_FAILURE(look(dock->windowTitle()));
         if (!shown)
             dock->toggleViewAction()->trigger();
+    }
+}
+
+/// 1080 lines of a screen at 200 % are 540, and a title bar takes some of them.
+TEST_P(Whole, IsTheStatusLineOnASmallScreen) {
+    for (const QString& layout : {u"operateLayoutAction"_s, u"tuneLayoutAction"_s, u"chainLayoutAction"_s}) {
+        ASSERT_NO_FATAL_FAILURE(choose(layout));
+        panel.window().resize(960, 510);
+        ASSERT_NO_FATAL_FAILURE(wait(0.3));
+        EXPECT_LE(panel.window().height(), 510) << layout.toStdString();
+        EXPECT_LE(panel.window().width(), 960) << layout.toStdString();
+        const QWidget* bar = panel.window().statusBar();
+        for (const auto* label : bar->findChildren<QLabel*>())
+            if (label->isVisible()) {
+                EXPECT_EQ(cutIn(*label).toStdString(), "") << layout.toStdString();
+            }
     }
 }
 

@@ -31,7 +31,13 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kNarrowestPages = 17;  ///< lines of text
+constexpr int kLowestPages = 3;
 constexpr int kWindowChanges = 250;  ///< ms
+
+/// On a screen of 540 lines the status line must not be what is lost.
+void giveWay(QScrollArea& area) {
+    area.setMinimumHeight(area.fontMetrics().height() * kLowestPages);
+}
 
 /// What does not fit is scrolled for itself, and the motions stay where they are.
 void letScroll(QTabWidget& pages) {
@@ -39,7 +45,9 @@ void letScroll(QTabWidget& pages) {
         QWidget* page = pages.widget(i);
         const QString title = pages.tabText(i);
         pages.removeTab(i);
-        pages.insertTab(i, scrolled(page), title);
+        QScrollArea* area = scrolled(page);
+        giveWay(*area);
+        pages.insertTab(i, area, title);
     }
     pages.setCurrentIndex(0);
 }
@@ -63,6 +71,7 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     motions->setContentsMargins(0, 0, 0, unit);
     left->setLayout(motions);
     m_motions = scrolled(left, u"panelScroll"_s, tr("Motions of the selected module"));
+    giveWay(*m_motions);
     m_columnWidth = left->minimumSizeHint().width() + scrollBarWidth();
     m_columnWish = left->sizeHint().width() + scrollBarWidth();
     m_columns = new QHBoxLayout;
