@@ -86,6 +86,9 @@ void Composition::told(const bus::OperationFinished& finished) {
 }
 
 void Composition::told(const bus::StopFinished& finished) {
+    // Of a port on which no module was found, say, when it is closed: nobody asked, and nobody needed one.
+    if (finished.unasked && finished.reachedNobody())
+        return;
     m_flight.note(texts::stopResult(finished, {}).key, texts::stopOfAll(), {},
                   monotonicNow() - finished.took);
     m_recordings.note(texts::stopOfAll());

@@ -245,9 +245,13 @@ void Engine::release(TimePoint now) {
 }
 
 bool Engine::stopUnasked(TimePoint now) {
-    if (!m_config.readOnly)
-        stopAll(now);
-    return !m_config.readOnly;
+    if (m_config.readOnly)
+        return false;
+    const bool asked = m_stop.active();
+    stopAll(now);
+    if (!asked)
+        m_stop.noteUnasked();
+    return true;
 }
 
 void Engine::stopAll(TimePoint now) {
@@ -639,8 +643,10 @@ void Engine::goQuiet(TimePoint now) {
     m_again.reset();
     m_restartSearch.cancel();
     m_recovery.giveUp();
-    if (!m_stop.active() && !m_config.readOnly)
+    if (!m_stop.active() && !m_config.readOnly) {
         m_stop.begin(now);
+        m_stop.noteUnasked();
+    }
 }
 
 /// Nothing that was asked for is begun any more, a motor that is held is owed its stop, and gains that are

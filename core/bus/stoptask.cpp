@@ -10,6 +10,7 @@ void StopTask::begin(TimePoint now) {
     if (!active())
         m_pressed = now;
     m_waiting = false;
+    m_unasked = false;
     if (m_run)
         m_run->restart(m_chain);
     else
@@ -127,6 +128,7 @@ Line::Script StopTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
 void StopTask::finish(TimePoint now) {
     StopFinished event = std::exchange(m_run, std::nullopt)->finished();
     event.took = now - m_pressed;
+    event.unasked = std::exchange(m_unasked, false);
     m_asked = nullptr;
     for (const ModuleIndex module : event.stopped)
         if (const auto owed = std::exchange(m_chain.at(module).owed, std::nullopt))

@@ -21,6 +21,8 @@ public:
 
     /// Stops the chain, or looks at everything anew when that is under way.
     void begin(TimePoint now);
+    /// What was begun last, the operator has not asked for.
+    void noteUnasked() { m_unasked = true; }
     /// Nobody is known yet who could be told: as soon as the search is over.
     void beginAfterSearch(TimePoint now);
     /// The search is over; the chain is what it has found, or what it was.
@@ -53,6 +55,7 @@ private:
     std::optional<StopRun> m_run;
     TimePoint m_pressed;         ///< the first of those that this stop answers
     bool m_waiting = false;      ///< for the search
+    bool m_unasked = false;
     bool m_blindDue = false;     ///< what next() does first, once a begin()
     std::vector<Order> m_blind;  ///< under way
     bool m_blindHeard = false;   ///< the link was not in doubt when they went out

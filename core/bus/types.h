@@ -328,6 +328,11 @@ struct StopFinished {
     std::vector<ModuleIndex> noStopKnown;  ///< !hasStop(): was not told, use the hardware stop
     Duration took{};
     std::vector<ModuleIndex> wereOff{};  ///< when it began: they had to be told nothing
+    bool unasked = false;                ///< not the operator's: before the port is closed, say
+
+    [[nodiscard]] bool reachedNobody() const {
+        return stopped.empty() && unreached.empty() && unconfirmed.empty() && noStopKnown.empty();
+    }
 };
 
 /// Why the engine told one module to stop without a stop of all.
