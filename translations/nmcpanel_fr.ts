@@ -8858,16 +8858,20 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>° au moins</translation>
     </message>
     <message>
-        <source>One more step</source>
-        <translation>Encore un échelon</translation>
+        <source>Step once more and find</source>
+        <translation>1 échelon de plus, puis identifier</translation>
     </message>
     <message>
-        <source>Wanted where a motor was found that is uncertain.</source>
-        <translation>Utile quand le moteur identifié est incertain.</translation>
+        <source>Step %1 times and find</source>
+        <translation>%1 échelons, puis identifier</translation>
     </message>
     <message>
-        <source>Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model.</source>
-        <translation>Fait encore un échelon : retour, puis aller et retour deux fois plus loin. Plus il y a d’échelons, dans les deux sens et de deux tailles, meilleur est le modèle.</translation>
+        <source>The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.</source>
+        <translation>Le moteur saute encore une fois, aussi loin qu’avant, et est identifié à partir des derniers échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
+    </message>
+    <message>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely.</source>
+        <translation>Le moteur saute de la distance de l’échelon et revient, puis deux fois plus loin et revient, et est identifié à partir de ces échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
     </message>
 </context>
 <context>

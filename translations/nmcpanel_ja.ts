@@ -8839,16 +8839,20 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>° 以上</translation>
     </message>
     <message>
-        <source>One more step</source>
-        <translation>もう一度ステップ</translation>
+        <source>Step once more and find</source>
+        <translation>もう1回動かして同定</translation>
     </message>
     <message>
-        <source>Wanted where a motor was found that is uncertain.</source>
-        <translation>同定したモーターが不確かな場合に使います。</translation>
+        <source>Step %1 times and find</source>
+        <translation>%1回動かして同定</translation>
     </message>
     <message>
-        <source>Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model.</source>
-        <translation>もう一度ステップします。まず戻り、次に2倍の距離を往復します。両方向、2種類の大きさのステップが多いほど、モデルは正確になります。</translation>
+        <source>The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.</source>
+        <translation>モーターがもう一度、これまでと同じ距離だけ急に動き、最近のステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
+    </message>
+    <message>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely.</source>
+        <translation>モーターがステップの距離だけ急に動いて戻り、次にその2倍動いて戻り、これらのステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
     </message>
 </context>
 <context>
