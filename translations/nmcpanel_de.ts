@@ -625,6 +625,26 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>In %1 of 100 cases the motor stops too far from its goal.</source>
         <translation>In %1 von 100 Fällen bleibt der Motor zu weit von seinem Ziel stehen.</translation>
     </message>
+    <message>
+        <source>Amplifier deadband %1</source>
+        <translation>Totzone des Verstärkers %1</translation>
+    </message>
+    <message>
+        <source>Play %1</source>
+        <translation>Spiel %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>Ink.</translation>
+    </message>
+    <message>
+        <source>A resonance above %1 Hz would not show; the margins allow for one.</source>
+        <translation>Eine Resonanz oberhalb von %1 Hz wäre nicht zu sehen; die Reserven berücksichtigen eine.</translation>
+    </message>
+    <message>
+        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <translation>Der Motor hat vermutlich mehr als %1 Inkremente Spiel: So viel geht beim Umkehren verloren. Das Spiel zwischen Motor und Encoder beseitigen.</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>

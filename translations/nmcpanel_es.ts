@@ -625,6 +625,26 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>In %1 of 100 cases the motor stops too far from its goal.</source>
         <translation>En %1 de cada 100 casos, el motor se detiene demasiado lejos de su destino.</translation>
     </message>
+    <message>
+        <source>Amplifier deadband %1</source>
+        <translation>Banda muerta del amplificador %1</translation>
+    </message>
+    <message>
+        <source>Play %1</source>
+        <translation>Holgura %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>cuentas</translation>
+    </message>
+    <message>
+        <source>A resonance above %1 Hz would not show; the margins allow for one.</source>
+        <translation>Una resonancia por encima de %1 Hz no se vería; los márgenes la tienen en cuenta.</translation>
+    </message>
+    <message>
+        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <translation>El motor tiene probablemente más de %1 cuentas de holgura: es lo que se pierde al cambiar de sentido. Elimine la holgura entre motor y encoder.</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>

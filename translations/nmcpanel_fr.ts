@@ -625,6 +625,26 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>In %1 of 100 cases the motor stops too far from its goal.</source>
         <translation>Dans %1 cas sur 100, le moteur s’arrête trop loin de sa cible.</translation>
     </message>
+    <message>
+        <source>Amplifier deadband %1</source>
+        <translation>Zone morte de l’amplificateur %1</translation>
+    </message>
+    <message>
+        <source>Play %1</source>
+        <translation>Jeu %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>incréments</translation>
+    </message>
+    <message>
+        <source>A resonance above %1 Hz would not show; the margins allow for one.</source>
+        <translation>Une résonance au-dessus de %1 Hz ne se verrait pas ; les marges en tiennent compte.</translation>
+    </message>
+    <message>
+        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <translation>Le moteur a sans doute plus de %1 incréments de jeu : c’est ce qui se perd lorsqu’il change de sens. Rattrapez le jeu entre moteur et codeur.</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>

@@ -623,6 +623,26 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>In %1 of 100 cases the motor stops too far from its goal.</source>
         <translation>100回中%1回は、モーターが目標から離れすぎて止まります。</translation>
     </message>
+    <message>
+        <source>Amplifier deadband %1</source>
+        <translation>アンプの不感帯 %1</translation>
+    </message>
+    <message>
+        <source>Play %1</source>
+        <translation>バックラッシ %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>カウント</translation>
+    </message>
+    <message>
+        <source>A resonance above %1 Hz would not show; the margins allow for one.</source>
+        <translation>%1 Hzを超える共振はこのステップでは見えません。余裕はそれを見込んでいます。</translation>
+    </message>
+    <message>
+        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <translation>モーターにおそらく%1カウントを超えるバックラッシがあります。反転時にその分が失われています。モーターとエンコーダーの間のバックラッシを取り除いてください。</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>

@@ -105,6 +105,22 @@ TEST_F(ModelPage, ShowsTheMotorAndFillsInWhatIsSuggested) {
     EXPECT_EQ(intents.size(), 0) << "nothing is sent";
 }
 
+/// A deadband and play are told where there are any; of a resonance, what these steps cannot tell.
+TEST_F(ModelPage, SaysWhatIsBetweenTheChipAndTheLoad) {
+    find();
+    EXPECT_FALSE(text(u"motorModel"_s).contains(u"deadband"_s));
+    EXPECT_FALSE(text(u"motorModel"_s).contains(u"Play"_s));
+    Identified found = motor();
+    found.motor.deadband = {8, 0.3};
+    found.motor.play = {3, 0.4};
+    found.motor.rigidUpTo = 79.3;
+    click(u"identifyButton"_s);
+    dock().showMotor(ModuleIndex(0), found);
+    for (const auto& part : {u"Amplifier deadband 8.0 ± 0.3 of 255 PWM"_s, u"Play 3.0 ± 0.4 counts"_s,
+                             u"A resonance above 79 Hz would not show"_s})
+        EXPECT_TRUE(text(u"motorModel"_s).contains(part)) << text(u"motorModel"_s).toStdString();
+}
+
 TEST_F(ModelPage, SaysHowSureAPredictionIs) {
     find();
     SuggestionTask asked = task();
@@ -224,14 +240,14 @@ TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
     QSet<QString> sentences;
     for (const auto failure :
          {IdentifyFailure::TooFewSamples, IdentifyFailure::DoesNotMove, IdentifyFailure::WrongWay,
-          IdentifyFailure::Oscillates, IdentifyFailure::NotExplained, IdentifyFailure::Obstacle,
-          IdentifyFailure::GainUnclear, IdentifyFailure::TimeConstantUnclear}) {
+          IdentifyFailure::Oscillates, IdentifyFailure::NotExplained, IdentifyFailure::Play,
+          IdentifyFailure::Obstacle, IdentifyFailure::GainUnclear, IdentifyFailure::TimeConstantUnclear}) {
         window->showResponse(ramp());
         click(u"identifyButton"_s);
         dock().showMotor(ModuleIndex(0), tl::unexpected(failure));
         sentences << text(u"motorModel"_s);
     }
-    EXPECT_EQ(sentences.size(), 8);
+    EXPECT_EQ(sentences.size(), 9);
     EXPECT_FALSE(sentences.contains(QString()));
     EXPECT_TRUE(tasks.isEmpty());
 }
