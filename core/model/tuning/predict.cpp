@@ -226,9 +226,7 @@ Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::in
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> part;
     std::vector<std::vector<double>> positions(prediction.run.points.size());
-    const std::vector<MotorConstants> drawn = motor.drawn(kDrawn);
-    for (std::size_t which = 0; which < kDrawn; ++which) {
-        const MotorConstants& other = drawn[which];
+    for (const MotorConstants& other : motor.drawn(kDrawn)) {
         const double held = 2 * part(random) - 1;
         const ResponseRecord run = reckonStep(
             other, taken, standing(other, gains, from, held, part(random), part(random)), bandPercent);
@@ -241,7 +239,7 @@ Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::in
         else
             prediction.unsettled += 1.0 / kDrawn;
         MotorConstants swinging = other;
-        if (motor.rigidUpTo && which % 2 == 0)  // every other machine has one
+        if (motor.rigidUpTo)
             hangOn(swinging, *motor.rigidUpTo, part(random), part(random));
         const LoopMargins its = marginsOf(swinging, gains);
         phase.add(its.phaseDegrees);
