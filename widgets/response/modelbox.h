@@ -75,7 +75,7 @@ public:
 
 signals:
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
-    /// With every move of a slider: a tenth of a second of work.
+    /// With every move of a slider: some tenths of a second of work.
     void suggestionWanted(const nmc::SuggestionTask& task);
     void gainsWanted(const nmc::servo::SetGain& gains);
     void curvesChanged();
