@@ -115,7 +115,7 @@ private:
     /// Again and again, since the bus takes a focus back that nobody renews.
     void shareBus();
     /// Gives the window the run when it is over.
-    void followResponse(const ProcedureReport& report);
+    void followSteps(const ProcedureReport& report);
     void keepRun(const ModuleState& module, const ResponseTaken& taken);
     /// Gives the window each edge when the next one begins.
     void followSquareWave(const ProcedureReport& report);
@@ -206,6 +206,7 @@ private:
     std::vector<ModuleIndex> m_watched;             ///< what the worker polls most: panel and scope show it
     std::optional<QString> m_lostPort;              ///< where motors' states became unknown
     std::set<ModuleIndex> m_tested;                 ///< by procedures that run (isTest)
+    std::map<ModuleIndex, ResponseTaken> m_steps;   ///< the last of each that was kept
     std::map<ModuleIndex, ResponseTaken> m_edges;   ///< of the square waves that run, the last of each
     std::map<ModuleIndex, TimePoint> m_axisToldAt;  ///< the last time that watchAxes() told it something
     bool m_quitWhenClosed = false;

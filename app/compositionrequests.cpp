@@ -2,6 +2,7 @@
 // What is asked of a module: a plan of commands at once, or a procedure that runs for a while.
 #include <QDateTime>
 #include <algorithm>
+#include <utility>
 
 #include "app/composition.h"
 #include "link/clock.h"
@@ -16,6 +17,7 @@
 #include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/looptests/squarewavepage.h"
+#include "widgets/response/responsedock.h"
 #include "widgets/scope/scoperecord.h"
 
 namespace nmc {
@@ -171,12 +173,14 @@ void Composition::shareBus() {
     m_store.noteFocus(focused);
 }
 
-void Composition::followResponse(const ProcedureReport& report) {
-    // One that does not come to rest afterwards has a whole record all the same.
-    const bool whole = report.stage == ProcedureStage::Done || report.failure == ProcedureFailure::NotStill;
+void Composition::followSteps(const ProcedureReport& report) {
     const ModuleState* module = m_store.module(report.module);
-    if (whole && report.over() && report.step && module != nullptr)
+    if (module == nullptr || !report.step)
+        return;
+    if (std::exchange(m_steps[report.module], *report.step) != *report.step)
         keepRun(*module, *report.step);
+    if (report.kind == ProcedureKind::StepSeries && report.stage == ProcedureStage::Done)
+        m_window.stepResponses().page().find(report.module);
 }
 
 void Composition::followSquareWave(const ProcedureReport& report) {
@@ -224,8 +228,8 @@ void Composition::showProcedure(const ProcedureReport& report) {
     m_window.showProcedure(report);
     if (isTest(report.kind))
         focusOn(report);
-    if (report.kind == ProcedureKind::StepResponse)
-        followResponse(report);
+    if (makesSteps(report.kind))
+        followSteps(report);
     if (report.kind == ProcedureKind::SquareWave)
         followSquareWave(report);
     if (report.kind == ProcedureKind::FrequencyResponse && !report.frequencies.empty())

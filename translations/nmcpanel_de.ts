@@ -625,6 +625,26 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>In %1 of 100 cases the motor stops too far from its goal.</source>
         <translation>In %1 von 100 Fällen bleibt der Motor zu weit von seinem Ziel stehen.</translation>
     </message>
+    <message>
+        <source>Amplifier deadband %1</source>
+        <translation>Totzone des Verstärkers %1</translation>
+    </message>
+    <message>
+        <source>Play %1</source>
+        <translation>Spiel %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>Ink.</translation>
+    </message>
+    <message>
+        <source>A resonance above %1 Hz would not show; the margins allow for one.</source>
+        <translation>Eine Resonanz oberhalb von %1 Hz wäre nicht zu sehen; die Reserven berücksichtigen eine.</translation>
+    </message>
+    <message>
+        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <translation>Der Motor hat vermutlich mehr als %1 Inkremente Spiel: So viel geht beim Umkehren verloren. Das Spiel zwischen Motor und Encoder beseitigen.</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -8874,16 +8894,20 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>° mindestens</translation>
     </message>
     <message>
-        <source>One more step</source>
-        <translation>Noch ein Sprung</translation>
+        <source>Step once more and find</source>
+        <translation>Noch 1 Sprung, dann bestimmen</translation>
     </message>
     <message>
-        <source>Wanted where a motor was found that is uncertain.</source>
-        <translation>Erst nötig, wenn ein Motor gefunden wurde, der unsicher ist.</translation>
+        <source>Step %1 times and find</source>
+        <translation>%1 Sprünge, dann bestimmen</translation>
     </message>
     <message>
-        <source>Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model.</source>
-        <translation>Macht noch einen Sprung: zurück, dann doppelt so weit hin und zurück. Je mehr Sprünge in beide Richtungen und in zwei Größen, desto besser das Modell.</translation>
+        <source>The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.</source>
+        <translation>Der Motor springt noch einmal, so weit wie zuvor, und wird aus den letzten Sprüngen bestimmt. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
+    </message>
+    <message>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely.</source>
+        <translation>Der Motor springt um die Strecke des Sprungs und zurück, dann doppelt so weit und zurück, und wird aus diesen Sprüngen bestimmt. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
     </message>
 </context>
 <context>

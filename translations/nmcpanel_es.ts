@@ -625,6 +625,26 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>In %1 of 100 cases the motor stops too far from its goal.</source>
         <translation>En %1 de cada 100 casos, el motor se detiene demasiado lejos de su destino.</translation>
     </message>
+    <message>
+        <source>Amplifier deadband %1</source>
+        <translation>Banda muerta del amplificador %1</translation>
+    </message>
+    <message>
+        <source>Play %1</source>
+        <translation>Holgura %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>cuentas</translation>
+    </message>
+    <message>
+        <source>A resonance above %1 Hz would not show; the margins allow for one.</source>
+        <translation>Una resonancia por encima de %1 Hz no se vería; los márgenes la tienen en cuenta.</translation>
+    </message>
+    <message>
+        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <translation>El motor tiene probablemente más de %1 cuentas de holgura: es lo que se pierde al cambiar de sentido. Elimine la holgura entre motor y encoder.</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -8874,16 +8894,20 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>° como mínimo</translation>
     </message>
     <message>
-        <source>One more step</source>
-        <translation>Un escalón más</translation>
+        <source>Step once more and find</source>
+        <translation>1 escalón más e identificar</translation>
     </message>
     <message>
-        <source>Wanted where a motor was found that is uncertain.</source>
-        <translation>Hace falta cuando el motor identificado es incierto.</translation>
+        <source>Step %1 times and find</source>
+        <translation>%1 escalones e identificar</translation>
     </message>
     <message>
-        <source>Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model.</source>
-        <translation>Hace un escalón más: de vuelta, luego ida y vuelta el doble de lejos. Cuantos más escalones en ambos sentidos y de dos tamaños, mejor será el modelo.</translation>
+        <source>The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.</source>
+        <translation>El motor salta una vez más, tan lejos como antes, y se identifica a partir de los últimos escalones. Asegúrese de que todo lo que acciona puede moverse libremente.</translation>
+    </message>
+    <message>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely.</source>
+        <translation>El motor salta la distancia del escalón y vuelve, después el doble y vuelve, y se identifica a partir de estos escalones. Asegúrese de que todo lo que acciona puede moverse libremente.</translation>
     </message>
 </context>
 <context>

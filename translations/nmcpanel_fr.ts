@@ -625,6 +625,26 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>In %1 of 100 cases the motor stops too far from its goal.</source>
         <translation>Dans %1 cas sur 100, le moteur s’arrête trop loin de sa cible.</translation>
     </message>
+    <message>
+        <source>Amplifier deadband %1</source>
+        <translation>Zone morte de l’amplificateur %1</translation>
+    </message>
+    <message>
+        <source>Play %1</source>
+        <translation>Jeu %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>incréments</translation>
+    </message>
+    <message>
+        <source>A resonance above %1 Hz would not show; the margins allow for one.</source>
+        <translation>Une résonance au-dessus de %1 Hz ne se verrait pas ; les marges en tiennent compte.</translation>
+    </message>
+    <message>
+        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <translation>Le moteur a sans doute plus de %1 incréments de jeu : c’est ce qui se perd lorsqu’il change de sens. Rattrapez le jeu entre moteur et codeur.</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -8874,16 +8894,20 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>° au moins</translation>
     </message>
     <message>
-        <source>One more step</source>
-        <translation>Encore un échelon</translation>
+        <source>Step once more and find</source>
+        <translation>1 échelon de plus, puis identifier</translation>
     </message>
     <message>
-        <source>Wanted where a motor was found that is uncertain.</source>
-        <translation>Utile quand le moteur identifié est incertain.</translation>
+        <source>Step %1 times and find</source>
+        <translation>%1 échelons, puis identifier</translation>
     </message>
     <message>
-        <source>Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model.</source>
-        <translation>Fait encore un échelon : retour, puis aller et retour deux fois plus loin. Plus il y a d’échelons, dans les deux sens et de deux tailles, meilleur est le modèle.</translation>
+        <source>The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.</source>
+        <translation>Le moteur saute encore une fois, aussi loin qu’avant, et est identifié à partir des derniers échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
+    </message>
+    <message>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely.</source>
+        <translation>Le moteur saute de la distance de l’échelon et revient, puis deux fois plus loin et revient, et est identifié à partir de ces échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
     </message>
 </context>
 <context>

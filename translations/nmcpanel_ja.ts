@@ -623,6 +623,26 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>In %1 of 100 cases the motor stops too far from its goal.</source>
         <translation>100回中%1回は、モーターが目標から離れすぎて止まります。</translation>
     </message>
+    <message>
+        <source>Amplifier deadband %1</source>
+        <translation>アンプの不感帯 %1</translation>
+    </message>
+    <message>
+        <source>Play %1</source>
+        <translation>バックラッシ %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>カウント</translation>
+    </message>
+    <message>
+        <source>A resonance above %1 Hz would not show; the margins allow for one.</source>
+        <translation>%1 Hzを超える共振はこのステップでは見えません。余裕はそれを見込んでいます。</translation>
+    </message>
+    <message>
+        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <translation>モーターにおそらく%1カウントを超えるバックラッシがあります。反転時にその分が失われています。モーターとエンコーダーの間のバックラッシを取り除いてください。</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -8855,16 +8875,20 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>° 以上</translation>
     </message>
     <message>
-        <source>One more step</source>
-        <translation>もう一度ステップ</translation>
+        <source>Step once more and find</source>
+        <translation>もう1回動かして同定</translation>
     </message>
     <message>
-        <source>Wanted where a motor was found that is uncertain.</source>
-        <translation>同定したモーターが不確かな場合に使います。</translation>
+        <source>Step %1 times and find</source>
+        <translation>%1回動かして同定</translation>
     </message>
     <message>
-        <source>Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model.</source>
-        <translation>もう一度ステップします。まず戻り、次に2倍の距離を往復します。両方向、2種類の大きさのステップが多いほど、モデルは正確になります。</translation>
+        <source>The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.</source>
+        <translation>モーターがもう一度、これまでと同じ距離だけ急に動き、最近のステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
+    </message>
+    <message>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely.</source>
+        <translation>モーターがステップの距離だけ急に動いて戻り、次にその2倍動いて戻り、これらのステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
     </message>
 </context>
 <context>

@@ -2,8 +2,8 @@
 // Unknown motors in unknown machines: found from three steps each, given gains, and these tried on the motor
 // (issue 16, C).
 //   tune_bench [MOTORS [SEED [ONLY]]]    ONLY: the number of one motor
-// First motors by themselves, then such motors in machines whose play, deadband, encoder noise and spring the
-// model does not have.
+// First motors by themselves, then such motors in machines: with play, deadband, encoder noise, and a spring,
+// which steps do not show.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -103,7 +103,7 @@ struct Predictions {
         if (truth.metrics.overshoot)
             overshoot.count(isWithinTwo(predicted.overshoot, truth.metrics.overshoot->value));
         settling.count(truth.metrics.settling ? isWithinTwo(predicted.settling, truth.metrics.settling->value)
-                                              : predicted.unsettled > 0.05);
+                                              : predicted.unsettled > kSeldom);
         error.count(isWithinTwo(predicted.errorAtRest, truth.taken.goal - truth.points.back().position));
         phase.count(isWithinTwo(predicted.phaseMargin, margins.phaseDegrees));
         if (std::isfinite(margins.gain) && predicted.gainMargin)

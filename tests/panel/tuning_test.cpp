@@ -77,6 +77,15 @@ protected:
         EXPECT_FALSE(panel.window().findChild<QAbstractButton*>(u"identifyButton"_s)->isEnabled());
         EXPECT_TRUE(text("suggestedGains").isEmpty());
     }
+    // The simulator's motor: V per PWM count, N m / A, ohm.
+    static constexpr double kVolts = 24.0 / 255, kConstant = 0.038, kResistance = 1.1;
+    /// K = U / 255 / k, in counts.
+    [[nodiscard]] static double gain() { return kVolts / kConstant * 2'000 / (2 * std::numbers::pi); }
+    /// tau = J R / k^2, ms.
+    [[nodiscard]] static double timeConstant() {
+        return 1e3 * 1.7e-5 * kResistance / (kConstant * kConstant);
+    }
+
     VirtualChain sim{u"servo"_s};
     VirtualPanel panel;
 };
@@ -97,12 +106,9 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
     ASSERT_NO_FATAL_FAILURE(click("identifyButton"));
     ASSERT_TRUE(panel.waitFor([&] { return text("motorModel").contains(u"Time constant"_s); }))
         << text("motorModel").toStdString();
-    // The simulator's motor by its constants: K = U / 255 / k, in counts; tau = J R / k^2; c = M R / k.
-    const double volts = 24.0 / 255, k = 0.038, resistance = 1.1, inertia = 1.7e-5, coulomb = 0.004;
-    const double countsPerRad = 2'000 / (2 * std::numbers::pi);
-    expectFound(u"Gain"_s, volts / k * countsPerRad, 0.1);
-    expectFound(u"Time constant"_s, 1e3 * inertia * resistance / (k * k), 0.1);  // ms
-    expectFound(u"Friction"_s, coulomb * resistance / k / volts, 0.25);
+    expectFound(u"Gain"_s, gain(), 0.1);
+    expectFound(u"Time constant"_s, timeConstant(), 0.1);
+    expectFound(u"Friction"_s, 0.004 * kResistance / kConstant / kVolts, 0.25);  // M R / k
     ASSERT_TRUE(panel.waitFor([&] { return text("suggestedGains").contains(u"Kp"_s); }));
     ASSERT_NO_FATAL_FAILURE(click("fillSuggestedButton"));
     EXPECT_EQ(panel.module().gains->kp, 100) << "nothing is sent";
@@ -117,6 +123,67 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
     EXPECT_TRUE(panel.module().servoOn());
     EXPECT_EQ(sim.violations(), "");
 }
+
+/// One click, after which the motor is where it was and known.
+TEST_F(Tuning, OneClickStepsFourTimesAndFindsTheMotor) {
+    ASSERT_NO_FATAL_FAILURE(hold());
+    const int from = sim.state(1)[u"position"_s].toInt();
+    ASSERT_NO_FATAL_FAILURE(panel.click("stepAndFindButton"));
+    EXPECT_TRUE(panel.waitFor([&] { return text("responseState").contains(u"2 of 4"_s); }))
+        << text("responseState").toStdString();
+    EXPECT_FALSE(panel.window().findChild<QAbstractButton*>(u"stepAndFindButton"_s)->isEnabled());
+    ASSERT_TRUE(panel.waitFor([&] { return text("suggestedGains").contains(u"Kp"_s); }))
+        << text("motorModel").toStdString();
+    EXPECT_EQ(panel.window().findChild<QTableWidget*>(u"responseRunTable"_s)->rowCount(), 4);
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), from, 3);
+    expectFound(u"Gain"_s, gain(), 0.1);
+    expectFound(u"Time constant"_s, timeConstant(), 0.1);
+    EXPECT_FALSE(text("motorModel").contains(u"Uncertain"_s)) << text("motorModel").toStdString();
+    EXPECT_EQ(panel.module().gains->kp, 100) << "nothing else is sent";
+    EXPECT_EQ(sim.violations(), "");
+}
+
+/// Kp is what makes of K / tau the stiffness that was asked for, so it is as uncertain as these are together;
+/// the ladder of stiffnesses has steps of 4 %, which are 8 % of Kp.
+TEST_F(Tuning, ThreeTriesSuggestTheSameKpWithinTheDoubt) {
+    static const QRegularExpression kp(u"Kp (\\d+)"_s);
+    ASSERT_NO_FATAL_FAILURE(hold());
+    double least = 1e9, most = 0, doubt = 0;
+    for (int i = 1; i <= 3; ++i) {
+        ASSERT_NO_FATAL_FAILURE(panel.click("stepAndFindButton"));
+        const auto* runs = panel.window().findChild<QTableWidget*>(u"responseRunTable"_s);
+        ASSERT_TRUE(panel.waitFor([&] { return runs->rowCount() == 4 * i; }));
+        ASSERT_TRUE(panel.waitFor([&] { return text("suggestedGains").contains(u"Kp"_s); }));
+        const double suggested = kp.match(text("suggestedGains")).captured(1).toDouble();
+        least = std::min(least, suggested);
+        most = std::max(most, suggested);
+        const auto part = [this](const QString& word) { return found(word).second / found(word).first; };
+        doubt = std::max(doubt, std::hypot(part(u"Gain"_s), part(u"Time constant"_s)));
+    }
+    EXPECT_LE(most / least, 1.08 * (1 + 2 * doubt)) << least << " to " << most << ", doubt " << doubt;
+    EXPECT_LE(doubt, 0.15);
+}
+
+class TuningStops : public Tuning, public testing::WithParamInterface<const char*> {};
+
+TEST_P(TuningStops, EndTheFourStepsAndNothingIsFound) {
+    ASSERT_NO_FATAL_FAILURE(hold());
+    ASSERT_NO_FATAL_FAILURE(panel.click("stepAndFindButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return text("responseState").contains(u"2 of 4"_s); }));
+    ASSERT_NO_FATAL_FAILURE(panel.click(GetParam()));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    const double command = sim.state(1)[u"command_position"_s].toDouble();
+    ASSERT_TRUE(panel.answersFor(3.0));
+    EXPECT_EQ(sim.state(1)[u"command_position"_s].toDouble(), command);
+    EXPECT_FALSE(testing_support::moves(sim));
+    EXPECT_EQ(panel.window().findChild<QTableWidget*>(u"responseRunTable"_s)->rowCount(), 1)
+        << "the one that was recorded";
+    EXPECT_TRUE(text("motorModel").isEmpty());
+    EXPECT_EQ(sim.violations(), "");
+}
+INSTANTIATE_TEST_SUITE_P(All, TuningStops,
+                         testing::Values("stopAllButton", "stopHereButton", "stopSmoothlyButton",
+                                         "motorOffButton"));
 
 TEST_F(Tuning, UnstableGainsThatAreTriedAreTakenBack) {
     ASSERT_NO_FATAL_FAILURE(hold());

@@ -26,8 +26,11 @@ namespace nmc::testing_support {
     const double pwmPerNm = p.resistanceOhm / p.motorConstant / voltsPerPwm;
     return {voltsPerPwm / p.motorConstant * p.countsPerTurn / (2 * std::numbers::pi),
             (p.inertiaKgM2 + p.elasticInertiaKgM2) * p.resistanceOhm / (p.motorConstant * p.motorConstant),
-            p.coulombNm * pwmPerNm + p.amplifierDeadbandPwm, -p.loadNm * pwmPerNm,
-            p.inductanceHenry / p.resistanceOhm};
+            p.coulombNm * pwmPerNm,
+            -p.loadNm * pwmPerNm,
+            p.inductanceHenry / p.resistanceOhm,
+            1.0 * p.amplifierDeadbandPwm,
+            1.0 * static_cast<double>(p.playCounts)};
 }
 
 class TunedServo {

@@ -102,7 +102,7 @@ TEST_F(BadSteps, ThatOscillate) {
 TEST_F(BadSteps, WithABacklashOfSomeDegrees) {
     TunedServo servo({}, limitedGains(200, 2'000), 7);
     servo.setBacklash(30);
-    expect(thereAndBack(servo), IdentifyFailure::NotExplained);
+    expect(thereAndBack(servo), IdentifyFailure::Play);
 }
 
 }  // namespace

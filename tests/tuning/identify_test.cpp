@@ -113,6 +113,58 @@ TEST(Identify, FindsALoadThatTheIntegralCannotCarry) {
     }
 }
 
+/// A deadband of 8 leaves 24 V / 247 for each PWM count above it: K = 24 / 247 / 0.038 x 2000 / 2 pi = 813.9,
+/// c = 0.004 x 1.1 / 0.038 x 247 / 24 = 1.192.
+TEST(Identify, TellsADeadbandFromFriction) {
+    sim::MotorParameters motor;
+    motor.amplifierDeadbandPwm = 8;
+    const auto found = identify(stepsOf(motor, 12));
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->motor.deadband.value, 8, 2 * found->motor.deadband.doubt);
+    EXPECT_LT(found->motor.deadband.doubt, 1);
+    EXPECT_NEAR(found->motor.friction.value, 1.192, 2 * found->motor.friction.doubt);
+    EXPECT_TRUE(isNear(found->motor.gain, 813.9, 0.1)) << found->motor.gain.value;
+    const auto without = identify(stepsOf({}, 12));
+    ASSERT_TRUE(without);
+    EXPECT_NEAR(without->motor.deadband.value, 0, 1);
+}
+
+TEST(Identify, FindsAPlayOfAFewCounts) {
+    for (const std::int64_t play : {2, 6}) {
+        sim::MotorParameters motor;
+        motor.playCounts = play;
+        const auto found = identify(stepsOf(motor, 13));
+        ASSERT_TRUE(found) << play;
+        EXPECT_NEAR(found->motor.play.value, static_cast<double>(play), 2 * found->motor.play.doubt);
+        EXPECT_LT(found->motor.play.doubt, 2);
+        EXPECT_TRUE(isNear(found->motor.gain, 788.4, 0.1)) << found->motor.gain.value;
+    }
+}
+
+/// 0.4 counts rms, rounded to whole counts: farther than half a count, which is 1.25 times that, are 21.1 %
+/// of all, and hardly any beyond one and a half: sqrt(0.211) = 0.46.
+TEST(Identify, SeesTheEncodersNoiseWhereTheShaftStands) {
+    sim::MotorParameters motor;
+    motor.encoderNoiseCounts = 0.4;
+    const auto found = identify(stepsOf(motor, 14));
+    const auto without = identify(stepsOf({}, 14));
+    ASSERT_TRUE(found && without);
+    EXPECT_NEAR(found->motor.noise, 0.46, 0.15);
+    EXPECT_EQ(without->motor.noise, 0);
+}
+
+/// What is 60 times as heavy, with a fifth of the counts, shows less.
+TEST(Identify, SaysUpToWhereAResonanceWouldHaveShown) {
+    const auto fine = identify(stepsOf({}, 15));
+    sim::MotorParameters heavy;
+    heavy.inertiaKgM2 = 1e-3;
+    heavy.countsPerTurn = 400;
+    const auto coarse = identify(stepsOf(heavy, 15));
+    ASSERT_TRUE(fine && coarse);
+    ASSERT_TRUE(fine->motor.rigidUpTo && coarse->motor.rigidUpTo);
+    EXPECT_GT(*fine->motor.rigidUpTo, *coarse->motor.rigidUpTo);
+}
+
 class UnknownMotors : public testing::TestWithParam<std::uint64_t> {};
 
 /// Ten motors each; the figures of three hundred are scripts/bench tune's.
@@ -133,6 +185,18 @@ TEST_P(UnknownMotors, AreFound) {
         EXPECT_TRUE(isNear(found->motor.friction, truth.friction, 0.25))
             << found->motor.friction.value << " +- " << found->motor.friction.doubt;
     }
+}
+
+/// With play, deadband, encoder noise and springs: it is a rare machine of which nothing is found. The
+/// figures of three hundred are tune_bench's.
+TEST(UnknownMachines, AreFound) {
+    sim::Random random(1'004);
+    int found = 0;
+    for (int i = 0; i < 10; ++i) {
+        const sim::MotorParameters motor = unknownMachine(random);
+        found += identify(stepsOf(motor, random.next())) ? 1 : 0;
+    }
+    EXPECT_GE(found, 9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Thirty, UnknownMotors, testing::Values(1'001, 1'002, 1'003));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "tests/support/tunedservo.h"
 
@@ -83,6 +84,29 @@ TEST(ControlFilterModel, LimitsTheOutputAndAddsTheDeadbandToWhatIsNotZero) {
     EXPECT_EQ(ControlFilter(gains, Rounding::Chip, 0, 0).output(1'000), 255) << "there is no more";
 }
 
+/// 7 is added to 5, and 4 of that come to nothing.
+TEST(ControlFilterModel, KnowsWhatTheAmplifierMakesOfIt) {
+    servo::SetGain gains = bareGains(256, 0);
+    ControlFilter bare(gains, Rounding::Chip, 0, 0, 4);
+    EXPECT_EQ(bare.output(5), 1);
+    EXPECT_EQ(bare.output(-5), -1);
+    EXPECT_EQ(bare.output(3), 0);
+    gains.db = std::uint8_t{7};
+    EXPECT_EQ(ControlFilter(gains, Rounding::Chip, 0, 0, 4).output(5), 8);
+}
+
+/// Friction of 2 against a load of 3 takes -5 to -1; beyond a deadband of 4 these are -9 and -5.
+TEST(HoldingRangeOfAMotor, ReachesAcrossTheDeadband) {
+    MotorConstants motor = kMotor;
+    motor.deadband = 4;
+    EXPECT_EQ(holdingRange(motor).least, -6);
+    EXPECT_EQ(holdingRange(motor).most, 6);
+    motor.load = 3;
+    EXPECT_EQ(holdingRange(motor).least, -9);
+    EXPECT_EQ(holdingRange(motor).most, -5);
+    EXPECT_EQ(holdingRange(motor).at(0), -7);
+}
+
 TEST(ControlFilterModel, BoundsTheRunningSumBeforeItIsUsed) {
     servo::SetGain gains = bareGains(0, 0);
     gains.ki = 256 * 10;
@@ -119,22 +143,68 @@ TEST(LoopModel, TicksAtTheServoRate) {
     EXPECT_NEAR(loop.at(t).position, 5e5 * (t - 1e-3 * (1 - std::exp(-t / 1e-3))), 1e-6);
 }
 
+/// 10 PWM counts all the time, which are 10 000 counts/s^2 of both masses together. The shaft is ahead of
+/// them by the second's part of the twist: half of 1e4 / w^2 (1 - cos w t), which at half a period of 50 Hz
+/// and a damping of 0.02 is 0.5 x 1e4 / 314.2^2 x (1 + exp(-0.02 pi)) = 0.0982, and after a whole one 0.5 x
+/// 1e4 / 314.2^2 x (1 - exp(-0.04 pi)) = 0.0060.
+TEST(LoopModel, ASecondMassSwingsAtTheResonance) {
+    MotorConstants motor{1e6, 1'000, 0, 0, 0};
+    motor.second = 0.5;
+    motor.resonance = 50;
+    servo::SetGain gains = bareGains(32'767, 0);
+    gains.ol = 10;
+    Loop loop(motor, gains, {0, 0, 0}, 2'000, Rounding::Chip);
+    EXPECT_NEAR(loop.at(0.01).position, 1e4 * 0.01 * 0.01 / 2 + 0.0982, 0.002);
+    EXPECT_NEAR(loop.at(0.02).position, 1e4 * 0.02 * 0.02 / 2 + 0.0060, 0.002);
+}
+
+/// It has come from below. From the first tick that sees the new goal on there are -100 PWM counts, 1e7
+/// counts/s in the end, with tau 0.1 ms: 30 us take it 1e7 x (30 us - tau (1 - exp(-0.3))) = 40.8 counts
+/// back.
+TEST(LoopModel, LosesThePlayWhereItTurnsRound) {
+    MotorConstants motor{1e5, 1e-4, 0, 0, 0};
+    servo::SetGain gains = bareGains(256, 0);
+    gains.ol = 100;
+    const auto back = [&](double play) {
+        motor.play = play;
+        Loop loop(motor, gains, {0, 0, 0, 1.0}, -200, Rounding::Mean);
+        return loop.at(30e-6).position;
+    };
+    EXPECT_NEAR(back(0), -40.8, 0.1);
+    EXPECT_NEAR(back(30), -10.8, 0.1);
+    EXPECT_EQ(back(50), 0) << "more than it has turned";
+}
+
 /// Without inductance the simulator's plant is this model: the same step to within what the unknown moment of
 /// the command and the part of a count leave.
 TEST(LoopModel, MovesLikeTheSimulatorsMotor) {
-    sim::MotorParameters motor;
-    motor.inductanceHenry = 1e-6;
-    motor.viscousNmS = 0;
-    motor.loadNm = 0.002;
-    for (const auto& gains : {servo::SetGain{100, 1'000, 80, 50, 64, 0, 4'000, 1, std::uint8_t{0}},
-                              servo::SetGain{300, 4'000, 0, 0, 255, 0, 4'000, 2, std::uint8_t{3}},
-                              servo::SetGain{600, 200, 20, 100, 120, 0, 4'000, 1, std::uint8_t{0}}}) {
+    sim::MotorParameters plain;
+    plain.inductanceHenry = 1e-6;
+    plain.viscousNmS = 0;
+    plain.loadNm = 0.002;
+    const servo::SetGain soft{100, 1'000, 80, 50, 64, 0, 4'000, 1, std::uint8_t{0}};
+    const servo::SetGain stiff{300, 4'000, 0, 0, 255, 0, 4'000, 2, std::uint8_t{3}};
+    const servo::SetGain loose{600, 200, 20, 100, 120, 0, 4'000, 1, std::uint8_t{0}};
+    sim::MotorParameters dead = plain;
+    dead.amplifierDeadbandPwm = 9;
+    sim::MotorParameters playing = plain;
+    playing.playCounts = 7;
+    sim::MotorParameters elastic = plain;
+    elastic.elasticInertiaKgM2 = 0.5 * plain.inertiaKgM2;
+    elastic.resonanceHz = 30;
+    using Case = std::pair<sim::MotorParameters, servo::SetGain>;
+    for (const auto& [motor, gains] : {Case{plain, soft}, Case{plain, stiff}, Case{plain, loose},
+                                       Case{dead, soft}, Case{playing, soft}, Case{elastic, soft}}) {
         testing_support::TunedServo servo(motor, gains, 1);
         servo.wait(1);
         const ResponseRecord run = servo.step(200, 0.3);
         MotorConstants constants = testing_support::physics(motor);
         constants.delay = 0;
-        LoopStart start{run.points.front().position + 0.5, 0, 0};
+        if (motor.elasticInertiaKgM2 > 0) {
+            constants.second = 0.5;
+            constants.resonance = motor.resonanceHz;
+        }
+        LoopStart start{run.points.front().position + 0.5, 0, 0, 0.0};
         if (gains.ki > 0)
             start.integral = -constants.load * 256 / gains.ki;
         Loop loop(constants, gains, start, 200, Rounding::Chip);
@@ -146,7 +216,8 @@ TEST(LoopModel, MovesLikeTheSimulatorsMotor) {
             const double allowed = 4 + std::abs(speed) * (gains.sr * 512e-6 + 0.2e-3);
             worst = std::max(worst, std::abs(point.position - model) / allowed);
         }
-        EXPECT_LT(worst, 1) << "Kp " << gains.kp;
+        EXPECT_LT(worst, 1) << "Kp " << gains.kp << " deadband " << motor.amplifierDeadbandPwm << " play "
+                            << motor.playCounts << " second mass " << motor.elasticInertiaKgM2;
     }
 }
 

@@ -65,6 +65,21 @@ TEST(LoopMargins, SayHowMuchHigherAllGainsCouldBe) {
     }
 }
 
+/// At the resonance the two masses move (-0.3 + 0.04 j) / 0.04 j times as far as one would, whose size is
+/// sqrt(1 + 7.5^2); far below it as far as one.
+TEST(LoopMargins, CountASecondMassOnASpring) {
+    MotorConstants motor{788, 0.013, 2, 0, 0.55e-3};
+    const auto sizeAt = [&](double hertz) { return std::abs(openLoopAt(motor, gainsOf(200, 2'000), hertz)); };
+    const double at100 = sizeAt(100);
+    const double at2 = sizeAt(2);
+    const double margin = marginsOf(motor, gainsOf(200, 2'000)).gain;
+    motor.second = 0.3;
+    motor.resonance = 100;
+    EXPECT_NEAR(sizeAt(100) / at100, std::sqrt(1 + 7.5 * 7.5), 0.01);
+    EXPECT_NEAR(sizeAt(2) / at2, 1, 0.001);
+    EXPECT_LT(marginsOf(motor, gainsOf(200, 2'000)).gain, margin);
+}
+
 TEST(Predict, LeavesWhatFrictionHoldsAtRest) {
     // Without an integral, friction of 4 PWM counts and one that is cut off hold Kp e / 256 up to 5: 12.8
     // counts with Kp 100.
@@ -117,6 +132,37 @@ TEST(PredictDoubt, KnowsThatGainAndTimeConstantGoTogether) {
     EXPECT_NEAR(predict(motor, gainsOf(16, 0), 0, 300, 0.5, 2).phaseMargin.doubt, 0.81, 0.16);
     motor.correlation[0][1] = motor.correlation[1][0] = 1.0;
     EXPECT_NEAR(predict(motor, gainsOf(16, 0), 0, 300, 0.5, 2).phaseMargin.doubt, 1.14, 0.23);
+}
+
+/// What may resonate makes margins doubtful, and the step not.
+TEST(PredictDoubt, CountsWhatMayResonate) {
+    MotorModel motor = MotorModel::exactly({788, 0.013, 2, 0, 0.55e-3});
+    const auto upTo = [&](std::optional<double> hertz) {
+        motor.rigidUpTo = hertz;
+        return predict(motor, gainsOf(200, 2'000), 0, 300, 0.3, 2);
+    };
+    const Prediction rigid = upTo(std::nullopt);
+    const Prediction low = upTo(60);
+    const Prediction high = upTo(kHighestResonance);
+    EXPECT_EQ(low.phaseMargin.value, rigid.phaseMargin.value);
+    EXPECT_LT(rigid.phaseMargin.doubt, high.phaseMargin.doubt);
+    EXPECT_LT(high.phaseMargin.doubt, low.phaseMargin.doubt);
+    ASSERT_TRUE(rigid.gainMargin && low.gainMargin);
+    EXPECT_LT(rigid.gainMargin->doubt, low.gainMargin->doubt);
+    EXPECT_NEAR(low.overshoot.doubt, rigid.overshoot.doubt, 1);
+}
+
+/// Without an integral a shaft stops where friction holds it: 4 +- 4 PWM counts at Kp 100 are up to 10 counts
+/// off, and the band has 4. Where it may stay outside, settling may be as late as the record is long.
+TEST(PredictDoubt, OfSettlingCountsWhatMayNotSettle) {
+    MotorModel motor = MotorModel::exactly({788, 0.013, 0.5, 0, 0.55e-3});
+    const Prediction sure = predict(motor, gainsOf(100, 1'000), 0, 200, 0.5, 2);
+    EXPECT_LT(sure.unsettled, kSeldom);
+    EXPECT_LT(sure.settling.doubt, 0.05);
+    motor.friction = {4, 4};
+    const Prediction wary = predict(motor, gainsOf(100, 1'000), 0, 200, 0.5, 2);
+    EXPECT_GT(wary.unsettled, kSeldom);
+    EXPECT_GT(wary.settling.doubt, 0.1);
 }
 
 /// Friction found 11 +- 9 that is 15.4: no integral, so up to (15.4 + 1) x 256 / Kp = 5.2 counts stay.

@@ -49,11 +49,26 @@ protected:
         click(u"identifyButton"_s);
         dock().showMotor(ModuleIndex(0), motor());
     }
-    /// Counts, of the step that was asked for last.
-    [[nodiscard]] int steppedBy() {
+    /// Counts, of the steps that were asked for last.
+    [[nodiscard]] std::vector<std::int32_t> steppedBy() {
         const Intent intent = intents.isEmpty() ? Intent{} : intents.last().at(1).value<Intent>();
-        const auto* step = std::get_if<intent::StepResponse>(&intent);
-        return step != nullptr ? step->counts : 0;
+        const auto* series = std::get_if<intent::StepSeries>(&intent);
+        return series != nullptr ? series->counts : std::vector<std::int32_t>{};
+    }
+    void showStepBy(int counts) {
+        KeptResponse run = ramp(counts);
+        run.run.taken.goal = run.run.taken.from + counts;
+        window->showResponse(run);
+    }
+    /// Gain known to 21 %.
+    [[nodiscard]] static Identified uncertain() {
+        Identified found = motor();
+        found.motor.gain.doubt = 165;
+        return found;
+    }
+    void findUncertain() {
+        click(u"identifyButton"_s);
+        dock().showMotor(ModuleIndex(0), uncertain());
     }
     using WindowTest::find;
     QSignalSpy wanted{&dock(), &ResponseDock::identifyWanted};
@@ -90,6 +105,22 @@ TEST_F(ModelPage, ShowsTheMotorAndFillsInWhatIsSuggested) {
     EXPECT_EQ(intents.size(), 0) << "nothing is sent";
 }
 
+/// A deadband and play are told where there are any; of a resonance, what these steps cannot tell.
+TEST_F(ModelPage, SaysWhatIsBetweenTheChipAndTheLoad) {
+    find();
+    EXPECT_FALSE(text(u"motorModel"_s).contains(u"deadband"_s));
+    EXPECT_FALSE(text(u"motorModel"_s).contains(u"Play"_s));
+    Identified found = motor();
+    found.motor.deadband = {8, 0.3};
+    found.motor.play = {3, 0.4};
+    found.motor.rigidUpTo = 79.3;
+    click(u"identifyButton"_s);
+    dock().showMotor(ModuleIndex(0), found);
+    for (const auto& part : {u"Amplifier deadband 8.0 ± 0.3 of 255 PWM"_s, u"Play 3.0 ± 0.4 counts"_s,
+                             u"A resonance above 79 Hz would not show"_s})
+        EXPECT_TRUE(text(u"motorModel"_s).contains(part)) << text(u"motorModel"_s).toStdString();
+}
+
 TEST_F(ModelPage, SaysHowSureAPredictionIs) {
     find();
     SuggestionTask asked = task();
@@ -108,43 +139,73 @@ TEST_F(ModelPage, SaysHowSureAPredictionIs) {
         EXPECT_TRUE(words.contains(part)) << part.toStdString() << " in " << words.toStdString();
 }
 
-/// There and back by 100, then by 200: both ways, and two sizes.
-TEST_F(ModelPage, StepsToAndFroByTwoSizes) {
-    Identified uncertain = motor();
-    uncertain.motor.gain.doubt = 165;
-    int last = 100;
-    for (const int next : {-100, 200, -200, 100}) {
-        KeptResponse run = ramp(last);
-        run.run.taken.goal = run.run.taken.from + last;
-        window->showResponse(run);
-        click(u"identifyButton"_s);
-        dock().showMotor(ModuleIndex(0), uncertain);
-        click(u"anotherStepButton"_s);
-        EXPECT_EQ(steppedBy(), next);
-        last = next;
+TEST_F(ModelPage, SaysThatItStepsFourTimesBeforeItDoes) {
+    const QAbstractButton* steps = button(u"stepAndFindButton"_s);
+    EXPECT_EQ(steps->text(), u"Step 4 times and find"_s);
+    EXPECT_TRUE(steps->accessibleName().startsWith(steps->text()));
+    EXPECT_TRUE(steps->toolTip().contains(u"twice as far"_s));
+    EXPECT_EQ(intents.size(), 0);
+    type(u"responseDistanceField"_s, u"150"_s);
+    type(u"responseRecordField"_s, u"0.4"_s);
+    click(u"stepAndFindButton"_s);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_EQ(steppedBy(), (std::vector<std::int32_t>{150, -150, 300, -300}));
+    EXPECT_EQ(std::get<intent::StepSeries>(intents.last().at(1).value<Intent>()).each.record, 0.4);
+}
+
+/// 910 + 91 + 4 is less than an error limit of 2000 counts, 2 x 910 + 182 + 4 more.
+TEST_F(ModelPage, SaysWhyItCannotStepFourTimes) {
+    Servo servo;
+    servo.held = true;
+    std::vector<ModuleState> modules{servo.state(), Servo{.index = 1}.state()};
+    modules.front().gains->el = 2'000;
+    window->showLink(connectedTo(modules));
+    settle();
+    type(u"responseDistanceField"_s, u"910"_s);
+    EXPECT_TRUE(button(u"responseButton"_s)->isEnabled()) << "once it can";
+    EXPECT_FALSE(button(u"stepAndFindButton"_s)->isEnabled());
+    EXPECT_FALSE(button(u"stepAndFindButton"_s)->toolTip().contains(u"twice as far"_s));
+    type(u"responseDistanceField"_s, u"900"_s);
+    EXPECT_TRUE(button(u"stepAndFindButton"_s)->isEnabled()) << "1800 + 180 + 4";
+}
+
+/// There and back by 100, then by 200: both ways, and two sizes. Where that leaves it uncertain, so on.
+TEST_F(ModelPage, StepsOnceMoreWhereAllThatLeavesTheMotorUncertain) {
+    for (const int made : {100, -100, 200})
+        showStepBy(made);
+    int made = -200;
+    for (const int next : {100, -100, 200, -200}) {
+        showStepBy(made);
+        findUncertain();
+        EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step once more and find"_s);
+        click(u"stepAndFindButton"_s);
+        EXPECT_EQ(steppedBy(), std::vector<std::int32_t>{next});
+        made = next;
+    }
+    click(u"identifyButton"_s);
+    dock().showMotor(ModuleIndex(0), motor());
+    EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step 4 times and find"_s) << "of one that is sure";
+}
+
+/// One step, or steps that are alike, are too little to go on with.
+TEST_F(ModelPage, StepsFourTimesWhereTheStepsWereTooFewOrAlike) {
+    for (int i = 0; i < 3; ++i) {
+        showStepBy(100);
+        findUncertain();
+        EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step 4 times and find"_s);
     }
 }
 
-/// Gain known to 21 %: one more step is offered, and gains are careful until it is known.
-TEST_F(ModelPage, AsksForOneMoreStepWhereTheMotorIsUncertain) {
-    window->showResponse(ramp());
-    click(u"identifyButton"_s);
-    Identified uncertain = motor();
-    uncertain.motor.gain.doubt = 165;
-    dock().showMotor(ModuleIndex(0), uncertain);
+/// Gains are careful until the motor is known.
+TEST_F(ModelPage, IsCarefulWhereTheMotorIsUncertain) {
+    for (const int made : {100, -100, 200, -200})
+        showStepBy(made);
+    findUncertain();
     EXPECT_TRUE(text(u"motorModel"_s).contains(u"Uncertain"_s));
     EXPECT_EQ(task().wish.phaseMargin, 60);
     click(u"identifyButton"_s);
     EXPECT_EQ(intents.size(), 0) << "whoever clicks twice moves nothing";
-    dock().showMotor(ModuleIndex(0), uncertain);
-    click(u"anotherStepButton"_s);
-    ASSERT_EQ(intents.size(), 1);
-    EXPECT_EQ(steppedBy(), -100) << "the other way, so that the motor stays where it is";
-    window->showResponse(ramp(100));
-    EXPECT_FALSE(button(u"anotherStepButton"_s)->isEnabled()) << "that one is to be looked at first";
-    click(u"identifyButton"_s);
     dock().showMotor(ModuleIndex(0), motor());
-    EXPECT_FALSE(button(u"anotherStepButton"_s)->isEnabled());
     EXPECT_EQ(task().wish.phaseMargin, 45);
 }
 
@@ -179,14 +240,14 @@ TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
     QSet<QString> sentences;
     for (const auto failure :
          {IdentifyFailure::TooFewSamples, IdentifyFailure::DoesNotMove, IdentifyFailure::WrongWay,
-          IdentifyFailure::Oscillates, IdentifyFailure::NotExplained, IdentifyFailure::Obstacle,
-          IdentifyFailure::GainUnclear, IdentifyFailure::TimeConstantUnclear}) {
+          IdentifyFailure::Oscillates, IdentifyFailure::NotExplained, IdentifyFailure::Play,
+          IdentifyFailure::Obstacle, IdentifyFailure::GainUnclear, IdentifyFailure::TimeConstantUnclear}) {
         window->showResponse(ramp());
         click(u"identifyButton"_s);
         dock().showMotor(ModuleIndex(0), tl::unexpected(failure));
         sentences << text(u"motorModel"_s);
     }
-    EXPECT_EQ(sentences.size(), 8);
+    EXPECT_EQ(sentences.size(), 9);
     EXPECT_FALSE(sentences.contains(QString()));
     EXPECT_TRUE(tasks.isEmpty());
 }

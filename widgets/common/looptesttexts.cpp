@@ -159,7 +159,7 @@ Words tryFailed(ProcedureFailure failure, const QString& who) {
 }  // namespace
 
 Words testFailed(const ProcedureReport& report, const QString& who) {
-    if (report.kind == ProcedureKind::StepResponse)
+    if (makesSteps(report.kind))
         return responseFailed(*report.failure, who);
     if (report.kind == ProcedureKind::TryGains)
         return tryFailed(*report.failure, who);

@@ -7,14 +7,14 @@
 #include <QPushButton>
 #include <QSlider>
 #include <algorithm>
-#include <cstdlib>
 
-#include "model/intent/looptestplan.h"
 #include "model/response/responsefile.h"
+#include "model/tuning/nextsteps.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/response/modelwords.h"
+#include "widgets/response/responseform.h"
 
 namespace nmc {
 
@@ -35,25 +35,10 @@ QLabel* newParagraph(const QString& objectName, const QString& what, int lines, 
     label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
     return label;
 }
-/// The other way after each step, so that the motor stays where it is; then to and fro by twice as much, and
-/// by the first distance again: friction and load differ by direction, gain and friction by size.
-std::int32_t nextDistance(const std::vector<const KeptResponse*>& runs) {
-    const auto distance = [](const KeptResponse* kept) {
-        return kept->run.taken.goal - kept->run.taken.from;
-    };
-    const std::int32_t last = distance(runs.back());
-    const bool backAgain = runs.size() > 1 && distance(runs[runs.size() - 2]) == -last;
-    if (!backAgain)
-        return -last;
-    std::int32_t least = std::abs(last);
-    for (const KeptResponse* kept : runs)
-        least = std::min(least, std::abs(distance(kept)));
-    return std::abs(last) == least ? std::min(2 * least, kLongestStep) : least;
-}
 }  // namespace
 
-ModelBox::ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent)
-    : QWidget(parent), m_runs(runs), m_margin(LoopWish{}.phaseMargin) {
+ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QWidget* parent)
+    : QWidget(parent), m_form(form), m_runs(runs), m_margin(LoopWish{}.phaseMargin) {
     look::name(this, u"modelBox"_s, tr("Motor model"));
     m_identify = new QPushButton(icons::tinted(u"wand"_s), tr("Find the motor"), this);
     look::name(m_identify, u"identifyButton"_s, tr("Find the motor model from the steps"));
@@ -66,13 +51,13 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent)
     grid->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
     grid->setVerticalSpacing(unit / 3);
     // A button of its own: Find sends nothing, and whoever clicks it twice must not move a motor.
-    m_another = new QPushButton(icons::tinted(u"player-play"_s), tr("One more step"), this);
-    look::name(m_another, u"anotherStepButton"_s, tr("One more step"));
-    connect(m_another, &QPushButton::clicked, this,
-            [this] { emit stepWanted(nextDistance(ofThisModule())); });
+    m_steps = new QPushButton(icons::tinted(u"player-play"_s), {}, this);
+    m_steps->setObjectName(u"stepAndFindButton"_s);
+    connect(m_steps, &QPushButton::clicked, this, [this] { m_form.step(nextSteps()); });
+    connect(&m_form, &ResponseForm::edited, this, &ModelBox::refreshSteps);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_identify);
-    buttons->addWidget(m_another);
+    buttons->addWidget(m_steps);
     buttons->addStretch(1);
     grid->addLayout(buttons, 0, 0, 1, 2);
     grid->addWidget(m_motor, 1, 0, 1, 2);
@@ -118,7 +103,10 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent)
     grid->addWidget(m_fill, line++, 0, 1, 2, Qt::AlignLeft);
     grid->setRowStretch(line, 1);
     grid->setColumnStretch(1, 1);
-    connect(m_identify, &QPushButton::clicked, this, &ModelBox::identify);
+    connect(m_identify, &QPushButton::clicked, this, [this] {
+        if (m_servo)
+            find(*m_servo);
+    });
     connect(m_fill, &QPushButton::clicked, this, [this] {
         if (m_suggestion.gains)
             emit gainsWanted(*m_suggestion.gains);
@@ -138,10 +126,10 @@ QSlider* ModelBox::newSlider(const QString& objectName, const QString& text, con
     return slider;
 }
 
-std::vector<const KeptResponse*> ModelBox::ofThisModule() const {
+std::vector<const KeptResponse*> ModelBox::runsOf(std::optional<ModuleIndex> module) const {
     std::vector<const KeptResponse*> mine;
     for (const KeptResponse& kept : m_runs)
-        if (m_servo == kept.run.module && !kept.earlier)
+        if (module == kept.run.module && !kept.earlier)
             mine.push_back(&kept);
     if (mine.size() > kMaxRuns)
         mine.erase(mine.begin(), mine.end() - kMaxRuns);
@@ -153,24 +141,29 @@ const ModelBox::Found* ModelBox::found() const {
     return entry != m_found.end() ? &entry->second : nullptr;
 }
 
-bool ModelBox::wantsStep() const {
+std::vector<std::int32_t> ModelBox::nextSteps() const {
+    std::vector<std::int32_t> made;
+    const std::vector<const KeptResponse*> mine = runsOf(m_servo);
+    for (const KeptResponse* kept : mine)
+        made.push_back(kept->run.taken.goal - kept->run.taken.from);
     const Found* found = this->found();
-    const std::vector<const KeptResponse*> mine = ofThisModule();
-    return found != nullptr && found->motor && !found->motor->motor.isSure() && !mine.empty() &&
-           mine.back()->number == found->from;
+    const bool unsure = found != nullptr && found->motor && !found->motor->motor.isSure();
+    if (unsure && tellMuch(made) && mine.back()->number == found->from)
+        return {nextStep(made)};
+    return stepSeries(m_form.distance().value_or(0));
 }
 
-void ModelBox::identify() {
-    const std::vector<const KeptResponse*> mine = ofThisModule();
-    if (mine.empty() || m_looking)
+void ModelBox::find(ModuleIndex module) {
+    const std::vector<const KeptResponse*> its = runsOf(module);
+    if (its.empty() || m_looking)
         return;
     std::vector<ResponseRecord> runs;
-    for (const KeptResponse* kept : mine)
+    for (const KeptResponse* kept : its)
         runs.push_back(kept->run);
-    m_looking = Looking{*m_servo, mine.back()->number};
-    m_found.erase(*m_servo);
+    m_looking = Looking{module, its.back()->number};
+    m_found.erase(module);
     suggest();
-    emit identifyWanted(*m_servo, runs);
+    emit identifyWanted(module, runs);
 }
 
 void ModelBox::showMotor(ModuleIndex module, const FoundMotor& found) {
@@ -187,9 +180,7 @@ void ModelBox::forget() {
     suggest();
 }
 
-void ModelBox::showModule(const PanelView& view, const QString& stepProblem) {
-    const bool problem = stepProblem != m_stepProblem;
-    m_stepProblem = stepProblem;
+void ModelBox::showModule(const PanelView& view) {
     const auto servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
     const ProcedureReport* running = view.procedure;
     const bool tries = running != nullptr && running->kind == ProcedureKind::TryGains && !running->over();
@@ -200,8 +191,8 @@ void ModelBox::showModule(const PanelView& view, const QString& stepProblem) {
     m_gains = gains;
     if (news)
         suggest();
-    else if (problem)
-        refresh();
+    else
+        refreshSteps();
 }
 
 void ModelBox::showNothing() {
@@ -260,14 +251,12 @@ const Prediction* ModelBox::prediction() const {
 void ModelBox::refresh() {
     look::setPossible(
         m_identify,
-        m_looking                ? tr("The motor model is being calculated.")
-        : ofThisModule().empty() ? tr("Record a step with this module first.")
-                                 : QString(),
+        m_looking                 ? tr("The motor model is being calculated.")
+        : runsOf(m_servo).empty() ? tr("Record a step with this module first.")
+                                  : QString(),
         tr("Calculates the motor model from up to %1 recent steps of this module. Sends nothing.")
             .arg(kMaxRuns));
-    look::setPossible(
-        m_another, wantsStep() ? m_stepProblem : tr("Wanted where a motor was found that is uncertain."),
-        tr("Steps once more: back, then twice as far there and back. The more steps, in both directions and of two sizes, the better the model."));
+    refreshSteps();
     look::setPossible(m_fill,
                       m_suggestion.gains ? QString() : tr("No suggested gains. Find the motor first."),
                       tr("Copies the suggested gains to the Gains page. Sends nothing."));
@@ -275,6 +264,19 @@ void ModelBox::refresh() {
         slider->setEnabled(found() != nullptr && found()->motor.has_value());
     m_phase->setEnabled(m_noise->isEnabled());
     showWords();
+}
+
+void ModelBox::refreshSteps() {
+    const std::vector<std::int32_t> steps = nextSteps();
+    const bool one = steps.size() == 1;
+    const QString words =
+        one ? tr("Step once more and find") : tr("Step %1 times and find").arg(steps.size());
+    m_steps->setText(words);
+    m_steps->setAccessibleName(words);
+    look::setPossible(
+        m_steps, m_form.whyNotNow(steps),
+        one ? tr("The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.")
+            : tr("The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely."));
 }
 
 QStringList ModelBox::motorWords() const {

@@ -19,6 +19,7 @@ class QSlider;
 namespace nmc {
 
 class NumberField;
+class ResponseForm;
 
 using FoundMotor = tl::expected<Identified, IdentifyFailure>;
 
@@ -38,17 +39,20 @@ struct Suggestion {
 };
 
 /// The motor that explains the step responses of the selected servo, gains suggested for it by three sliders,
-/// and what a step with them would do. Sends nothing.
+/// and what a step with them would do. Has steps made by the form, where it is asked for more of them.
 class ModelBox : public QWidget {
     Q_OBJECT
 
 public:
-    /// `runs`: those of the list, newest last; they must outlive it.
-    explicit ModelBox(const std::vector<KeptResponse>& runs, QWidget* parent = nullptr);
+    /// `runs`: those of the list, newest last. It and `form` must outlive this.
+    ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QWidget* parent = nullptr);
+
+    /// Finds the motor of that module from its last runs.
+    void find(ModuleIndex module);
 
     // Emit nothing but curvesChanged().
-    /// `stepProblem`: why this module can make no step now; empty: it can.
-    void showModule(const PanelView& view, const QString& stepProblem);
+    /// The form shows it already.
+    void showModule(const PanelView& view);
     void showNothing();
     /// The runs of the list are others.
     void showRuns();
@@ -71,12 +75,10 @@ public:
 
 signals:
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
-    /// With every move of a slider: a tenth of a second of work.
+    /// With every move of a slider: some tenths of a second of work.
     void suggestionWanted(const nmc::SuggestionTask& task);
     void gainsWanted(const nmc::servo::SetGain& gains);
     void curvesChanged();
-    /// One more step by that, and otherwise with the settings of the form: what was found is not sure yet.
-    void stepWanted(std::int32_t counts);
 
 private:
     struct Looking {
@@ -89,17 +91,19 @@ private:
     };
 
     QSlider* newSlider(const QString& objectName, const QString& text, const QString& meaning, double first);
-    void identify();
     void refresh();
+    void refreshSteps();
     void suggest();
     void showWords();
-    /// The motor was found, though not surely, and of all runs that there are.
-    [[nodiscard]] bool wantsStep() const;
-    [[nodiscard]] std::vector<const KeptResponse*> ofThisModule() const;
+    /// A series; or one, where a motor was found from enough of them, and of all that there are, though not
+    /// surely.
+    [[nodiscard]] std::vector<std::int32_t> nextSteps() const;
+    [[nodiscard]] std::vector<const KeptResponse*> runsOf(std::optional<ModuleIndex> module) const;
     [[nodiscard]] const Found* found() const;
 
+    ResponseForm& m_form;
     QPushButton* m_identify = nullptr;
-    QPushButton* m_another = nullptr;
+    QPushButton* m_steps = nullptr;
     QPushButton* m_fill = nullptr;
     QLabel* m_motor = nullptr;
     QLabel* m_suggested = nullptr;
@@ -112,9 +116,8 @@ private:
     std::optional<Looking> m_looking;
     std::optional<ModuleIndex> m_servo;
     std::optional<servo::SetGain> m_gains;  ///< that it has
-    QString m_stepProblem;
-    double m_margin;  ///< degrees; the last one that was a number
-    int m_asked = 0;  ///< suggestions, so far
+    double m_margin;                        ///< degrees; the last one that was a number
+    int m_asked = 0;                        ///< suggestions, so far
     Suggestion m_suggestion;
     std::vector<ResponsePoint> m_fitted;
     std::optional<int> m_about;

@@ -32,6 +32,15 @@ QStringList motorFound(const Identified& found) {
         ModelTexts::tr("Load %1").arg(plusMinus(motor.load, ModelTexts::tr("of 255 PWM"))),
         ModelTexts::tr("Model error %1 counts RMS; encoder and timing account for %2.")
             .arg(readout(found.missed, 2), readout(found.expected, 2))};
+    const auto isThere = [](const Measured& measured) { return measured.value > 2 * measured.doubt; };
+    if (isThere(motor.deadband))
+        lines.insert(3, ModelTexts::tr("Amplifier deadband %1")
+                            .arg(plusMinus(motor.deadband, ModelTexts::tr("of 255 PWM"))));
+    if (isThere(motor.play))
+        lines.insert(3, ModelTexts::tr("Play %1").arg(plusMinus(motor.play, ModelTexts::tr("counts"))));
+    if (motor.rigidUpTo && *motor.rigidUpTo < kHighestResonance)
+        lines << ModelTexts::tr("A resonance above %1 Hz would not show; the margins allow for one.")
+                     .arg(std::lround(*motor.rigidUpTo));
     if (!motor.isSure())
         lines << ModelTexts::tr("Uncertain: step once more. Until then the suggested gains are careful.");
     return lines;
@@ -52,6 +61,10 @@ QString motorNotFound(IdentifyFailure failure) {
         case IdentifyFailure::NotExplained:
             return ModelTexts::tr(
                 "The model does not fit the step. Check for backlash, an elastic belt, a hard stop or a current limit.");
+        case IdentifyFailure::Play:
+            return ModelTexts::
+                tr("The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.")
+                    .arg(kMostPlay);
         case IdentifyFailure::Obstacle:
             return ModelTexts::tr(
                 "The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.");
@@ -74,8 +87,6 @@ QString gainsInShort(const servo::SetGain& gains) {
 }
 
 QStringList predicted(const Prediction& prediction) {
-    // Two standard deviations leave out as many cases anyway.
-    constexpr double kSeldom = 0.05;
     QStringList lines{ModelTexts::tr("Overshoot %1, settling %2")
                           .arg(responseOvershoot(prediction.overshoot), responseTime(prediction.settling)),
                       ModelTexts::tr("Steady-state error %1 counts").arg(plusMinus(prediction.errorAtRest))};

@@ -93,9 +93,10 @@ void ResponseForm::buildFields(QGridLayout* grid) {
     addRow(tr("Method"), m_method, nullptr, nullptr);
     addRow(tr("Record"), m_record, new QLabel(tr("s"), this), nullptr);
     addRow(tr("Settling band"), m_band, new QLabel(tr("% of the step"), this), nullptr);
-    connect(m_distance, &QuantityField::nativeEdited, this, &ResponseForm::refresh);
-    connect(m_method, &QComboBox::currentIndexChanged, this, &ResponseForm::refresh);
-    connect(m_record, &NumberField::edited, this, &ResponseForm::refresh);
+    connect(m_distance, &QuantityField::nativeEdited, this, &ResponseForm::edited);
+    connect(m_method, &QComboBox::currentIndexChanged, this, &ResponseForm::edited);
+    connect(m_record, &NumberField::edited, this, &ResponseForm::edited);
+    connect(this, &ResponseForm::edited, this, &ResponseForm::refresh);
     connect(m_band, &NumberField::edited, this, [this] {
         if (const auto band = m_band->value()) {
             m_lastBand = *band;
@@ -122,7 +123,7 @@ void ResponseForm::showModule(const PanelView& view) {
     m_module = view.module;
     m_connected = view.connected;
     m_report.reset();
-    if (view.procedure != nullptr && view.procedure->kind == ProcedureKind::StepResponse)
+    if (view.procedure != nullptr && makesSteps(view.procedure->kind))
         m_report = *view.procedure;
     m_staged = view.settings.gains;
     m_distance->setScale(view.scale());
@@ -136,21 +137,29 @@ void ResponseForm::showNothing() {
     refresh();
 }
 
-std::optional<intent::StepResponse> ResponseForm::entered() const {
+std::optional<std::int32_t> ResponseForm::distance() const {
     const auto distance = m_distance->native();
+    return distance ? std::optional(static_cast<std::int32_t>(*distance)) : std::nullopt;
+}
+
+std::optional<intent::StepResponse> ResponseForm::entered() const {
+    const auto distance = this->distance();
     const auto record = m_record->value();
     if (!distance || !record)
         return std::nullopt;
-    return intent::StepResponse{static_cast<std::int32_t>(*distance),
-                                static_cast<ResponseMethod>(m_method->currentData().toInt()), *record};
+    return intent::StepResponse{*distance, static_cast<ResponseMethod>(m_method->currentData().toInt()),
+                                *record};
 }
 
-std::optional<Refusal> ResponseForm::refusal() const {
+std::optional<Refusal> ResponseForm::refusal(const std::vector<std::int32_t>& series) const {
     const auto step = entered();
-    return m_module && step ? nmc::whyNot(*step, *m_module) : std::nullopt;
+    if (!m_module || !step)
+        return std::nullopt;
+    return series.empty() ? nmc::whyNot(*step, *m_module)
+                          : nmc::whyNot(intent::StepSeries{*step, series}, *m_module);
 }
 
-QString ResponseForm::whyNotNow() const {
+QString ResponseForm::whyNotNow(const std::vector<std::int32_t>& series) const {
     if (!m_connected || !m_module)
         return texts::refusal(Refusal::NotConnected);
     if (m_report && !m_report->over())
@@ -158,7 +167,7 @@ QString ResponseForm::whyNotNow() const {
     for (const NumberField* field : {static_cast<NumberField*>(m_distance), m_record})
         if (const QString problem = field->problemText(); !problem.isEmpty())
             return problem;
-    const auto refusal = this->refusal();
+    const auto refusal = this->refusal(series);
     return refusal ? texts::refusal(*refusal) : QString();
 }
 
@@ -175,15 +184,19 @@ void ResponseForm::refresh() {
                                     : reason);
 }
 
-void ResponseForm::step(std::optional<std::int32_t> counts) {
-    auto step = entered();
-    if (!m_step->isEnabled() || !step)
+void ResponseForm::step(const std::vector<std::int32_t>& series) {
+    const auto step = entered();
+    if (!step || !whyNotNow(series).isEmpty())
         return;
-    step->counts = counts.value_or(step->counts);
-    if (const QString unsent = unsentGains(); unsent.isEmpty())
-        emit asked(m_module->info.index, *step);
+    if (unsentGains().isEmpty())
+        ask(m_module->info.index, *step, series);
     else
-        askWhichGains(*step);
+        askWhichGains(*step, series);
+}
+
+void ResponseForm::ask(ModuleIndex module, const intent::StepResponse& step,
+                       const std::vector<std::int32_t>& series) {
+    emit asked(module, series.empty() ? Intent(step) : intent::StepSeries{step, series});
 }
 
 /// Which of those in the fields the module does not have; empty: it has them all.
@@ -201,16 +214,17 @@ QString ResponseForm::unsentGains() const {
     return differ.join(u", "_s);
 }
 
-void ResponseForm::askWhichGains(const intent::StepResponse& step) {
-    const auto ask = [self = QPointer(this), index = m_module->info.index](intent::StepResponse wanted) {
-        return [self, index, wanted] {
+void ResponseForm::askWhichGains(const intent::StepResponse& step, const std::vector<std::int32_t>& series) {
+    const auto ask = [self = QPointer(this), index = m_module->info.index,
+                      series](const intent::StepResponse& wanted) {
+        return [self, index, wanted, series] {
             if (self)
-                emit self->asked(index, wanted);
+                self->ask(index, wanted, series);
         };
     };
-    const auto text = [self = QPointer(this), index = m_module->info.index, before = unsentGains()] {
+    const auto text = [self = QPointer(this), index = m_module->info.index, before = unsentGains(), series] {
         const bool stands = self && self->m_module && self->m_module->info.index == index &&
-                            self->unsentGains() == before && self->whyNotNow().isEmpty();
+                            self->unsentGains() == before && self->whyNotNow(series).isEmpty();
         return stands ? tr("Some gains in the fields were not sent: %1. Which gains should the step use?")
                             .arg(before)
                       : QString();

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <optional>
+#include <vector>
 
 #include "widgets/panels/panelview.h"
 
@@ -28,11 +29,13 @@ public:
     void showModule(const PanelView& view);
     void showNothing();
 
-    /// As by its button; `counts`: another distance, once.
-    void step(std::optional<std::int32_t> counts = std::nullopt);
+    /// As by its button; `series`: a series of such steps, by these distances (intent::StepSeries).
+    void step(const std::vector<std::int32_t>& series = {});
 
-    /// Why no step can be made now; empty: one can.
-    [[nodiscard]] QString whyNotNow() const;
+    /// Why that cannot be done now; empty: it can.
+    [[nodiscard]] QString whyNotNow(const std::vector<std::int32_t>& series = {}) const;
+    /// Counts; empty: it is no number.
+    [[nodiscard]] std::optional<std::int32_t> distance() const;
 
     /// Percent of the step; the last one that was a number.
     [[nodiscard]] double band() const { return m_lastBand; }
@@ -44,14 +47,17 @@ public:
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void bandEdited(double percent);
+    /// How the next step is made.
+    void edited();
 
 private:
     void buildFields(QGridLayout* grid);
     void buildButton(QGridLayout* grid);
     NumberField* newField(int decimals, const QString& objectName, const QString& name, const QString& unit);
     void refresh();
-    void askWhichGains(const intent::StepResponse& step);
-    [[nodiscard]] std::optional<Refusal> refusal() const;
+    void askWhichGains(const intent::StepResponse& step, const std::vector<std::int32_t>& series);
+    void ask(ModuleIndex module, const intent::StepResponse& step, const std::vector<std::int32_t>& series);
+    [[nodiscard]] std::optional<Refusal> refusal(const std::vector<std::int32_t>& series = {}) const;
     [[nodiscard]] std::optional<intent::StepResponse> entered() const;
     [[nodiscard]] QString unsentGains() const;
 

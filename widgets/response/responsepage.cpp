@@ -34,7 +34,7 @@ ResponsePage::ResponsePage(QWidget* parent)
     : QWidget(parent),
       m_form(new ResponseForm(this)),
       m_results(new ResponseResults(this)),
-      m_model(new ModelBox(m_kept, this)),
+      m_model(new ModelBox(m_kept, *m_form, this)),
       m_view(new ResponseView(this)),
       m_table(new ResponseTable(this)) {
     look::name(this, u"responsePage"_s, tr("Step response"));
@@ -46,7 +46,6 @@ ResponsePage::ResponsePage(QWidget* parent)
     keepFocusOnTabs(*m_findings);
     connect(m_model, &ModelBox::identifyWanted, this, &ResponsePage::identifyWanted);
     connect(m_model, &ModelBox::suggestionWanted, this, &ResponsePage::suggestionWanted);
-    connect(m_model, &ModelBox::stepWanted, m_form, &ResponseForm::step);
     connect(m_model, &ModelBox::gainsWanted, this, &ResponsePage::gainsWanted);
     connect(m_model, &ModelBox::curvesChanged, this, &ResponsePage::showModelCurves);
     lay();
@@ -151,7 +150,7 @@ void ResponsePage::lay() {
 
 void ResponsePage::showModule(const PanelView& view) {
     m_form->showModule(view);
-    m_model->showModule(view, m_form->whyNotNow());
+    m_model->showModule(view);
     m_servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
     refreshButtons();
 }
@@ -175,6 +174,10 @@ std::vector<const KeptResponse*> ResponsePage::others() const {
 
 void ResponsePage::step() {
     m_form->step();
+}
+
+void ResponsePage::find(ModuleIndex module) {
+    m_model->find(module);
 }
 
 const KeptResponse* ResponsePage::find(std::optional<int> number) const {

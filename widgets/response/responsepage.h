@@ -52,6 +52,8 @@ public:
     [[nodiscard]] bool lends() const { return m_lent != nullptr; }
     /// As by the form's button.
     void step();
+    /// As in ModelBox.
+    void find(ModuleIndex module);
 
     [[nodiscard]] const std::vector<KeptResponse>& runs() const { return m_kept; }
     /// What was found of the motor that is shown; empty for nothing.

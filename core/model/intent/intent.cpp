@@ -203,11 +203,8 @@ struct Planner {
             return tl::unexpected(Refusal::StepTooShort);
         return allowed(IntentKind::Move, module, [] { return Orders{}; });
     }
-    Plan operator()(const intent::StepResponse& response) const {
-        const auto refusal = whyNot(response, module);
-        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
-    }
-    Plan operator()(const AnyOf<intent::SquareWave, intent::FrequencyResponse> auto& test) const {
+    Plan operator()(const AnyOf<intent::StepResponse, intent::StepSeries, intent::SquareWave,
+                                intent::FrequencyResponse> auto& test) const {
         const auto refusal = whyNot(test, module);
         return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
     }
@@ -280,12 +277,14 @@ bool isStop(const Intent& intent) {
                            intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
                            intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::ControlSc,
                            intent::SaveConfiguration, intent::Home, intent::MoveBy, intent::StepResponse,
-                           intent::SquareWave, intent::FrequencyResponse, intent::TryGains, intent::KeepGains,
-                           intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
-                           intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
-                           stepperintent::SetParameters, stepperintent::SetOutputs, stepperintent::Move,
-                           stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::MoveBy,
-                           stepperintent::GoHome> auto&) { return false; },
+                           intent::StepSeries, intent::SquareWave, intent::FrequencyResponse,
+                           intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath,
+                           intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition,
+                           intent::Direct, intent::ResetModule, stepperintent::SetParameters,
+                           stepperintent::SetOutputs, stepperintent::Move, stepperintent::LoadMove,
+                           stepperintent::ChangeMotion, stepperintent::MoveBy, stepperintent::GoHome> auto&) {
+                return false;
+            },
             [](const IoIntent auto&) { return false; },
         },
         intent);

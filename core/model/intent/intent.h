@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -100,6 +101,11 @@ struct StepResponse {
     double record = 0.0;                    ///< s, from the step on
     std::optional<servo::SetGain> gains{};  ///< sent before the step; empty: it has those that are wanted
 };
+/// Such steps one after the other, for a motor to be found from (looptestplan.h). A procedure.
+struct StepSeries {
+    StepResponse each;                 ///< but for its distance
+    std::vector<std::int32_t> counts;  ///< how far each goes, from where the one before has ended
+};
 /// The command position jumps to and fro about the one that is held, half of `counts` to either side
 /// (looptestplan.h). A procedure, which takes other gains for the edges after them.
 struct SquareWave {
@@ -160,13 +166,13 @@ using Intent = std::variant<
     intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
     intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded, intent::StopHere,
     intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::ControlSc, intent::SaveConfiguration,
-    intent::Home, intent::MoveBy, intent::StepResponse, intent::SquareWave, intent::FrequencyResponse,
-    intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
-    intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
-    stepperintent::SetParameters, stepperintent::SetOutputs, stepperintent::Move, stepperintent::LoadMove,
-    stepperintent::ChangeMotion, stepperintent::MoveBy, stepperintent::GoHome, iointent::SetDirection,
-    iointent::SetOutput, iointent::SetPwm, iointent::SetTimer, iointent::StoreOutputs, iointent::SynchOutput,
-    iointent::SynchInput>;
+    intent::Home, intent::MoveBy, intent::StepResponse, intent::StepSeries, intent::SquareWave,
+    intent::FrequencyResponse, intent::TryGains, intent::KeepGains, intent::CheckDirection,
+    intent::FollowPath, intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition,
+    intent::Direct, intent::ResetModule, stepperintent::SetParameters, stepperintent::SetOutputs,
+    stepperintent::Move, stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::MoveBy,
+    stepperintent::GoHome, iointent::SetDirection, iointent::SetOutput, iointent::SetPwm, iointent::SetTimer,
+    iointent::StoreOutputs, iointent::SynchOutput, iointent::SynchInput>;
 
 /// Of a PIC-I/O.
 template <typename T>

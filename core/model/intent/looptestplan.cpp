@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent/looptestplan.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "bus/standstill.h"
@@ -46,15 +47,35 @@ bool wouldTrip(std::int64_t counts, std::int64_t errorLimit) {
 }
 
 std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleState& module) {
-    const auto& gains = wanted.gains ? wanted.gains : module.gains;
-    const std::int64_t counts = wanted.counts;
-    if (const auto refusal = whyNotTest(module, gains, std::abs(counts), counts, counts))
+    return whyNot(intent::StepSeries{wanted, {wanted.counts}}, module);
+}
+
+std::optional<Refusal> whyNot(const intent::StepSeries& wanted, const ModuleState& module) {
+    const intent::StepResponse& each = wanted.each;
+    const auto& gains = each.gains ? each.gains : module.gains;
+    const bool stays = wanted.counts.empty() || std::any_of(wanted.counts.begin(), wanted.counts.end(),
+                                                            [](auto by) { return by == 0; });
+    std::int64_t longest = 0;
+    std::int64_t at = 0;
+    std::int64_t low = stays ? 0 : wanted.counts.front();
+    std::int64_t high = low;
+    for (const std::int64_t counts : wanted.counts) {
+        at += counts;
+        longest = std::max(longest, std::abs(counts));
+        low = std::min(low, at);
+        high = std::max(high, at);
+    }
+    if (const auto refusal = whyNotTest(module, gains, stays ? 0 : longest, low, high))
         return refusal;
-    if (const auto refusal = wanted.gains ? whyNot(IntentKind::ApplyGains, module) : std::nullopt)
+    if (const auto refusal = each.gains ? whyNot(IntentKind::ApplyGains, module) : std::nullopt)
         return refusal;
-    if (wanted.method == ResponseMethod::StopHere && module.info.identity.version < servo::kStopHereVersion)
+    if (const auto problem = travelProblem(wanted, module))
+        return problem->refusal;
+    // Without Stop Here nobody knows to the count where the next one would begin.
+    const bool stopsHere = each.method == ResponseMethod::StopHere || wanted.counts.size() > 1;
+    if (stopsHere && module.info.identity.version < servo::kStopHereVersion)
         return Refusal::VersionLacksIt;
-    if (!(wanted.record >= kShortestRecord && wanted.record <= kLongestRecord))
+    if (!(each.record >= kShortestRecord && each.record <= kLongestRecord))
         return Refusal::RecordTime;
     return std::nullopt;
 }

@@ -34,6 +34,7 @@ inline constexpr unsigned kMaxPeriods = 200;
 [[nodiscard]] bool wouldTrip(std::int64_t counts, std::int64_t errorLimit);
 
 [[nodiscard]] std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleState& module);
+[[nodiscard]] std::optional<Refusal> whyNot(const intent::StepSeries& wanted, const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNot(const intent::SquareWave& wanted, const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNot(const intent::FrequencyResponse& wanted,
                                             const ModuleState& module);

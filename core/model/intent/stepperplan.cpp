@@ -206,8 +206,8 @@ struct StepperPlanner {
         const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
                     intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
                     intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::MoveBy,
-                    intent::StepResponse, intent::SquareWave, intent::FrequencyResponse, intent::TryGains,
-                    intent::KeepGains, intent::CheckDirection, intent::FollowPath,
+                    intent::StepResponse, intent::StepSeries, intent::SquareWave, intent::FrequencyResponse,
+                    intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath,
                     intent::ArmLimitStop> auto&) const {
         return tl::unexpected(Refusal::NotAServo);
     }

@@ -95,10 +95,11 @@ struct CourseOf {
         const AnyOf<intent::AskAnew, intent::Enable, intent::StopSmoothly, intent::StopAbruptly,
                     intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition,
                     intent::SaveAsHome, intent::StartLoaded, intent::StopHere, intent::SetAmplifier,
-                    intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::TryGains,
-                    intent::KeepGains, intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
-                    intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
-                    stepperintent::SetParameters, stepperintent::SetOutputs> auto&) const {
+                    intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::StepSeries,
+                    intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath,
+                    intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
+                    intent::ResetModule, stepperintent::SetParameters, stepperintent::SetOutputs> auto&)
+        const {
         return std::nullopt;
     }
     std::optional<Course> operator()(const IoIntent auto&) const { return std::nullopt; }
@@ -161,6 +162,22 @@ private:
         return problem;
     }
     return beyondTravel(*position, *course.goal, *range);
+}
+
+/// Of its first step that leaves the travel: each begins where the one before ends.
+[[nodiscard]] std::optional<TravelProblem> problemOf(const intent::StepSeries& series,
+                                                     const ModuleState& module) {
+    const auto range = travelRange(module);
+    const auto held = module.goal();
+    if (!range || !held)
+        return std::nullopt;
+    std::int64_t from = *held;
+    for (const std::int32_t counts : series.counts) {
+        if (const auto problem = beyondTravel(from, from + counts, *range))
+            return problem;
+        from += counts;
+    }
+    return std::nullopt;
 }
 
 /// What a load does once it is started.
@@ -306,6 +323,8 @@ std::optional<TravelProblem> beyondTravel(std::int64_t from, std::int64_t goal, 
 std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleState& module) {
     if (const auto* check = std::get_if<intent::CheckDirection>(&intent))
         return problemOf(*check, module);
+    if (const auto* series = std::get_if<intent::StepSeries>(&intent))
+        return problemOf(*series, module);
     if (std::holds_alternative<intent::StartLoaded>(intent))
         return loadedProblem(module);
     if (const auto* direct = std::get_if<intent::Direct>(&intent))

@@ -45,6 +45,10 @@ LoopTest::Next LoopTest::prepare(const ModuleState& module, TimePoint now) {
         return std::move(*next);
     if (!stands(module, now))
         return now - *m_since > kStillWithin ? fail(ProcedureFailure::NotStill) : Next(Wait{});
+    return start(module);
+}
+
+LoopTest::Next LoopTest::start(const ModuleState& module) {
     // Something may have changed while it was waited for standstill.
     if (!module.goal() || !module.gains)
         return fail(ProcedureFailure::Refused);
@@ -73,6 +77,7 @@ std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t g
 LoopTest::Next LoopTest::conclude(const ModuleState& module, std::int32_t goal) {
     m_report.stage = ProcedureStage::Stopping;
     m_since.reset();
+    m_heldAt.reset();
     std::vector<bus::Order> both = hold(module);
     if (module.info.identity.version >= servo::kStopHereVersion)
         both.push_back(jump(module, goal, ResponseMethod::StopHere).front());
@@ -81,11 +86,8 @@ LoopTest::Next LoopTest::conclude(const ModuleState& module, std::int32_t goal) 
 
 std::optional<LoopTest::Next> LoopTest::record(const ModuleState& module, TimePoint now,
                                                const ResponseTaken& taken) {
-    if (module.motionCommandedAt != taken.at) {  // something else moves or has stopped it
-        m_mayRun = false;
-        cancel();
-        return Wait{};
-    }
+    if (module.motionCommandedAt != taken.at)
+        return overtaken();
     if (module.goal() != taken.goal)  // an SC that minds its limits
         return fail(ProcedureFailure::StoppedShort);
     if (goneTooFar(module))
@@ -93,15 +95,30 @@ std::optional<LoopTest::Next> LoopTest::record(const ModuleState& module, TimePo
     return toSeconds(now - taken.at) < taken.record ? std::optional(Next(Wait{})) : std::nullopt;
 }
 
+/// Something else moves or has stopped it.
+LoopTest::Next LoopTest::overtaken() {
+    m_mayRun = false;
+    cancel();
+    return Wait{};
+}
+
 LoopTest::Next LoopTest::settle(const ModuleState& module, TimePoint now) {
+    if (!m_heldAt)
+        m_heldAt = module.motionCommandedAt;
+    if (m_heldAt != module.motionCommandedAt)
+        return overtaken();
     if (stands(module, now))
-        return finish();
+        return settled(module, true);
     if (now - *m_since <= kStillWithin)
         return Wait{};
     if (swingsFar(module))
         return fail(ProcedureFailure::TravelLimit);
     m_mayRun = false;  // it has been told
-    return fail(ProcedureFailure::NotStill);
+    return settled(module, false);
+}
+
+LoopTest::Next LoopTest::settled(const ModuleState& /*module*/, bool stands) {
+    return stands ? finish() : fail(ProcedureFailure::NotStill);
 }
 
 /// By more than a fine encoder and an integral make a servo hunt.

@@ -28,6 +28,8 @@ protected:
     [[nodiscard]] virtual Next begin(const ModuleState& module) = 0;
     /// Stage Moving, nothing in flight.
     [[nodiscard]] virtual Next goOn(const ModuleState& module, TimePoint now) = 0;
+    /// What conclude() began has ended: it stands, or does not come to rest in time.
+    [[nodiscard]] virtual Next settled(const ModuleState& module, bool stands);
     /// Farther than the test allows.
     [[nodiscard]] virtual bool goneTooFar(const ModuleState& module) const = 0;
     /// Counts, from one end of what is commanded to the other.
@@ -37,6 +39,8 @@ protected:
     [[nodiscard]] std::int32_t from() const { return m_from; }
     /// Counts, where the shaft stood then.
     [[nodiscard]] std::int32_t stood() const { return m_stood; }
+    /// It stands: from here, by begin().
+    [[nodiscard]] Next start(const ModuleState& module);
     /// The command position goes there in one tick.
     [[nodiscard]] std::vector<bus::Order> jump(const ModuleState& module, std::int32_t goal,
                                                ResponseMethod method) const;
@@ -54,6 +58,7 @@ private:
     [[nodiscard]] Next afterLastWord(const ModuleState& module, TimePoint now) final;
     void whileItLasts(const ModuleState& module) final;
     [[nodiscard]] Next prepare(const ModuleState& module, TimePoint now);
+    [[nodiscard]] Next overtaken();
     [[nodiscard]] Next settle(const ModuleState& module, TimePoint now);
     [[nodiscard]] std::vector<bus::Order> hold(const ModuleState& module) const;
     [[nodiscard]] bool stands(const ModuleState& module, TimePoint now);
@@ -66,7 +71,8 @@ private:
     std::int32_t m_stood = 0;
     bool m_limited = false;  ///< the chip was told to stop by itself, and watched when it began
     bool m_calming = false;
-    std::optional<TimePoint> m_since;  ///< when it was first looked at for standing still
+    std::optional<TimePoint> m_since;   ///< when it was first looked at for standing still
+    std::optional<TimePoint> m_heldAt;  ///< what conclude() has sent
     Standstill m_standstill;
 };
 

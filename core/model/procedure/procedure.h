@@ -21,6 +21,7 @@ enum class ProcedureKind : std::uint8_t {
     MoveBy,        ///< moves by N, as often as asked for
     ChangeMotion,  ///< PIC-STEP: stop, wait, go
     StepResponse,
+    StepSeries,
     SquareWave,
     FrequencyResponse,
     DirectionCheck,
@@ -35,7 +36,13 @@ inline constexpr Duration kStillWithin = std::chrono::seconds(2);
 /// It looks at how the servo follows, and wants the bus's focus.
 [[nodiscard]] constexpr bool isTest(ProcedureKind kind) {
     using enum ProcedureKind;
-    return kind == StepResponse || kind == SquareWave || kind == FrequencyResponse || kind == TryGains;
+    return kind == StepResponse || kind == StepSeries || kind == SquareWave || kind == FrequencyResponse ||
+           kind == TryGains;
+}
+
+/// Single steps of the command, each recorded as a run.
+[[nodiscard]] constexpr bool makesSteps(ProcedureKind kind) {
+    return kind == ProcedureKind::StepResponse || kind == ProcedureKind::StepSeries;
 }
 
 /// It drives the motor about the position that was held.
@@ -95,7 +102,8 @@ struct ProcedureReport {
     std::int32_t offHome = 0;                   ///< counts that it rests off its home, of Done and NotAtHome
     unsigned round = 0;                         ///< of `rounds`, where the kind has them; from 1
     unsigned rounds = 0;
-    std::optional<ResponseTaken> step{};  ///< of StepResponse, once it was taken; of SquareWave the last edge
+    std::optional<ResponseTaken> step{};  ///< of StepResponse and StepSeries the last that is recorded whole;
+                                          ///< of SquareWave the last edge
     std::vector<FrequencyPoint> frequencies{};  ///< of FrequencyResponse, those that were measured
     std::optional<DirectionFound> direction{};  ///< of DirectionCheck, once it is known
     bool kept = false;                          ///< of TryGains: they stay

@@ -16,6 +16,7 @@
 #include "model/procedure/pathrun.h"
 #include "model/procedure/squarewave.h"
 #include "model/procedure/stepresponse.h"
+#include "model/procedure/stepseries.h"
 #include "model/procedure/trygains.h"
 
 namespace nmc {
@@ -63,6 +64,8 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
         return plan(intent, module) ? std::make_unique<MoveByRun>(*moveBy, module) : nullptr;
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
         return plan(intent, module) ? std::make_unique<StepResponseRun>(*step, module) : nullptr;
+    if (const auto* series = std::get_if<intent::StepSeries>(&intent))
+        return plan(intent, module) ? std::make_unique<StepSeriesRun>(*series, module) : nullptr;
     if (const auto* wave = std::get_if<intent::SquareWave>(&intent))
         return plan(intent, module) ? std::make_unique<SquareWaveRun>(*wave, module) : nullptr;
     if (const auto* sines = std::get_if<intent::FrequencyResponse>(&intent))

@@ -19,17 +19,22 @@ StepResponseRun::Next StepResponseRun::begin(const ModuleState& module) {
     if (whyNot(m_wanted, module))
         return fail(ProcedureFailure::Refused);
     m_taken = {{}, from(), from() + m_wanted.counts, m_wanted.record, m_wanted.method, *module.gains};
+    m_sent = true;
     return send(jump(module, m_taken.goal, m_wanted.method));
 }
 
 StepResponseRun::Next StepResponseRun::goOn(const ModuleState& module, TimePoint now) {
-    if (!m_report.step) {
+    if (std::exchange(m_sent, false))
         m_taken.at = module.motionCommandedAt;
-        m_report.step = m_taken;
-    }
     if (auto next = record(module, now, m_taken))
         return std::move(*next);
     return conclude(module, m_taken.goal);
+}
+
+/// One that does not come to rest afterwards has a whole record all the same.
+StepResponseRun::Next StepResponseRun::settled(const ModuleState& module, bool stands) {
+    m_report.step = m_taken;
+    return LoopTest::settled(module, stands);
 }
 
 /// No stable servo overshoots by a whole step, nor swings back to where it came from.

@@ -14,7 +14,16 @@ class StepResponseRun : public LoopTest {
 public:
     /// `wanted` is possible now.
     StepResponseRun(const intent::StepResponse& wanted, const ModuleState& module)
-        : LoopTest(ProcedureKind::StepResponse, module), m_wanted(wanted) {}
+        : StepResponseRun(ProcedureKind::StepResponse, wanted, module) {}
+
+protected:
+    StepResponseRun(ProcedureKind kind, const intent::StepResponse& wanted, const ModuleState& module)
+        : LoopTest(kind, module), m_wanted(wanted) {}
+
+    [[nodiscard]] Next settled(const ModuleState& module, bool stands) override;
+
+    intent::StepResponse m_wanted;
+    ResponseTaken m_taken;
 
 private:
     [[nodiscard]] std::optional<Next> beforeStandstill(const ModuleState& module) override;
@@ -23,9 +32,8 @@ private:
     [[nodiscard]] bool goneTooFar(const ModuleState& module) const override;
     [[nodiscard]] std::int32_t span() const override { return m_wanted.counts; }
 
-    intent::StepResponse m_wanted;
-    ResponseTaken m_taken;
     bool m_gainsSent = false;
+    bool m_sent = false;  ///< the step, just now
 };
 
 }  // namespace nmc

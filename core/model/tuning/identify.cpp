@@ -24,11 +24,14 @@ constexpr Index kTau = 1;   ///< log tau
 constexpr Index kFriction = 2;
 constexpr Index kLoad = 3;
 constexpr Index kDelay = 4;  ///< ticks of 0.512 ms
-constexpr Index kOfMotor = 5;
+constexpr Index kDeadband = 5;
+constexpr Index kPlay = 6;  ///< counts
+constexpr Index kOfMotor = 7;
 constexpr Index kStart = 0;  ///< ticks of 0.512 ms
 constexpr Index kPlace = 1;  ///< counts, of the shaft beside what the encoder told
 constexpr Index kHeld = 2;   ///< where in the range that friction leaves it the integral is, -1..1
-constexpr Index kOfRun = 3;
+constexpr Index kSlack = 3;  ///< part of the play by which the shaft is ahead, 0..1
+constexpr Index kOfRun = 4;
 
 const double kTick = toSeconds(kServoTick);
 
@@ -36,6 +39,8 @@ const double kTick = toSeconds(kServoTick);
 constexpr double kWholeCount = 2.0 / 12;
 /// PWM counts, of a whole number of them, cut off.
 constexpr double kPwmSpread = 0.29;
+/// Counts, likewise.
+constexpr double kPlaySpread = 0.29;
 /// s²: the time of a sample is off by up to half a tick (bus::Sample).
 const double kTimeSpread = kTick * kTick / 12;
 
@@ -56,7 +61,9 @@ struct Reading {
 
 struct Record {
     const ResponseRecord* run = nullptr;
-    double stood = 0.0;  ///< counts, before the step
+    double stood = 0.0;    ///< counts, before the step
+    double squares = 0.0;  ///< counts², of what the encoder told beside that
+    double before = 0.0;   ///< how many readings that are
     std::vector<Reading> readings;
 
     [[nodiscard]] double from() const { return run->taken.from; }
@@ -85,13 +92,16 @@ struct Record {
 [[nodiscard]] Record recordOf(const ResponseRecord& run) {
     Record record;
     record.run = &run;
-    double sum = 0.0;
-    double before = 0.0;
+    for (const ResponsePoint& point : run.points)
+        if (point.seconds <= 0) {
+            record.stood += point.position;
+            ++record.before;
+        }
+    record.stood /= std::max(1.0, record.before);
     for (std::size_t i = 0; i < run.points.size(); ++i) {
         const ResponsePoint& point = run.points[i];
         if (point.seconds <= 0) {
-            sum += point.position;
-            ++before;
+            record.squares += (point.position - record.stood) * (point.position - record.stood);
             continue;
         }
         const double speed = speedAt(run.points, i);
@@ -100,11 +110,26 @@ struct Record {
         record.readings.push_back({point.seconds, point.position, spread,
                                    1 / std::sqrt(spread * spread + kWholeCount * (same - 1))});
     }
-    if (before > 0)
-        record.stood = sum / before;
-    else if (!record.readings.empty())
+    if (record.before == 0 && !record.readings.empty())
         record.stood = record.readings.front().position;
     return record;
+}
+
+/// Counts rms, of the encoder where the shaft stood before the steps; it weighs the less what was read.
+[[nodiscard]] double countNoise(std::vector<Record>& records) {
+    constexpr double kMost = 1.0;  // counts; more is a shaft that does not stand
+    double squares = 0.0, free = 0.0;
+    for (const Record& record : records) {
+        squares += record.squares;
+        free += std::max(0.0, record.before - 1);
+    }
+    const double variance = free > 0 ? std::min(kMost, squares / free) : 0.0;
+    for (Record& record : records)
+        for (Reading& reading : record.readings) {
+            reading.weight = 1 / std::sqrt(1 / (reading.weight * reading.weight) + variance);
+            reading.spread = std::sqrt(reading.spread * reading.spread + variance);
+        }
+    return std::sqrt(variance);
 }
 
 class Fit {
@@ -114,12 +139,15 @@ public:
                     {std::log(0.05), 5.0, std::log(2e-4), std::log(50.0)},
                     {0.0, 100.0, 0.0, 255.0},
                     {0.0, 100.0, -255.0, 255.0},
-                    {1.0, 0.6, 0.0, double{Loop::kLongestDelay}}};
+                    {1.0, 0.6, 0.0, double{Loop::kLongestDelay}},
+                    {0.0, 10.0, 0.0, 100.0},
+                    {0.0, 3.0, 0.0, kMostPlay}};
         for (const Record& record : records) {
             const double sr = servoTickOf(record.gains()) / kTick;
             m_bounds.push_back({(sr + 1) / 2, std::sqrt((sr * sr + 1) / 12), -1.0, sr + 2});
             m_bounds.push_back({0.0, 0.3, -0.5, 0.5});
             m_bounds.push_back({0.0, 0.6, -1.0, 1.0});
+            m_bounds.push_back({0.5, 0.3, 0.0, 1.0});
         }
         for (const Record& record : records)
             m_readings += static_cast<Index>(record.readings.size());
@@ -132,18 +160,36 @@ public:
         return x;
     }
 
-    [[nodiscard]] static MotorConstants motor(const VectorXd& x) {
-        return {std::exp(x[kPush] + x[kTau]), std::exp(x[kTau]), x[kFriction], x[kLoad], x[kDelay] * kTick};
+    /// The same motors with a second mass on a spring.
+    [[nodiscard]] Fit swinging(double second, double hertz) const {
+        Fit other = *this;
+        other.m_second = second;
+        other.m_resonance = hertz;
+        return other;
+    }
+
+    [[nodiscard]] MotorConstants motor(const VectorXd& x) const {
+        return {std::exp(x[kPush] + x[kTau]),
+                std::exp(x[kTau]),
+                x[kFriction],
+                x[kLoad],
+                x[kDelay] * kTick,
+                x[kDeadband],
+                x[kPlay],
+                0.0,
+                m_second,
+                m_resonance};
     }
 
     [[nodiscard]] LoopStart start(const VectorXd& x, std::size_t run) const {
         const Record& record = m_records[run];
         const servo::SetGain& gains = record.gains();
-        LoopStart start{record.stood + of(x, run, kPlace), record.from(), 0.0};
-        // Friction holds as long as |Kp e / 256 + Ki I / 256 + load| <= c.
-        // What the filter cuts off lets it be a little more.
-        const double held = (x[kFriction] + 1) * of(x, run, kHeld) - x[kLoad] -
-                            gains.kp * (start.command - start.position) / 256;
+        LoopStart start{record.stood + of(x, run, kPlace), record.from(), 0.0, of(x, run, kSlack)};
+        // What the filter cuts off lets friction hold a little more.
+        MotorConstants motor = this->motor(x);
+        motor.friction += 1;
+        const double held =
+            holdingRange(motor).at(of(x, run, kHeld)) - gains.kp * (start.command - start.position) / 256;
         if (gains.ki > 0)
             start.integral = std::clamp(held * 256 / gains.ki, -1.0 * gains.il, 1.0 * gains.il);
         return start;
@@ -166,7 +212,7 @@ public:
             misses[row++] = (reading.position - loop.at(reading.seconds - begin).position) * reading.weight;
         const LoopStart start = this->start(x, run);
         const ControlFilter filter(m_records[run].gains(), Rounding::Mean, start.integral,
-                                   start.command - start.position);
+                                   start.command - start.position, x[kDeadband]);
         misses[row] = std::max(0.0, std::abs(filter.standing() + x[kLoad]) - x[kFriction]) / kPwmSpread;
     }
 
@@ -246,6 +292,8 @@ private:
     const std::vector<Record>& m_records;
     std::vector<Bounds> m_bounds;
     Index m_readings = 0;
+    double m_second = 0.0;  ///< as in MotorConstants
+    double m_resonance = 0.0;
 };
 
 struct Solution {
@@ -306,7 +354,7 @@ struct Found {
 }
 
 /// From the coarse grid of motors that anyone would have, with these frictions, the best few.
-[[nodiscard]] Found solve(const Fit& fit, std::span<const double> frictions) {
+[[nodiscard]] Found solve(const Fit& fit, std::span<const double> frictions, double play) {
     constexpr double kMinPush = 30.0, kMaxPush = 3e6, kPushStep = 1.5;
     constexpr double kMinTau = 2e-3, kMaxTau = 2.0, kTauStep = 2.2;
     constexpr std::size_t kTried = 5;
@@ -321,6 +369,7 @@ struct Found {
                 x[kTau] = std::log(tau);
                 x[kFriction] = friction;
                 x[kLoad] = load;
+                x[kPlay] = play;
                 const double cost = fit.misses(x).squaredNorm();
                 if (cost < best.cost)
                     best = {x, cost};
@@ -459,17 +508,31 @@ struct Found {
     const MatrixXd jacobian = fit.jacobian(x);
     const MatrixXd square = jacobian.transpose() * jacobian;
     const MatrixXd covariance = square.ldlt().solve(MatrixXd::Identity(x.size(), x.size())) * inflation;
+    // A second mass of half the inertia shows where what no other constant can leave as well is two standard
+    // deviations.
+    const VectorXd rigid = fit.misses(x);
+    const auto shows = [&](double hertz) {
+        constexpr double kLittle = 0.05, kSecond = 0.5;
+        const VectorXd trace = (fit.swinging(kLittle, hertz).misses(x) - rigid) / kLittle;
+        const VectorXd own = trace - jacobian * square.ldlt().solve(jacobian.transpose() * trace);
+        return own.norm() * kSecond > 2 * std::sqrt(inflation);
+    };
+    found.motor.rigidUpTo = kLowestResonance;
+    constexpr double kNext = 1.12;
+    while (*found.motor.rigidUpTo < kHighestResonance && shows(*found.motor.rigidUpTo))
+        *found.motor.rigidUpTo *= kNext;
     // K is what pushes, times tau; the other constants are unknowns themselves.
     MatrixXd constants = MatrixXd::Identity(kOfMotor, kOfMotor);
     constants(kPush, kTau) = 1;
     MatrixXd spread = constants * covariance.topLeftCorner(kOfMotor, kOfMotor) * constants.transpose();
     // The model is not the motor: what an inductance delays belongs to tau in part, and a delay of a quarter
-    // of a tick more or less is not told from it; PWM values are whole.
-    const MotorConstants motor = Fit::motor(x);
+    // of a tick more or less is not told from it; PWM values are whole, and so are counts.
+    const MotorConstants motor = fit.motor(x);
     constexpr double kDelaySpread = 0.25;  // ticks
     const double own = std::hypot(0.015, motor.delay / motor.timeConstant);
     VectorXd more(kOfMotor);
-    more << own, own, kPwmSpread, kPwmSpread, kDelaySpread;
+    more << own, own, std::hypot(kPwmSpread, own * motor.friction), kPwmSpread, kDelaySpread,
+        std::hypot(kPwmSpread, own * motor.deadband), kPlaySpread;
     spread.diagonal() += more.cwiseAbs2();
     const VectorXd doubt = spread.diagonal().cwiseSqrt();
     for (Index i = 0; i < kOfMotor; ++i)
@@ -481,6 +544,8 @@ struct Found {
     found.motor.friction = {motor.friction, doubt[kFriction]};
     found.motor.load = {motor.load, doubt[kLoad]};
     found.motor.delay = {motor.delay, doubt[kDelay] * kTick};
+    found.motor.deadband = {motor.deadband, doubt[kDeadband]};
+    found.motor.play = {motor.play, doubt[kPlay]};
     // Others that explain the steps as well have another load, and nobody knows which it is.
     constexpr double kAsWell = 9.0;
     for (const Solution& other : solution.others)
@@ -516,19 +581,33 @@ tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecor
         constexpr double kOfTheStep = 5e-4;
         return found.missed <= kFarAbove * found.expected + kOfTheStep * longest;
     };
+    const double noise = countNoise(records);
     constexpr std::array kFrictions = {0.1, 1.0, 6.0};
     // Friction and load that are more than an integral can carry together have valleys beside the right one.
     constexpr std::array kMuchFriction = {3.0, 6.0, 12.0, 20.0};
     const Fit fit(records);
-    Identified found = identified(fit, records, solve(fit, kFrictions));
-    if (!isExplained(found))
-        found = identified(fit, records, solve(fit, kMuchFriction));
+    constexpr double kMuchPlay = 6.0;
+    Identified found = identified(fit, records, solve(fit, kFrictions, 0.0));
+    const auto tryAgain = [&](std::span<const double> frictions, double play) {
+        if (isExplained(found))
+            return;
+        Identified other = identified(fit, records, solve(fit, frictions, play));
+        if (other.missed < found.missed)
+            found = std::move(other);
+    };
+    tryAgain(kMuchFriction, 0.0);
+    tryAgain(kFrictions, kMuchPlay);
+    found.motor.noise = noise;
     constexpr double kClear = 0.5;
     const auto isClear = [](const Measured& measured) { return measured.doubt <= kClear * measured.value; };
     const bool good = isExplained(found) && isClear(found.motor.gain) && isClear(found.motor.timeConstant);
     if (!good && std::any_of(records.begin(), records.end(), stopsDead))
         return tl::unexpected(IdentifyFailure::Obstacle);
-    if (!isExplained(found))
+    if (found.motor.play.value > kMostPlay - 0.1)
+        return tl::unexpected(IdentifyFailure::Play);
+    // A model that is less than exact is of use all the same: what it misses makes its doubts the wider.
+    constexpr double kRoughly = 4.0;
+    if (!isExplained(found) && found.missed > kRoughly * found.expected)
         return tl::unexpected(IdentifyFailure::NotExplained);
     if (!isClear(found.motor.gain))
         return tl::unexpected(IdentifyFailure::GainUnclear);

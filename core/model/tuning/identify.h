@@ -21,6 +21,7 @@ enum class IdentifyFailure : std::uint8_t {
     /// The best motor there is misses what was measured by far more than the encoder and the times explain:
     /// a hard stop, backlash, a belt, a limited current.
     NotExplained,
+    Play,  ///< so much is lost where it turns round that there must be more than kMostPlay of it
     /// It stops dead short of its goal, out of full speed: something is in the way.
     Obstacle,
     GainUnclear,          ///< K may be anything: nowhere did the motor come near a steady speed
@@ -43,15 +44,17 @@ struct Identified {
 
 inline constexpr std::size_t kFewestSamples = 20;
 inline constexpr std::size_t kMaxRuns = 5;
+inline constexpr double kMostPlay = 10.0;  ///< counts
 
 /// The motor that explains one to kMaxRuns step responses best, by their gains in force, tick by tick
 /// (DS-V 4.3): least squares of measured less reckoned position at the samples' own times
-/// (Levenberg-Marquardt), each weighted by what is known of it: an encoder tells whole counts, a time is off
-/// by up to half a tick. Found for each run as well, and forgotten: when the command jumped (a tick after it
-/// was latched, or SR of them), the part of a count at which the shaft stood, and what the integral held.
+/// (Levenberg-Marquardt), each weighted by what is known of it: an encoder tells whole counts, and varies as
+/// it did where the shaft stood; a time is off by up to half a tick. Found for each run as well, and
+/// forgotten: when the command jumped (a tick after it was latched, or SR of them), the part of a count at
+/// which the shaft stood, where in its play, and what the integral held.
 ///
 /// The shaft stood before each step. Runs beyond kMaxRuns are not looked at. Pure; some tenths of a second,
-/// twice where the first search explains nothing: for a background job.
+/// three times that where the first search explains nothing: for a background job.
 [[nodiscard]] tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecord> runs);
 
 }  // namespace nmc

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/time.h"
 
@@ -20,6 +21,12 @@ namespace {
 }
 
 }  // namespace
+
+HoldingRange holdingRange(const MotorConstants& motor) {
+    // Continuous where the deadband changes sides, over the width of a count.
+    const auto before = [&](double drive) { return drive + motor.deadband * std::clamp(drive, -1.0, 1.0); };
+    return {before(-motor.load - motor.friction), before(-motor.load + motor.friction)};
+}
 
 MotorMotion moved(const MotorConstants& motor, const MotorMotion& from, double pwm, double seconds) {
     const double drive = pwm + motor.load;
@@ -48,8 +55,13 @@ double servoTickOf(const servo::SetGain& gains) {
     return std::max<int>(gains.sr, 1) * toSeconds(kServoTick);
 }
 
-ControlFilter::ControlFilter(const servo::SetGain& gains, Rounding rounding, double integral, double error)
-    : m_gains(gains), m_rounding(rounding), m_sum(integral * 256), m_errorBefore(error) {}
+ControlFilter::ControlFilter(const servo::SetGain& gains, Rounding rounding, double integral, double error,
+                             double deadband)
+    : m_gains(gains),
+      m_rounding(rounding),
+      m_deadband(deadband),
+      m_sum(integral * 256),
+      m_errorBefore(error) {}
 
 double ControlFilter::integral() const {
     const double exact = m_sum / 256;
@@ -78,7 +90,7 @@ double ControlFilter::toAmplifier(double sum) const {
     const double whole = m_rounding == Rounding::Chip ? std::trunc(wanted) : meanOfWhole(wanted);
     const double limited = std::min<double>(whole, m_gains.ol);
     const double added = m_gains.db.value_or(0) * std::min(1.0, whole);
-    const double magnitude = std::min(limited + added, 255.0);
+    const double magnitude = std::max(0.0, std::min(limited + added, 255.0) - m_deadband);
     return sum < 0 ? -magnitude : magnitude;
 }
 
@@ -88,8 +100,9 @@ Loop::Loop(const MotorConstants& motor, const servo::SetGain& gains, const LoopS
       m_rounding(rounding),
       m_tick(servoTickOf(gains)),
       m_goal(goal),
-      m_filter(gains, rounding, start.integral, start.command - reading(start.position)),
-      m_motion{start.position, 0.0} {
+      m_filter(gains, rounding, start.integral, start.command - reading(start.position), motor.deadband),
+      m_state{{start.position + start.slack * motor.play, 0.0}},
+      m_driven(start.position) {
     const double ticks = std::clamp(motor.delay / m_tick, 0.0, double{kLongestDelay});
     m_wholeDelay = static_cast<std::size_t>(ticks);
     m_ownDelay = (ticks - static_cast<double>(m_wholeDelay)) * m_tick;
@@ -98,16 +111,31 @@ Loop::Loop(const MotorConstants& motor, const servo::SetGain& gains, const LoopS
 
 MotorMotion Loop::at(double seconds) {
     if (seconds < 0)
-        return m_motion;
+        return {m_driven, m_state.shaft.velocity};
     while (m_nextTick <= seconds) {
-        if (m_nextTick > 0)
-            m_motion = after(m_tick);
+        if (m_nextTick > 0) {
+            m_state = after(m_tick);
+            m_driven = driven(m_state.shaft.position);
+        }
         std::move_backward(m_sent.begin(), m_sent.end() - 1, m_sent.end());
-        m_sent.front() = m_filter.output(m_goal - reading(m_motion.position));
+        m_sent.front() = m_filter.output(m_goal - told());
         m_lastTick = m_nextTick;
         m_nextTick += m_tick;
     }
-    return after(seconds - m_lastTick);
+    const MotorMotion shaft = after(seconds - m_lastTick).shaft;
+    return {driven(shaft.position), shaft.velocity};
+}
+
+/// What the encoder tells the filter.
+double Loop::told() {
+    const double reading = this->reading(m_driven);
+    return m_motor.noise > 0 && m_rounding == Rounding::Chip
+               ? reading + std::round(m_motor.noise * m_noise(m_random))
+               : reading;
+}
+
+double Loop::driven(double shaft) const {
+    return std::clamp(m_driven, shaft - m_motor.play, shaft);
 }
 
 double Loop::reading(double position) const {
@@ -115,10 +143,37 @@ double Loop::reading(double position) const {
 }
 
 /// Since the last tick. The torque of the one before it lasts as long as the delay.
-MotorMotion Loop::after(double seconds) const {
+Loop::State Loop::after(double seconds) const {
     const double before = std::min(seconds, m_ownDelay);
-    const MotorMotion then = moved(m_motor, m_motion, m_sent[m_wholeDelay + 1], before);
-    return moved(m_motor, then, m_sent[m_wholeDelay], seconds - before);
+    State state = m_state;
+    go(state, m_sent[m_wholeDelay + 1], before);
+    go(state, m_sent[m_wholeDelay], seconds - before);
+    return state;
+}
+
+void Loop::go(State& state, double pwm, double seconds) const {
+    if (m_motor.second == 0) {
+        state.shaft = moved(m_motor, state.shaft, pwm, seconds);
+        return;
+    }
+    constexpr double kStep = 128e-6;  // s, of a leapfrog
+    constexpr double kRest = 1e-9;
+    MotorConstants shaft = m_motor;  // alone
+    const double total = 1 + m_motor.second;
+    shaft.timeConstant /= total;
+    const double omega = 2 * std::numbers::pi * m_motor.resonance;
+    while (seconds > kRest) {
+        const double step = std::min(seconds, kStep);
+        state.twist += step / 2 * (state.shaft.velocity - state.second);
+        // The acceleration by which both come nearer to each other.
+        const double pull =
+            omega * omega * state.twist + 2 * kSpringDamping * omega * (state.shaft.velocity - state.second);
+        shaft.load = m_motor.load - pull * m_motor.second / total * shaft.timeConstant / shaft.gain;
+        state.shaft = moved(shaft, state.shaft, pwm, step);
+        state.second += step * pull / total;
+        state.twist += step / 2 * (state.shaft.velocity - state.second);
+        seconds -= step;
+    }
 }
 
 }  // namespace nmc

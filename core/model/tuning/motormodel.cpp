@@ -9,7 +9,8 @@
 namespace nmc {
 
 MotorConstants MotorModel::constants() const {
-    return {gain.value, timeConstant.value, friction.value, load.value, delay.value};
+    return {gain.value,  timeConstant.value, friction.value, load.value,
+            delay.value, deadband.value,     play.value,     noise};
 }
 
 bool MotorModel::isSure() const {
@@ -24,6 +25,9 @@ MotorModel MotorModel::exactly(const MotorConstants& motor) {
     model.friction.value = motor.friction;
     model.load.value = motor.load;
     model.delay.value = motor.delay;
+    model.deadband.value = motor.deadband;
+    model.play.value = motor.play;
+    model.noise = motor.noise;
     return model;
 }
 
@@ -44,7 +48,9 @@ std::vector<MotorConstants> MotorModel::drawn(std::size_t count) const {
         };
         motors.push_back({times(gain, off[0]), times(timeConstant, off[1]),
                           std::abs(friction.value + off[2] * friction.doubt),
-                          load.value + off[3] * load.doubt, std::abs(delay.value + off[4] * delay.doubt)});
+                          load.value + off[3] * load.doubt, std::abs(delay.value + off[4] * delay.doubt),
+                          std::abs(deadband.value + off[5] * deadband.doubt),
+                          std::abs(play.value + off[6] * play.doubt), noise});
     }
     return motors;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "model/response/responsemetrics.h"
@@ -10,10 +11,14 @@
 
 namespace nmc {
 
+/// Hz; where motors are suspected of a resonance with what they drive.
+inline constexpr double kLowestResonance = 40.0;
+inline constexpr double kHighestResonance = 400.0;
+
 /// A motor found from how it answered, each constant with one standard deviation as its doubt; meanings and
 /// units as in MotorConstants.
 struct MotorModel {
-    static constexpr std::size_t kConstants = 5;
+    static constexpr std::size_t kConstants = 7;
     using Matrix = std::array<std::array<double, kConstants>, kConstants>;
 
     Measured gain;
@@ -21,6 +26,12 @@ struct MotorModel {
     Measured friction;
     Measured load;
     Measured delay;
+    Measured deadband;
+    Measured play;
+    double noise = 0.0;  ///< counts rms, of the encoder
+    /// Hz; a second mass on a spring that resonates at a higher frequency would not have shown. Empty: there
+    /// is none.
+    std::optional<double> rigidUpTo;
     /// How far the errors of two constants go together, -1..1, in the order above: where the gain was found
     /// too low, the time constant usually was too.
     Matrix correlation = independent();

@@ -46,6 +46,16 @@ struct TickOfMotor {
     return of;
 }
 
+/// What a second mass on a spring makes of the shaft's position at a frequency: it moves less, then far more,
+/// than both would as one.
+[[nodiscard]] Complex swingOf(const MotorConstants& motor, double hertz) {
+    if (motor.second == 0)
+        return 1.0;
+    const Complex s(0, hertz / motor.resonance);
+    const Complex damping = 2 * kSpringDamping * s;
+    return ((1 + motor.second) * s * s + damping + 1.0) / (s * s + damping + 1.0);
+}
+
 [[nodiscard]] Complex openLoop(const TickOfMotor& motor, const servo::SetGain& gains, Complex z) {
     const Complex change = 1.0 - 1.0 / z;
     Complex filter = 1.0 * gains.kp + 1.0 * gains.kd * change;
@@ -90,21 +100,22 @@ struct TickOfMotor {
 }  // namespace
 
 LoopStart standing(const MotorConstants& motor, const servo::SetGain& gains, double command, double held,
-                   double within) {
-    LoopStart start{command + within, command, 0.0};
+                   double within, double slack) {
+    LoopStart start{command + within, command, 0.0, slack};
+    const HoldingRange holds = holdingRange(motor);
     if (gains.ki > 0)
-        start.integral = std::clamp((held * motor.friction - motor.load) * 256 / gains.ki, -1.0 * gains.il,
-                                    1.0 * gains.il);
-    const double left = -motor.load - start.integral * gains.ki / 256;
-    const double byError = std::max(0.0, std::abs(left) - motor.friction);
+        start.integral = std::clamp(holds.at(held) * 256 / gains.ki, -1.0 * gains.il, 1.0 * gains.il);
+    const double carried = start.integral * gains.ki / 256;
+    const double lacking = std::clamp(carried, holds.least, holds.most) - carried;
     if (gains.kp > 0)
-        start.position -= std::copysign(std::ceil(byError * 256 / gains.kp), left);
+        start.position -= std::copysign(std::ceil(std::abs(lacking) * 256 / gains.kp), lacking);
     return start;
 }
 
 Complex openLoopAt(const MotorConstants& motor, const servo::SetGain& gains, double hertz) {
     const double tick = servoTickOf(gains);
-    return openLoop(tickOf(motor, tick), gains, std::polar(1.0, 2 * std::numbers::pi * hertz * tick));
+    return openLoop(tickOf(motor, tick), gains, std::polar(1.0, 2 * std::numbers::pi * hertz * tick)) *
+           swingOf(motor, hertz);
 }
 
 LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) {
@@ -114,7 +125,8 @@ LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) 
     const TickOfMotor of = tickOf(motor, tick);
     LoopMargins margins{180.0, std::numeric_limits<double>::infinity(), 0.0, isStable(of, gains)};
     const auto at = [&](double hertz) {
-        return openLoop(of, gains, std::polar(1.0, 2 * std::numbers::pi * hertz * tick));
+        return openLoop(of, gains, std::polar(1.0, 2 * std::numbers::pi * hertz * tick)) *
+               swingOf(motor, hertz);
     };
     double before = kLowest;
     Complex loopBefore = at(before);
@@ -140,7 +152,7 @@ LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) 
         loopBefore = loop;
     }
     // At half the servo rate the loop is a real number.
-    const double last = openLoop(of, gains, -1.0).real();
+    const double last = (openLoop(of, gains, -1.0) * swingOf(motor, 0.5 / tick)).real();
     if (last < 0)
         margins.gain = std::min(margins.gain, -1 / last);
     return margins;
@@ -177,6 +189,20 @@ private:
     int m_count = 0;
 };
 
+/// A second mass of up to half the inertia, on a spring that resonates above `lowest` Hz, which may be any:
+/// steps do not tell. `much`, `where`: 0..1.
+void hangOn(MotorConstants& motor, double lowest, double much, double where) {
+    constexpr double kMostSecond = 0.5;
+    motor.second = kMostSecond * much;
+    motor.resonance = lowest * std::pow(std::max(1.0, kHighestResonance / lowest), where);
+}
+
+/// How probable it is that something normally distributed is farther than that from 0.
+[[nodiscard]] double beyond(double limit, const Measured& about) {
+    const double width = about.doubt * std::numbers::sqrt2;
+    return 1 - (std::erf((limit - about.value) / width) + std::erf((limit + about.value) / width)) / 2;
+}
+
 }  // namespace
 
 Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::int32_t from, std::int32_t goal,
@@ -202,8 +228,8 @@ Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::in
     std::vector<std::vector<double>> positions(prediction.run.points.size());
     for (const MotorConstants& other : motor.drawn(kDrawn)) {
         const double held = 2 * part(random) - 1;
-        const ResponseRecord run =
-            reckonStep(other, taken, standing(other, gains, from, held, part(random)), bandPercent);
+        const ResponseRecord run = reckonStep(
+            other, taken, standing(other, gains, from, held, part(random), part(random)), bandPercent);
         for (std::size_t i = 0; i < positions.size(); ++i)
             positions[i].push_back(run.points[i].position);
         overshoot.add(run.metrics.overshoot.value_or(Measured{}).value);
@@ -212,7 +238,10 @@ Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::in
             settling.add(run.metrics.settling->value);
         else
             prediction.unsettled += 1.0 / kDrawn;
-        const LoopMargins its = marginsOf(other, gains);
+        MotorConstants swinging = other;
+        if (motor.rigidUpTo)
+            hangOn(swinging, *motor.rigidUpTo, part(random), part(random));
+        const LoopMargins its = marginsOf(swinging, gains);
         phase.add(its.phaseDegrees);
         if (std::isfinite(its.gain))
             gain.add(its.gain);
@@ -224,8 +253,14 @@ Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::in
         prediction.high.push_back({seconds, positions[i][kDrawn - 1 - kOutside]});
     }
     prediction.overshoot = overshoot.with(ownOvershoot.doubt);
-    prediction.settling = settling.with(ownSettling.doubt);
     prediction.errorAtRest = rest.with(0.5);  // the encoder tells no less than a count
+    prediction.settling = settling.with(ownSettling.doubt);
+    prediction.unsettled =
+        std::max(prediction.unsettled, beyond(prediction.run.band() + 0.5, prediction.errorAtRest));
+    // Then it may be as late as the record is long.
+    if (prediction.unsettled > kSeldom)
+        prediction.settling.doubt = std::hypot(
+            prediction.settling.doubt, std::sqrt(prediction.unsettled) * (record - ownSettling.value));
     prediction.phaseMargin = phase.with(0.0);
     if (std::isfinite(margins.gain))
         prediction.gainMargin = gain.with(0.0);

@@ -27,18 +27,22 @@ struct LoopMargins {
 [[nodiscard]] LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains);
 
 /// Held by the integral, and by an error as far as that cannot. `held`: where in the range that friction
-/// leaves it the integral is, -1..1. `within`: where in its count the shaft is, 0..1.
+/// leaves it the integral is, -1..1. `within`: where in its count the encoder is, 0..1. `slack`: as in
+/// LoopStart.
 [[nodiscard]] LoopStart standing(const MotorConstants& motor, const servo::SetGain& gains, double command,
-                                 double held, double within = 0.5);
+                                 double held, double within = 0.5, double slack = 0.5);
 
 /// In counts, as the encoder would tell, of a step that `start` comes before: points once a servo tick from
 /// the step on, judged by a band of `bandPercent` of the step as in ResponseRecord. Pure.
 [[nodiscard]] ResponseRecord reckonStep(const MotorConstants& motor, const ResponseTaken& taken,
                                         const LoopStart& start, double bandPercent);
 
+/// Less than this part of the cases is not worth a word: two standard deviations leave out as many.
+inline constexpr double kSeldom = 0.05;
+
 /// A step that has not been made. Each doubt is one standard deviation: how the figure varies with motors
 /// that explain what was measured as well, and with where friction and encoder leave the shaft before the
-/// step.
+/// step. Doubts of margins count in what may resonate where the steps do not show it (MotorModel::rigidUpTo).
 struct Prediction {
     /// The step of the motor that was found: a point for each servo tick from the step on, in encoder counts.
     ResponseRecord run;

@@ -137,7 +137,7 @@ struct StepCourse {
 /// that is not below `most`, or where one course is not good. Sets EL.
 [[nodiscard]] std::optional<double> settling(const Terms& terms, double omega, double most,
                                              servo::SetGain& gains) {
-    constexpr std::array<double, 3> kStronger = {0, 1, -1};
+    constexpr std::array<double, 5> kStronger = {0, 1, -1, 0.5, -0.5};
     constexpr std::size_t kSteps = 4;
     constexpr double kRecord = 60;  // radians of the loop
     constexpr double kErrorMargin = 1.5;
@@ -159,7 +159,7 @@ struct StepCourse {
             const bool back = i % 2 == 1;
             const auto course =
                 stepCourseOf(loop, back ? -terms.step : terms.step, back ? 0.0 : terms.step, record,
-                             std::exp(left + soonest), motor.friction * 256 / gains.kp);
+                             std::exp(left + soonest), (motor.friction + motor.deadband) * 256 / gains.kp);
             if (!course)
                 return std::nullopt;
             left -= std::log(course->settled) - soonest;
@@ -218,9 +218,12 @@ std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& w
     terms.motor = motor.constants();
     terms.zeta = kMinDamping + std::clamp(wish.damping, 0.0, 1.0) * (kMaxDamping - kMinDamping);
     terms.noise = kMaxNoise * std::clamp(wish.noise, 0.01, 1.0);
-    const double unsure = std::hypot(motor.load.doubt, motor.friction.doubt);
-    terms.carried = kReserve * (std::abs(motor.load.value) + motor.friction.value + kCutOff +
-                                std::min(unsure, kMaxUnsure * now.ol));
+    // What holds the shaft is known better than either part of it.
+    const double both = motor.correlation[2][5] * motor.friction.doubt * motor.deadband.doubt;
+    const double holding = std::hypot(motor.friction.doubt, motor.deadband.doubt);
+    const double unsure = std::sqrt(motor.load.doubt * motor.load.doubt + holding * holding + 2 * both);
+    terms.carried = kReserve * (std::abs(motor.load.value) + motor.friction.value + motor.deadband.value +
+                                kCutOff + std::min(unsure, kMaxUnsure * now.ol));
     terms.phase = std::clamp(wish.phaseMargin, kMinPhaseMargin, kMaxPhaseMargin);
     terms.now = now;
     terms.step = step;

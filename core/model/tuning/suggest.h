@@ -44,8 +44,8 @@ struct LoopFigures {
 /// gains in force; output limit, current limit and deadband compensation stay as they are.
 ///
 /// What is suggested is stable: by its margins, and as reckoned tick by tick for the step, also with a motor
-/// that is a little otherwise than was found. Nothing where no gains are. Pure; a tenth of a second, at times
-/// several: for a background job.
+/// that is a little otherwise than was found. Nothing where no gains are. Pure; some tenths of a second, at
+/// times a whole one: for a background job.
 [[nodiscard]] std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& wish,
                                                     const servo::SetGain& now, std::int32_t step);
 

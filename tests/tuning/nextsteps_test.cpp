@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/tuning/nextsteps.h"
+
+#include <gtest/gtest.h>
+
+namespace nmc {
+namespace {
+
+using Distances = std::vector<std::int32_t>;
+
+TEST(StepsToFindAMotorFrom, GoBothWaysInTwoSizesAndEndWhereTheyBegan) {
+    EXPECT_EQ(stepSeries(100), (Distances{100, -100, 200, -200}));
+    EXPECT_EQ(stepSeries(-100), (Distances{-100, 100, -200, 200}));
+}
+
+/// 2000 is the longest step there is.
+TEST(StepsToFindAMotorFrom, AreNeverTooLong) {
+    EXPECT_EQ(stepSeries(1'000), (Distances{1'000, -1'000, 2'000, -2'000}));
+    EXPECT_EQ(stepSeries(1'500), (Distances{1'000, -1'000, 2'000, -2'000}));
+    EXPECT_EQ(stepSeries(-2'000), (Distances{-1'000, 1'000, -2'000, 2'000}));
+}
+
+TEST(StepsToFindAMotorFrom, TellMuchBothWaysInTwoSizes) {
+    EXPECT_FALSE(tellMuch({}));
+    EXPECT_FALSE(tellMuch(Distances{100}));
+    EXPECT_FALSE(tellMuch(Distances{100, 200})) << "one way";
+    EXPECT_FALSE(tellMuch(Distances{-100, -200}));
+    EXPECT_FALSE(tellMuch(Distances{100, -100})) << "one size";
+    EXPECT_FALSE(tellMuch(Distances{100, -110})) << "hardly two";
+    EXPECT_TRUE(tellMuch(Distances{100, -200}));
+    EXPECT_TRUE(tellMuch(stepSeries(7)));
+}
+
+TEST(StepsToFindAMotorFrom, GoOnBackAndThenByTheOtherSize) {
+    Distances made = stepSeries(100);
+    for (const std::int32_t next : {100, -100, 200, -200, 100}) {
+        EXPECT_EQ(nextStep(made), next);
+        made.push_back(next);
+        made.erase(made.begin());
+    }
+    EXPECT_EQ(nextStep(Distances{-50, 50, -100, 100}), -50) << "on the side that they began with";
+}
+
+}  // namespace
+}  // namespace nmc
