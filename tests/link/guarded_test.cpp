@@ -13,6 +13,7 @@
 
 #include "link/connection/processguard.h"
 #include "link/guardian/guardreport.h"
+#include "tests/link/changes.h"
 #include "tests/link/connection.h"
 #include "tests/link/otherhost.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/composition.h"
+#include "link/connection/busworker.h"
 #include "protocol/commandcode.h"
 #include "sim/chain.h"
 
@@ -43,7 +43,8 @@ public:
     /// Lets time pass at all of them.
     static void runAll(Duration time);
 
-    [[nodiscard]] Composition::Transports transports();
+    /// What opens the port to it.
+    [[nodiscard]] BusWorker::TransportFactory transport();
     /// Lets time pass, on the bus and not in the window.
     void run(Duration time);
     /// A port is open, or about to be, or not yet closed.

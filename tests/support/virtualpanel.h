@@ -22,7 +22,7 @@ public:
         workAtOnce();
         composition().setTransports([this](const ConnectTarget& target) {
             m_chain = VirtualChain::at(target.port);
-            return m_chain->transports()(target);
+            return m_chain->transport();
         });
     }
     /// The program would wait for its bus thread, which has time only while somebody waits here.
