@@ -118,7 +118,8 @@ private:
     VirtualChain& m_on;
 };
 
-VirtualChain::VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed)
+VirtualChain::VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed,
+                           const QString& terminal)
     : m_chain(modules,
               [seed] {
                   sim::ChainOptions options;
@@ -126,13 +127,13 @@ VirtualChain::VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint
                   options.enableFaults = true;
                   return options;
               }()),
-      m_terminal(QStringLiteral("/dev/ttyUSB%1").arg(chains().size())),
+      m_terminal(terminal.isEmpty() ? QStringLiteral("/dev/ttyUSB%1").arg(chains().size()) : terminal),
       m_powerUp(virtualtime::now()) {
     chains().push_back(this);
 }
 
-VirtualChain::VirtualChain(const QString& modules)
-    : VirtualChain(sim::parseChain(modules.toStdString()).value()) {}
+VirtualChain::VirtualChain(const QString& modules, const QString& terminal)
+    : VirtualChain(sim::parseChain(modules.toStdString()).value(), 1, terminal) {}
 
 VirtualChain::~VirtualChain() {
     if (open())

@@ -31,9 +31,11 @@ struct Packet {
 /// session each time. All public members belong to the GUI thread.
 class VirtualChain {
 public:
-    explicit VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed = 1);
+    /// `terminal`: where it is found; empty: at one of its own.
+    explicit VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed = 1,
+                          const QString& terminal = {});
     /// As nmcsim has it: "servo,servo,step".
-    explicit VirtualChain(const QString& modules);
+    explicit VirtualChain(const QString& modules, const QString& terminal = {});
     ~VirtualChain();
     VirtualChain(const VirtualChain&) = delete;
     VirtualChain& operator=(const VirtualChain&) = delete;

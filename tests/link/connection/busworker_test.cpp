@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "tests/link/connection/othermaster.h"
 #include "tests/link/connection/virtualconnection.h"
+#include "tests/support/leaverunning.h"
 
 namespace nmc {
 namespace {

@@ -7,8 +7,8 @@
 #include <atomic>
 
 #include "tests/link/changes.h"
-#include "tests/link/connection/othermaster.h"
 #include "tests/link/connection/virtualconnection.h"
+#include "tests/support/leaverunning.h"
 
 namespace nmc {
 namespace {
