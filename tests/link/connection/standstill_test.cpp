@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bus thread on its own: the GUI thread stands still, or the machine was suspended.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
 
+#include "link/connection/processguard.h"
+#include "link/guardian/descriptor.h"
 #include "tests/link/connection/virtualconnection.h"
 
 namespace nmc {
@@ -54,6 +57,29 @@ TEST_F(H05_Suspend, HasTheMotorsStoppedAndIsToldOnce) {
     ASSERT_TRUE(connection.waitFor<bus::StopFinished>());
     EXPECT_TRUE(connection.waitUntil([&] { return !sim.driven(0); }));
     EXPECT_EQ(connection.count<ComputerSlept>(), 1);
+}
+
+/// Whose program is not there, on a port with a descriptor.
+class NoGuardian : public ProcessGuard {
+public:
+    NoGuardian() : ProcessGuard({"/no/such/nmcguard", "/no/such/report"}) {}
+    void begin(int /*fd*/) override { ProcessGuard::begin(m_port.get()); }
+
+private:
+    Descriptor m_port{::open("/dev/null", O_RDWR | O_CLOEXEC)};
+};
+
+TEST(GuardedPanel, SaysOnceThatItHasNoGuardianAndGoesOn) {
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    NoGuardian guard;
+    VirtualConnection connection(sim);
+    connection.worker().addGuard(guard);
+    connection.open();
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    ASSERT_EQ(connection.count<GuardianMissing>(), 1);
+    EXPECT_EQ(connection.news<GuardianMissing>()->problem, GuardianProblem::Missing);
+    EXPECT_EQ(connection.carryOut(gainsAndEnable(1)), bus::Outcome::Done);
+    EXPECT_EQ(connection.count<GuardianMissing>(), 0) << "once";
 }
 
 }  // namespace
