@@ -86,19 +86,6 @@ TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenTheMachineSlept) {
     expectUndisturbed();
 }
 
-TEST_F(H02_ReadOnly, RefusesCommandsAndDoesNotRestartTheNetwork) {
-    ASSERT_NO_FATAL_FAILURE(look());
-    EXPECT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Forbidden);
-    connection.worker().changeRate(57'600);
-    ASSERT_TRUE(connection.waitFor<bus::RateChangeFailed>());
-    connection.forgetNews();
-    connection.worker().restart();
-    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
-    EXPECT_TRUE(connection.news<bus::ChainFound>()->attached);
-    EXPECT_EQ(connection.count<bus::StopFinished>(), 0);
-    expectUndisturbed();
-}
-
 /// A stop that was asked for goes before the close that comes right behind it.
 TEST_F(H02_ReadOnly, StopsWhenItIsAskedToAndThenCloses) {
     ASSERT_NO_FATAL_FAILURE(look());
