@@ -112,17 +112,16 @@ TEST(H19_NotATerminal, IsNotASerialPort) {
 }
 
 TEST(F35_TwoNames, OfAPortThatIsUsedAreBothInUse) {
-    NmcsimProcess sim(QStringLiteral("servo"));
-    Connection first;
-    first.openSerial(sim.terminal());
-    ASSERT_TRUE(first.waitUntil([&] { return first.store().link().found > 0; }));
-    EXPECT_EQ(problemOf(sim.terminal()), PortProblem::InUse);
+    const auto terminal = PtyServer::create({});
+    ASSERT_TRUE(terminal.has_value());
+    const QString port = QString::fromStdString(terminal->path());
+    SerialTransport first(port);
+    ASSERT_TRUE(first.open().has_value());
+    EXPECT_EQ(problemOf(port), PortProblem::InUse);
     const QString alias = QStringLiteral("/tmp/nmc-alias-%1").arg(::getpid());
-    ASSERT_EQ(::symlink(sim.terminal().toLocal8Bit().constData(), alias.toLocal8Bit().constData()), 0);
+    ASSERT_EQ(::symlink(terminal->path().c_str(), alias.toLocal8Bit().constData()), 0);
     EXPECT_EQ(problemOf(alias), PortProblem::InUse);
     ::unlink(alias.toLocal8Bit().constData());
-    first.worker().close();
-    EXPECT_TRUE(first.waitFor<PortClosed>());
 }
 
 TEST(F31_Permission, OfAPortOfAnotherUserIsMissing) {
