@@ -2,8 +2,8 @@
 // What a port logs, as who looks for a fault gets to see it.
 #include <gmock/gmock.h>
 
+#include "link/connection/serialtransport.h"
 #include "link/terminal/ptyserver.h"
-#include "tests/link/connection.h"
 #include "tests/link/logreader.h"
 
 namespace nmc {
@@ -13,18 +13,16 @@ using namespace testing_support;
 using testing::Contains;
 using testing::StartsWith;
 
-TEST(LinkLog, TellsOfThePortAloneWhereThatIsAskedFor) {
-    const auto terminal = PtyServer::create({});  // a line with nobody on it
+TEST(LinkLog, TellsOfThePort) {
+    const auto terminal = PtyServer::create({});
     ASSERT_TRUE(terminal.has_value());
     const LogReader log(QStringLiteral("nmc.link.port=true"));
-    Connection connection;
-    connection.openSerial(QString::fromStdString(terminal->path()));
-    const auto line = [&terminal](const char* words) {
-        return Contains(StartsWith("nmc.link.port: " + terminal->path() + words));
-    };
-    ASSERT_TRUE(connection.waitUntil([&] { return testing::Value(LogReader::lines(), line(" at ")); }));
-    EXPECT_THAT(LogReader::lines(), line(" is open"));
-    EXPECT_THAT(LogReader::lines(), testing::Each(StartsWith("nmc.link.port: ")));
+    SerialTransport port(QString::fromStdString(terminal->path()), 115'200);
+    ASSERT_TRUE(port.open().has_value());
+    ASSERT_TRUE(port.setBaud(115'200).has_value());
+    EXPECT_THAT(LogReader::lines(), Contains("nmc.link.port: " + terminal->path() + " is open"));
+    EXPECT_THAT(LogReader::lines(),
+                Contains(StartsWith("nmc.link.port: " + terminal->path() + " at 115200 Bd")));
 }
 
 }  // namespace

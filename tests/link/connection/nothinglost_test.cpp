@@ -86,6 +86,23 @@ TEST_F(NothingLost, ARateThatCannotBeAskedForIsRefused) {
     EXPECT_EQ(connection.news<bus::RateChangeFailed>()->wanted, 115'200U);
 }
 
+/// F-27: one cause, one message, and the port stays open for another try as long as it is there.
+TEST_F(NothingLost, NobodyAnsweringIsSaidAndSoIsThePortThatGoesThenOnce) {
+    sim.tell("fault bus silent");
+    connection.open();
+    ASSERT_TRUE(connection.waitFor<bus::ConnectFailed>());
+    EXPECT_EQ(connection.news<bus::ConnectFailed>()->reason, bus::ConnectFailure::NobodyAnswers);
+    EXPECT_TRUE(connection.worker().isOpen());
+    sim.unplug();
+    ASSERT_TRUE(connection.waitFor<PortClosed>());
+    ASSERT_TRUE(connection.news<PortClosed>()->error.has_value());
+    EXPECT_EQ(connection.news<PortClosed>()->error->problem, PortProblem::Gone);
+    EXPECT_FALSE(connection.worker().isOpen());
+    EXPECT_EQ(connection.count<PortClosed>(), 1);
+    EXPECT_EQ(connection.count<bus::LinkLost>(), 0);
+    EXPECT_EQ(connection.count<bus::ModuleUnresponsive>(), 0);
+}
+
 /// Counters begin anew with the chain; the second behind that has no rate of 1.8e19.
 TEST_F(NothingLost, FiguresBehindANewSearchAreNoUnderflow) {
     open();

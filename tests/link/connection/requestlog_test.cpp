@@ -47,5 +47,12 @@ TEST(LinkLog, TellsOfRequestsAndWhatBecameOfThem) {
     EXPECT_EQ(lines.back(), "nmc.link: port closed");
 }
 
+/// This port, which is none of the system's, has nothing to tell.
+TEST(LinkLog, OneCategoryCanBeChosen) {
+    const LogReader log(QStringLiteral("nmc.link.port=true"));
+    ASSERT_NO_FATAL_FAILURE(moveAndStop());
+    EXPECT_THAT(LogReader::lines(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace nmc
