@@ -6,18 +6,17 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 
 #include "app/composition.h"
 #include "tests/support/nmcsimprocess.h"
 #include "tests/support/turnto.h"
-#include "widgets/panels/holdbutton.h"
+#include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagerow.h"
 
 namespace nmc {
 namespace {
@@ -54,11 +53,6 @@ public:
         ASSERT_TRUE(widget.isEnabled()) << button << ": " << widget.toolTip().toStdString();
         QTest::mouseClick(&widget, Qt::LeftButton);
     }
-    /// On the mark itself: a check box as wide as its row is not one all over.
-    void tick(const char* box) {
-        auto& widget = find<QAbstractButton>(box);
-        QTest::mouseClick(&widget, Qt::LeftButton, {}, {widget.height() / 2, widget.height() / 2});
-    }
     bool waitUntilEnabled(const char* button) {
         return QTest::qWaitFor([&] { return find<QAbstractButton>(button).isEnabled(); }, 20'000);
     }
@@ -74,17 +68,20 @@ public:
     [[nodiscard]] const ModuleState& module(std::uint8_t index) const {
         return *m_composition.store().module(ModuleIndex(index));
     }
-    [[nodiscard]] const ModuleHistory& history(std::uint8_t index) const {
-        return *m_composition.store().history().module(ModuleIndex(index));
-    }
     [[nodiscard]] bool found(std::size_t count) const {
         return m_composition.store().link().phase == LinkPhase::Connected && modules() == count;
+    }
+    [[nodiscard]] bool tells(const char* words) {
+        for (const MessageRow* row : window().findChild<MessageList*>()->rows())
+            if (row->message().headline.contains(QLatin1String(words)))
+                return true;
+        return false;
     }
     MainWindow& window() { return m_composition.window(); }
 
     void setGainsAndEnable() {
-        const std::pair<const char*, int> gains[] = {{"kpField", 200},   {"kdField", 2'000}, {"kiField", 20},
-                                                     {"ilField", 200},   {"olField", 255},   {"clField", 0},
+        const std::pair<const char*, int> gains[] = {{"kpField", 200},   {"kdField", 2'000}, {"kiField", 0},
+                                                     {"ilField", 0},     {"olField", 255},   {"clField", 0},
                                                      {"elField", 8'000}, {"srField", 1},     {"dbField", 0}};
         for (const auto& [field, value] : gains)
             type(field, QString::number(value));
@@ -101,12 +98,12 @@ public:
         type("accelerationField", QStringLiteral("0.02"));
         click("goButton");
     }
-    /// 20 000 counts at 8 counts/tick and 0.02 counts/tick^2, and back again half-way, where Esc stops it.
+    /// 8 000 counts at 8 counts/tick and 0.02 counts/tick^2, and back again half-way, where Esc stops it.
     void moveAndStop() {
-        goTo(20'000);
+        goTo(8'000);
         ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::AtSpeed; }));
         ASSERT_TRUE(waitFor(
-            [&] { return !module(1).moving() && std::abs(*module(1).latest->position - 20'000) <= 5; }));
+            [&] { return !module(1).moving() && std::abs(*module(1).latest->position - 8'000) <= 5; }));
         ASSERT_TRUE(waitUntilEnabled("goButton"));
         goTo(0);
         ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::AtSpeed; }));
@@ -116,29 +113,6 @@ public:
         }));
         ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::Holding; }));
         EXPECT_GT(*module(1).latest->position, 1'000);
-    }
-    /// The trace rises from 0 to the goal, and the calculated error settles with the motor.
-    void expectHonestTraces() {
-        double highest = 0;
-        int all = 0;
-        int small = 0;
-        double worst = 0;
-        for (const ScopeSample& sample : history(1).samples(TimePoint::min(), TimePoint::max())) {
-            highest = std::max(highest, static_cast<double>(sample.position));
-            if (!sample.errorKnown())
-                continue;
-            const double error = std::abs(static_cast<double>(sample.error));
-            ++all;
-            small += error < 60 ? 1 : 0;
-            worst = std::max(worst, error);
-        }
-        EXPECT_NEAR(highest, 20'000, 50);
-        // With these gains the motor lags some 25 counts at 8 counts/tick, and the sample's own time is
-        // uncertain by half a tick, which is another 4. A machine that is busy with something else delays a
-        // byte now and then, and such a sample is off by as much as the motor went meanwhile.
-        EXPECT_GT(all, 100);
-        EXPECT_GT(small, all * 9 / 10);
-        EXPECT_GT(worst, 5);
     }
 
 private:
@@ -158,26 +132,6 @@ TEST(FirstLight, MovesAMotorOfTheBuiltInSimulator) {
     if (HasFatalFailure())
         return;
     panel.moveAndStop();
-    panel.expectHonestTraces();
-}
-
-TEST(FirstLight, TheSimulatorDockSetsTheBenchWhileItRuns) {
-    Panel panel;
-    panel.start(QStringLiteral("simulator=servo,servo"), 115'200);
-    ASSERT_TRUE(panel.waitFor([&] { return panel.found(2); }));
-    panel.selectModule(1);
-    ASSERT_TRUE(panel.waitFor([&] { return panel.find<QAbstractButton>("sim_servo_powerBox").isChecked(); }))
-        << "as shipped the motor has its power";
-    panel.tick("sim_servo_limit1Box");
-    EXPECT_TRUE(panel.waitFor([&] { return panel.module(1).latest->servoStatus().limit1(); }));
-    EXPECT_TRUE(
-        panel.waitFor([&] { return panel.find<QLabel>("bit_limit1").text() == QLatin1String("on"); }));
-    EXPECT_FALSE(panel.module(0).latest->servoStatus().limit1());
-    panel.tick("sim_servo_powerBox");
-    EXPECT_TRUE(panel.waitFor([&] { return panel.module(1).activity() == Activity::NoPower; }));
-    EXPECT_TRUE(panel.waitFor(
-        [&] { return panel.find<QLabel>("simAnswerHead").text() == QLatin1String("Done: set 2 power 0"); }));
-    EXPECT_NE(panel.module(0).activity(), Activity::NoPower);
 }
 
 class FirstLightOnATerminal : public testing::TestWithParam<std::uint32_t> {};
@@ -189,12 +143,12 @@ TEST_P(FirstLightOnATerminal, MovesAMotorWithoutAViolation) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.found(3); }));
     EXPECT_TRUE(panel.window().windowTitle().startsWith(QLatin1String("NMC Panel")));
     EXPECT_FALSE(panel.window().windowTitle().contains(QLatin1String("Simulator")));
+    EXPECT_FALSE(panel.tells("guardian")) << "it is there without a word";
     panel.selectModule(1);
     panel.setGainsAndEnable();
     if (HasFatalFailure())
         return;
     panel.moveAndStop();
-    panel.expectHonestTraces();
     const QJsonObject state = sim.state(2);
     EXPECT_TRUE(state[QStringLiteral("servo_on")].toBool());
     EXPECT_EQ(state[QStringLiteral("gains")].toObject()[QStringLiteral("kd")].toInt(), 2'000);
@@ -203,101 +157,6 @@ TEST_P(FirstLightOnATerminal, MovesAMotorWithoutAViolation) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rates, FirstLightOnATerminal, testing::Values(19'200U, 115'200U));
-
-TEST(FirstLight, HoldToMoveMovesOnlyWhileItIsHeld) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    Panel panel;
-    panel.start(sim.terminal(), 115'200);
-    ASSERT_TRUE(panel.waitFor([&] { return panel.found(2); }));
-    panel.selectModule(1);
-    panel.setGainsAndEnable();
-    auto& button = panel.find<QAbstractButton>("holdForwardButton");
-    QTest::mousePress(&button, Qt::LeftButton);
-    // At 0.25 counts/tick the 250 ms that one press alone lasts are 122 counts: the window must have re-armed
-    // it.
-    EXPECT_TRUE(panel.waitFor([&] { return *panel.module(1).latest->position > 200; }));
-    QTest::mouseRelease(&button, Qt::LeftButton);
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module(1).activity() == Activity::Holding; }));
-    EXPECT_EQ(sim.violations(), "");
-}
-
-TEST(FirstLight, AHoldThatEndedInAStallIsOverUntilTheButtonWasUp) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    Panel panel;
-    panel.start(sim.terminal(), 115'200);
-    ASSERT_TRUE(panel.waitFor([&] { return panel.found(2); }));
-    panel.selectModule(0);
-    panel.setGainsAndEnable();
-    auto& button = panel.find<HoldButton>("holdForwardButton");
-    const auto moving = [&] { return sim.state(1)[QStringLiteral("command_velocity")].toDouble() != 0.0; };
-    QTest::mousePress(&button, Qt::LeftButton);
-    ASSERT_TRUE(panel.waitFor(moving));
-    // The window does not turn its event loop until the bus has ended the hold: the button is still down.
-    QTimer::singleShot(0, &button, [&] {
-        QElapsedTimer patience;
-        patience.start();
-        while (moving() && patience.elapsed() < 20'000) {
-        }
-    });
-    ASSERT_TRUE(panel.waitFor([&] { return !button.isHeld(); })) << "it shows that it is not held any more";
-    EXPECT_FALSE(button.isDown());
-    const TimePoint until = panel.module(0).latestTime + std::chrono::seconds(1);
-    bool movedAgain = false;
-    ASSERT_TRUE(panel.waitFor([&] {
-        movedAgain = movedAgain || moving();
-        return panel.module(0).latestTime >= until;
-    }));
-    EXPECT_FALSE(movedAgain);
-    QTest::mouseRelease(&button, Qt::LeftButton);
-    QTest::mousePress(&button, Qt::LeftButton);
-    EXPECT_TRUE(panel.waitFor(moving)) << "pressed anew";
-    QTest::mouseRelease(&button, Qt::LeftButton);
-    EXPECT_TRUE(panel.waitFor([&] { return !moving(); }));
-}
-
-TEST(FirstLight, AClosedTerminalIsSaidAndTheSimulatorIsOneClickAway) {
-    Panel panel;
-    {
-        NmcsimProcess sim(QStringLiteral("servo"));
-        panel.start(sim.terminal(), 19'200);
-        ASSERT_TRUE(panel.waitFor([&] { return panel.found(1); }));
-    }
-    ASSERT_TRUE(panel.waitFor([&] { return panel.find<QAbstractButton>("connectButton").isEnabled(); }));
-    EXPECT_TRUE(panel.find<QLabel>("bannerHeadline").text().contains(QLatin1String("/dev/pts/")));
-    EXPECT_EQ(panel.modules(), 0U);
-}
-
-TEST(FirstLight, AChainThatHasBecomeShorterIsSaid) {
-    const QString link = QStringLiteral("/tmp/nmc-shorter-%1").arg(QCoreApplication::applicationPid());
-    Panel panel;
-    for (const int modules : {3, 2}) {
-        const QString chain = QStringList(modules, QStringLiteral("servo")).join(QLatin1Char(','));
-        NmcsimProcess sim(chain, {QStringLiteral("--link"), link});
-        panel.start(link, 115'200);
-        ASSERT_TRUE(panel.waitFor([&] { return panel.found(static_cast<std::size_t>(modules)); }));
-        panel.click("disconnectButton");
-        ASSERT_TRUE(panel.waitFor([&] { return panel.modules() == 0; }));
-    }
-    EXPECT_TRUE(
-        panel.find<QLabel>("bannerHeadline").text().contains(QLatin1String("2 of 3 modules answered")))
-        << panel.find<QLabel>("bannerHeadline").text().toStdString();
-}
-
-TEST(FirstLight, NobodyAnsweringIsSaidWithWhatToDo) {
-    NmcsimProcess sim(QStringLiteral("servo"),
-                      {QStringLiteral("--reset-dead-time"), QStringLiteral("10000")});
-    ASSERT_TRUE(sim.control(QStringLiteral("power-cycle all"))[QStringLiteral("ok")].toBool());
-    Panel panel;
-    panel.start(sim.terminal(), 19'200);
-    ASSERT_TRUE(panel.waitFor([&] {
-        return panel.find<QLabel>("bannerHeadline").text().contains(QLatin1String("no module answered"));
-    }));
-    EXPECT_TRUE(panel.find<QAbstractButton>("bannerAction_scanAgain").isEnabled());
-    EXPECT_TRUE(panel.find<QAbstractButton>("bannerAction_useSimulator").isEnabled());
-    // The simulator is one click away.
-    panel.click("bannerAction_useSimulator");
-    EXPECT_TRUE(panel.waitFor([&] { return panel.found(3); }));
-}
 
 }  // namespace
 }  // namespace nmc

@@ -1,22 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <vector>
+
+#include "tests/support/port.h"
+#include "tests/support/simprocess.h"
 
 /// What the host programs of the field have in common.
 namespace nmc::field {
 
 using Bytes = std::vector<std::uint8_t>;
-using Clock = std::chrono::steady_clock;
 
-inline constexpr std::chrono::seconds kPatience{20};
+/// Of nmcsim's time: the longest packet and its reply at 19 200 Bd, and a tick.
+inline constexpr double kExchange = 0.05;
+/// Of exchanges, until a motor is where it should be.
+inline constexpr int kPatience = 400;
 inline constexpr unsigned kEveryone = 0xFF;
 
 [[nodiscard]] inline Bytes operator+(Bytes left, const Bytes& right) {
     left.insert(left.end(), right.begin(), right.end());
     return left;
 }
+
+/// nmcsim's terminal to a host. Its time is stepped: an answer comes or does not, whatever else this machine
+/// is busy with.
+class Wire {
+public:
+    explicit Wire(testing_support::SimProcess& sim) : m_sim(sim), m_port(sim.terminal()) { setRate(B19200); }
+
+    void setRate(speed_t rate) {
+        m_port.setRate(rate);
+        m_sim.control("time");  // it looks at the rate before it answers
+    }
+    /// All that comes within so many seconds of what is sent.
+    Bytes exchange(const Bytes& bytes, double seconds = kExchange) {
+        m_port.write(bytes);
+        m_sent += bytes.size();
+        while (m_sim.control("time")["received"] < m_sent) {
+        }
+        const std::size_t sent = m_sim.control("advance " + std::to_string(seconds))["sent"];
+        Bytes answer;
+        while (answer.size() < sent - m_received) {
+            constexpr int kKernelMs = 10'000;  // hands the bytes over in a thread of its own
+            const Bytes more = m_port.read(sent - m_received - answer.size(), kKernelMs);
+            if (more.empty())
+                throw std::runtime_error("the terminal lost bytes");
+            answer = answer + more;
+        }
+        m_received = sent;
+        return answer;
+    }
+    [[nodiscard]] std::size_t sent() const { return m_sent; }
+    [[nodiscard]] std::size_t received() const { return m_received; }
+
+private:
+    testing_support::SimProcess& m_sim;
+    testing_support::Port m_port;
+    std::size_t m_sent = 0;
+    std::size_t m_received = 0;
+};
 
 }  // namespace nmc::field

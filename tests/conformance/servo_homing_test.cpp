@@ -80,6 +80,7 @@ TEST_P(PicServoHoming, SetHomingMode3_Bit2TurnsTheMotorOffOnHomeFromVersion3On) 
         findHome();
         EXPECT_EQ(truth("servo_on"), false) << version;
         EXPECT_EQ(truth("pwm"), 0);
+        EXPECT_EQ(truth("amp_enabled"), true) << "that is its host's";
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bus loop in real threads, without Qt: the thread sanitizer watches these.
+// The bus loop in real threads, without Qt: the thread sanitizer watches these. Only the clock is another.
 #include "link/connection/busloop.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <map>
 #include <thread>
 
-#include "tests/link/gatedtransport.h"
+#include "tests/link/hurriedclock.h"
 #include "tests/link/looprig.h"
 
 namespace nmc {
@@ -18,8 +18,15 @@ namespace {
 using namespace testing_support;
 using namespace std::chrono_literals;
 
+/// Time hurries no farther than a thread that beats is heard in time.
+class HurriedRig : public LoopRig {
+public:
+    using LoopRig::LoopRig;
+    void onTurn() override { hurriedclock::allow(200ms); }
+};
+
 TEST(BusLoop, RunsAChainAndStopsItsMotorsBeforeItCloses) {
-    LoopRig rig;
+    HurriedRig rig;
     rig.openSimulator(simulatorConfig(115'200), servoChain(2));
     ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
     EXPECT_EQ(rig.last<bus::ChainFound>()->modules.size(), 2U);
@@ -37,7 +44,7 @@ TEST(BusLoop, RunsAChainAndStopsItsMotorsBeforeItCloses) {
 }
 
 TEST(BusLoop, CanBeOpenedAgainAndDestroyedWhileOpen) {
-    LoopRig rig;
+    HurriedRig rig;
     for (std::size_t modules = 1; modules <= 3; ++modules) {
         rig.openSimulator(simulatorConfig(), servoChain(modules));
         ASSERT_TRUE(rig.waitUntil([&] {
@@ -63,7 +70,7 @@ private:
 
 /// A signal may come at any moment, and its stop is for whoever is connected then.
 TEST(BusLoop, ACloseThatComesWhileItOpensIsNotForgotten) {
-    LoopRig rig;
+    HurriedRig rig;
     rig.openTransport<LastWord>(simulatorConfig(), &rig.loop, servoChain(1));
     ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
     rig.openSimulator(simulatorConfig(), servoChain(1));
@@ -78,7 +85,7 @@ TEST(BusLoop, ACloseThatComesWhileItOpensIsNotForgotten) {
 TEST(BusLoop, EveryRequestOfEveryThreadEndsOnce) {
     constexpr std::uint32_t kEach = 400;
     constexpr std::uint32_t kThreads = 4;
-    LoopRig rig;
+    HurriedRig rig;
     rig.openSimulator(simulatorConfig(115'200), servoChain(1));
     ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
     std::array<std::thread, kThreads> threads;
@@ -107,14 +114,15 @@ TEST(BusLoop, EveryRequestOfEveryThreadEndsOnce) {
 /// Whoever falls behind misses samples and nothing else.
 TEST(BusLoop, KeepsNewsForAListenerWhoFallsBehind) {
     constexpr std::size_t kSamples = 8;
-    LoopRig rig(kSamples);
+    HurriedRig rig(kSamples);
     rig.openSimulator(simulatorConfig(115'200), servoChain(1));
-    while (rig.loop.droppedSamples() < 100)
-        std::this_thread::yield();
+    const auto drops = [&rig](std::size_t samples) {
+        while (rig.loop.droppedSamples() < samples)
+            rig.onTurn();
+    };
+    drops(100);
     rig.loop.ask(servoOperation(7, {Nop{}}));
-    const std::size_t before = rig.loop.droppedSamples();
-    while (rig.loop.droppedSamples() < before + 100)
-        std::this_thread::yield();
+    drops(rig.loop.droppedSamples() + 100);
     const auto& events = rig.events();
     EXPECT_TRUE(std::holds_alternative<PortOpened>(events.front()));
     EXPECT_EQ(rig.count<bus::ChainFound>(), 1U);
@@ -125,7 +133,7 @@ TEST(BusLoop, KeepsNewsForAListenerWhoFallsBehind) {
 
 TEST(BusLoop, TellsOnceThatTheMachineSleptAndStopsTheMotors) {
     std::atomic<Duration::rep> asleep{0};
-    LoopRig rig;
+    HurriedRig rig;
     rig.loop.setSleepClock([&asleep] { return Duration(asleep.load()); });
     rig.openSimulator(simulatorConfig(), servoChain(1));
     ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
@@ -179,7 +187,7 @@ private:
 TEST(BusLoop, SendsNothingBeforeAStopThatCameWithAnAnswer) {
     std::atomic<bool> armed{false};
     std::vector<std::uint8_t> commands;
-    LoopRig rig;
+    HurriedRig rig;
     rig.loop.open([&] { return std::make_unique<StopWithAnAnswer>(rig, armed, commands); },
                   simulatorConfig());
     ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
@@ -278,7 +286,7 @@ protected:
     Diary diary;
     std::atomic<int> longWaits{0};
     std::atomic<int> waits{0};
-    LoopRig rig;
+    HurriedRig rig;
 };
 
 TEST_F(GuardedLoop, IsArmedAtTheRateOfTheChainBeforeTheMotorIsOn) {
@@ -312,7 +320,7 @@ private:
 
 TEST(SteppedIn, GuardHasTheLoopStopTheMotorsItselfAndIsTold) {
     Stepped guard;
-    LoopRig rig;
+    HurriedRig rig;
     rig.loop.addGuard(guard);
     rig.openSimulator(simulatorConfig(), servoChain(1));
     ASSERT_TRUE(rig.waitFor<bus::ChainFound>());

@@ -3,6 +3,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,7 @@ public:
         QObject::connect(&m_store, &BusStore::happened,
                          [this](const StoreEvent& event) { m_news.push_back(event); });
     }
+    virtual ~Connection() = default;
 
     void open(BusWorker::TransportFactory factory, std::uint32_t baud = 19'200) {
         bus::EngineConfig config;
@@ -58,27 +60,12 @@ public:
     void forgetNews() { m_news.clear(); }
 
     template <typename Predicate>
-    bool waitUntil(Predicate predicate, int patienceMs = kPatienceMs) {
-        return QTest::qWaitFor(predicate, patienceMs);
+    bool waitUntil(Predicate predicate) {
+        return wait(predicate);
     }
     template <typename Event>
     bool waitFor() {
         return waitUntil([this] { return news<Event>() != nullptr; });
-    }
-
-    /// Waits for a chain of so many modules. A search that a stall of this machine has spoilt is begun again,
-    /// as a person would.
-    bool findsChain(std::size_t modules) {
-        for (int attempts = 3; attempts > 0; --attempts) {
-            waitUntil([this] {
-                return news<bus::ChainFound>() != nullptr || news<bus::ConnectFailed>() != nullptr;
-            });
-            if (news<bus::ChainFound>() != nullptr && m_store.link().modules.size() == modules)
-                return true;
-            m_news.clear();
-            m_worker.connectAgain();
-        }
-        return false;
     }
 
     void submit(std::vector<bus::Order> steps) {
@@ -95,6 +82,12 @@ public:
     BusWorker& worker() { return m_worker; }
     BusStore& store() { return m_store; }
     const ModuleState& module(std::uint8_t index) { return *m_store.module(ModuleIndex(index)); }
+
+protected:
+    /// False: it never came to that.
+    virtual bool wait(const std::function<bool()>& predicate) {
+        return QTest::qWaitFor(predicate, kPatienceMs);
+    }
 
 private:
     BusWorker m_worker;

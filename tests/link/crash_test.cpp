@@ -57,9 +57,10 @@ TEST_P(Crash, StopsTheMotor) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+// Either thread and either signal; an overflow is a SIGSEGV of which the handler must not run on the same
+// stack.
 INSTANTIATE_TEST_SUITE_P(H03, Crash,
-                         testing::Values(Way("gui", "segv"), Way("gui", "abort"), Way("gui", "overflow"),
-                                         Way("bus", "segv"), Way("bus", "abort")),
+                         testing::Values(Way("gui", "abort"), Way("gui", "overflow"), Way("bus", "segv")),
                          [](const auto& way) { return way.param.first + "_" + way.param.second; });
 
 /// What the crash path cannot reach, and the proof that the tests above would notice a motor that runs on.

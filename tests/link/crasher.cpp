@@ -4,8 +4,8 @@
 //   crasher TERMINAL gui|bus|close segv|abort|overflow|kill [BAUD trapezoid|velocity|hold|group|look
 //   NMCGUARD REPORT]
 // With "look" it moves nothing, but looks at what another program moves. With a guardian it says "stopped"
-// when it hears that the guardian has stopped the motors while it lived, and "unguarded" when it has none any
-// more.
+// when it hears that the guardian has stopped the motors while it lived, and "moving" when it has set them
+// going again; and "unguarded" when it has no guardian any more.
 #include <unistd.h>
 #include <QCoreApplication>
 #include <QSocketNotifier>
@@ -82,9 +82,10 @@ bool setGoing(testing_support::Connection& connection, std::string_view motion, 
         return connection.carryOut({testing_support::step(1, load),
                                     testing_support::step(1, StartMotion{})}) == bus::Outcome::Done;
     if (motion == "hold") {
-        QObject::connect(&hold, &QTimer::timeout, [&connection, load] {
-            connection.worker().hold({ModuleIndex(1), *load.velocity, *load.acceleration});
-        });
+        static std::uint32_t press = 0;
+        bus::HoldToMove held{ModuleIndex(1), *load.velocity, *load.acceleration};
+        held.press = ++press;
+        QObject::connect(&hold, &QTimer::timeout, [&connection, held] { connection.worker().hold(held); });
         hold.start(50);
         return true;
     }
@@ -127,17 +128,27 @@ int main(int argc, char** argv) {
                     config);
     if (!connection.waitFor<bus::ChainFound>())
         return 3;
-    const bool goes =
-        config.readOnly
-            ? connection.waitUntil([&] { return connection.store().movingMotors() > 0; })
-            : connection.carryOut(gainsAndEnable(1)) == bus::Outcome::Done &&
-                  setGoing(connection, motion, hold) &&
-                  connection.waitUntil([&] { return connection.module(1).activity() == Activity::AtSpeed; });
-    if (!goes)
+    const auto goes = [&] {
+        return connection.carryOut(gainsAndEnable(1)) == bus::Outcome::Done &&
+               setGoing(connection, motion, hold) &&
+               connection.waitUntil([&] { return connection.module(1).activity() == Activity::AtSpeed; });
+    };
+    if (config.readOnly ? !connection.waitUntil([&] { return connection.store().movingMotors() > 0; })
+                        : !goes())
         return 3;
-    QObject::connect(&connection.store(), &BusStore::happened, [](const StoreEvent& event) {
-        if (std::holds_alternative<GuardianStopped>(event))
+    connection.forgetNews();
+    QTimer goesAgain;
+    goesAgain.setSingleShot(true);
+    QObject::connect(&goesAgain, &QTimer::timeout, [&] {
+        hold.disconnect();
+        if (connection.waitFor<bus::StopFinished>() && goes())
+            say("moving");
+    });
+    QObject::connect(&connection.store(), &BusStore::happened, [&](const StoreEvent& event) {
+        if (std::holds_alternative<GuardianStopped>(event)) {
             say("stopped");
+            goesAgain.start(0);
+        }
         if (std::holds_alternative<GuardianMissing>(event))
             say("unguarded");
     });

@@ -11,8 +11,8 @@
 #include <QTest>
 #include <csignal>
 
-#include "link/connection/processguard.h"
 #include "link/guardian/guardreport.h"
+#include "tests/link/changes.h"
 #include "tests/link/connection.h"
 #include "tests/link/otherhost.h"
 
@@ -57,7 +57,13 @@ public:
     [[nodiscard]] bool ends() { return m_process.waitForFinished(kPatienceMs); }
     [[nodiscard]] QProcess::ExitStatus exitStatus() const { return m_process.exitStatus(); }
     [[nodiscard]] pid_t guard() const { return m_guard; }
-    [[nodiscard]] bool guardIsGone() const { return m_guard > 0 && ::kill(m_guard, 0) != 0; }
+    /// Its guardian has gone, too: as long as that has the port nobody else gets it. What is left of it until
+    /// somebody asks how it ended has no program.
+    [[nodiscard]] bool letsGo() const {
+        const QString program = QStringLiteral("/proc/%1/exe").arg(m_guard);
+        return m_guard > 0 &&
+               QTest::qWaitFor([&] { return QFile::symLinkTarget(program).isEmpty(); }, kPatienceMs);
+    }
     [[nodiscard]] double velocity(int module) {
         return std::abs(m_sim.state(module)[QStringLiteral("command_velocity")].toDouble());
     }
@@ -92,70 +98,66 @@ private:
     pid_t m_guard = -1;
 };
 
-/// Motion, rate.
-class Guarded : public testing::TestWithParam<std::tuple<const char*, int>> {
+/// A motion at a rate.
+struct Course {
+    const char* motion;
+    int baud;
+};
+
+class H02_Guarded : public testing::Test {
 protected:
-    [[nodiscard]] static QString motion() { return QLatin1String(std::get<0>(GetParam())); }
-    [[nodiscard]] static int baud() { return std::get<1>(GetParam()); }
-    void crashes(const char* how) {
-        Panel panel(sim, motion(), baud(), {QStringLiteral("bus"), QLatin1String(how)});
+    NmcsimProcess sim{QStringLiteral("servo,servo")};
+};
+
+/// Each panel is the next one on the port of the one before, and finds its chain.
+TEST_F(H02_Guarded, IsStoppedInEveryMotionWhileItIsHaltedAndWhenItIsKilled) {
+    for (const auto& [motion, baud] : {Course{"trapezoid", 19'200}, Course{"velocity", 115'200},
+                                       Course{"hold", 19'200}, Course{"group", 115'200}}) {
+        SCOPED_TRACE(motion);
+        Panel panel(sim, QLatin1String(motion), baud, {QStringLiteral("gui"), QStringLiteral("kill")});
+        panel.send(SIGSTOP);
+        EXPECT_TRUE(panel.motorsStop());
+        panel.send(SIGCONT);
+        EXPECT_EQ(panel.word(), "stopped");
+        EXPECT_TRUE(panel.reports().empty()) << "told here";
+        ASSERT_EQ(panel.word(), "moving") << "again";
+        EXPECT_NEAR(panel.velocity(2), 8.0, 0.1);
+        panel.send(SIGKILL);
+        ASSERT_TRUE(panel.ends());
+        EXPECT_TRUE(panel.motorsStop());
+        EXPECT_TRUE(sim.state(2)[QStringLiteral("servo_on")].toBool()) << "it holds";
+        EXPECT_TRUE(panel.isReported());
+        ASSERT_TRUE(panel.letsGo());
+    }
+}
+
+/// The crash path and the guardian both have a say.
+TEST_F(H02_Guarded, IsStoppedWhenItCrashes) {
+    for (const auto& [course, how] :
+         {std::pair(Course{"group", 19'200}, "segv"), std::pair(Course{"hold", 115'200}, "abort")}) {
+        SCOPED_TRACE(course.motion);
+        Panel panel(sim, QLatin1String(course.motion), course.baud,
+                    {QStringLiteral("bus"), QLatin1String(how)});
         panel.goOn();
         ASSERT_TRUE(panel.ends());
         EXPECT_EQ(panel.exitStatus(), QProcess::CrashExit);
         EXPECT_TRUE(panel.motorsStop());
         EXPECT_TRUE(panel.isReported());
+        ASSERT_TRUE(panel.letsGo());
     }
-
-    NmcsimProcess sim{QStringLiteral("servo,servo")};
-};
-
-TEST_P(Guarded, IsStoppedWhenItIsKilled) {
-    Panel panel(sim, motion(), baud(), {QStringLiteral("gui"), QStringLiteral("kill")});
-    panel.send(SIGKILL);
-    ASSERT_TRUE(panel.ends());
-    EXPECT_TRUE(panel.motorsStop());
-    EXPECT_TRUE(sim.state(2)[QStringLiteral("servo_on")].toBool()) << "it holds";
-    EXPECT_TRUE(panel.isReported());
 }
-
-TEST_P(Guarded, IsStoppedWhenItCrashes) {
-    ASSERT_NO_FATAL_FAILURE(crashes("segv"));
-}
-
-TEST_P(Guarded, IsStoppedWhenItAborts) {
-    ASSERT_NO_FATAL_FAILURE(crashes("abort"));
-}
-
-TEST_P(Guarded, IsStoppedWhileItIsHaltedAndHearsOfItAfterwards) {
-    Panel panel(sim, motion(), baud(), {QStringLiteral("close"), QStringLiteral("kill")});
-    panel.send(SIGSTOP);
-    EXPECT_TRUE(panel.motorsStop());
-    panel.send(SIGCONT);
-    EXPECT_EQ(panel.word(), "stopped");
-    EXPECT_TRUE(panel.reports().empty()) << "told here";
-    panel.goOn();
-    ASSERT_TRUE(panel.ends());
-    EXPECT_EQ(panel.exitStatus(), QProcess::NormalExit);
-    EXPECT_TRUE(panel.reports().empty()) << "an end in order";
-}
-
-INSTANTIATE_TEST_SUITE_P(H02, Guarded,
-                         testing::Combine(testing::Values("trapezoid", "velocity", "hold", "group"),
-                                          testing::Values(19'200, 115'200)),
-                         [](const auto& way) {
-                             return std::string(std::get<0>(way.param)) + '_' +
-                                    std::to_string(std::get<1>(way.param));
-                         });
 
 /// One that only looks at what another program has left in motion.
-class ReadOnlyPanel : public testing::Test {
+class H02_ReadOnlyPanel : public testing::Test {
 protected:
     void SetUp() override {
         ASSERT_NO_FATAL_FAILURE(testing_support::leaveRunning(sim, 2, 8));
         before = testing_support::changes(sim);
     }
     void expectUndisturbed(Panel& panel) {
-        ASSERT_TRUE(QTest::qWaitFor([&panel] { return panel.guardIsGone(); }, kPatienceMs));
+        ASSERT_TRUE(panel.ends());
+        EXPECT_EQ(panel.exitStatus(), QProcess::CrashExit);
+        ASSERT_TRUE(panel.letsGo());
         EXPECT_NEAR(panel.velocity(2), 8.0, 0.01);
         EXPECT_EQ(testing_support::changes(sim), before);
         EXPECT_TRUE(panel.reports().empty());
@@ -165,33 +167,32 @@ protected:
     QJsonArray before;
 };
 
-class ReadOnlyPanelThatDies : public ReadOnlyPanel, public testing::WithParamInterface<const char*> {};
-
-TEST_P(ReadOnlyPanelThatDies, LeavesMotorsAlone) {
-    Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("bus"), QLatin1String(GetParam())});
-    panel.goOn();
-    ASSERT_TRUE(panel.ends());
-    EXPECT_EQ(panel.exitStatus(), QProcess::CrashExit);
-    expectUndisturbed(panel);
-}
-
-INSTANTIATE_TEST_SUITE_P(H02, ReadOnlyPanelThatDies, testing::Values("kill", "segv", "abort"),
-                         [](const auto& how) { return std::string(how.param); });
-
-TEST_F(ReadOnlyPanel, LeavesMotorsAloneWhileItIsHalted) {
-    Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("close"), QStringLiteral("kill")});
+TEST_F(H02_ReadOnlyPanel, LeavesMotorsAloneWhileItIsHaltedAndWhenItIsKilled) {
+    Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("gui"), QStringLiteral("kill")});
     panel.send(SIGSTOP);
     ASSERT_TRUE(testing_support::passes(sim, 1.0)) << "far longer than a guardian bears elsewhere";
     EXPECT_NEAR(panel.velocity(2), 8.0, 0.01);
     panel.send(SIGCONT);
     panel.goOn();
-    ASSERT_TRUE(panel.ends());
-    EXPECT_EQ(panel.exitStatus(), QProcess::NormalExit);
     expectUndisturbed(panel);
 }
 
-TEST(GuardedPanel, GoesOnWithoutItsGuardianAndSaysSo) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
+TEST_F(H02_ReadOnlyPanel, LeavesMotorsAloneWhenItCrashes) {
+    Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("bus"), QStringLiteral("segv")});
+    panel.goOn();
+    expectUndisturbed(panel);
+}
+
+TEST_F(H02_Guarded, EndsInOrderWithoutAReport) {
+    Panel panel(sim, QStringLiteral("velocity"), 19'200, {QStringLiteral("close"), QStringLiteral("kill")});
+    panel.goOn();
+    ASSERT_TRUE(panel.ends());
+    EXPECT_EQ(panel.exitStatus(), QProcess::NormalExit);
+    EXPECT_TRUE(panel.motorsStop());
+    EXPECT_TRUE(panel.reports().empty());
+}
+
+TEST_F(H02_Guarded, GoesOnWithoutItsGuardianAndSaysSo) {
     Panel panel(sim, QStringLiteral("velocity"), 115'200, {QStringLiteral("close"), QStringLiteral("kill")});
     const pid_t guard = panel.guard();
     ASSERT_GT(guard, 0);
@@ -203,35 +204,6 @@ TEST(GuardedPanel, GoesOnWithoutItsGuardianAndSaysSo) {
     EXPECT_EQ(panel.exitStatus(), QProcess::NormalExit);
     EXPECT_TRUE(panel.motorsStop());
     EXPECT_TRUE(panel.reports().empty());
-}
-
-TEST(GuardedPanel, SaysOnceThatItHasNoneAndGoesOn) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    ProcessGuard guard({"/no/such/nmcguard", "/no/such/report"});
-    testing_support::Connection connection;
-    connection.worker().addGuard(guard);
-    connection.openSerial(sim.terminal());
-    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
-    ASSERT_EQ(connection.count<GuardianMissing>(), 1);
-    EXPECT_EQ(connection.news<GuardianMissing>()->problem, GuardianProblem::Missing);
-    EXPECT_EQ(connection.carryOut(testing_support::gainsAndEnable(1)), bus::Outcome::Done);
-    EXPECT_EQ(connection.count<GuardianMissing>(), 0) << "once";
-}
-
-TEST(GuardedPanel, WithTheNextOneOnTheSamePortAfterItWasKilled) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    Panel first(sim, QStringLiteral("velocity"), 19'200, {QStringLiteral("gui"), QStringLiteral("kill")});
-    first.send(SIGKILL);
-    ASSERT_TRUE(first.ends());
-    ASSERT_TRUE(first.isReported()) << "and the port is free again soon after";
-    ASSERT_TRUE(first.motorsStop());
-    // As long as the guardian has the port nobody else gets it; this one would fail if it kept it.
-    ASSERT_TRUE(QTest::qWaitFor([&first] { return first.guardIsGone(); }, kPatienceMs));
-    Panel second(sim, QStringLiteral("velocity"), 19'200, {QStringLiteral("close"), QStringLiteral("kill")});
-    second.goOn();
-    ASSERT_TRUE(second.ends());
-    EXPECT_EQ(second.exitStatus(), QProcess::NormalExit);
-    EXPECT_TRUE(second.motorsStop());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/overloaded.h"
+#include "link/clock.h"
 #include "link/connection/busloop.h"
 #include "link/connection/simulatortransport.h"
 
@@ -19,6 +20,7 @@ namespace nmc::testing_support {
 class LoopRig {
 public:
     explicit LoopRig(std::size_t samples = BusChannel::kSamples) : loop([this] { wake(); }, samples) {}
+    virtual ~LoopRig() = default;
 
     template <typename... Arguments>
     void openSimulator(const bus::EngineConfig& config, Arguments... arguments) {
@@ -39,13 +41,15 @@ public:
     /// on for far too long.
     template <typename Condition>
     [[nodiscard]] bool waitUntil(Condition condition) {
-        for (int turns = 0; turns < 1'200; ++turns) {
+        constexpr Duration kFarTooLong = std::chrono::minutes(1);
+        for (const TimePoint limit = monotonicNow() + kFarTooLong; monotonicNow() < limit;) {
             (void)events();
             if (condition())
                 return true;
             loop.beat();
+            onTurn();
             std::unique_lock lock(m_mutex);
-            m_told.wait_for(lock, std::chrono::milliseconds(50), [this] { return m_ready; });
+            m_told.wait_for(lock, std::chrono::milliseconds(5), [this] { return m_ready; });
             m_ready = false;
         }
         return false;
@@ -80,6 +84,10 @@ public:
             return told != nullptr ? std::get_if<Event>(told) : nullptr;
         }
     }
+
+protected:
+    /// Whenever the thread has looked for what is told.
+    virtual void onTurn() {}
 
 private:
     void wake() {

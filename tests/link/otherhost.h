@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QJsonArray>
 #include <QTest>
 #include <cstdint>
 #include <vector>
@@ -45,19 +44,6 @@ inline void leaveRunning(NmcsimProcess& sim, std::uint8_t modules, std::uint8_t 
         return std::abs(commanded - velocity) < 0.01;
     };
     ASSERT_TRUE(QTest::qWaitFor(runs, kHostPatienceMs));
-}
-
-/// What each module has carried out so far and is no mere question, by the simulator's own count.
-[[nodiscard]] inline QJsonArray changes(NmcsimProcess& sim) {
-    QJsonArray changes;
-    for (const QJsonValue& module :
-         sim.control(QStringLiteral("stats"))[QStringLiteral("modules")].toArray()) {
-        QJsonObject executed = module[QStringLiteral("executed")].toObject();
-        executed.remove(QStringLiteral("nop"));
-        executed.remove(QStringLiteral("read_status"));
-        changes.append(executed);
-    }
-    return changes;
 }
 
 /// So much later by the simulator's own time, in seconds.

@@ -211,6 +211,7 @@ TEST_F(RecordingWriterTest, TheLastLineOfAPieceThatFitsIsWhole) {
 }
 
 TEST_F(RecordingWriterTest, TellsWhenItsFileWasDeleted) {
+    make({.toFlush = 10ms});
     m_writer->start(path("a.csv"));
     m_writer->append("1\n");
     ASSERT_TRUE(QTest::qWaitFor([this] { return contentOf(path("a.csv")) == "1\n"; }, kPatienceMs));

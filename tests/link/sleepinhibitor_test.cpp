@@ -14,8 +14,8 @@
 #include <QTest>
 #include <array>
 
+#include "link/connection/simulatortransport.h"
 #include "tests/link/connection.h"
-#include "tests/link/gatedtransport.h"
 #include "tests/link/otherhost.h"
 
 namespace nmc {

@@ -5,9 +5,12 @@
 #include <unistd.h>
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFile>
 #include <QJsonArray>
 #include <QProcess>
 
+#include "link/connection/wakeup.h"
 #include "link/terminal/ptyserver.h"
 #include "tests/link/connection.h"
 #include "tests/support/nmcsimprocess.h"
@@ -34,34 +37,27 @@ void expectGoneOnce(Connection& connection) {
     // spin.
     EXPECT_FALSE(connection.worker().isOpen());
     QCoreApplication::processEvents();
+    EXPECT_EQ(connection.store().link().phase, LinkPhase::Disconnected);
     EXPECT_EQ(connection.count<PortClosed>(), 1);
     EXPECT_EQ(connection.count<bus::LinkLost>(), 0) << "one cause, one message";
     EXPECT_EQ(connection.count<bus::ModuleUnresponsive>(), 0);
 }
 
-TEST(F27_Unplug, IsToldOnceAndClosesThePort) {
-    Connection connection;
-    {
-        NmcsimProcess sim(QStringLiteral("servo,servo"));
-        connection.openSerial(sim.terminal());
-        ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
-    }
-    expectGoneOnce(connection);
+/// Nothing need be sent for it to be noticed.
+TEST(F27_Unplug, OfALineThatIsSilentIsSaidByThePortItself) {
+    auto terminal = PtyServer::create({});
+    ASSERT_TRUE(terminal.has_value());
+    SerialTransport transport(QString::fromStdString(terminal->path()));
+    ASSERT_TRUE(transport.open().has_value());
+    terminal = tl::unexpected(std::string("gone"));
+    const Wakeup nobody;
+    const auto received = transport.receive(std::nullopt, nobody.fd());
+    ASSERT_FALSE(received.has_value());
+    EXPECT_EQ(received.error().problem, PortProblem::Gone);
 }
 
-TEST(F27_Unplug, OfALineWithNobodyOnItIsToldOnce) {
-    Connection connection;
-    {
-        const auto terminal = PtyServer::create({});
-        ASSERT_TRUE(terminal.has_value());
-        connection.openSerial(QString::fromStdString(terminal->path()));
-        ASSERT_TRUE(connection.waitFor<bus::ConnectFailed>());
-    }
-    // The engine sends nothing now: it is the port itself that says so.
-    expectGoneOnce(connection);
-}
-
-TEST(F28_UnplugDuringACommand, DropsTheQueueAndReplaysNothing) {
+/// And F-27: it is told once, the port is closed, and the next connection works.
+TEST(F28_UnplugDuringACommand, IsToldOnceDropsTheQueueAndReplaysNothing) {
     const QString link = QStringLiteral("/tmp/nmc-replay-%1").arg(::getpid());
     Connection connection;
     const QStringList ordered{QStringLiteral("set_gain"), QStringLiteral("stop_motor"),
@@ -97,7 +93,15 @@ TEST(H13_SecondInstance, IsNamedWithItsNumberAlsoByAnotherNameOfThePort) {
     QProcess other;
     other.start(QStringLiteral(CRASHER_PATH),
                 {sim.terminal(), QStringLiteral("gui"), QStringLiteral("kill")});
-    ASSERT_TRUE(other.waitForReadyRead(20'000));
+    // It locks the port before it opens it.
+    const QString files = QStringLiteral("/proc/%1/fd/").arg(other.processId());
+    const auto holds = [&] {
+        for (const QString& file : QDir(files).entryList(QDir::System))
+            if (QFile::symLinkTarget(files + file) == sim.terminal())
+                return true;
+        return false;
+    };
+    ASSERT_TRUE(QTest::qWaitFor(holds, 20'000));
     const QString alias = QStringLiteral("/tmp/nmc-second-%1").arg(::getpid());
     ASSERT_EQ(::symlink(sim.terminal().toLocal8Bit().constData(), alias.toLocal8Bit().constData()), 0);
     for (const QString& name : {sim.terminal(), alias}) {

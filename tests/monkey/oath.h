@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/composition.h"
 #include "tests/monkey/controls.h"
 #include "tests/support/virtualchain.h"
 

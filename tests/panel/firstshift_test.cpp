@@ -149,6 +149,8 @@ TEST_F(FirstShift, IsWorkedWhole) {
     hand->strike(Qt::Key_Escape);
     ASSERT_TRUE(hand->reads(u"Ended"_s));
     ASSERT_TRUE(panel->waitFor([&] { return !moves(sim); }));
+    // Until the stop has run its course, a start would be taken back.
+    ASSERT_TRUE(panel->waitFor([&] { return panel->count(u"1 stopped and holding"_s) == 1; }));
 
     // From its first row it is run again, to its end.
     hand->find<QAbstractItemView>(u"Rows of the sequence"_s)
@@ -218,7 +220,7 @@ TEST_F(FirstShift, IsWorkedWhole) {
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Record"_s));
     ASSERT_NO_FATAL_FAILURE(hand->chooseFile(recording));
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Stop recording"_s));
-    ASSERT_TRUE(panel->waitForDisk([&] { return panel->count(u"Recorded \"shift.csv\""_s) == 1; }));
+    ASSERT_TRUE(panel->waitFor([&] { return panel->count(u"Recorded \"shift.csv\""_s) == 1; }));
     hand->strike(Qt::CTRL | Qt::SHIFT | Qt::Key_O);
     ASSERT_NO_FATAL_FAILURE(hand->chooseFile(recording));
     ASSERT_TRUE(hand->reads(u"shift.csv"_s));

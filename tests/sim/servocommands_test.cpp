@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One command after the other as bytes, against the statements of DS-V 5.2 and 4.5.
+// Commands as bytes: what the simulator makes of them besides the statements of DS-V 5.2 and 4.5, which
+// tests/conformance has.
 #include "tests/sim/hostwire.h"
 
 namespace nmc::sim::test {
@@ -70,92 +71,6 @@ TEST_F(Servo, DefineStatusIsPermanentAndItsReplyAlreadyHasTheItems) {
     EXPECT_EQ(wire.command(1, 0x13, {0xC0}).size(), 2U) << "items 6 and 7 are nothing";
 }
 
-TEST_F(Servo, ResetPositionZeroesPositionAndCommandSoThatTheMotorDoesNotJump) {
-    servoOn();
-    wire.trapezoid(500, 4 * kOne, kOne / 16);
-    wire.wait(milliseconds(500));
-    const double shaft = wire.truth().servo.shaftCounts;
-    EXPECT_NEAR(shaft, 500, 3);
-    wire.command(1, 0x10, {0x55});  // an extra byte is ignored
-    wire.wait(milliseconds(200));
-    EXPECT_NEAR(wire.report().position, 0, 4);
-    EXPECT_NEAR(wire.truth().servo.shaftCounts, shaft, 4);
-    EXPECT_TRUE(wire.violations().empty());
-}
-
-TEST_F(Servo, VersionsIgnoreOrTakeTheFourteenthGainByte) {
-    for (unsigned version = 1; version <= 4; ++version) {
-        HostWire other("servo@" + std::to_string(version));
-        other.address(1);
-        other.gains(gainData(1, 2, 3, 4, 5, 6, 7, 8, 9));
-        Gains g = other.truth().servo.gains;
-        EXPECT_EQ(g.kp, 1);
-        EXPECT_EQ(g.kd, 2);
-        EXPECT_EQ(g.ki, 3);
-        EXPECT_EQ(g.il, 4);
-        EXPECT_EQ(g.ol, 5);
-        EXPECT_EQ(g.cl, 6);
-        EXPECT_EQ(g.el, 7);
-        EXPECT_EQ(g.sr, 8);
-        EXPECT_EQ(g.db, version == 4 ? 9 : 0);
-        Bytes thirteen = gainData(1, 2, 3, 4, 5, 6, 7, 8, 9);
-        thirteen.pop_back();
-        other.gains(thirteen);
-        EXPECT_EQ(other.truth().servo.gains.db, 0) << "the default is zero";
-        EXPECT_TRUE(other.violations().empty());
-    }
-}
-
-TEST_F(Servo, ATrapezoidReachesItsGoalAndSaysSo) {
-    servoOn();
-    wire.trapezoid(2000, 4 * kOne, kOne / 16);
-    EXPECT_FALSE(wire.report().moveDone());
-    EXPECT_EQ(wire.truth().servo.mode, ServoMode::Trapezoidal);
-    // d/v + v/a = 500 + 64 ticks.
-    wire.waitTicks(450);
-    EXPECT_FALSE(wire.report().moveDone());
-    wire.waitTicks(150);
-    const Report r = wire.report();
-    EXPECT_TRUE(r.moveDone());
-    EXPECT_EQ(r.auxiliary & 0x18U, 0x18U) << "acceleration and slew done";
-    EXPECT_TRUE(r.servoOn());
-    EXPECT_FALSE(r.positionError());
-    EXPECT_EQ(wire.truth().servo.commandPosition, 2000);
-    EXPECT_NEAR(r.position, 2000, 3);
-}
-
-TEST_F(Servo, ALoadedTrajectoryWaitsForStartMotionAndTheNextLoadReplacesIt) {
-    servoOn();
-    Bytes data{0x17};
-    for (const std::uint32_t value : {300U, 4 * kOne, kOne})
-        append(data, value, 4);
-    wire.command(1, 0xD4, data);
-    wire.waitTicks(100);
-    EXPECT_NEAR(wire.report().position, 0, 2);
-    wire.command(1, 0x54, {0x11, 100, 0, 0, 0});
-    wire.command(1, 0x05);
-    wire.waitTicks(200);
-    EXPECT_EQ(wire.truth().servo.commandPosition, 100)
-        << "velocity and acceleration are still those loaded before";
-}
-
-TEST_F(Servo, StartMotionToAGroupStartsEverybodyAtOnce) {
-    HostWire two("servo,servo");
-    two.address(2);
-    for (unsigned i : {1U, 2U}) {
-        two.gains(goodGains(), i);
-        two.servoOn(i);
-        Bytes data{0x17};
-        for (const std::uint32_t value : {300U, kOne, kOne})
-            append(data, value, 4);
-        two.command(i, 0xD4, data);
-    }
-    two.command(0xFF, 0x05);
-    two.waitTicks(150);
-    EXPECT_NEAR(two.truth(1).servo.commandPosition, two.truth(2).servo.commandPosition, 1);
-    EXPECT_NEAR(two.truth(1).servo.commandPosition, 150, 2);
-}
-
 TEST_F(Servo, VelocityModeFollowsTheVelocityAndReportsItsNegative) {
     servoOn();
     wire.velocity(-5 * std::int64_t{kOne}, kOne / 10);
@@ -197,15 +112,6 @@ TEST_F(Servo, PwmModeDrivesTheAmplifierDirectlyInBothDirections) {
     EXPECT_FALSE(wire.report().servoOn());
 }
 
-TEST_F(Servo, WithoutTheAmplifierNothingMoves) {
-    wire.command(1, 0x17, {0x02});
-    EXPECT_FALSE(wire.truth().servo.ampEnabled);
-    wire.pwm(255);
-    wire.waitTicks(100);
-    EXPECT_EQ(wire.truth().servo.pwm, 255);
-    EXPECT_EQ(wire.truth().servo.shaftCounts, 0);
-}
-
 TEST_F(Servo, Bit0OfStopAloneOnlySetsTheAmplifier) {
     servoOn();
     wire.velocity(2 * kOne, kOne);
@@ -233,88 +139,6 @@ TEST_F(Servo, MotorOffDisablesTheServoAndSetsPositionErrorForGood) {
     EXPECT_TRUE(wire.report().positionError()) << "sticky";
     wire.command(1, 0x0B);
     EXPECT_FALSE(wire.report().positionError());
-}
-
-TEST_F(Servo, StopAbruptlySwitchesADisabledServoOnWhereItStands) {
-    wire.gains(goodGains());
-    wire.command(1, 0x17, {0x05});
-    EXPECT_TRUE(wire.report().servoOn());
-    EXPECT_EQ(wire.truth().servo.mode, ServoMode::Velocity);
-    EXPECT_EQ(wire.truth().servo.commandPosition, 0);
-}
-
-TEST_F(Servo, StopAbruptlyEndsAMoveAtOnce) {
-    servoOn();
-    wire.trapezoid(100000, 3 * kOne, kOne);
-    wire.waitTicks(100);
-    wire.command(1, 0x17, {0x05});
-    const double at = wire.truth().servo.commandPosition;
-    EXPECT_TRUE(wire.report().moveDone());
-    wire.waitTicks(200);
-    EXPECT_EQ(wire.truth().servo.commandPosition, at);
-    EXPECT_NEAR(wire.report().position, at, 3);
-}
-
-TEST_F(Servo, StopSmoothlyDeceleratesAtTheCurrentAccelerationAndForgetsTheVelocity) {
-    servoOn();
-    wire.trapezoid(1'000'000, 4 * kOne, kOne / 100);
-    wire.waitTicks(1000);
-    ASSERT_EQ(wire.truth().servo.commandVelocity, 4.0);
-    wire.command(1, 0x17, {0x09});
-    const double at = wire.truth().servo.commandPosition;
-    const double v = wire.truth().servo.commandVelocity;
-    EXPECT_LT(v, 4.0);
-    EXPECT_FALSE(wire.report().moveDone());
-    wire.waitTicks(450);
-    EXPECT_TRUE(wire.report().moveDone());
-    // (v - a) + (v - 2a) + ... = v^2 / 2a - v / 2.
-    EXPECT_NEAR(wire.truth().servo.commandPosition - at, v * v * 50 - v / 2, 1);
-    // Start again without loading a velocity: it is zero now.
-    wire.command(1, 0x54, {0x91, 0, 0, 0, 0});
-    const double stands = wire.truth().servo.commandPosition;
-    wire.waitTicks(300);
-    EXPECT_EQ(wire.truth().servo.commandPosition, stands);
-}
-
-TEST_F(Servo, StopHereServosToThePositionWithoutAProfile) {
-    servoOn();
-    wire.command(1, 0x57, {0x11, 100, 0, 0, 0});
-    EXPECT_EQ(wire.truth().servo.commandPosition, 100);
-    EXPECT_EQ(wire.truth().servo.mode, ServoMode::StopHere);
-    wire.waitTicks(200);
-    EXPECT_NEAR(wire.report().position, 100, 3);
-    EXPECT_TRUE(wire.report().moveDone());
-}
-
-TEST_F(Servo, StopHereIsNotAvailableOnVersion1) {
-    HostWire old("servo@1");
-    old.address(1);
-    old.gains(goodGains());
-    old.servoOn();
-    old.command(1, 0x57, {0x11, 100, 0, 0, 0});
-    old.waitTicks(200);
-    EXPECT_EQ(old.report().position, 0);
-    EXPECT_EQ(old.violations(), std::vector{ViolationKind::Unsupported});
-}
-
-TEST_F(Servo, LimitPinsAreInputsUntilIoControlMakesThemOutputs) {
-    wire.set(Input::Limit1, 1);
-    EXPECT_EQ(wire.report().status & 0x60U, 0x20U);
-    wire.command(1, 0x18, {0x02});  // both outputs: limit 1 low, limit 2 high
-    EXPECT_EQ(wire.report().status & 0x60U, 0x40U);
-    wire.command(1, 0x18, {0x0C});
-    EXPECT_EQ(wire.report().status & 0x60U, 0x20U);
-}
-
-TEST_F(Servo, SaveAsHomeToAGroupStoresAllPositionsAtOnce) {
-    wire.pwm(100);
-    wire.waitTicks(100);
-    wire.command(0xFF, 0x0C);
-    wire.pwm(0);
-    wire.waitTicks(500);
-    const Report r = wire.report();
-    EXPECT_GT(r.home, 0);
-    EXPECT_LT(r.home, r.position);
 }
 
 TEST_F(Servo, LosingPowerDisablesTheServoAndItStaysOffWhenPowerReturns) {

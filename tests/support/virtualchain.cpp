@@ -38,7 +38,7 @@ bool Packet::starts() const {
 /// Lives in the bus thread, all of it.
 class VirtualChain::Port : public Transport {
 public:
-    Port(VirtualChain& chain, std::string name) : m_on(chain), m_name(std::move(name)) {
+    explicit Port(VirtualChain& chain) : m_on(chain) {
         std::unique_lock lock(m_on.m_mutex);
         m_on.waitForTurn(lock);
     }
@@ -47,6 +47,7 @@ public:
     tl::expected<void, PortError> open() override {
         if (!m_on.m_plugged)
             return tl::unexpected(error(PortProblem::NotFound));
+        discardInput();  // what nobody has heard
         return setBaud(19'200);
     }
     tl::expected<void, PortError> setBaud(std::uint32_t baud) override {
@@ -89,7 +90,7 @@ private:
     [[nodiscard]] PortError error(PortProblem problem) const {
         PortError error;
         error.problem = problem;
-        error.port = m_name;
+        error.port = m_on.m_terminal.toStdString();
         return error;
     }
     std::vector<std::uint8_t> arrived() {
@@ -115,10 +116,10 @@ private:
     }
 
     VirtualChain& m_on;
-    std::string m_name;
 };
 
-VirtualChain::VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed)
+VirtualChain::VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed,
+                           const QString& terminal)
     : m_chain(modules,
               [seed] {
                   sim::ChainOptions options;
@@ -126,13 +127,13 @@ VirtualChain::VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint
                   options.enableFaults = true;
                   return options;
               }()),
-      m_terminal(QStringLiteral("/dev/ttyUSB%1").arg(chains().size())),
+      m_terminal(terminal.isEmpty() ? QStringLiteral("/dev/ttyUSB%1").arg(chains().size()) : terminal),
       m_powerUp(virtualtime::now()) {
     chains().push_back(this);
 }
 
-VirtualChain::VirtualChain(const QString& modules)
-    : VirtualChain(sim::parseChain(modules.toStdString()).value()) {}
+VirtualChain::VirtualChain(const QString& modules, const QString& terminal)
+    : VirtualChain(sim::parseChain(modules.toStdString()).value(), 1, terminal) {}
 
 VirtualChain::~VirtualChain() {
     if (open())
@@ -153,11 +154,9 @@ void VirtualChain::runAll(Duration time) {
     virtualtime::set(until);
 }
 
-Composition::Transports VirtualChain::transports() {
-    return [this](const ConnectTarget& target) {
-        m_open = true;
-        return [this, name = target.port.toStdString()] { return std::make_unique<Port>(*this, name); };
-    };
+BusWorker::TransportFactory VirtualChain::transport() {
+    m_open = true;
+    return [this] { return std::make_unique<Port>(*this); };
 }
 
 void VirtualChain::run(Duration time) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/composition.h"
+#include "link/connection/busworker.h"
 #include "protocol/commandcode.h"
 #include "sim/chain.h"
 
@@ -31,9 +31,11 @@ struct Packet {
 /// session each time. All public members belong to the GUI thread.
 class VirtualChain {
 public:
-    explicit VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed = 1);
+    /// `terminal`: where it is found; empty: at one of its own.
+    explicit VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed = 1,
+                          const QString& terminal = {});
     /// As nmcsim has it: "servo,servo,step".
-    explicit VirtualChain(const QString& modules);
+    explicit VirtualChain(const QString& modules, const QString& terminal = {});
     ~VirtualChain();
     VirtualChain(const VirtualChain&) = delete;
     VirtualChain& operator=(const VirtualChain&) = delete;
@@ -43,7 +45,8 @@ public:
     /// Lets time pass at all of them.
     static void runAll(Duration time);
 
-    [[nodiscard]] Composition::Transports transports();
+    /// What opens the port to it.
+    [[nodiscard]] BusWorker::TransportFactory transport();
     /// Lets time pass, on the bus and not in the window.
     void run(Duration time);
     /// A port is open, or about to be, or not yet closed.

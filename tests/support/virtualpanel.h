@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <QTableWidget>
-#include <thread>
 
 #include "link/files/inbackground.h"
 #include "tests/support/panel.h"
@@ -19,16 +18,19 @@ public:
     explicit VirtualPanel(const QString& settings = {}, PortController::Places places = {},
                           const QString& data = {}, const FileWriter::Disk& disk = writeFile)
         : IntentPanel(settings, std::move(places), data, disk) {
-        workAtOnce();
+        setBackground([](const std::function<void()>& work) { work(); });
         composition().setTransports([this](const ConnectTarget& target) {
-            m_chain = VirtualChain::at(target.port);
-            return m_chain->transports()(target);
+            m_port = target.port;
+            VirtualChain* chain = VirtualChain::at(m_port);
+            if (chain == nullptr)
+                qFatal("There is no chain at %s.", qPrintable(m_port));
+            return chain->transport();
         });
     }
     /// The program would wait for its bus thread, which has time only while somebody waits here.
     ~VirtualPanel() override {
         composition().worker().close();
-        while (m_chain != nullptr && m_chain->open())
+        for (VirtualChain* chain = VirtualChain::at(m_port); chain != nullptr && chain->open();)
             VirtualChain::runAll(kFrame);
     }
 
@@ -42,17 +44,6 @@ public:
             << window().findChild<QLabel*>(QStringLiteral("responseState"))->text().toStdString();
         const auto* results = window().findChild<QTableWidget*>(QStringLiteral("responseResults"));
         EXPECT_TRUE(results->findItems(QStringLiteral("samples missing, repeat"), Qt::MatchExactly).empty());
-    }
-    /// For what a thread of its own does with a disk: that takes real time, and here none passes.
-    bool waitForDisk(const std::function<bool()>& predicate) {
-        constexpr int kMilliseconds = 20'000;
-        for (int waited = 0; !predicate(); ++waited) {
-            if (waited == kMilliseconds)
-                return false;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            QCoreApplication::processEvents();
-        }
-        return true;
     }
     /// Time passes on the bus only, as when the window is busy with itself.
     void freeze(Duration time) { VirtualChain::runAll(time); }
@@ -73,7 +64,7 @@ private:
     static constexpr Duration kFrame = std::chrono::milliseconds(10);
     static constexpr Duration kPatience = std::chrono::seconds(20);
 
-    VirtualChain* m_chain = nullptr;  ///< at the port that was opened last
+    QString m_port;  ///< that was opened last
 };
 
 }  // namespace nmc::testing_support

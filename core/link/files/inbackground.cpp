@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "link/files/inbackground.h"
 
-#include <atomic>
 #include <thread>
 #include <utility>
 
 namespace nmc {
 
 namespace {
-std::atomic<bool> g_atOnce = false;
+
+std::function<void(std::function<void()>)>& background() {
+    static std::function<void(std::function<void()>)> which = [](std::function<void()> work) {
+        std::thread(std::move(work)).detach();
+    };
+    return which;
+}
+
 }  // namespace
 
 void inBackground(std::function<void()> work) {
-    if (g_atOnce)
-        work();
-    else
-        std::thread(std::move(work)).detach();
+    background()(std::move(work));
 }
 
-void workAtOnce() {
-    g_atOnce = true;
+void setBackground(std::function<void(std::function<void()> work)> other) {
+    background() = std::move(other);
 }
 
 }  // namespace nmc

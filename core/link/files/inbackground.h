@@ -8,8 +8,8 @@ namespace nmc {
 /// Does what a disk may hold up, in a thread of its own that nobody waits for. Any thread.
 void inBackground(std::function<void()> work);
 
-/// For tests in virtual time: from now on it is done at once, in the thread that asks, since a disk does not
-/// wait for a clock that stands still.
-void workAtOnce();
+/// For tests: from now on `background` does it instead. At once, in the thread that asks, where time is
+/// virtual, since a disk does not wait for a clock that stands still; or when the test says so.
+void setBackground(std::function<void(std::function<void()> work)> background);
 
 }  // namespace nmc

@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "link/clock.h"
+#include "link/files/inbackground.h"
+#include "link/guardian/descriptor.h"
 
 namespace nmc {
 
@@ -26,10 +28,6 @@ struct DiskProblem {
 };
 
 namespace {
-
-using namespace std::chrono_literals;
-
-constexpr Duration kBetweenFlushes = 1s;
 
 DiskProblem problemOf(int number) {
     switch (number) {
@@ -54,31 +52,30 @@ DiskProblem problemOf(int number) {
 }
 
 /// They end the whole program by default; an error code is enough.
-void blockWriteSignals() {
-    sigset_t ignored;
-    sigemptyset(&ignored);
-    sigaddset(&ignored, SIGPIPE);
-    sigaddset(&ignored, SIGXFSZ);
-    pthread_sigmask(SIG_BLOCK, &ignored, nullptr);
-}
-
-class Descriptor {
+class WriteSignalsBlocked {
 public:
-    explicit Descriptor(int fd) : m_fd(fd) {}
-    ~Descriptor() {
-        if (m_fd >= 0)
-            ::close(m_fd);
+    WriteSignalsBlocked() {
+        sigemptyset(&m_signals);
+        sigaddset(&m_signals, SIGPIPE);
+        sigaddset(&m_signals, SIGXFSZ);
+        pthread_sigmask(SIG_BLOCK, &m_signals, &m_before);
     }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int fd() const { return m_fd; }
+    ~WriteSignalsBlocked() {
+        const timespec now{};
+        while (sigtimedwait(&m_signals, nullptr, &now) > 0) {
+        }
+        pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
+    }
+    WriteSignalsBlocked(const WriteSignalsBlocked&) = delete;
+    WriteSignalsBlocked& operator=(const WriteSignalsBlocked&) = delete;
 
 private:
-    int m_fd;
+    sigset_t m_signals{};
+    sigset_t m_before{};
 };
 
-/// Onto the disk.
-std::optional<DiskProblem> flush(int fd) {
+/// All of it onto the disk.
+std::optional<DiskProblem> flushFile(int fd) {
     // EINVAL: what is not a plain file has nothing to flush.
     if (fdatasync(fd) != 0 && errno != EINVAL)
         return problemOf(errno);
@@ -90,41 +87,49 @@ std::optional<DiskProblem> flush(int fd) {
 
 }  // namespace
 
-/// One recording: what the GUI thread and the writing thread share.
-class RecordingWriter::Job {
+/// One recording: what the GUI thread and the background share. In the background is one thread at a time,
+/// and none while nothing waits.
+class RecordingWriter::Job : public std::enable_shared_from_this<Job> {
 public:
     Job(std::string path, std::size_t limit, RecordingWriter& owner)
         : m_path(std::move(path)), m_limit(limit), m_owner(&owner) {}
 
     // ---- GUI thread ----
 
+    /// Opens the file.
+    void begin() { workOn(std::unique_lock(m_mutex)); }
     /// False: too much waits for the disk already.
     bool push(std::string text) {
-        const std::scoped_lock lock(m_mutex);
+        std::unique_lock lock(m_mutex);
         if (m_ended)
             return true;  // the owner is about to hear why
         if (m_waiting + text.size() > m_limit)
             return false;
         m_waiting += text.size();
         m_queue.push_back(std::move(text));
-        m_changed.notify_all();
+        workOn(std::move(lock));
         return true;
     }
+    void flush() {
+        std::unique_lock lock(m_mutex);
+        m_flushing = true;
+        workOn(std::move(lock));
+    }
     void stop() {
-        const std::scoped_lock lock(m_mutex);
+        std::unique_lock lock(m_mutex);
         m_stopping = true;
-        m_changed.notify_all();
+        workOn(std::move(lock));
     }
     bool waitForEnd(std::chrono::milliseconds patience) {
         std::unique_lock lock(m_mutex);
-        return m_changed.wait_for(lock, patience, [this] { return m_ended; });
+        return m_atAnEnd.wait_for(lock, patience, [this] { return m_ended; });
     }
-    /// Nobody waits for the rest any more. The thread ends as soon as the disk lets it.
+    /// Nobody waits for the rest any more. It ends as soon as the disk lets it.
     void abandon() {
-        const std::scoped_lock lock(m_mutex);
+        std::unique_lock lock(m_mutex);
         m_abandoned = true;
         m_owner = nullptr;
-        m_changed.notify_all();
+        workOn(std::move(lock));
     }
     [[nodiscard]] bool ended() const {
         const std::scoped_lock lock(m_mutex);
@@ -139,24 +144,20 @@ public:
         return m_written;
     }
 
-    // ---- writing thread ----
-
-    void run() {
-        blockWriteSignals();
-        const auto problem = record();
-        const std::scoped_lock lock(m_mutex);
-        m_problem = problem;
-        m_ended = true;
-        m_changed.notify_all();
-        if (m_owner != nullptr)
-            QMetaObject::invokeMethod(m_owner, &RecordingWriter::threadEnded, Qt::QueuedConnection);
+private:
+    void workOn(std::unique_lock<std::mutex> lock) {
+        if (m_ended || std::exchange(m_busy, true))
+            return;
+        lock.unlock();
+        inBackground([job = shared_from_this()] { job->work(); });
     }
 
-private:
-    std::optional<DiskProblem> record();
-    std::optional<DiskProblem> write(int fd, std::string_view text);
-    /// Waits for text or the end, until `flushAt` at most; true when nothing will follow.
-    bool next(std::vector<std::string>& texts, std::optional<TimePoint> flushAt);
+    // ---- background ----
+
+    /// Until nothing waits, or the end.
+    void work();
+    std::optional<DiskProblem> carryOut(const std::vector<std::string>& texts, bool flushing);
+    std::optional<DiskProblem> write(std::string_view text);
     void noteWritten(std::string_view text) {
         const std::scoped_lock lock(m_mutex);
         if (const std::size_t end = text.rfind('\n'); end != std::string_view::npos)
@@ -165,9 +166,9 @@ private:
         m_written += static_cast<qint64>(text.size());
     }
     /// A row whose end the disk has not taken goes: what is left of a number would be another number.
-    void dropPartOfLine(int fd) {
+    void dropPartOfLine() {
         // Only this thread writes it; and the disk may take its time, for which nobody is to wait.
-        if (ftruncate(fd, m_wholeLines) != 0)
+        if (ftruncate(m_file.get(), m_wholeLines) != 0)
             return;
         const std::scoped_lock lock(m_mutex);
         m_written = m_wholeLines;
@@ -179,67 +180,79 @@ private:
 
     const std::string m_path;
     const std::size_t m_limit;
-    qint64 m_wholeLines = 0;  ///< of what is written; the writing thread's own
+    // The background's own:
+    Descriptor m_file;
+    qint64 m_wholeLines = 0;  ///< of what is written
     mutable std::mutex m_mutex;
-    std::condition_variable m_changed;
+    std::condition_variable m_atAnEnd;
     // All below: under the mutex.
     RecordingWriter* m_owner;
     std::vector<std::string> m_queue;
     std::size_t m_waiting = 0;  ///< bytes that are not written yet, queued or not
     qint64 m_written = 0;
+    bool m_busy = false;
+    bool m_flushing = false;
     bool m_stopping = false;
     bool m_abandoned = false;
     bool m_ended = false;
     std::optional<DiskProblem> m_problem;
 };
 
-std::optional<DiskProblem> RecordingWriter::Job::record() {
-    // Without O_NONBLOCK a FIFO that nobody reads would never open.
-    const Descriptor file(
-        ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666));
-    if (file.fd() < 0)
-        return problemOf(errno);
-    std::optional<TimePoint> flushAt;  // nothing: the disk has everything
-    for (bool last = false; !last;) {
-        std::vector<std::string> texts;
-        last = next(texts, flushAt);
-        for (const std::string& text : texts)
-            if (const auto problem = write(file.fd(), text)) {
-                dropPartOfLine(file.fd());
-                return problem;
-            }
-        if (!texts.empty() && !flushAt)
-            flushAt = monotonicNow() + kBetweenFlushes;
-        if (flushAt && (last || monotonicNow() >= *flushAt)) {
-            if (const auto problem = flush(file.fd()))
-                return problem;
-            flushAt.reset();
+void RecordingWriter::Job::work() {
+    const WriteSignalsBlocked blocked;
+    std::unique_lock lock(m_mutex);
+    while (true) {
+        const std::vector<std::string> texts = std::exchange(m_queue, {});
+        const bool last = m_stopping || m_abandoned;
+        const bool flushing = std::exchange(m_flushing, false) || last;
+        lock.unlock();
+        const auto problem = carryOut(texts, flushing);
+        const bool ends = last || problem;
+        if (ends)
+            m_file.reset();
+        lock.lock();
+        if (ends) {
+            m_problem = problem;
+            m_ended = true;
+            m_atAnEnd.notify_all();
+            if (m_owner != nullptr)
+                QMetaObject::invokeMethod(m_owner, &RecordingWriter::take, Qt::QueuedConnection);
+            return;
+        }
+        if (m_queue.empty() && !m_flushing && !m_stopping && !m_abandoned) {
+            m_busy = false;
+            return;
         }
     }
-    return std::nullopt;
 }
 
-bool RecordingWriter::Job::next(std::vector<std::string>& texts, std::optional<TimePoint> flushAt) {
-    std::unique_lock lock(m_mutex);
-    const auto something = [this] { return !m_queue.empty() || m_stopping || m_abandoned; };
-    if (flushAt)
-        m_changed.wait_for(lock, *flushAt - monotonicNow(), something);
-    else
-        m_changed.wait(lock, something);
-    texts.swap(m_queue);
-    return m_stopping || m_abandoned;
+std::optional<DiskProblem> RecordingWriter::Job::carryOut(const std::vector<std::string>& texts,
+                                                          bool flushing) {
+    if (!m_file.valid()) {
+        // Without O_NONBLOCK a FIFO that nobody reads would never open.
+        m_file = Descriptor(
+            ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666));
+        if (!m_file.valid())
+            return problemOf(errno);
+    }
+    for (const std::string& text : texts)
+        if (const auto problem = write(text)) {
+            dropPartOfLine();
+            return problem;
+        }
+    return flushing ? flushFile(m_file.get()) : std::nullopt;
 }
 
-std::optional<DiskProblem> RecordingWriter::Job::write(int fd, std::string_view text) {
+std::optional<DiskProblem> RecordingWriter::Job::write(std::string_view text) {
     while (!text.empty()) {
         if (abandoned())
             return DiskProblem{RecordingProblemKind::TooSlow};
-        const ssize_t count = ::write(fd, text.data(), text.size());
+        const ssize_t count = ::write(m_file.get(), text.data(), text.size());
         if (count >= 0) {
             noteWritten(text.substr(0, static_cast<std::size_t>(count)));
             text.remove_prefix(static_cast<std::size_t>(count));
         } else if (errno == EAGAIN) {
-            pollfd room{fd, POLLOUT, 0};
+            pollfd room{m_file.get(), POLLOUT, 0};
             constexpr int kLookAgainMs = 100;  // whether somebody still waits for it
             ::poll(&room, 1, kLookAgainMs);
         } else if (errno != EINTR) {
@@ -255,18 +268,20 @@ RecordingWriter::RecordingWriter(Limits limits, QObject* parent) : QObject(paren
     m_patience.setSingleShot(true);
     m_patience.setInterval(m_limits.toFinish);
     connect(&m_patience, &QTimer::timeout, this, &RecordingWriter::giveUp);
+    m_flush.setSingleShot(true);
+    m_flush.setInterval(m_limits.toFlush);
+    connect(&m_flush, &QTimer::timeout, this, [this] {
+        if (m_job)
+            m_job->flush();
+    });
 }
 
 RecordingWriter::~RecordingWriter() {
     if (!m_job)
         return;
     m_job->stop();
-    if (m_job->waitForEnd(m_limits.toClose)) {
-        m_thread.join();
-    } else {
+    if (!m_job->waitForEnd(m_limits.toClose))
         m_job->abandon();
-        m_thread.detach();
-    }
 }
 
 void RecordingWriter::start(const QString& path) {
@@ -275,12 +290,16 @@ void RecordingWriter::start(const QString& path) {
     m_started = monotonicNow();
     m_finishing = false;
     m_job = std::make_shared<Job>(QFile::encodeName(path).toStdString(), m_limits.queue, *this);
-    m_thread = std::thread([job = m_job] { job->run(); });
+    m_job->begin();
 }
 
 void RecordingWriter::append(std::string text) {
-    if (isRecording() && !text.empty() && !m_job->push(std::move(text)))
+    if (!isRecording() || text.empty())
+        return;
+    if (!m_job->push(std::move(text)))
         giveUp();
+    else if (!m_flush.isActive())
+        m_flush.start();
 }
 
 void RecordingWriter::stop() {
@@ -288,16 +307,16 @@ void RecordingWriter::stop() {
         return;
     m_finishing = true;
     m_recorded = monotonicNow() - m_started;
-    m_job->stop();
     m_patience.start();
+    m_job->stop();
 }
 
-void RecordingWriter::threadEnded() {
+void RecordingWriter::take() {
     // A job that was given up may have announced its end before.
     if (!m_job || !m_job->ended())
         return;
-    m_thread.join();
     m_patience.stop();
+    m_flush.stop();
     const std::shared_ptr<Job> job = std::exchange(m_job, nullptr);
     if (const auto problem = job->problem())
         emit failed({problem->what, problem->number != 0 ? qt_error_string(problem->number) : QString(),
@@ -310,8 +329,8 @@ void RecordingWriter::giveUp() {
     if (!m_job || m_job->ended())
         return;
     m_job->abandon();
-    m_thread.detach();
     m_patience.stop();
+    m_flush.stop();
     const RecordingFailure failure{RecordingProblemKind::TooSlow, {}, m_job->written()};
     m_job.reset();
     QMetaObject::invokeMethod(

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "base/time.h"
 
@@ -32,7 +31,7 @@ struct RecordingFailure {
     qint64 bytes = 0;  ///< written before; they stay in the file
 };
 
-/// Writes text to a file as it comes, in a thread of its own: no disk, however slow, full or gone, makes the
+/// Writes text to a file as it comes, in the background: no disk, however slow, full or gone, makes the
 /// GUI thread wait. What has come is with the operating system at once and on the disk within a second or
 /// two. One recording at a time. All members belong to the GUI thread, and signals come there, never from
 /// within a call.
@@ -42,6 +41,7 @@ class RecordingWriter : public QObject {
 public:
     struct Limits {
         std::size_t queue = 32U << 20U;              ///< bytes that may wait for the disk
+        std::chrono::milliseconds toFlush{1'000};    ///< what has come onto the disk
         std::chrono::milliseconds toFinish{30'000};  ///< after stop()
         std::chrono::milliseconds toClose{3'000};    ///< in the destructor
     };
@@ -72,14 +72,14 @@ signals:
 private:
     class Job;
 
-    void threadEnded();
+    void take();
     void giveUp();
 
     Limits m_limits;
     QString m_path;
-    std::shared_ptr<Job> m_job;  ///< shared with the thread, which may have to be left behind
-    std::thread m_thread;
+    std::shared_ptr<Job> m_job;  ///< shared with the background, where it may have to be left behind
     QTimer m_patience;
+    QTimer m_flush;
     bool m_finishing = false;
     TimePoint m_started;
     Duration m_recorded{};

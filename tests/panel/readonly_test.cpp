@@ -7,21 +7,19 @@
 #include <QAction>
 #include <QJsonArray>
 
-#include "tests/app/othermaster.h"
-#include "tests/support/panel.h"
+#include "tests/support/leaverunning.h"
+#include "tests/support/virtualpanel.h"
 #include "widgets/scope/scopefiles.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::moves;
-using testing_support::NmcsimProcess;
-using testing_support::setGoing;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 class H02_ReadOnly : public testing::Test {
 protected:
-    void SetUp() override { ASSERT_NO_FATAL_FAILURE(setGoing(sim)); }
+    void SetUp() override { ASSERT_NO_FATAL_FAILURE(testing_support::leaveRunning(sim, 1, 4)); }
 
     /// As `nmcpanel --port ... --read-only` does.
     void look() {
@@ -46,16 +44,16 @@ protected:
         return commands;
     }
 
-    NmcsimProcess sim{QStringLiteral("servo")};
-    IntentPanel panel;
+    VirtualChain sim{QStringLiteral("servo")};
+    VirtualPanel panel;
 };
 
 TEST_F(H02_ReadOnly, StopAllStopsAndTheConnectionStaysReadOnly) {
     ASSERT_NO_FATAL_FAILURE(look());
     EXPECT_TRUE(ribbon());
-    EXPECT_TRUE(moves(sim));
+    EXPECT_TRUE(sim.driven(0));
     QTest::keyClick(&panel.window(), Qt::Key_Escape);
-    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_TRUE(panel.waitFor([&] { return !sim.driven(0); }));
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("1 stopped and holding")) == 1; }));
     EXPECT_TRUE(looks());
     EXPECT_TRUE(ribbon());
@@ -69,7 +67,7 @@ TEST_F(H02_ReadOnly, WhatIsAskedForIsRefusedWithTheReason) {
         panel.waitFor([&] { return panel.count(QStringLiteral("Module 1 cannot do this now")) == 1; }));
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(carriedOut(), before);
-    EXPECT_TRUE(moves(sim));
+    EXPECT_TRUE(sim.driven(0));
     EXPECT_TRUE(panel.markers().isEmpty()) << "that motion is nobody's here";
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What concerns the whole chain, from the GUI thread to a simulator behind a terminal and back: groups, and
-// another rate.
+// What concerns the whole chain, from the GUI thread to the simulator and back: groups, and another rate.
 #include <gtest/gtest.h>
 
-#include "tests/link/connection.h"
-#include "tests/support/nmcsimprocess.h"
+#include "tests/link/connection/virtualconnection.h"
 
 namespace nmc {
 namespace {
@@ -15,7 +13,7 @@ using namespace Qt::StringLiterals;
 class Chainwide : public testing::Test {
 protected:
     void SetUp() override {
-        connection.openSerial(sim.terminal());
+        connection.open();
         ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     }
     void TearDown() override { EXPECT_EQ(sim.violations(), ""); }
@@ -28,8 +26,8 @@ protected:
         return connection.news<bus::GroupFinished>()->outcome;
     }
 
-    NmcsimProcess sim{u"servo,servo"_s};
-    Connection connection;
+    VirtualChain sim{u"servo,servo"_s};
+    VirtualConnection connection{sim};
     std::uint32_t lastId = 1'000;
 };
 
@@ -79,17 +77,6 @@ TEST_F(Chainwide, AModuleTakesAnotherAddressAndTheStoreKnowsIt) {
     EXPECT_EQ(connection.news<bus::ReaddressFailed>()->reason, bus::ReaddressFailed::Reason::Taken);
 }
 
-TEST_F(Chainwide, AnyDivisorGivesItsRateOnTheTerminal) {
-    connection.worker().changeRate(62'500);
-    ASSERT_TRUE(connection.waitFor<bus::RateChanged>());
-    EXPECT_EQ(connection.store().link().baud, 62'500U);
-    EXPECT_NEAR(sim.state(1)[u"baud"_s].toInt(), 62'500, 1'250);
-    const auto before = connection.worker().statistics().answered;
-    EXPECT_TRUE(
-        connection.waitUntil([&] { return connection.worker().statistics().answered > before + 50; }));
-    EXPECT_EQ(connection.count<bus::ModuleUnresponsive>(), 0);
-}
-
 TEST_F(Chainwide, RateChangesWhileTheMotorsHold) {
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     for (const std::uint32_t baud : {115'200U, 57'600U}) {
@@ -104,6 +91,14 @@ TEST_F(Chainwide, RateChangesWhileTheMotorsHold) {
             connection.waitUntil([&] { return connection.worker().statistics().answered > before + 50; }));
     }
     EXPECT_EQ(connection.count<bus::ModuleUnresponsive>(), 0);
+}
+
+TEST_F(Chainwide, AModuleThatRestartsGoesSilentWhileTheOthersGoOn) {
+    sim.tell("power-cycle 2");  // the module nearest the host: nothing hangs on its ADDR_OUT
+    ASSERT_TRUE(connection.waitFor<bus::ModuleUnresponsive>());
+    EXPECT_EQ(connection.news<bus::ModuleUnresponsive>()->module, ModuleIndex(1));
+    EXPECT_EQ(connection.module(1).activity(), Activity::Unresponsive);
+    EXPECT_NE(connection.module(0).activity(), Activity::Unresponsive);
 }
 
 }  // namespace

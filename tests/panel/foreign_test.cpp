@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comes over the line besides answers, through the whole program: another host, and an adapter's echo.
+// What comes over the line besides answers: another host's packets, and an adapter's echo.
 #include <gtest/gtest.h>
 
 #include <QPushButton>
 
-#include "tests/support/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::moves;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 /// Another program on the same line: it sends this to module 2, sum and all. The panel's polls may come
 /// between, so it sends everything again until it is obeyed, as such programs do.
-void otherHostSends(NmcsimProcess& sim, const QByteArray& hex) {
+void otherHostSends(VirtualChain& sim, const QByteArray& hex) {
     const QByteArray bytes = QByteArray::fromHex(hex);
     quint8 sum = 0;
     for (const char byte : bytes)
@@ -24,14 +23,14 @@ void otherHostSends(NmcsimProcess& sim, const QByteArray& hex) {
     (void)sim.control(QStringLiteral("foreign ") + QString::fromLatin1(packet.toHex(' ')));
 }
 
-double commandVelocity(NmcsimProcess& sim) {
+double commandVelocity(VirtualChain& sim) {
     return sim.state(2)[QStringLiteral("command_velocity")].toDouble();
 }
 
 class AnotherHost : public testing::Test {
 protected:
-    NmcsimProcess sim{QStringLiteral("servo,servo"), {QStringLiteral("--enable-faults")}};
-    IntentPanel panel;
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualPanel panel;
 };
 
 TEST_F(AnotherHost, ThatStartsAModuleIsToldOfAtOnceAndItsMotionEndsByTheButtonInTheMessage) {
@@ -62,31 +61,31 @@ TEST_F(AnotherHost, ThatStartsAModuleIsToldOfAtOnceAndItsMotionEndsByTheButtonIn
 
 TEST_F(AnotherHost, ThatAsksQuestionsIsToldOfAndEndsTheMotionOfThisPanel) {
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    (void)sim.control(QStringLiteral("fault bus foreign on=nop t=10ms..40ms"));
+    sim.tell("fault bus foreign on=nop t=10ms..40ms");
     const QString told = QStringLiteral("Another host is sending on this line. Module 1 was told to stop.");
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(told) > 0; }))
         << panel.headlines().join(QLatin1Char('\n')).toStdString();
-    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_TRUE(panel.waitFor([&] { return !sim.driven(0); }));
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Module 1 has stopped.")) > 0; }));
 }
 
 TEST(AnAdapterThatEchoes, IsToldOfOnceAndDoesNoHarm) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"), {QStringLiteral("--enable-faults")});
-    (void)sim.control(QStringLiteral("fault bus echo"));
-    IntentPanel panel;
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    sim.tell("fault bus echo");
+    VirtualPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     EXPECT_EQ(panel.count(QStringLiteral("echoes everything it sends. The panel ignores the echo.")), 1);
     QTest::keyClick(panel.window().windowHandle(), Qt::Key_Escape);
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("1 stopped and holding")) == 1; }));
-    EXPECT_FALSE(moves(sim));
+    EXPECT_FALSE(sim.driven(0));
     EXPECT_EQ(sim.violations(), "");
 }
 
 TEST(AnAdapterThatEchoes, IsNoModule) {
-    NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--enable-faults")});
-    (void)sim.control(QStringLiteral("fault bus echo"));
-    (void)sim.control(QStringLiteral("fault bus silent"));
-    IntentPanel panel;
+    VirtualChain sim(QStringLiteral("servo"));
+    sim.tell("fault bus echo");
+    sim.tell("fault bus silent");
+    VirtualPanel panel;
     panel.composition().show({sim.terminal(), 115'200, false});
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Only the adapter's echo")) == 1; }));
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// H-02: a read-only connection over the real serial path. What another program has set in motion runs on
-// through everything that stops motors elsewhere; nmcsim is the witness.
+// H-02: a read-only connection. What another program has set in motion runs on through everything that stops
+// motors elsewhere; the simulator is the witness.
 #include <gtest/gtest.h>
 
 #include <QJsonArray>
-#include <QTimer>
 #include <atomic>
 
-#include "tests/link/connection.h"
-#include "tests/link/otherhost.h"
+#include "tests/link/changes.h"
+#include "tests/link/connection/virtualconnection.h"
+#include "tests/support/leaverunning.h"
 
 namespace nmc {
 namespace {
@@ -22,13 +22,13 @@ protected:
         ASSERT_NO_FATAL_FAILURE(leaveRunning(sim, 2, 8));
         before = changes(sim);
     }
-    void open(Connection& connection) {
+    void open() {
         bus::EngineConfig config;
         config.readOnly = true;
-        connection.open([this] { return std::make_unique<SerialTransport>(sim.terminal()); }, config);
+        connection.open(config);
     }
-    void look(Connection& connection) {
-        open(connection);
+    void look() {
+        open();
         ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
         EXPECT_TRUE(connection.news<bus::ChainFound>()->readOnly);
         ASSERT_TRUE(connection.waitUntil([&] { return connection.store().movingMotors() > 0; }));
@@ -40,13 +40,13 @@ protected:
         EXPECT_EQ(sim.violations(), "");
     }
 
-    NmcsimProcess sim{QStringLiteral("servo,servo")};
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualConnection connection{sim};
     QJsonArray before;
 };
 
 TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenItIsClosed) {
-    Connection connection;
-    ASSERT_NO_FATAL_FAILURE(look(connection));
+    ASSERT_NO_FATAL_FAILURE(look());
     connection.worker().close();
     ASSERT_TRUE(connection.waitFor<PortClosed>());
     EXPECT_FALSE(connection.news<PortClosed>()->error.has_value());
@@ -55,8 +55,7 @@ TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenItIsClosed) {
 }
 
 TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenItIsClosedInASearch) {
-    Connection connection;
-    open(connection);
+    open();
     ASSERT_TRUE(connection.waitUntil([&] { return connection.store().link().found > 0; }));
     connection.worker().close();
     ASSERT_TRUE(connection.waitFor<PortClosed>());
@@ -65,21 +64,8 @@ TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenItIsClosedInASearch) {
 }
 
 TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenThePanelFreezes) {
-    Connection connection;
-    ASSERT_NO_FATAL_FAILURE(look(connection));
-    // A slot that does not return for longer than motors run on elsewhere: no event of this thread is
-    // handled.
-    bool frozen = false;
-    QTimer::singleShot(0, [&] {
-        const auto now = [this] {
-            return sim.control(QStringLiteral("stats"))[QStringLiteral("time")].toDouble();
-        };
-        const double until = now() + toSeconds(Heartbeat::kStopAfter) + 0.5;
-        while (now() < until) {
-        }
-        frozen = true;
-    });
-    ASSERT_TRUE(connection.waitUntil([&] { return frozen; }));
+    ASSERT_NO_FATAL_FAILURE(look());
+    connection.freeze(Heartbeat::kStopAfter + 500ms);
     ASSERT_TRUE(connection.waitFor<PanelFroze>());
     EXPECT_FALSE(connection.news<PanelFroze>()->stopped);
     EXPECT_EQ(connection.count<bus::StopFinished>(), 0);
@@ -88,9 +74,8 @@ TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenThePanelFreezes) {
 
 TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenTheMachineSlept) {
     std::atomic<Duration::rep> asleep{0};
-    Connection connection;
     connection.worker().setSleepClock([&asleep] { return Duration(asleep.load()); });
-    ASSERT_NO_FATAL_FAILURE(look(connection));
+    ASSERT_NO_FATAL_FAILURE(look());
     asleep = Duration(2h).count();
     ASSERT_TRUE(connection.waitFor<ComputerSlept>());
     EXPECT_FALSE(connection.news<ComputerSlept>()->stopped);
@@ -101,24 +86,9 @@ TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenTheMachineSlept) {
     expectUndisturbed();
 }
 
-TEST_F(H02_ReadOnly, RefusesCommandsAndDoesNotRestartTheNetwork) {
-    Connection connection;
-    ASSERT_NO_FATAL_FAILURE(look(connection));
-    EXPECT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Forbidden);
-    connection.worker().changeRate(57'600);
-    ASSERT_TRUE(connection.waitFor<bus::RateChangeFailed>());
-    connection.forgetNews();
-    connection.worker().restart();
-    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
-    EXPECT_TRUE(connection.news<bus::ChainFound>()->attached);
-    EXPECT_EQ(connection.count<bus::StopFinished>(), 0);
-    expectUndisturbed();
-}
-
 /// A stop that was asked for goes before the close that comes right behind it.
 TEST_F(H02_ReadOnly, StopsWhenItIsAskedToAndThenCloses) {
-    Connection connection;
-    ASSERT_NO_FATAL_FAILURE(look(connection));
+    ASSERT_NO_FATAL_FAILURE(look());
     connection.worker().stopAll();
     connection.worker().close();
     ASSERT_TRUE(connection.waitFor<PortClosed>());

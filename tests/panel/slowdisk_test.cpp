@@ -8,33 +8,32 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QLineEdit>
-#include <condition_variable>
-#include <mutex>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include "tests/support/choosefile.h"
-#include "tests/support/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::moves;
-using testing_support::NmcsimProcess;
 using testing_support::turnTo;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 /// Answers when the test says so.
 class SlowDisk : public testing::Test {
 protected:
-    ~SlowDisk() override { answer(); }
-    void answer() {
-        const std::scoped_lock lock(m_mutex);
-        m_answers = true;
-        m_changed.notify_all();
+    SlowDisk() {
+        setBackground([this](std::function<void()> work) { m_waits.push_back(std::move(work)); });
     }
-    FileWriter::Result write(const QString& path, std::string_view content) {
-        std::unique_lock lock(m_mutex);
-        m_changed.wait(lock, [this] { return m_answers; });
-        return writeFile(path, content);
+    ~SlowDisk() override { answer(); }
+    /// What waits is done, and all else at once.
+    void answer() {
+        setBackground([](const std::function<void()>& work) { work(); });
+        for (const auto& work : std::exchange(m_waits, {}))
+            work();
     }
     template <typename Widget = QWidget>
     Widget* find(const char* name) {
@@ -60,35 +59,31 @@ protected:
         QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier);
         choose("saveMachineDialog", file);
     }
-    void connectTo(NmcsimProcess& sim) {
+    void connect() {
         panel.start();
         panel.connectTo(sim.terminal());
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
     }
 
-private:
-    std::mutex m_mutex;
-    std::condition_variable m_changed;
-    bool m_answers = false;
-
-protected:
     QTemporaryDir directory;
     const QString file = directory.filePath(QStringLiteral("mill.json"));
-    IntentPanel panel{
-        {}, {}, {}, [this](const QString& path, std::string_view content) { return write(path, content); }};
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualPanel panel;
+
+private:
+    std::vector<std::function<void()>> m_waits;
 };
 
 TEST_F(SlowDisk, LetsMotorsRunAndBeStoppedWhileTheMachineIsSaved) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     nameTheAxis();
     ASSERT_NO_FATAL_FAILURE(saveTheMachine());
     ASSERT_TRUE(panel.answersFor(0.5)) << "the panel goes on";
-    EXPECT_TRUE(moves(sim));
+    EXPECT_TRUE(sim.driven(0));
     EXPECT_TRUE(panel.window().windowTitle().endsWith(QStringLiteral("(being saved)")));
     EXPECT_FALSE(QFile::exists(file));
     panel.pressStopAll();
-    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_TRUE(panel.waitFor([&] { return !sim.driven(0); }));
     EXPECT_TRUE(panel.window().isWindowModified()) << "it is not saved yet";
     answer();
     EXPECT_TRUE(panel.waitFor([&] { return !panel.window().isWindowModified(); }));
@@ -97,8 +92,7 @@ TEST_F(SlowDisk, LetsMotorsRunAndBeStoppedWhileTheMachineIsSaved) {
 }
 
 TEST_F(SlowDisk, KeepsWhatIsEditedWhileTheMachineIsSaved) {
-    NmcsimProcess sim(QStringLiteral("servo"));
-    ASSERT_NO_FATAL_FAILURE(connectTo(sim));
+    ASSERT_NO_FATAL_FAILURE(connect());
     nameTheAxis();
     ASSERT_NO_FATAL_FAILURE(saveTheMachine());
     nameTheAxis();
@@ -111,8 +105,7 @@ TEST_F(SlowDisk, KeepsWhatIsEditedWhileTheMachineIsSaved) {
 }
 
 TEST_F(SlowDisk, IsWaitedForBeforeTheWindowCloses) {
-    NmcsimProcess sim(QStringLiteral("servo"));
-    ASSERT_NO_FATAL_FAILURE(connectTo(sim));
+    ASSERT_NO_FATAL_FAILURE(connect());
     nameTheAxis();
     ASSERT_NO_FATAL_FAILURE(saveTheMachine());
     panel.window().close();
@@ -124,8 +117,7 @@ TEST_F(SlowDisk, IsWaitedForBeforeTheWindowCloses) {
 }
 
 TEST_F(SlowDisk, IsNotWaitedForByWhoStays) {
-    NmcsimProcess sim(QStringLiteral("servo"));
-    ASSERT_NO_FATAL_FAILURE(connectTo(sim));
+    ASSERT_NO_FATAL_FAILURE(connect());
     nameTheAxis();
     ASSERT_NO_FATAL_FAILURE(saveTheMachine());
     panel.window().close();
@@ -136,16 +128,14 @@ TEST_F(SlowDisk, IsNotWaitedForByWhoStays) {
 }
 
 TEST_F(SlowDisk, LetsMotorsRunWhileUnsavedWorkIsKept) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     nameTheAxis();
     ASSERT_TRUE(panel.answersFor(4)) << "longer than it is waited with, and than a frozen panel may last";
-    EXPECT_TRUE(moves(sim));
+    EXPECT_TRUE(sim.driven(0));
     EXPECT_EQ(panel.count(QStringLiteral("not backed up")), 0);
 }
 
 TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     find<QDockWidget>("monitorDock")->toggleViewAction()->trigger();
     find<QDockWidget>("monitorDock")->raise();
@@ -153,7 +143,7 @@ TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
     ASSERT_NO_FATAL_FAILURE(click("packetSave"));
     ASSERT_NO_FATAL_FAILURE(choose("packetSaveDialog", directory.filePath(QStringLiteral("packets.txt"))));
     ASSERT_TRUE(panel.answersFor(0.5));
-    EXPECT_TRUE(moves(sim));
+    EXPECT_TRUE(sim.driven(0));
     EXPECT_EQ(panel.count(QStringLiteral("\"packets.txt\"")), 0) << "nothing is known yet";
     answer();
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Saved \"packets.txt\".")) == 1; }));
@@ -161,7 +151,7 @@ TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
 
 TEST(FullDisk, IsToldOnceOfUnsavedWorkAndOfEachSave) {
     QTemporaryDir directory;
-    IntentPanel panel({}, {}, {}, [](const QString& path, std::string_view /*content*/) {
+    VirtualPanel panel({}, {}, {}, [](const QString& path, std::string_view /*content*/) {
         return FileWriter::Result(tl::unexpected(FileError{FileErrorKind::NoSpace, path}));
     });
     panel.start();
@@ -170,7 +160,7 @@ TEST(FullDisk, IsToldOnceOfUnsavedWorkAndOfEachSave) {
         axis.name = name;
         emit panel.window().axisEdited(ModuleIndex(0), axis);
         panel.window().activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.window().isActiveWindow(); }));
         QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier);
         auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("saveMachineDialog"));
         ASSERT_NE(dialog, nullptr);

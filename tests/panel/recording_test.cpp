@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recording and opening recordings, with the whole program: on the simulator, under a German locale.
+// Recording and opening recordings, on the simulator, under a German locale.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -11,7 +11,7 @@
 
 #include "model/recording/recordingreader.h"
 #include "tests/support/choosefile.h"
-#include "tests/support/panel.h"
+#include "tests/support/virtualpanel.h"
 #include "widgets/scope/scopefiles.h"
 
 namespace nmc {
@@ -19,17 +19,17 @@ namespace {
 
 using namespace testing_support;
 
-struct Read {
+struct ReadBack {
     RecordingHeader header;
     std::vector<ScopeSample> samples;  ///< of module 1
     std::vector<GainsChange> gains;
     std::optional<RecordingProblem> problem;
 };
 
-Read readBack(const QString& path) {
+ReadBack readBack(const QString& path) {
     QFile file(path);
     EXPECT_TRUE(file.open(QIODevice::ReadOnly));
-    Read read;
+    ReadBack read;
     RecordingReader reader({[&](ModuleIndex module, const ScopeSample& sample) {
                                 if (module == ModuleIndex(0))
                                     read.samples.push_back(sample);
@@ -55,7 +55,7 @@ protected:
     RecordingProgram() {
         QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
         panel.start();
-        panel.connectTo(QStringLiteral("simulator=servo,servo"));
+        panel.connectTo(sim.terminal());
         EXPECT_TRUE(panel.waitFor([&] { return panel.module().activity() != Activity::Unknown; }));
     }
     ~RecordingProgram() override { QLocale::setDefault(before); }
@@ -84,7 +84,8 @@ protected:
 
     const QLocale before;
     QTemporaryDir directory;
-    IntentPanel panel;
+    VirtualChain sim{QStringLiteral("servo,servo"), QStringLiteral("simulator=servo,servo")};
+    VirtualPanel panel;
 };
 
 TEST_F(RecordingProgram, AMoveIsRecordedToTheLastBit) {
@@ -95,7 +96,7 @@ TEST_F(RecordingProgram, AMoveIsRecordedToTheLastBit) {
     emit files().recordingEndRequested();
     ASSERT_TRUE(told("Recorded \"move.csv\""));
 
-    const Read read = readBack(path("move.csv"));
+    const ReadBack read = readBack(path("move.csv"));
     EXPECT_FALSE(read.problem.has_value());
     EXPECT_EQ(read.header.port, "simulator=servo,servo");
     EXPECT_TRUE(read.header.simulated);
@@ -149,7 +150,7 @@ TEST_F(RecordingProgram, GainsInForceAtTheStartAreInTheFile) {
     ASSERT_TRUE(panel.answersFor(0.2));
     emit files().recordingEndRequested();
     ASSERT_TRUE(told("Recorded \"later.csv\""));
-    const Read read = readBack(path("later.csv"));
+    const ReadBack read = readBack(path("later.csv"));
     ASSERT_EQ(read.gains.size(), 1U);
     EXPECT_EQ(read.gains[0].gains, gains());
     EXPECT_LE(read.gains[0].time, read.samples.front().time);
@@ -173,7 +174,7 @@ TEST_F(RecordingProgram, ClosingThePortEndsTheRecording) {
     ASSERT_TRUE(panel.answersFor(0.3));
     panel.disconnect();
     ASSERT_TRUE(told("Recorded \"move.csv\""));
-    const Read read = readBack(path("move.csv"));
+    const ReadBack read = readBack(path("move.csv"));
     EXPECT_FALSE(read.problem.has_value());
     EXPECT_GT(read.samples.size(), 10U);
 }

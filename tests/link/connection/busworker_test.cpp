@@ -5,25 +5,27 @@
 
 #include <algorithm>
 
-#include "link/connection/simulatortransport.h"
-#include "tests/link/connection.h"
-#include "tests/link/otherhost.h"
+#include "tests/link/connection/virtualconnection.h"
+#include "tests/support/leaverunning.h"
 
 namespace nmc {
 namespace {
 
 using namespace testing_support;
+using namespace std::chrono_literals;
 
-BusWorker::TransportFactory simulator(int modules) {
-    return [modules] {
-        return std::make_unique<SimulatorTransport>(
-            std::vector<ModuleIdentity>(static_cast<std::size_t>(modules), {ModuleType::Servo, 4}));
-    };
-}
+class OnAChain : public testing::Test {
+protected:
+    void TearDown() override { EXPECT_EQ(sim.violations(), ""); }
 
-TEST(BusWorker, RunsAChainInThisProcess) {
-    Connection connection;
-    connection.open(simulator(2), 115'200);
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualConnection connection{sim};
+};
+using BusWorkerTest = OnAChain;
+using BusStoreTest = OnAChain;
+
+TEST_F(BusWorkerTest, RunsAChainInThisProcess) {
+    connection.open(115'200);
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     EXPECT_EQ(connection.news<bus::ChainFound>()->baud, 115'200U);
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
@@ -37,25 +39,25 @@ TEST(BusWorker, RunsAChainInThisProcess) {
     EXPECT_EQ(history->last()->command(), 2'000);
 }
 
-TEST(BusWorker, DoesNotNeedTheGuiThreadToPollOrToStop) {
-    Connection connection;
-    connection.open(simulator(1));
+TEST_F(BusWorkerTest, DoesNotNeedTheGuiThreadToPollOrToStop) {
+    connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     // No event loop turns in this thread from here on.
     const std::uint64_t before = connection.worker().statistics().answered;
-    while (connection.worker().statistics().answered < before + 20)
-        std::this_thread::yield();
+    connection.freeze(1s);
+    EXPECT_GE(connection.worker().statistics().answered, before + 20);
+    (void)connection.worker().takeEvents();
     connection.worker().stopAll();
-    bool stopped = false;
-    while (!stopped)
-        for (const WorkerEvent& event : connection.worker().takeEvents())
-            if (const auto* busEvent = std::get_if<bus::Event>(&event))
-                stopped = stopped || std::holds_alternative<bus::StopFinished>(*busEvent);
+    connection.freeze(1s);
+    const std::vector<WorkerEvent> told = connection.worker().takeEvents();
+    EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const WorkerEvent& event) {
+        const auto* busEvent = std::get_if<bus::Event>(&event);
+        return busEvent != nullptr && std::holds_alternative<bus::StopFinished>(*busEvent);
+    }));
 }
 
-TEST(BusWorker, StopsTheMotorsBeforeItCloses) {
-    Connection connection;
-    connection.open(simulator(1));
+TEST_F(BusWorkerTest, StopsTheMotorsBeforeItCloses) {
+    connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     ASSERT_EQ(connection.carryOut(move(0, 2'000'000)), bus::Outcome::Done);
@@ -63,45 +65,41 @@ TEST(BusWorker, StopsTheMotorsBeforeItCloses) {
     connection.worker().close();
     ASSERT_TRUE(connection.waitFor<PortClosed>());
     ASSERT_NE(connection.news<bus::StopFinished>(), nullptr);
-    EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 1U);
+    EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 2U);
     EXPECT_FALSE(connection.worker().isOpen());
+    EXPECT_FALSE(sim.driven(0));
 }
 
 /// A motor that another program left running, and a window that is closed before the chain is found: as soon
 /// as it is, it is told to stop, and only then the port is let go.
 TEST(BusWorker, StopsAMotorThatItHasOnlySeenBeforeItCloses) {
-    NmcsimProcess sim(QStringLiteral("servo"));
+    VirtualChain sim(QStringLiteral("servo"));
     ASSERT_NO_FATAL_FAILURE(leaveRunning(sim, 1, 1));
-    const auto runs = [&sim] {
-        return std::abs(sim.state(1)[QStringLiteral("command_velocity")].toDouble()) > 0.01;
-    };
-    ASSERT_TRUE(runs());
-    Connection connection;
-    connection.openSerial(sim.terminal());
+    VirtualConnection connection(sim);
+    connection.open();
     // Its first answer, in the middle of the search for the others.
     ASSERT_TRUE(connection.waitUntil([&] { return connection.store().link().found > 0; }));
+    EXPECT_TRUE(sim.driven(0));
     connection.worker().close();
     ASSERT_TRUE(connection.waitFor<PortClosed>());
     ASSERT_NE(connection.news<bus::StopFinished>(), nullptr);
     EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 1U);
-    EXPECT_FALSE(runs());
+    EXPECT_FALSE(sim.driven(0));
 }
 
-TEST(BusWorker, CanBeOpenedAgainAndDestroyedWhileOpen) {
-    Connection connection;
+TEST_F(BusWorkerTest, CanBeOpenedAgainAndDestroyedWhileOpen) {
     for (int i = 0; i < 3; ++i) {
         connection.forgetNews();
-        connection.open(simulator(1));
+        connection.open();
         ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
         connection.worker().close();
         ASSERT_TRUE(connection.waitFor<PortClosed>());
     }
-    connection.open(simulator(1));
+    connection.open();
 }
 
-TEST(BusWorker, HasTheSimulatorAnswerControlLines) {
-    Connection connection;
-    connection.open(simulator(2));
+TEST_F(BusWorkerTest, HasTheSimulatorAnswerControlLines) {
+    connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     connection.worker().control("set 2 power 0");
     ASSERT_TRUE(connection.waitFor<SimulatorAnswered>());
@@ -115,22 +113,8 @@ TEST(BusWorker, HasTheSimulatorAnswerControlLines) {
     EXPECT_NE(connection.news<SimulatorAnswered>()->json.find("error"), std::string::npos);
 }
 
-TEST(BusWorker, ARealPortNeitherHearsNorAnswersControlLines) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    Connection connection;
-    connection.openSerial(sim.terminal());
-    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
-    connection.worker().control("set 2 power 0");
-    // The line was in the queue before the gains, so it has had its turn.
-    ASSERT_EQ(connection.carryOut(gainsAndEnable(1)), bus::Outcome::Done);
-    EXPECT_EQ(connection.count<SimulatorAnswered>(), 0);
-    EXPECT_TRUE(sim.state(2)[QStringLiteral("power")].toBool());
-    EXPECT_EQ(sim.violations(), "");
-}
-
-TEST(BusWorker, GivesOneModuleTheBusForAsLongAsItIsWanted) {
-    Connection connection;
-    connection.open(simulator(1));
+TEST_F(BusWorkerTest, GivesOneModuleTheBusForAsLongAsItIsWanted) {
+    connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     connection.worker().setRecording(true);
     // Read Status of these items only.
@@ -143,13 +127,12 @@ TEST(BusWorker, GivesOneModuleTheBusForAsLongAsItIsWanted) {
     connection.worker().focus(ModuleIndex(0));
     EXPECT_TRUE(connection.waitUntil([&] { return asked(StatusItems::Position); }));
     connection.worker().focus(std::nullopt);
-    // Sooner than it would end by itself.
-    EXPECT_TRUE(connection.waitUntil([&] { return asked(StatusItems::All); }, 3'000)) << "in full again";
+    connection.freeze(3s);  // it would end by itself after 5
+    EXPECT_TRUE(asked(StatusItems::All)) << "in full again";
 }
 
-TEST(BusWorker, RestartFindsTheChainAnew) {
-    Connection connection;
-    connection.open(simulator(2));
+TEST_F(BusWorkerTest, RestartFindsTheChainAnew) {
+    connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     ASSERT_TRUE(connection.module(0).gains.has_value());
@@ -159,18 +142,16 @@ TEST(BusWorker, RestartFindsTheChainAnew) {
     EXPECT_FALSE(connection.module(0).gains.has_value()) << "a restarted module has lost them";
 }
 
-TEST(BusWorker, RecordsNothingUnlessAsked) {
-    Connection connection;
-    connection.open(simulator(1));
+TEST_F(BusWorkerTest, RecordsNothingUnlessAsked) {
+    connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     EXPECT_TRUE(connection.worker().takeRecords().empty());
 }
 
-TEST(BusWorker, RecordsEveryExchangeWhileAsked) {
-    Connection connection;
+TEST_F(BusWorkerTest, RecordsEveryExchangeWhileAsked) {
     connection.worker().setRecording(true);
-    connection.open(simulator(1));
+    connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     std::vector<bus::ExchangeRecord> records = connection.worker().takeRecords();
     ASSERT_FALSE(records.empty());
@@ -192,9 +173,8 @@ TEST(BusWorker, RecordsEveryExchangeWhileAsked) {
 
 /// One that answers at its address has not restarted: it has the gains that it was sent, and where it holds
 /// is known.
-TEST(BusStore, KeepsWhatModulesWereToldThatAreFoundAgain) {
-    Connection connection;
-    connection.open(simulator(2), 115'200);
+TEST_F(BusStoreTest, KeepsWhatModulesWereToldThatAreFoundAgain) {
+    connection.open(115'200);
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     ASSERT_EQ(connection.carryOut(move(0, 500)), bus::Outcome::Done);
@@ -214,14 +194,13 @@ TEST(BusStore, KeepsWhatModulesWereToldThatAreFoundAgain) {
     EXPECT_EQ(history->last()->command(), 500);
 }
 
-TEST(BusStore, FiguresAreRatesSinceTheLastPull) {
-    Connection connection;
-    connection.open(simulator(1));
+TEST_F(BusStoreTest, FiguresAreRatesSinceTheLastPull) {
+    connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     (void)connection.store().pullFigures(TimePoint(std::chrono::seconds(10)));
     const std::uint64_t before = connection.worker().statistics().answered;
-    while (connection.worker().statistics().answered < before + 30)
-        std::this_thread::yield();
+    ASSERT_TRUE(
+        connection.waitUntil([&] { return connection.worker().statistics().answered >= before + 30; }));
     const std::uint64_t least = connection.worker().statistics().answered - before;
     const LinkFigures figures = connection.store().pullFigures(TimePoint(std::chrono::seconds(12)));
     EXPECT_GE(figures.exchangesPerSecond, static_cast<double>(least) / 2.0 - 1.0);

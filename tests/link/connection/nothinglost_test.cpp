@@ -4,8 +4,7 @@
 
 #include <map>
 
-#include "tests/link/connection.h"
-#include "tests/link/gatedtransport.h"
+#include "tests/link/connection/virtualconnection.h"
 
 namespace nmc {
 namespace {
@@ -16,21 +15,12 @@ constexpr std::uint32_t kFlood = 3'000;  // three times what may wait
 
 class NothingLost : public testing::Test {
 protected:
-    void open(std::size_t modules = 1) {
+    void open() {
         bus::EngineConfig config;
-        config.adapterLatency = Duration::zero();
         config.holdTimeout = std::chrono::hours(1);
-        sim::ChainOptions options;
-        options.enableFaults = true;
-        connection.open(
-            [this, modules, options] {
-                const std::vector<ModuleIdentity> chain(modules, {ModuleType::Servo, 4});
-                return std::make_unique<GatedTransport>(gate, chain, options);
-            },
-            config);
+        connection.open(config);
         ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     }
-    ~NothingLost() override { gate.open(); }
 
     /// How often each operation has ended.
     std::map<std::uint32_t, int> endings() {
@@ -39,6 +29,7 @@ protected:
             [&ends](const bus::OperationFinished& finished) { ++ends[finished.id.value()]; });
         return ends;
     }
+    /// The bus thread stands still meanwhile: it has time only while this one waits.
     void flood() {
         for (std::uint32_t i = 0; i < kFlood; ++i)
             connection.submit({bus::Order{ModuleIndex(0), ServoCommand(Nop{})}});
@@ -50,24 +41,20 @@ protected:
             EXPECT_EQ(times, 1) << "operation " << id;
     }
 
-    Gate gate;
-    Connection connection;
+    VirtualChain sim{QStringLiteral("servo")};
+    VirtualConnection connection{sim};
 };
 
 TEST_F(NothingLost, WhatIsOneTooManyIsRefusedAndEveryOperationEndsOnce) {
     open();
-    gate.shut();
     flood();
-    gate.open();
     expectEachEndedOnce();
 }
 
 TEST_F(NothingLost, OperationsEndWhenThePortIsGone) {
     open();
-    gate.shut();
     flood();
-    gate.breakPort();
-    gate.open();
+    sim.unplug();
     ASSERT_TRUE(connection.waitFor<PortClosed>());
     expectEachEndedOnce();
 }
@@ -86,10 +73,8 @@ TEST_F(NothingLost, AReleaseIsHeardBehindAnyNumberOfRequests) {
     connection.worker().hold(hold);
     ASSERT_TRUE(
         connection.waitUntil([this] { return connection.module(0).activity() == Activity::AtSpeed; }));
-    gate.shut();
     connection.worker().release();
     flood();
-    gate.open();
     EXPECT_TRUE(connection.waitUntil([this] { return connection.module(0).activity() == Activity::Holding; }))
         << "nothing else would end this motion before an hour is over";
 }
@@ -101,16 +86,21 @@ TEST_F(NothingLost, ARateThatCannotBeAskedForIsRefused) {
     EXPECT_EQ(connection.news<bus::RateChangeFailed>()->wanted, 115'200U);
 }
 
-TEST_F(NothingLost, WhatAConnectionHadToTellIsNotTakenForTheNextOnes) {
-    open(1);
-    connection.worker().close();
-    // Whoever does not wait for its end: the second connection is none the worse.
-    connection.forgetNews();
-    open(2);
-    EXPECT_EQ(connection.news<bus::ChainFound>()->modules.size(), 2U);
-    EXPECT_EQ(connection.count<PortClosed>(), 0);
+/// F-27: one cause, one message, and the port stays open for another try as long as it is there.
+TEST_F(NothingLost, NobodyAnsweringIsSaidAndSoIsThePortThatGoesThenOnce) {
+    sim.tell("fault bus silent");
+    connection.open();
+    ASSERT_TRUE(connection.waitFor<bus::ConnectFailed>());
+    EXPECT_EQ(connection.news<bus::ConnectFailed>()->reason, bus::ConnectFailure::NobodyAnswers);
     EXPECT_TRUE(connection.worker().isOpen());
-    EXPECT_EQ(connection.carryOut(gainsAndEnable(1)), bus::Outcome::Done);
+    sim.unplug();
+    ASSERT_TRUE(connection.waitFor<PortClosed>());
+    ASSERT_TRUE(connection.news<PortClosed>()->error.has_value());
+    EXPECT_EQ(connection.news<PortClosed>()->error->problem, PortProblem::Gone);
+    EXPECT_FALSE(connection.worker().isOpen());
+    EXPECT_EQ(connection.count<PortClosed>(), 1);
+    EXPECT_EQ(connection.count<bus::LinkLost>(), 0);
+    EXPECT_EQ(connection.count<bus::ModuleUnresponsive>(), 0);
 }
 
 /// Counters begin anew with the chain; the second behind that has no rate of 1.8e19.

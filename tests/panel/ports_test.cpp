@@ -7,14 +7,15 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
+#include <optional>
 
-#include "tests/support/panel.h"
+#include "tests/support/virtualpanel.h"
 
 namespace nmc {
 namespace {
 
-using testing_support::IntentPanel;
-using testing_support::NmcsimProcess;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
 
 /// A machine whose ports are what the test says.
 class PortsMachine {
@@ -60,20 +61,19 @@ TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
     const QString one = machine.port("ttyUSB0");
     const QString two = machine.port("ttyUSB1");
     machine.set({adapter(one, "A1")});
-    IntentPanel panel({}, machine.places());
+    VirtualChain before(QStringLiteral("servo"), one);
+    VirtualChain sim(QStringLiteral("servo"), two);
+    VirtualPanel panel({}, machine.places());
     panel.start();
-    {
-        NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), one});
-        ASSERT_NO_FATAL_FAILURE(panel.connectTo(one));
-        machine.set({});
-    }
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(one));
+    before.unplug();
+    machine.set({});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
-    NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), two});
     machine.set({adapter(two, "A1")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(kBack) == 1; }));
     EXPECT_TRUE(panel.headlines().first().contains(two));
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
-    EXPECT_EQ(sim.control(QStringLiteral("time"))[QStringLiteral("received")].toInt(-1), 0);
+    EXPECT_TRUE(sim.takePackets().empty());
 
     ASSERT_TRUE(panel.press(kBack, QStringLiteral("Reconnect")));
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
@@ -85,19 +85,18 @@ TEST(F29_BackUnderAnotherName, IsOnlyLookedAtWhereItWasOnlyLookedAt) {
     const QString one = machine.port("ttyUSB0");
     const QString two = machine.port("ttyUSB1");
     machine.set({adapter(one, "A1")});
-    IntentPanel panel({}, machine.places());
+    VirtualChain before(QStringLiteral("servo"), one);
+    VirtualChain sim(QStringLiteral("servo"), two);
+    VirtualPanel panel({}, machine.places());
     panel.start();
     const LinkState& link = panel.composition().store().link();
-    {
-        NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), one});
-        emit panel.window().connectRequested(one, 115'200, true);
-        // Whether the chain has addresses to be looked at does not matter here.
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return link.phase == LinkPhase::Connected || link.phase == LinkPhase::Lost; }));
-        machine.set({});
-    }
+    emit panel.window().connectRequested(one, 115'200, true);
+    // Whether the chain has addresses to be looked at does not matter here.
+    ASSERT_TRUE(
+        panel.waitFor([&] { return link.phase == LinkPhase::Connected || link.phase == LinkPhase::Lost; }));
+    before.unplug();
+    machine.set({});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
-    NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), two});
     machine.set({adapter(two, "A1")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(kBack) != nullptr; }));
     ASSERT_TRUE(panel.press(kBack, QStringLiteral("Reconnect")));
@@ -109,15 +108,15 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     PortsMachine machine;
     const QString port = machine.port("ttyUSB0");
     machine.set({adapter(port, "A1")});
-    IntentPanel panel({}, machine.places());
+    std::optional<VirtualChain> sim;
+    VirtualPanel panel({}, machine.places());
     panel.start();
-    {
-        NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), port});
-        ASSERT_NO_FATAL_FAILURE(panel.connectTo(port));
-        machine.set({});
-    }
+    sim.emplace(QStringLiteral("servo"), port);
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(port));
+    sim->unplug();
+    machine.set({});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
-    NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), port});
+    sim.emplace(QStringLiteral("servo"), port);
     machine.set({adapter(port, "B2")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(kDifferent) == 1; }));
     panel.askFor(port);
@@ -129,31 +128,14 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     EXPECT_EQ(panel.count(kBack), 0);
 }
 
-TEST(TypedPort, ThatIsNoneSaysWhatToDo) {
-    IntentPanel panel;
-    panel.start();
-    QTemporaryDir directory;
-    QFile file(directory.filePath(QStringLiteral("mill.json")));
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    panel.askFor(QStringLiteral("/dev/ttyNone"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("/dev/ttyNone not found.")); }));
-    panel.askFor(QStringLiteral("simulator=servo,nothing"));
-    ASSERT_TRUE(
-        panel.waitFor([&] { return panel.standing(QStringLiteral("simulator=servo,nothing not found.")); }));
-    panel.askFor(file.fileName());
-    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("is not a serial port.")); }))
-        << panel.headlines().join(QLatin1Char('\n')).toStdString();
-    EXPECT_TRUE(panel.press(QStringLiteral("is not a serial port."), QStringLiteral("Choose another port")));
-}
-
 TEST(UnpluggedWhileItMoves, NamesTheModuleAndTheAgeOfItsPositionGoesOn) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    IntentPanel panel;
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     const auto label = [&](const char* name) {
         return panel.window().findChild<QLabel*>(QLatin1String(name));
     };
-    sim.quit();
+    sim.unplug();
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("Module 1 was moving.")); }));
     EXPECT_TRUE(label("positionLabel")->font().strikeOut());
     EXPECT_NE(label("positionLabel")->text(), QStringLiteral("–"));
@@ -165,14 +147,14 @@ TEST(UnpluggedWhileItMoves, NamesTheModuleAndTheAgeOfItsPositionGoesOn) {
 }
 
 TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
-    NmcsimProcess sim(QStringLiteral("servo"));
+    VirtualChain sim(QStringLiteral("servo"));
     PortsMachine machine;
     machine.setLatency(sim.terminal(), "16\n");
     PortController controller(machine.places());
     EXPECT_EQ(controller.adapterLatency(sim.terminal()), std::chrono::milliseconds(16));
     EXPECT_EQ(controller.adapterLatency(QStringLiteral("/dev/ttyS0")), std::chrono::milliseconds(4));
 
-    IntentPanel panel({}, machine.places());
+    VirtualPanel panel({}, machine.places());
     panel.start();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("adapter waits 16 ms")) == 1; }));

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program is told to end: what becomes of the motors.
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "app/unixsignals.h"
+#include "tests/support/virtualpanel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
+using namespace std::chrono_literals;
+
+class Signals : public testing::TestWithParam<int> {};
+
+TEST_P(Signals, StopTheMotorsAndEndTheProgram) {
+    VirtualChain sim(QStringLiteral("servo"));
+    VirtualPanel panel;
+    const UnixSignals system(panel.composition().worker());
+    QObject::connect(&system, &UnixSignals::terminationAsked, &panel.composition(),
+                     &Composition::stopAndQuit);
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    std::raise(GetParam());
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.window().isVisible(); }));
+    EXPECT_FALSE(panel.composition().worker().isOpen());
+    EXPECT_FALSE(sim.driven(0));
+    EXPECT_TRUE(sim.state(1)[QStringLiteral("servo_on")].toBool());
+    EXPECT_TRUE(panel.markers().isEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(H04, Signals, testing::Values(SIGTERM, SIGINT, SIGHUP));
+
+TEST(H04_Signal, StopsTheMotorsWhileTheGuiThreadIsBlocked) {
+    VirtualChain sim(QStringLiteral("servo"));
+    VirtualPanel panel;
+    const UnixSignals system(panel.composition().worker());
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    std::raise(SIGTERM);
+    panel.freeze(500ms);  // of the 2 s after which they would be stopped anyway
+    EXPECT_FALSE(sim.driven(0));
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); })) << "and it closed";
+}
+
+TEST(H04_EndOfSession, StopsTheMotorsAndEndsTheProgramWithoutAQuestion) {
+    VirtualChain sim(QStringLiteral("servo"));
+    VirtualPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    // Only the platform can make a session manager, and nobody here looks into it.
+    alignas(QObject) std::byte manager[sizeof(QObject)]{};
+    emit qApp->commitDataRequest(reinterpret_cast<QSessionManager&>(manager));
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.window().isVisible(); }));
+    EXPECT_FALSE(panel.composition().worker().isOpen());
+    EXPECT_FALSE(sim.driven(0));
+}
+
+}  // namespace
+}  // namespace nmc
