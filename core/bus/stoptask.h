@@ -53,8 +53,8 @@ private:
     const Line& m_line;
     std::vector<Event>& m_events;
     std::optional<StopRun> m_run;
-    TimePoint m_pressed;         ///< the first of those that this stop answers
-    bool m_waiting = false;      ///< for the search
+    TimePoint m_pressed;     ///< the first of those that this stop answers
+    bool m_waiting = false;  ///< for the search
     bool m_unasked = false;
     bool m_blindDue = false;     ///< what next() does first, once a begin()
     std::vector<Order> m_blind;  ///< under way

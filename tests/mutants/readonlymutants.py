@@ -30,7 +30,7 @@ READ_ONLY = (
     )),
     Mutant("read-only-stops-when-it-gives-up", "nor is one that is given up", (
         Edit("core/bus/engine.cpp",
-             "    if (!m_stop.active() && !m_config.readOnly)\n", "    if (!m_stop.active())\n"),
+             "    if (!m_stop.active() && !m_config.readOnly) {\n", "    if (!m_stop.active()) {\n"),
     )),
     Mutant("read-only-suspects-motions", "each is somebody else's", (
         Edit("core/bus/engineoutcome.cpp", 
