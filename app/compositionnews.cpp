@@ -86,7 +86,7 @@ void Composition::told(const bus::OperationFinished& finished) {
 }
 
 void Composition::told(const bus::StopFinished& finished) {
-    // Of a port on which no module was found, say, when it is closed: nobody asked, and nobody needed one.
+    // A port without modules has been closed, for example: nobody asked for a stop, and nothing needed one.
     if (finished.unasked && finished.reachedNobody())
         return;
     m_flight.note(texts::stopResult(finished, {}).key, texts::stopOfAll(), {},

@@ -24,6 +24,7 @@ void StopTask::begin(TimePoint now) {
 void StopTask::beginAfterSearch(TimePoint now) {
     if (!active())
         m_pressed = now;
+    m_unasked = false;
     m_waiting = true;
 }
 

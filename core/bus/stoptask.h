@@ -21,10 +21,10 @@ public:
 
     /// Stops the chain, or looks at everything anew when that is under way.
     void begin(TimePoint now);
-    /// What was begun last, the operator has not asked for.
-    void noteUnasked() { m_unasked = true; }
     /// Nobody is known yet who could be told: as soon as the search is over.
     void beginAfterSearch(TimePoint now);
+    /// The operator did not ask for the stop that was begun last.
+    void noteUnasked() { m_unasked = true; }
     /// The search is over; the chain is what it has found, or what it was.
     void onSearchOver(TimePoint now);
 
@@ -53,9 +53,9 @@ private:
     const Line& m_line;
     std::vector<Event>& m_events;
     std::optional<StopRun> m_run;
-    TimePoint m_pressed;     ///< the first of those that this stop answers
-    bool m_waiting = false;  ///< for the search
-    bool m_unasked = false;
+    TimePoint m_pressed;         ///< the first of those that this stop answers
+    bool m_waiting = false;      ///< for the search
+    bool m_unasked = false;      ///< StopFinished::unasked
     bool m_blindDue = false;     ///< what next() does first, once a begin()
     std::vector<Order> m_blind;  ///< under way
     bool m_blindHeard = false;   ///< the link was not in doubt when they went out

@@ -328,7 +328,7 @@ struct StopFinished {
     std::vector<ModuleIndex> noStopKnown;  ///< !hasStop(): was not told, use the hardware stop
     Duration took{};
     std::vector<ModuleIndex> wereOff{};  ///< when it began: they had to be told nothing
-    bool unasked = false;                ///< not the operator's: before the port is closed, say
+    bool unasked = false;                ///< not the operator's, but before a port is closed, for example
 
     [[nodiscard]] bool reachedNobody() const {
         return stopped.empty() && unreached.empty() && unconfirmed.empty() && noStopKnown.empty();

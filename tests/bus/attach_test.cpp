@@ -170,6 +170,21 @@ TEST(Attach, EndsAStopDuringALookThatFindsNobody) {
     EXPECT_TRUE(bus.last<StopFinished>()->stopped.empty());
 }
 
+/// The result of a stop that the operator asked for is always shown, even where another one ran already.
+TEST(Attach, SaysOfAStopWhetherTheOperatorAskedForIt) {
+    for (const bool asked : {false, true}) {
+        VirtualBus bus{std::vector<ModuleIdentity>{}};
+        bus.engine.connect(bus.now);
+        bus.runFor(50ms);
+        EXPECT_TRUE(bus.engine.stopUnasked(bus.now));
+        if (asked)
+            bus.engine.stopAll(bus.now);
+        ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() > 0; }, 20s));
+        EXPECT_TRUE(bus.last<StopFinished>()->reachedNobody());
+        EXPECT_EQ(bus.last<StopFinished>()->unasked, !asked);
+    }
+}
+
 TEST(Attach, TellsOfAModuleWithoutAnAddressBesideTheChain) {
     for (const std::uint32_t baud : {19'200U, 115'200U}) {
         SCOPED_TRACE(baud);
