@@ -14,9 +14,9 @@ namespace nmc::field {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Of nmcsim's time: the longest packet and its reply at 19 200 Bd, and a tick.
+/// Seconds on nmcsim's clock: the longest packet and its reply at 19 200 Bd, and a servo tick.
 inline constexpr double kExchange = 0.05;
-/// Of exchanges, until a motor is where it should be.
+/// The number of exchanges in which a motor has to reach its goal.
 inline constexpr int kPatience = 400;
 inline constexpr unsigned kEveryone = 0xFF;
 

@@ -98,7 +98,7 @@ TEST_F(FirstDay, EachMistakeIsSaidAndMovesNothing) {
     })) << hand.find<QAbstractButton>(u"Enable amplifier"_s)->toolTip().toStdString();
     EXPECT_FALSE(hand.find<QAbstractButton>(u"Hold to move forward"_s)->isEnabled());
 
-    // With all that behind, the first motor runs, and stops.
+    // After all that the first motor still runs and stops.
     select(0);
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Run forward"_s));

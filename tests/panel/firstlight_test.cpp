@@ -154,7 +154,7 @@ TEST_F(FirstLight, AHoldThatEndedInAStallIsOverUntilTheButtonWasUp) {
     EXPECT_FALSE(movedAgain);
     QTest::mouseRelease(&button, Qt::LeftButton);
     QTest::mousePress(&button, Qt::LeftButton);
-    EXPECT_TRUE(panel.waitFor([&] { return two.driven(0); })) << "pressed anew";
+    EXPECT_TRUE(panel.waitFor([&] { return two.driven(0); })) << "pressed again";
     QTest::mouseRelease(&button, Qt::LeftButton);
     EXPECT_TRUE(panel.waitFor([&] { return !two.driven(0); }));
 }

@@ -189,9 +189,8 @@ QString pathState(const ProcedureReport& report) {
 }
 
 QString pathReach(const PathTable::Column& column, const PathColumn& axis) {
-    auto [least, most] = std::ranges::minmax(column.points);
-    if (axis.scale.reversed())
-        std::swap(least, most);
+    const auto reach = std::ranges::minmax(column.points);
+    const auto [least, most] = axis.scale.ordered(reach.min, reach.max);
     return Texts::tr("%1 from %2 to %3")
         .arg(QString::fromStdString(axis.name), position(axis.scale, least), position(axis.scale, most));
 }

@@ -130,9 +130,10 @@ bool hasRows(const SequenceReport& report) {
 }
 
 QString axisLine(const DryRun::Axis& axis, const AxisScale& scale) {
+    const auto [lowest, highest] = scale.ordered(axis.lowest, axis.highest);
     return Texts::tr("%1: %2 to %3, %4 in all, moves: %5")
-        .arg(moduleName(axis.module), position(scale, scale.reversed() ? axis.highest : axis.lowest),
-             position(scale, scale.reversed() ? axis.lowest : axis.highest), distance(scale, axis.travelled))
+        .arg(moduleName(axis.module), position(scale, lowest), position(scale, highest),
+             distance(scale, axis.travelled))
         .arg(axis.moves);
 }
 

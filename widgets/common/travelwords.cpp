@@ -2,8 +2,6 @@
 #include "widgets/common/travelwords.h"
 
 #include <QCoreApplication>
-#include <array>
-#include <utility>
 
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
@@ -17,6 +15,22 @@ namespace {
 class TravelTexts {
     Q_DECLARE_TR_FUNCTIONS(TravelTexts)
 };
+
+TravelPlace fromOtherSide(TravelPlace place) {
+    switch (place) {
+        case TravelPlace::Within:
+            break;
+        case TravelPlace::AtLowest:
+            return TravelPlace::AtHighest;
+        case TravelPlace::AtHighest:
+            return TravelPlace::AtLowest;
+        case TravelPlace::BelowLowest:
+            return TravelPlace::AboveHighest;
+        case TravelPlace::AboveHighest:
+            return TravelPlace::BelowLowest;
+    }
+    return place;
+}
 
 }  // namespace
 
@@ -70,25 +84,21 @@ QString travelState(const ModuleState& module, const AxisScale& scale) {
         case TravelForce::InForce:
             break;
     }
-    TravelRange range = travelRange(module).value_or(TravelRange{});
-    if (scale.reversed())
-        std::swap(range.lowest, range.highest);
-    if (!range.highest)
-        return u"● "_s + TravelTexts::tr("In force: not below %1.").arg(position(scale, *range.lowest));
-    if (!range.lowest)
-        return u"● "_s + TravelTexts::tr("In force: not above %1.").arg(position(scale, *range.highest));
+    const TravelRange range = travelRange(module).value_or(TravelRange{});
+    const auto [lowest, highest] = scale.ordered(range.lowest, range.highest);
+    if (!highest)
+        return u"● "_s + TravelTexts::tr("In force: not below %1.").arg(position(scale, *lowest));
+    if (!lowest)
+        return u"● "_s + TravelTexts::tr("In force: not above %1.").arg(position(scale, *highest));
     return u"● "_s + TravelTexts::tr("In force: from %1 to %2.")
-                         .arg(position(scale, *range.lowest), position(scale, *range.highest));
+                         .arg(position(scale, *lowest), position(scale, *highest));
 }
 
 QString travelSign(const ModuleState& module, const AxisScale& scale) {
     if (travelForce(module) == TravelForce::HomeUnknown)
         return u"▲ "_s + TravelTexts::tr("Travel limits not in force");
-    using enum TravelPlace;
     const TravelPlace place = travelPlace(module);
-    // From below: within, at the lowest, at the highest, below the lowest, above the highest.
-    constexpr std::array<TravelPlace, 5> kReversed{Within, AtHighest, AtLowest, AboveHighest, BelowLowest};
-    switch (scale.reversed() ? kReversed.at(static_cast<std::size_t>(place)) : place) {
+    switch (scale.reversed() ? fromOtherSide(place) : place) {
         case TravelPlace::Within:
             break;
         case TravelPlace::AtLowest:

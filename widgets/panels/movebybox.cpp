@@ -102,10 +102,8 @@ void MoveByBox::buildRepeat(QGridLayout* grid, int& line) {
     auto* pause = new QLabel(tr("times, pause"), this);
     pause->setBuddy(m_pause);
     auto* repeat = new FlowLayout(look::gridUnit(this));
-    for (QWidget* part :
-         {static_cast<QWidget*>(m_rounds), static_cast<QWidget*>(pause), static_cast<QWidget*>(m_pause),
-          static_cast<QWidget*>(new QLabel(tr("s"), this)), static_cast<QWidget*>(m_backAndForth),
-          static_cast<QWidget*>(m_end->button()), static_cast<QWidget*>(m_progress)})
+    for (QWidget* part : std::initializer_list<QWidget*>{m_rounds, pause, m_pause, new QLabel(tr("s"), this),
+                                                         m_backAndForth, m_end->button(), m_progress})
         repeat->addWidget(part);
     auto* title = new QLabel(tr("Repeat"), this);
     // Beside the first row, should there be two.

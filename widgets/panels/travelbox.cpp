@@ -163,8 +163,8 @@ bool TravelBox::usable(const QuantityField& field) {
 bool TravelBox::crossed() const {
     const auto lowest = m_limits[Lowest]->native();
     const auto highest = m_limits[Highest]->native();
-    const double room = lowest && highest ? *highest - *lowest : 1;
-    return (m_context.scale().reversed() ? -room : room) <= 0;
+    const AxisScale scale = m_context.scale();
+    return lowest && highest && scale.position(*lowest) >= scale.position(*highest);
 }
 
 /// Home is within the limits, and nearer to one of them than the backlash.

@@ -26,10 +26,12 @@ void PathPlot::showPath(const PathTable& table, const std::vector<PathColumn>& a
         lane.title = tr("%1 (%2)").arg(QString::fromStdString(axis.name), texts::unitOf(axis.scale));
         for (const std::int32_t point : table.columns[i].points)
             lane.points.push_back(axis.scale.position(point));
-        const auto [least, most] = std::ranges::minmax(table.columns[i].points);
+        const auto reach = std::ranges::minmax(table.columns[i].points);
+        const auto [least, most] = axis.scale.ordered(reach.min, reach.max);
         lane.lowest = texts::position(axis.scale, least);
         lane.highest = texts::position(axis.scale, most);
-        std::tie(lane.bottom, lane.top) = std::minmax(axis.scale.position(least), axis.scale.position(most));
+        lane.bottom = axis.scale.position(least);
+        lane.top = axis.scale.position(most);
         m_lanes.push_back(std::move(lane));
     }
     m_share = -1.0;

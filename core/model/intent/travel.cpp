@@ -164,7 +164,7 @@ private:
     return beyondTravel(*position, *course.goal, *range);
 }
 
-/// Of its first step that leaves the travel: each begins where the one before ends.
+/// The problem of the first step that leaves the travel. Each step begins where the one before ends.
 [[nodiscard]] std::optional<TravelProblem> problemOf(const intent::StepSeries& series,
                                                      const ModuleState& module) {
     const auto range = travelRange(module);

@@ -103,7 +103,8 @@ std::string unquoted(std::string_view text) {
 
 tl::expected<double, Fault> real(std::string_view cell, Bounds bounds) {
     const auto number = finite(cell);
-    if (number && (*number < bounds.min || *number > bounds.max))
+    const double amount = number && bounds.eitherSign ? std::abs(*number) : number.value_or(0);
+    if (number && (amount < bounds.min || amount > bounds.max))
         return tl::unexpected(Fault::OutOfRange);
     return number;
 }

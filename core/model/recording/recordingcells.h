@@ -18,6 +18,7 @@ enum class Fault : std::uint8_t { NotANumber, OutOfRange };
 struct Bounds {
     double min;
     double max;
+    bool eitherSign = false;  ///< the same below 0
 };
 /// Of times from the start of a recording, in seconds: ten years.
 inline constexpr Bounds kTimes{-315'360'000.0, 315'360'000.0};

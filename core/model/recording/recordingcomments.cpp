@@ -139,16 +139,8 @@ std::optional<RecordingProblem> takeModuleEntry(std::string_view key, std::strin
         return number.byteInto(module.identity.type);
     if (key == words::kVersion)
         return number.byteInto(module.identity.version);
-    if (key == words::kPerUnit) {
-        const bool reversed = value.starts_with('-');
-        const NumberEntry amount{field, value.substr(reversed ? 1 : 0)};
-        auto problem = amount.realInto(module.unit.countsPerUnit, {kMinCountsPerUnit, kMaxCountsPerUnit});
-        if (problem)
-            problem->found = std::string(value);
-        else if (reversed)
-            module.unit.countsPerUnit = -module.unit.countsPerUnit;
-        return problem;
-    }
+    if (key == words::kPerUnit)
+        return number.realInto(module.unit.countsPerUnit, {kMinCountsPerUnit, kMaxCountsPerUnit, true});
     if (key == words::kAnalogPerCount)
         return number.realInto(module.analog.perCount, kAnyReal);
     if (key == words::kAnalogAtZero)

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace nmc {
 
@@ -46,6 +47,12 @@ public:
     [[nodiscard]] const AxisUnit& unit() const { return m_unit; }
     /// The user's forward is the chip's reverse, his highest position the chip's lowest.
     [[nodiscard]] bool reversed() const { return countsPerUnit() < 0; }
+    /// The chip's lowest and highest as the user's lowest and highest: he has them the other way round on a
+    /// reversed axis.
+    template <typename Place>
+    [[nodiscard]] std::pair<Place, Place> ordered(Place lowest, Place highest) const {
+        return reversed() ? std::pair(highest, lowest) : std::pair(lowest, highest);
+    }
     /// A PIC-STEP: its positions are steps.
     [[nodiscard]] bool steps() const { return m_steps; }
     [[nodiscard]] bool native() const { return m_unit.kind == UnitKind::Native; }

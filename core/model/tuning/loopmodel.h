@@ -30,7 +30,7 @@ struct MotorConstants {
     double resonance = 0.0;     ///< Hz, at which both swing against each other
 };
 
-/// Of that swing: of the critical one. A guess.
+/// The damping of that swing, as a share of critical damping. It is a guess.
 inline constexpr double kSpringDamping = 0.02;
 
 /// The PWM values by which friction holds the shaft at rest.
