@@ -207,6 +207,8 @@ void Composition::keepMessages() {
 
 void Composition::keepPositions() {
     connect(&m_store, &BusStore::linkChanged, &m_positions, &PositionKeeper::look);
+    connect(&m_machine, &MachineController::machineChanged, &m_positions,
+            [this] { m_positions.setMachine(m_machine.machine().name); });
     connect(&m_positions, &PositionKeeper::offered, this, [this](const PositionMemory::Offer& offer) {
         const ModuleState* module = m_store.module(offer.module);
         m_messages.tell(
@@ -294,8 +296,7 @@ void Composition::openNow(const ConnectTarget& target) {
     }
     m_messages.end(texts::key::port());
     m_motionMarker.begin(port, target.baud, !isSimulator(port) && !target.readOnly);
-    m_positions.begin(port, QString::fromStdString(m_machine.machine().name),
-                      !isSimulator(port) && !target.readOnly);
+    m_positions.begin(port, !isSimulator(port) && !target.readOnly);
     m_store.begin(port, isSimulator(port), target.baud, target.readOnly);
     m_window.paths().setLatency(config.adapterLatency);
     m_window.beginPackets(packetSession(port));

@@ -18,9 +18,8 @@ constexpr std::size_t kMaxPositionBytes = 16'384;
 /// Between what a shaft that is turned by hand tells and its being kept.
 constexpr int kKeepPositionsAfterMs = 500;
 
-QString fileOf(const QString& folder, const QString& port, const QString& machine) {
-    const QByteArray whose = (port + QLatin1Char('\n') + machine).toUtf8();
-    const QByteArray name = QCryptographicHash::hash(whose, QCryptographicHash::Sha1).toHex().left(16);
+QString fileOf(const QString& folder, const QString& port) {
+    const QByteArray name = QCryptographicHash::hash(port.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
     return QDir(folder).filePath(QStringLiteral("positions-%1.json").arg(QLatin1String(name)));
 }
 
@@ -41,17 +40,17 @@ PositionKeeper::PositionKeeper(QString folder, BusStore& store, FileWriter::Disk
     connect(&m_loading, &BackgroundJob::ended, this, &PositionKeeper::loaded);
 }
 
-void PositionKeeper::begin(const QString& port, const QString& machine, bool owns) {
+void PositionKeeper::begin(const QString& port, bool owns) {
     keep();
     m_loading.cancel();
     m_found.reset();
-    const QString file = owns ? fileOf(m_folder, port, machine) : QString();
+    const QString file = owns ? fileOf(m_folder, port) : QString();
     m_memory = {};
     // What this session has kept may not be on the disk yet.
     if (file == m_file && m_loaded)
-        return m_memory.begin(m_kept);
+        return begin();
     m_file = file;
-    m_kept.clear();
+    m_kept = {};
     m_loaded = false;
     if (!owns)
         return;
@@ -62,10 +61,29 @@ void PositionKeeper::begin(const QString& port, const QString& machine, bool own
     });
 }
 
+void PositionKeeper::begin() {
+    if (!isOfAnother())
+        m_memory.begin(m_kept.positions);
+}
+
+bool PositionKeeper::isOfAnother() const {
+    return !m_machine.empty() && !m_kept.machine.empty() && m_machine != m_kept.machine;
+}
+
+void PositionKeeper::setMachine(const std::string& name) {
+    m_machine = name;
+    if (!isOfAnother())
+        return;
+    // Each that is withdrawn leaves m_offered.
+    const std::vector<ModuleIndex> offered = m_offered;
+    for (const ModuleIndex module : offered)
+        m_store.dropHome(module);
+}
+
 void PositionKeeper::loaded() {
-    m_kept = readPositions(*m_read);
-    m_memory.begin(m_kept);
+    m_kept = readRemembered(*m_read);
     m_loaded = true;
+    begin();
     if (m_found)
         m_memory.found(m_found->modules, m_found->attached);
     look();
@@ -96,18 +114,22 @@ void PositionKeeper::look() {
             emit over(module);
         return gone;
     });
-    if (startsMoving(m_memory.remembered(), m_kept))
+    if (startsMoving(m_memory.remembered(), m_kept.positions))
         keep();
-    else if (m_memory.remembered() != m_kept && !m_keepTimer.isActive())
+    else if (toKeep() != m_kept && !m_keepTimer.isActive())
         m_keepTimer.start();
+}
+
+RememberedChain PositionKeeper::toKeep() const {
+    return {m_machine.empty() ? m_kept.machine : m_machine, m_memory.remembered()};
 }
 
 void PositionKeeper::keep() {
     m_keepTimer.stop();
-    if (m_file.isEmpty() || !m_loaded || m_memory.remembered() == m_kept)
+    if (m_file.isEmpty() || !m_loaded || toKeep() == m_kept)
         return;
-    m_kept = m_memory.remembered();
-    m_files.write(m_file, [positions = m_kept] { return writePositions(positions); });
+    m_kept = toKeep();
+    m_files.write(m_file, [chain = m_kept] { return writeRemembered(chain); });
 }
 
 }  // namespace nmc

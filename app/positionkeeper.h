@@ -14,8 +14,8 @@
 
 namespace nmc {
 
-/// Keeps on disk where the axes of a port and a machine are, and offers it to modules that have forgotten it.
-/// Waits for no disk. GUI thread.
+/// Keeps on disk where the axes at a port are, and offers it to modules that have forgotten it, unless the
+/// machine is known to be another one by now. Waits for no disk. GUI thread.
 class PositionKeeper : public QObject {
     Q_OBJECT
 
@@ -27,7 +27,9 @@ public:
     ~PositionKeeper() override { keep(); }
 
     /// A port is being opened. `owns`: its axes are this session's business; else nothing is kept.
-    void begin(const QString& port, const QString& machine, bool owns);
+    void begin(const QString& port, bool owns);
+    /// The name of the machine that the panel has; empty: none. What was remembered of another is withdrawn.
+    void setMachine(const std::string& name);
     void found(const bus::ChainFound& found);
     void restarted(ModuleIndex module) { m_memory.restarted(module); }
     /// With every news of the link.
@@ -41,14 +43,18 @@ signals:
 
 private:
     void loaded();
+    void begin();
     void keep();
+    [[nodiscard]] RememberedChain toKeep() const;
+    [[nodiscard]] bool isOfAnother() const;
 
     QString m_folder;
     BusStore& m_store;
     FileWriter m_files;
     QString m_file;  ///< of this connection; empty: it keeps nothing
     PositionMemory m_memory;
-    RememberedPositions m_kept;  ///< as the file has it
+    RememberedChain m_kept;  ///< as the file has it
+    std::string m_machine;
     std::vector<ModuleIndex> m_offered;
     QTimer m_keepTimer;
     std::shared_ptr<std::string> m_read;  ///< shared with the job

@@ -49,9 +49,9 @@ struct Axis {
     }
     /// Another session at the same port.
     void another() {
-        const RememberedPositions kept = readPositions(writePositions(memory.remembered()));
+        const RememberedChain kept = readRemembered(writeRemembered({"press", memory.remembered()}));
         memory = {};
-        memory.begin(kept);
+        memory.begin(kept.positions);
     }
 };
 
@@ -200,16 +200,20 @@ TEST(PositionMemory, OneThatRestartsInTheMiddleOfASessionIsOfferedWhereItWas) {
 TEST(PositionMemory, AFileThatIsNoneOfOursIsNothing) {
     Axis axis;
     axis.wasLeft();
-    const std::string whole = writePositions(axis.memory.remembered());
-    EXPECT_EQ(readPositions(whole), axis.memory.remembered());
-    for (const char* text : {"", "[]", "{\"positions\": 3}", "{\"positions\": [3]}",
-                             "{\"positions\": [{\"module\": 1}]}", "\xff\xfe"})
-        EXPECT_TRUE(readPositions(text).empty()) << text;
+    const RememberedChain chain{"press", axis.memory.remembered()};
+    const RememberedChain nothing;
+    const std::string whole = writeRemembered(chain);
+    EXPECT_EQ(readRemembered(whole), chain);
+    for (const char* text :
+         {"", "[]", "{\"machine\": \"\", \"positions\": 3}", "{\"machine\": \"\", \"positions\": [3]}",
+          "{\"machine\": 3, \"positions\": []}", "{\"positions\": []}",
+          "{\"machine\": \"\", \"positions\": [{\"module\": 1}]}", "\xff\xfe"})
+        EXPECT_EQ(readRemembered(text), nothing) << text;
     for (std::size_t length = 0; length + 2 < whole.size(); ++length)
-        EXPECT_TRUE(readPositions(std::string_view(whole).substr(0, length)).empty()) << length;
+        EXPECT_EQ(readRemembered(std::string_view(whole).substr(0, length)), nothing) << length;
     std::string far = whole;
     far.replace(far.find("-700"), 4, "9999999999");
-    EXPECT_TRUE(readPositions(far).empty());
+    EXPECT_EQ(readRemembered(far), nothing);
 }
 
 TEST(PositionMemory, ThereIsNoEndOfTheCountThatItFallsOver) {

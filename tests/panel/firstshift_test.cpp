@@ -199,12 +199,9 @@ TEST_F(FirstShift, IsWorkedWhole) {
     EXPECT_FALSE(moves(sim));
     panel.reset();
 
-    // The next morning: everything was off; home is restored, and the machine opened.
+    // The next morning: everything was off; the machine is opened, and home restored.
     std::ignore = sim.control(u"power-cycle all"_s);
     ASSERT_NO_FATAL_FAILURE(begin());
-    ASSERT_TRUE(panel->waitFor([&] { return panel->standing(u"from home when last seen"_s) != nullptr; }));
-    ASSERT_TRUE(panel->press(u"from home when last seen"_s, u"Restore home"_s));
-    EXPECT_TRUE(panel->module().home.place().has_value());
     hand->strike(Qt::CTRL | Qt::Key_O);
     ASSERT_NO_FATAL_FAILURE(hand->chooseFile(machine));
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Apply"_s));
@@ -212,6 +209,9 @@ TEST_F(FirstShift, IsWorkedWhole) {
         const auto& axes = panel->composition().machine().axes;
         return !axes.empty() && axes[0].name == "X";
     }));
+    ASSERT_TRUE(panel->waitFor([&] { return panel->standing(u"from home when last seen"_s) != nullptr; }));
+    ASSERT_TRUE(panel->press(u"from home when last seen"_s, u"Restore home"_s));
+    EXPECT_TRUE(panel->module().home.place().has_value());
     EXPECT_EQ(panel->composition().machine().program.points.size(), 3U);
 
     // A recording, opened again, and a picture of it.

@@ -4,12 +4,15 @@
 
 #include <QLabel>
 
-#include "tests/support/virtualpanel.h"
+#include "link/files/machineio.h"
+#include "tests/support/hand.h"
+#include "widgets/machine/machinemenu.h"
 
 namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
+using testing_support::Hand;
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
 
@@ -133,6 +136,37 @@ TEST_F(PositionKept, OneThatWasStoppedByQuittingIsOffered) {
     ASSERT_TRUE(panel.press(offer, u"Restore home"_s));
     // The counter began at 0 where the motor rests; home was at 0.
     EXPECT_NEAR(panel.module().home.place()->counts, -rests, 4 + 5);
+}
+
+/// It is kept for the chain at a port, whatever file the machine was in when it moved last.
+TEST_F(PositionKept, IsOfferedWhateverWasSavedOrOpenedUnlessItIsAnotherMachine) {
+    const QString press = folder.filePath(u"press.json"_s);
+    {
+        VirtualPanel panel({}, {}, folder.path());
+        ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
+        emit panel.window().machineMenu().saveAsRequested(press);
+        ASSERT_TRUE(panel.waitFor([&] { return panel.composition().machine().name == "press"; }));
+    }
+    Machine other;
+    other.name = "mill";
+    const QString mill = folder.filePath(u"mill.json"_s);
+    ASSERT_TRUE(writeFile(mill, writeMachine(other)).has_value());
+    power();
+    VirtualPanel panel({}, {}, folder.path());
+    Hand hand(panel);
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
+    const auto open = [&](const QString& file, const char* name) {
+        emit panel.window().machineMenu().openRequested(file);
+        ASSERT_NO_FATAL_FAILURE(hand.click(u"Apply"_s));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.composition().machine().name == name; }));
+        ASSERT_TRUE(panel.answersFor(0.3));
+    };
+    ASSERT_NO_FATAL_FAILURE(open(press, "press"));
+    EXPECT_NE(panel.standing(offer), nullptr) << "it is the same machine";
+    ASSERT_NO_FATAL_FAILURE(open(mill, "mill"));
+    EXPECT_EQ(panel.standing(offer), nullptr) << "that one has never been seen here";
 }
 
 }  // namespace

@@ -123,9 +123,9 @@ void PositionMemory::follow(const ModuleState& module, std::int64_t now) {
     m_remembered[index] = news;
 }
 
-std::string writePositions(const RememberedPositions& positions) {
+std::string writeRemembered(const RememberedChain& chain) {
     Json list = Json::array();
-    for (const auto& [module, axis] : positions)
+    for (const auto& [module, axis] : chain.positions)
         list.push_back({{kModule.key, module.value() + 1},
                         {kType.key, static_cast<int>(axis.identity.type)},
                         {kVersion.key, axis.identity.version},
@@ -134,15 +134,16 @@ std::string writePositions(const RememberedPositions& positions) {
                         {kSaved.key, axis.source == HomeFact::Source::Saved ? 1 : 0},
                         {kSeen.key, axis.seen},
                         {kMoving.key, axis.moving ? 1 : 0}});
-    return Json{{"positions", list}}.dump(1) + '\n';
+    return Json{{"machine", chain.machine}, {"positions", list}}.dump(1) + '\n';
 }
 
-RememberedPositions readPositions(std::string_view text) {
+RememberedChain readRemembered(std::string_view text) {
     const Json file = Json::parse(text, nullptr, false);
-    if (!file.is_object() || !file.contains("positions") || !file["positions"].is_array() ||
+    if (!file.is_object() || !file.contains("machine") || !file["machine"].is_string() ||
+        !file.contains("positions") || !file["positions"].is_array() ||
         file["positions"].size() > kMostModules)
         return {};
-    RememberedPositions positions;
+    RememberedChain chain{file["machine"].get<std::string>(), {}};
     for (const Json& item : file["positions"]) {
         MemoryReader read(item);
         const ModuleIndex module(static_cast<std::uint8_t>(read(kModule) - 1));
@@ -155,9 +156,9 @@ RememberedPositions readPositions(std::string_view text) {
         axis.moving = read(kMoving) != 0;
         if (!read.right())
             return {};
-        positions[module] = axis;
+        chain.positions[module] = axis;
     }
-    return positions;
+    return chain;
 }
 
 }  // namespace nmc

@@ -60,8 +60,15 @@ private:
     std::map<ModuleIndex, Counter> m_new;  ///< since it was found nothing has been said of it
 };
 
+/// What is remembered of the chain at one port.
+struct RememberedChain {
+    std::string machine;  ///< its name; empty: it had none
+    RememberedPositions positions;
+    bool operator==(const RememberedChain&) const = default;
+};
+
 /// As text, for a file; what is no such text is nothing.
-[[nodiscard]] std::string writePositions(const RememberedPositions& positions);
-[[nodiscard]] RememberedPositions readPositions(std::string_view text);
+[[nodiscard]] std::string writeRemembered(const RememberedChain& chain);
+[[nodiscard]] RememberedChain readRemembered(std::string_view text);
 
 }  // namespace nmc
