@@ -19,7 +19,8 @@ constexpr std::size_t kMaxPositionBytes = 16'384;
 constexpr int kKeepPositionsAfterMs = 500;
 
 QString fileOf(const QString& folder, const QString& port) {
-    const QByteArray name = QCryptographicHash::hash(port.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
+    const QByteArray name =
+        QCryptographicHash::hash(port.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
     return QDir(folder).filePath(QStringLiteral("positions-%1.json").arg(QLatin1String(name)));
 }
 

@@ -57,6 +57,11 @@ TEST_F(FirstDay, EachMistakeIsSaidAndMovesNothing) {
     panel.askFor(sim.terminal());
     ASSERT_TRUE(said(u"not found"_s)) << all();
     sim.plugIn();
+    // Then somebody else's program has it open.
+    sim.setInUse(true);
+    panel.askFor(sim.terminal());
+    ASSERT_TRUE(said(u"is used by another program"_s)) << all();
+    sim.setInUse(false);
 
     // The wrong rate: another program has left the chain at its own.
     for (const char* packet : {"AA 00 21 01 FF 21", "AA 00 21 02 FF 22", "AA 00 21 03 FF 23",  // Set Address
@@ -103,6 +108,17 @@ TEST_F(FirstDay, EachMistakeIsSaidAndMovesNothing) {
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Run forward"_s));
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+
+    // The disk is full: the recording ends with that, and the motor goes on.
+    ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Scope"_s));
+    ASSERT_NO_FATAL_FAILURE(hand.click(u"Record"_s));
+    const QString full = folder.filePath(u"run.csv"_s);
+    ASSERT_TRUE(QFile::link(u"/dev/full"_s, full));
+    ASSERT_NO_FATAL_FAILURE(hand.chooseFile(full));
+    ASSERT_TRUE(said(u"stopped: the disk is full"_s)) << all();
+    EXPECT_TRUE(moves(sim));
+    ASSERT_NE(hand.find<QAbstractButton>(u"Record"_s), nullptr);
+
     hand.strike(Qt::Key_Escape);
     ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     EXPECT_EQ(sim.violations(), "");

@@ -144,7 +144,9 @@ TEST_F(PositionKept, IsOfferedWhateverWasSavedOrOpenedUnlessItIsAnotherMachine) 
     {
         VirtualPanel panel({}, {}, folder.path());
         ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
-        emit panel.window().machineMenu().saveAsRequested(press);
+        Hand hand(panel);
+        hand.strike(Qt::CTRL | Qt::Key_S);
+        ASSERT_NO_FATAL_FAILURE(hand.chooseFile(press));
         ASSERT_TRUE(panel.waitFor([&] { return panel.composition().machine().name == "press"; }));
     }
     Machine other;

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QApplication>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QTest>
+#include <QTimer>
 
 namespace nmc::testing_support {
 
-/// Types the whole path into the dialog, and Return.
+/// Types the whole path into the dialog, and Return; a file that is there may be replaced.
 inline void chooseFile(QFileDialog& dialog, const QString& path) {
     auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     name->setText(path);
+    // The question waits in an event loop of its own.
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, &dialog, [&] {
+        if (auto* question = dialog.findChild<QMessageBox*>())
+            question->button(QMessageBox::Yes)->click();
+    });
+    answer.start(0);
     QTest::keyClick(name, Qt::Key_Return);
 }
 

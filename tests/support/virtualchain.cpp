@@ -47,6 +47,8 @@ public:
     tl::expected<void, PortError> open() override {
         if (!m_on.m_plugged)
             return tl::unexpected(error(PortProblem::NotFound));
+        if (m_on.m_inUse)
+            return tl::unexpected(error(PortProblem::InUse));
         discardInput();  // what nobody has heard
         return setBaud(19'200);
     }

@@ -64,6 +64,8 @@ public:
     void unplug() { m_plugged = false; }
     void plugIn() { m_plugged = true; }
     [[nodiscard]] bool plugged() const { return m_plugged; }
+    /// Another program has the port open, or has closed it.
+    void setInUse(bool inUse) { m_inUse = inUse; }
     /// Something has gone wrong on it since it was set up.
     void disturb() { m_disturbed = true; }
     [[nodiscard]] bool disturbed() const { return m_disturbed; }
@@ -93,6 +95,7 @@ private:
     QString m_terminal;
     TimePoint m_powerUp;
     bool m_plugged = true;
+    bool m_inUse = false;
     bool m_disturbed = false;
     std::vector<Packet> m_packets;
 
