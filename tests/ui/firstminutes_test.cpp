@@ -2,6 +2,7 @@
 // What somebody sees who has the program for the first time: what to connect to, and how the motor gets to
 // move.
 #include <QComboBox>
+#include <QScrollBar>
 #include <QToolTip>
 
 #include "widgets/panels/holdbutton.h"
@@ -212,6 +213,18 @@ TEST_F(FirstStepsTest, ShowWhereTheNextIsDone) {
     EXPECT_TRUE(fill->isVisible());
     EXPECT_TRUE(QTest::qWaitFor([fill] { return QToolTip::text() == fill->toolTip(); }));
     EXPECT_TRUE(intents.isEmpty());
+}
+
+TEST_F(FirstStepsTest, ScrollToWhereTheNextIsDone) {
+    window->resize(1'280, 540);
+    click(u"fillGainsButton"_s);
+    settle();
+    const auto* apply = find(u"applyGainsButton"_s);
+    for (QScrollArea* area : window->findChildren<QScrollArea*>())
+        area->verticalScrollBar()->setValue(0);
+    ASSERT_NE(apply->visibleRegion(), QRegion(apply->rect())) << "there is nothing to be scrolled";
+    QTest::mouseClick(window->findChild<QWidget*>(u"firstStepButton"_s), Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return apply->visibleRegion() == QRegion(apply->rect()); }));
 }
 
 TEST_F(FirstStepsTest, AreNotForWhoMayOnlyLook) {

@@ -219,6 +219,9 @@ HoldButton* ModulePage::holdButton(bool reverse) {
 /// which takes tool tips away.
 void ModulePage::pointTo(QWidget& control) {
     QTimer::singleShot(kWindowChanges, &control, [&control] {
+        for (QWidget* around = control.parentWidget(); around != nullptr; around = around->parentWidget())
+            if (auto* area = qobject_cast<QScrollArea*>(around))
+                area->ensureWidgetVisible(&control);
         QToolTip::showText(control.mapToGlobal(control.rect().center()), control.toolTip(), &control);
     });
 }
