@@ -123,11 +123,15 @@ TEST_F(SequencePage, TheReasonWhyItCannotRunNamesTheRow) {
 
 TEST_F(SequencePage, ARunMarksItsRowAndForbidsAnother) {
     load(twoPoints());
+    auto* table = find<QTableView>(u"rowTable"_s);
+    QApplication::processEvents();
+    const int before = table->viewport()->x();
     SequenceReport report;
     report.places = {{"Main", 2}};
     window->sequences().showRun(report);
-    auto* table = find<QTableView>(u"rowTable"_s);
     EXPECT_EQ(table->model()->headerData(2, Qt::Vertical).toString(), u"▸ 3"_s);
+    QApplication::processEvents();
+    EXPECT_EQ(table->viewport()->x(), before) << "the mark has its room at all times";
     EXPECT_EQ(whyNot(u"runSequenceButton"_s), u"A sequence is already running."_s);
     EXPECT_EQ(whyNot(u"stopSequenceButton"_s), QString());
     QSignalSpy stops(&window->sequences(), &SequencesDock::stopRequested);

@@ -181,6 +181,10 @@ QWidget* SequencesPage::buildSequences() {
                                    });
     m_rowTable = newTable(m_rows, u"rowTable"_s, tr("Rows of the sequence"), box);
     m_rowTable->setItemDelegate(new RowDelegate(this));
+    // Room for the mark of the row that runs, so that no column moves when it comes.
+    QFont bold = m_rowTable->font();
+    bold.setBold(true);
+    m_rowTable->verticalHeader()->setMinimumWidth(QFontMetrics(bold).horizontalAdvance(u"▸ 100 "_s));
     m_state = new QLabel(box);
     m_state->setObjectName(u"sequenceStateLabel"_s);
     m_state->setWordWrap(true);
