@@ -9,7 +9,9 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+#include <array>
 #include <csignal>
+#include <deque>
 
 #include "link/guardian/guardreport.h"
 #include "tests/link/changes.h"
@@ -32,9 +34,6 @@ public:
         m_process.start(QStringLiteral(CRASHER_PATH), QStringList{sim.terminal()} + end +
                                                           QStringList{QString::number(baud), motion,
                                                                       QStringLiteral(NMCGUARD_PATH), report});
-        EXPECT_EQ(word(), "moving");
-        m_guard = guardOf(m_process.processId());
-        EXPECT_NEAR(velocity(2), 8.0, 0.1) << "the simulator has to agree that it moves";
     }
     ~Panel() {
         if (m_process.state() == QProcess::NotRunning)
@@ -45,6 +44,12 @@ public:
     Panel(const Panel&) = delete;
     Panel& operator=(const Panel&) = delete;
 
+    /// Until its motor moves.
+    void begin() {
+        EXPECT_EQ(word(), "moving");
+        m_guard = guardOf(m_process.processId());
+        EXPECT_NEAR(velocity(2), 8.0, 0.1) << "the simulator has to agree that it moves";
+    }
     /// What it says next.
     QByteArray word() {
         while (!m_process.canReadLine())
@@ -104,17 +109,24 @@ struct Course {
     int baud;
 };
 
-class H02_Guarded : public testing::Test {
-protected:
-    NmcsimProcess sim{QStringLiteral("servo,servo")};
-};
-
-/// Each panel is the next one on the port of the one before, and finds its chain.
-TEST_F(H02_Guarded, IsStoppedInEveryMotionWhileItIsHaltedAndWhenItIsKilled) {
-    for (const auto& [motion, baud] : {Course{"trapezoid", 19'200}, Course{"velocity", 115'200},
-                                       Course{"hold", 19'200}, Course{"group", 115'200}}) {
-        SCOPED_TRACE(motion);
-        Panel panel(sim, QLatin1String(motion), baud, {QStringLiteral("gui"), QStringLiteral("kill")});
+/// All at once, each at a port of its own: most of it is waiting.
+TEST(H02_GuardedMotions, AreStoppedWhileThePanelIsHaltedAndWhenItIsKilled) {
+    struct Session {
+        explicit Session(const Course& course)
+            : panel(sim, QLatin1String(course.motion), course.baud,
+                    {QStringLiteral("gui"), QStringLiteral("kill")}) {}
+        NmcsimProcess sim{QStringLiteral("servo,servo")};
+        Panel panel;
+    };
+    const std::array courses{Course{"trapezoid", 19'200}, Course{"velocity", 115'200}, Course{"hold", 19'200},
+                             Course{"group", 115'200}};
+    std::deque<Session> sessions;
+    for (const Course& course : courses)
+        sessions.emplace_back(course);
+    for (std::size_t i = 0; i < courses.size(); ++i) {
+        SCOPED_TRACE(courses.at(i).motion);
+        Panel& panel = sessions[i].panel;
+        panel.begin();
         panel.send(SIGSTOP);
         EXPECT_TRUE(panel.motorsStop());
         panel.send(SIGCONT);
@@ -125,19 +137,26 @@ TEST_F(H02_Guarded, IsStoppedInEveryMotionWhileItIsHaltedAndWhenItIsKilled) {
         panel.send(SIGKILL);
         ASSERT_TRUE(panel.ends());
         EXPECT_TRUE(panel.motorsStop());
-        EXPECT_TRUE(sim.state(2)[QStringLiteral("servo_on")].toBool()) << "it holds";
+        EXPECT_TRUE(sessions[i].sim.state(2)[QStringLiteral("servo_on")].toBool()) << "it holds";
         EXPECT_TRUE(panel.isReported());
         ASSERT_TRUE(panel.letsGo());
     }
 }
 
-/// The crash path and the guardian both have a say.
+class H02_Guarded : public testing::Test {
+protected:
+    NmcsimProcess sim{QStringLiteral("servo,servo")};
+};
+
+/// The crash path and the guardian both have a say. The second panel is on the port of the first, and finds
+/// its chain.
 TEST_F(H02_Guarded, IsStoppedWhenItCrashes) {
     for (const auto& [course, how] :
          {std::pair(Course{"group", 19'200}, "segv"), std::pair(Course{"hold", 115'200}, "abort")}) {
         SCOPED_TRACE(course.motion);
         Panel panel(sim, QLatin1String(course.motion), course.baud,
                     {QStringLiteral("bus"), QLatin1String(how)});
+        panel.begin();
         panel.goOn();
         ASSERT_TRUE(panel.ends());
         EXPECT_EQ(panel.exitStatus(), QProcess::CrashExit);
@@ -169,6 +188,7 @@ protected:
 
 TEST_F(H02_ReadOnlyPanel, LeavesMotorsAloneWhileItIsHaltedAndWhenItIsKilled) {
     Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("gui"), QStringLiteral("kill")});
+    panel.begin();
     panel.send(SIGSTOP);
     ASSERT_TRUE(testing_support::passes(sim, 1.0)) << "far longer than a guardian bears elsewhere";
     EXPECT_NEAR(panel.velocity(2), 8.0, 0.01);
@@ -179,12 +199,14 @@ TEST_F(H02_ReadOnlyPanel, LeavesMotorsAloneWhileItIsHaltedAndWhenItIsKilled) {
 
 TEST_F(H02_ReadOnlyPanel, LeavesMotorsAloneWhenItCrashes) {
     Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("bus"), QStringLiteral("segv")});
+    panel.begin();
     panel.goOn();
     expectUndisturbed(panel);
 }
 
 TEST_F(H02_Guarded, EndsInOrderWithoutAReport) {
     Panel panel(sim, QStringLiteral("velocity"), 19'200, {QStringLiteral("close"), QStringLiteral("kill")});
+    panel.begin();
     panel.goOn();
     ASSERT_TRUE(panel.ends());
     EXPECT_EQ(panel.exitStatus(), QProcess::NormalExit);
@@ -194,6 +216,7 @@ TEST_F(H02_Guarded, EndsInOrderWithoutAReport) {
 
 TEST_F(H02_Guarded, GoesOnWithoutItsGuardianAndSaysSo) {
     Panel panel(sim, QStringLiteral("velocity"), 115'200, {QStringLiteral("close"), QStringLiteral("kill")});
+    panel.begin();
     const pid_t guard = panel.guard();
     ASSERT_GT(guard, 0);
     ::kill(guard, SIGKILL);
