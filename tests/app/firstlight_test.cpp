@@ -134,12 +134,10 @@ TEST(FirstLight, MovesAMotorOfTheBuiltInSimulator) {
     panel.moveAndStop();
 }
 
-class FirstLightOnATerminal : public testing::TestWithParam<std::uint32_t> {};
-
-TEST_P(FirstLightOnATerminal, MovesAMotorWithoutAViolation) {
+TEST(FirstLightOnATerminal, MovesAMotorWithoutAViolation) {
     NmcsimProcess sim(QStringLiteral("servo,servo,servo@1"));
     Panel panel;
-    panel.start(sim.terminal(), GetParam());
+    panel.start(sim.terminal(), 115'200);
     ASSERT_TRUE(panel.waitFor([&] { return panel.found(3); }));
     EXPECT_TRUE(panel.window().windowTitle().startsWith(QLatin1String("NMC Panel")));
     EXPECT_FALSE(panel.window().windowTitle().contains(QLatin1String("Simulator")));
@@ -155,8 +153,6 @@ TEST_P(FirstLightOnATerminal, MovesAMotorWithoutAViolation) {
     EXPECT_FALSE(sim.state(1)[QStringLiteral("servo_on")].toBool());
     EXPECT_EQ(sim.violations(), "");
 }
-
-INSTANTIATE_TEST_SUITE_P(Rates, FirstLightOnATerminal, testing::Values(19'200U, 115'200U));
 
 }  // namespace
 }  // namespace nmc

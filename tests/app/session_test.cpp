@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program hangs, has crashed, or cannot do what it is used to: what is said of it.
+// The program has crashed, or cannot do what it is used to: what is said of it.
 #include <gtest/gtest.h>
-
-#include <QElapsedTimer>
-#include <QTimer>
 
 #include "link/guardian/guardreport.h"
 #include "tests/support/panel.h"
@@ -12,27 +9,6 @@ namespace nmc {
 namespace {
 
 using testing_support::IntentPanel;
-using testing_support::moves;
-using testing_support::NmcsimProcess;
-
-const QString kServo = QStringLiteral("servo");
-
-TEST(H01_FrozenPanel, SaysSoInTheMessageList) {
-    NmcsimProcess sim(kServo);
-    IntentPanel panel;
-    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    bool stopped = false;
-    QTimer::singleShot(0, [&] {
-        QElapsedTimer limit;
-        limit.start();
-        while (!stopped && limit.elapsed() < 20'000)
-            stopped = !moves(sim);
-    });
-    ASSERT_TRUE(panel.waitFor([&] { return stopped; }));
-    EXPECT_TRUE(panel.waitFor([&] {
-        return panel.count(QStringLiteral("motors were told to stop after 2 s")) == 1;
-    })) << panel.headlines().join(QLatin1Char('\n')).toStdString();
-}
 
 TEST(H02_Guardian, WhatItHadToDoIsSaidAtTheNextStartOnce) {
     QTemporaryDir directory;

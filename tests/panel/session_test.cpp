@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program is told to end: what becomes of the motors.
+// The program is told to end, or hangs: what becomes of the motors.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -42,6 +42,19 @@ TEST(H04_Signal, StopsTheMotorsWhileTheGuiThreadIsBlocked) {
     panel.freeze(500ms);  // of the 2 s after which they would be stopped anyway
     EXPECT_FALSE(sim.driven(0));
     EXPECT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); })) << "and it closed";
+}
+
+TEST(H01_FrozenPanel, HasItsMotorsStoppedAndSaysSo) {
+    VirtualChain sim(QStringLiteral("servo"));
+    VirtualPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    panel.freeze(1'900ms);
+    EXPECT_TRUE(sim.driven(0)) << "2 s are not over";
+    panel.freeze(600ms);
+    EXPECT_FALSE(sim.driven(0));
+    EXPECT_TRUE(panel.waitFor([&] {
+        return panel.count(QStringLiteral("motors were told to stop after 2 s")) == 1;
+    })) << panel.headlines().join(QLatin1Char('\n')).toStdString();
 }
 
 TEST(H04_EndOfSession, StopsTheMotorsAndEndsTheProgramWithoutAQuestion) {
