@@ -6,15 +6,15 @@
 #include <QProcess>
 #include <QProcessEnvironment>
 
-#include "tests/app/othermaster.h"
+#include "tests/support/leaverunning.h"
 #include "tests/support/panel.h"
 
 namespace nmc {
 namespace {
 
 using testing_support::IntentPanel;
+using testing_support::leaveRunning;
 using testing_support::NmcsimProcess;
-using testing_support::setGoing;
 
 const QString kEnded = QStringLiteral("The last session ended while motor 1 was moving.");
 
@@ -56,10 +56,10 @@ private:
 
 TEST(H02_Killed, IsSaidAtTheNextStartWithWhatItsGuardianDidAndTheOtherPanelsMarkIsLeftAlone) {
     QTemporaryDir home;
-    NmcsimProcess one(QStringLiteral("servo"));
-    NmcsimProcess two(QStringLiteral("servo"));
-    ASSERT_NO_FATAL_FAILURE(setGoing(one));
-    ASSERT_NO_FATAL_FAILURE(setGoing(two));
+    NmcsimProcess one(QStringLiteral("servo"), {QStringLiteral("--enable-faults")});
+    NmcsimProcess two(QStringLiteral("servo"), {QStringLiteral("--enable-faults")});
+    ASSERT_NO_FATAL_FAILURE(leaveRunning(one, 1, 4));
+    ASSERT_NO_FATAL_FAILURE(leaveRunning(two, 1, 4));
     PanelProcess killed(home.path(), one.terminal());
     PanelProcess lives(home.path(), two.terminal());
     ASSERT_TRUE(killed.marks());

@@ -80,25 +80,11 @@ public:
         }
         return all;
     }
-    /// As hosts do it: with nulls, and again when there was no answer.
-    bool answers(const Bytes& command, const Bytes& wanted = kIdle) {
-        for (int i = 0; i < 3; ++i) {
-            if (answer(command) == wanted)
-                return true;
-            answer(Bytes(30, 0));
-        }
-        return false;
-    }
-    /// Throws away whatever came unread: until the answer to `command` is the last that there is.
+    bool answers(const Bytes& command, const Bytes& wanted = kIdle) { return answer(command) == wanted; }
+    /// Throws away whatever came unread.
     bool answersAfterAFlood(const Bytes& command, const Bytes& wanted = kIdle) {
-        for (int i = 0; i < 1000; ++i) {
-            m_port->flush();
-            write(command);
-            pass(0.1);
-            if (m_port->read(kPatienceMs, kPatienceMs) == wanted)
-                return true;
-        }
-        return false;
+        m_port->flush();
+        return answers(command, wanted);
     }
 
     unsigned nops() { return sim.control("stats")["modules"][0]["executed"].value("nop", 0U); }

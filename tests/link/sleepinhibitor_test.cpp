@@ -16,7 +16,7 @@
 
 #include "link/connection/simulatortransport.h"
 #include "tests/link/connection.h"
-#include "tests/link/otherhost.h"
+#include "tests/support/leaverunning.h"
 
 namespace nmc {
 namespace {
@@ -142,7 +142,7 @@ TEST_F(H05_SleepInhibitor, HasTheMotorsStoppedAndSleepWaitsForThat) {
 
 /// What moves there is for somebody else to stop.
 TEST_F(H05_SleepInhibitor, LetsTheComputerSleepOverAReadOnlyConnection) {
-    NmcsimProcess sim(QStringLiteral("servo"));
+    NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--enable-faults")});
     ASSERT_NO_FATAL_FAILURE(leaveRunning(sim, 1, 8));
     bus::EngineConfig config;
     config.readOnly = true;

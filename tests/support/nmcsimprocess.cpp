@@ -3,6 +3,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QThread>
 #include <csignal>
 
 #include <sys/prctl.h>
@@ -46,6 +47,14 @@ void NmcsimProcess::quit() {
     m_process.write("quit\n");
     if (!m_process.waitForFinished(kPatienceMs))
         m_process.kill();
+}
+
+void letPass(NmcsimProcess& sim, Duration time) {
+    const auto now = [&sim] {
+        return sim.control(QStringLiteral("stats"))[QStringLiteral("time")].toDouble();
+    };
+    for (const double until = now() + toSeconds(time); now() < until;)
+        QThread::msleep(1);
 }
 
 QByteArray NmcsimProcess::readLine() {

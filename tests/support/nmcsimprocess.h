@@ -7,6 +7,8 @@
 
 #include <string>
 
+#include "base/time.h"
+
 namespace nmc::testing_support {
 
 /// Counts per tick; a servo that holds is never quite still.
@@ -33,5 +35,8 @@ private:
     QProcess m_process;
     QString m_terminal;
 };
+
+/// By the simulator's own time.
+void letPass(NmcsimProcess& sim, Duration time);
 
 }  // namespace nmc::testing_support

@@ -106,4 +106,8 @@ private:
     TimePoint m_until{};
 };
 
+inline void letPass(VirtualChain& chain, Duration time) {
+    chain.run(time);
+}
+
 }  // namespace nmc::testing_support
