@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 
@@ -11,7 +12,7 @@ namespace nmc::quantitygrid {
 
 QGridLayout* newGrid(QWidget* parent) {
     const int unit = look::gridUnit(parent);
-    auto* grid = new QGridLayout(parent);
+    auto* grid = new FoldingGrid(parent);
     grid->setContentsMargins(unit, unit / 2, unit, unit / 2);
     grid->setHorizontalSpacing(unit * 2 / 3);
     grid->setVerticalSpacing(unit / 3);
