@@ -155,6 +155,18 @@ TEST_P(Whole, IsAsBeforeWhenThePlotsAreGone) {
     }
 }
 
+/// The safety note and the first steps are open as well: what they lead to must not be below the fold.
+TEST_P(Whole, IsWhatAFirstSessionNeeds) {
+    ASSERT_NO_FATAL_FAILURE(choose(u"operateLayoutAction"_s));
+    ASSERT_NO_FATAL_FAILURE(select(0));
+    ASSERT_NO_FATAL_FAILURE(wait(0.3));
+    for (const char* name : {"bannerAction_understood", "firstSteps", "enableButton", "fillGainsButton",
+                             "applyGainsButton", "moveByEndButton"}) {
+        const auto* widget = panel.window().findChild<QWidget*>(QString::fromLatin1(name));
+        EXPECT_EQ(widget->visibleRegion(), QRegion(widget->rect())) << name;
+    }
+}
+
 TEST_P(Whole, IsEveryDock) {
     ASSERT_NO_FATAL_FAILURE(choose(u"operateLayoutAction"_s));
     for (auto* dock : panel.window().findChildren<QDockWidget*>()) {
