@@ -3974,7 +3974,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Travel and speed limits</source>
-        <translation>Grenzen von Fahrweg und Geschwindigkeit</translation>
+        <translation>Weg- und Geschwindigkeitsgrenzen</translation>
     </message>
     <message>
         <source>Backlash</source>
@@ -6629,7 +6629,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Reverse (velocity and PWM)</source>
-        <translation>Rückwärts (Geschwindigkeit und PWM)</translation>
+        <translation>Rückwärts (Geschw. und PWM)</translation>
     </message>
     <message>
         <source>Start motion now</source>
@@ -13055,7 +13055,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <name>nmc::TravelBox</name>
     <message>
         <source>Travel and speed limits</source>
-        <translation>Grenzen von Fahrweg und Geschwindigkeit</translation>
+        <translation>Weg- und Geschwindigkeitsgrenzen</translation>
     </message>
     <message>
         <source>State of the travel limits</source>

@@ -4918,7 +4918,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Amplifier on at power-up</source>
-        <translation>Amplificateur actif à la mise sous tension</translation>
+        <translation>Amplificateur actif au démarrage</translation>
     </message>
     <message>
         <source>AMP_EN goes high by itself after each power-up.</source>
@@ -4926,7 +4926,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Servo on at power-up</source>
-        <translation>Servo actif à la mise sous tension</translation>
+        <translation>Servo actif au démarrage</translation>
     </message>
     <message>
         <source>The servo switches on by itself after each power-up, with the saved gains, even with no panel connected.</source>
@@ -8230,7 +8230,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>for each motion of this axis</source>
-        <translation>pour chaque mouvement de cet axe</translation>
+        <translation>à chaque mouvement de cet axe</translation>
     </message>
     <message>
         <source>Position error stops the motor</source>
@@ -8242,7 +8242,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>For each motion of this axis, arm the limit stop</source>
-        <translation>Pour chaque mouvement de cet axe, armer l’arrêt sur fin de course</translation>
+        <translation>À chaque mouvement de cet axe, armer l’arrêt sur fin de course</translation>
     </message>
     <message>
         <source>Armed</source>

@@ -103,6 +103,16 @@ protected:
         for (const QString& line : cut(panel.window()))
             m_first.try_emplace(line, where);
     }
+    void lookAtEveryPage() {
+        for (int module = 0; module < 4; ++module) {
+            ASSERT_NO_FATAL_FAILURE(select(module));
+            ASSERT_NE(pages(), nullptr);
+            for (int i = 0; i < pages()->count(); ++i) {
+                pages()->setCurrentIndex(i);
+                ASSERT_NO_FATAL_FAILURE(look(u"module %1, %2"_s.arg(module + 1).arg(pages()->tabText(i))));
+            }
+        }
+    }
 
     const InLanguage language{GetParam().language};
     VirtualChain sim{u"servo,step,io,servo@10"_s};
@@ -114,23 +124,46 @@ private:
 
 TEST_P(Whole, IsEveryPageOfEveryModule) {
     ASSERT_NO_FATAL_FAILURE(choose(u"operateLayoutAction"_s));
-    for (int module = 0; module < 4; ++module) {
+    ASSERT_NO_FATAL_FAILURE(lookAtEveryPage());
+}
+
+TEST_P(Whole, IsEveryPageBesideThePlots) {
+    ASSERT_NO_FATAL_FAILURE(choose(u"tuneLayoutAction"_s));
+    ASSERT_NO_FATAL_FAILURE(lookAtEveryPage());
+}
+
+TEST_P(Whole, IsAsBeforeWhenThePlotsAreGone) {
+    const auto places = [this] {
+        std::map<QString, QRect> all;
+        const QWidget* motions = pages()->parentWidget()->findChild<QScrollArea*>(u"panelScroll"_s)->widget();
+        for (const QWidget* widget : motions->findChildren<QWidget*>())
+            if (!widget->objectName().isEmpty() && widget->isVisible())
+                all[widget->objectName()] = {widget->mapTo(motions, QPoint()), widget->size()};
+        return all;
+    };
+    for (const int module : {0, 1}) {
+        ASSERT_NO_FATAL_FAILURE(choose(u"operateLayoutAction"_s));
         ASSERT_NO_FATAL_FAILURE(select(module));
-        ASSERT_NE(pages(), nullptr);
-        for (int i = 0; i < pages()->count(); ++i) {
-            pages()->setCurrentIndex(i);
-            ASSERT_NO_FATAL_FAILURE(look(u"module %1, %2"_s.arg(module + 1).arg(pages()->tabText(i))));
-        }
+        ASSERT_NO_FATAL_FAILURE(wait(0.3));
+        const std::map<QString, QRect> before = places();
+        ASSERT_NO_FATAL_FAILURE(choose(u"tuneLayoutAction"_s));
+        ASSERT_NO_FATAL_FAILURE(wait(0.3));
+        EXPECT_NE(places(), before);
+        ASSERT_NO_FATAL_FAILURE(choose(u"operateLayoutAction"_s));
+        ASSERT_NO_FATAL_FAILURE(wait(0.3));
+        EXPECT_EQ(places(), before);
     }
 }
 
-/// Other pages scroll sideways in the column that is left beside the plots.
-TEST_P(Whole, IsWhatOneTunesWith) {
-    ASSERT_NO_FATAL_FAILURE(choose(u"tuneLayoutAction"_s));
-    for (const int module : {0, 3}) {
-        ASSERT_NO_FATAL_FAILURE(select(module));
-        pages()->setCurrentIndex(1);  // the gains
-        ASSERT_NO_FATAL_FAILURE(look(u"module %1, %2"_s.arg(module + 1).arg(pages()->tabText(1))));
+/// The safety note and the first steps are open as well: what they lead to must not be below the fold.
+TEST_P(Whole, IsWhatAFirstSessionNeeds) {
+    ASSERT_NO_FATAL_FAILURE(choose(u"operateLayoutAction"_s));
+    ASSERT_NO_FATAL_FAILURE(select(0));
+    ASSERT_NO_FATAL_FAILURE(wait(0.3));
+    for (const char* name : {"bannerAction_understood", "firstSteps", "enableButton", "fillGainsButton",
+                             "applyGainsButton", "moveByEndButton"}) {
+        const auto* widget = panel.window().findChild<QWidget*>(QString::fromLatin1(name));
+        EXPECT_EQ(widget->visibleRegion(), QRegion(widget->rect())) << name;
     }
 }
 

@@ -81,12 +81,14 @@ int FlowLayout::place(const QRect& rect, Move move) const {
     int top = 0;
     int high = 0;
     const auto endRow = [&] {
-        // What is lower than its row stands in the middle of it, as words beside a field do.
-        for (const auto& [item, left, size] : row)
+        // What is lower than its row stands in the middle of it, as words beside a field do; but tables begin
+        // at the same height.
+        for (const auto& [item, left, size] : row) {
+            const int down = item->widget() != nullptr ? (high - size.height()) / 2 : 0;
             if (move == Move::Yes)
-                item->setGeometry(QStyle::visualRect(
-                    parentWidget()->layoutDirection(), rect,
-                    {rect.topLeft() + QPoint(left, top + (high - size.height()) / 2), size}));
+                item->setGeometry(QStyle::visualRect(parentWidget()->layoutDirection(), rect,
+                                                     {rect.topLeft() + QPoint(left, top + down), size}));
+        }
         row.clear();
     };
     int left = 0;

@@ -9,6 +9,7 @@
 
 #include "widgets/common/askdialog.h"
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/words.h"
@@ -72,7 +73,7 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
                           this, [this] { erase(); })) {
     look::name(this, u"amplifierPage"_s, tr("Amplifier"));
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setContentsMargins(unit, unit, unit, unit);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 2);
@@ -132,6 +133,7 @@ void AmplifierBox::buildSaved(QGridLayout& grid, int& line) {
     QFont bold = font();
     bold.setBold(true);
     heading->setFont(bold);
+    heading->setWordWrap(true);
     grid.addWidget(heading, line++, 0, 1, 4);
     auto* remark = look::newMutedLabel(
         tr("Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor switches off, and it needs its gains again."),

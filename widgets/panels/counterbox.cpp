@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/unitwords.h"
@@ -58,7 +59,7 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
       m_stored(look::newMutedLabel({}, this)) {
     look::name(this, u"counterBox"_s, tr("Counter and synchronous I/O"));
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setContentsMargins(unit, unit, unit, unit);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 2);

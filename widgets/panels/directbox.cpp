@@ -7,6 +7,7 @@
 #include <QLabel>
 
 #include "model/intent/directplan.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/words.h"
@@ -28,7 +29,7 @@ DirectBox::DirectBox(ModuleContext& context, const Spec& spec, QWidget* parent)
     : QGroupBox(spec.title, parent),
       m_context(context),
       m_name(spec.name),
-      m_grid(new QGridLayout(this)),
+      m_grid(new FoldingGrid(this)),
       m_meaning(new QLabel(this)),
       m_bytes(look::newMutedLabel({}, this)),
       m_send(new Command({.name = named(u"Button"_s),

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/directioncheckbox.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
 #include <QVBoxLayout>
 
 #include "model/intent/directionplan.h"
 #include "widgets/common/askdialog.h"
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
@@ -37,9 +37,7 @@ DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
     m_state->setWordWrap(true);
     m_state->setTextFormat(Qt::PlainText);
     const int unit = look::gridUnit(this);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(unit);
-    buttons->addStretch(1);
+    auto* buttons = new FlowLayout(unit);
     buttons->addWidget(m_cancel->button());
     buttons->addWidget(m_check->button());
     auto* layout = new QVBoxLayout(this);

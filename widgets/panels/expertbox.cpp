@@ -358,7 +358,7 @@ ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent)
     look::name(this, u"expertBox"_s, tr("Commands as in the data sheet"));
     const int unit = look::gridUnit(this);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit, unit / 2, unit, unit / 2);
+    layout->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
     auto* note = look::newMutedLabel(
         tr("Commands as in the data sheet, in native counts. STOP ALL and Esc work as usual."), this);
     note->setWordWrap(true);

@@ -220,16 +220,17 @@ void GainsBox::nameRows(bool letters) {
         look::setText(row.label, letters ? gainLetters(row.gain) : fullName(row.gain));
 }
 
-/// In a narrow column marks stand for words, and the buttons need more lines.
+/// In a narrow column marks stand for words, and the buttons need more lines. What a first session needs is
+/// in the first of them: a low window shows no more than that without scrolling.
 void GainsBox::arrange(bool narrow) {
     m_narrow = narrow;
     struct Place {
         int line, column;
     };
     constexpr std::array<Place, 9> kWidePlaces{
-        {{0, 0}, {0, 1}, {0, 3}, {0, 4}, {1, 0}, {1, 3}, {1, 4}, {2, 3}, {2, 4}}};
+        {{0, 0}, {0, 1}, {2, 3}, {2, 4}, {1, 0}, {0, 3}, {0, 4}, {1, 3}, {1, 4}}};
     constexpr std::array<Place, 9> kNarrowPlaces{
-        {{0, 0}, {0, 1}, {1, 0}, {1, 1}, {4, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}}};
+        {{0, 0}, {2, 0}, {3, 0}, {3, 1}, {4, 0}, {2, 1}, {0, 1}, {1, 0}, {1, 1}}};
     m_buttonGrid->setSpacing(look::gridUnit(this) / 3);
     const int side = look::gridUnit(this) / 2;
     layout()->setContentsMargins(side, look::gridUnit(this) / (narrow ? 3 : 1), side, 0);

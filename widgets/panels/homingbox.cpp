@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/homingbox.h"
 
-#include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QVBoxLayout>
 
 #include "model/intent/homingplan.h"
 #include "model/module/stepperspeed.h"
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
@@ -38,6 +39,24 @@ QList<ProcedureStage> stagesOf(const HomingRecipe& recipe) {
         list << ProcedureStage::Zeroing;
     return list;
 }
+
+/// As wide as what is in it, also where that changes.
+class UpAndDown : public QScrollArea {
+public:
+    using QScrollArea::QScrollArea;
+
+    [[nodiscard]] QSize minimumSizeHint() const override {
+        const int width = widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+        return {width, QScrollArea::minimumSizeHint().height()};
+    }
+
+protected:
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::LayoutRequest)
+            updateGeometry();
+        return QScrollArea::event(event);
+    }
+};
 
 }  // namespace
 
@@ -74,9 +93,7 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
         label->setTextFormat(Qt::PlainText);
     }
     const int unit = look::gridUnit(this);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(unit);
-    buttons->addStretch(1);
+    auto* buttons = new FlowLayout(unit);
     buttons->addWidget(m_cancel->button());
     buttons->addWidget(m_home->button());
     // What ends a search, and how it goes, stays in sight; the rest gives way where there is little room.
@@ -90,15 +107,13 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
         inner->addWidget(m_limitStop);
     }
     inner->addStretch(1);
-    auto* scroll = new QScrollArea(this);
+    auto* scroll = new UpAndDown(this);
     look::name(scroll, named(u"homingScroll"_s), tr("Search settings"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(content);
-    scroll->setMinimumWidth(content->minimumSizeHint().width() +
-                            scroll->verticalScrollBar()->sizeHint().width());
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit, 0, 0);
     layout->setSpacing(unit / 2);

@@ -10,6 +10,7 @@
 
 #include "model/intent/homingplan.h"
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 
@@ -33,7 +34,7 @@ constexpr int kFieldDigits = 8;
 HomingForm::HomingForm(ModuleType type, QWidget* parent) : QWidget(parent), m_type(type) {
     look::name(this, named(u"homingForm"_s), tr("Search for home"));
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(unit * 2 / 3);
     grid->setVerticalSpacing(unit / 3);

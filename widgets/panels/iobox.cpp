@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
@@ -28,7 +29,7 @@ Use useOf(const servo::IoControl& io, int pin) {
 IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
     look::name(this, u"ioBox"_s, tr("Limits and I/O"));
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setContentsMargins(unit, unit, unit, unit);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 2);

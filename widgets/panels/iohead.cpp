@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/iohead.h"
 
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
@@ -39,14 +40,14 @@ IoHead::IoHead(ModuleContext& context, QWidget* parent)
     bold.setBold(true);
     m_module->setFont(bold);
     const int unit = look::gridUnit(this);
-    auto* who = new QHBoxLayout;
+    auto* who = new FlowLayout(unit);
     who->addWidget(m_module);
     who->addWidget(m_type);
-    who->addStretch(1);
     auto* label = new QLabel(tr("Name"), this);
     label->setBuddy(m_name);
     who->addWidget(label);
     who->addWidget(m_name);
+    m_meaning->setWordWrap(true);
     auto* what = new QHBoxLayout;
     what->setSpacing(unit / 2);
     what->addWidget(m_glyph);

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 
 #include "model/settings/pinsof.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/unitwords.h"
@@ -37,7 +38,7 @@ void showUnlessTyped(NumberField& field, double value) {
 IoValuesBox::IoValuesBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
     look::name(this, u"ioValuesBox"_s, tr("A/D and PWM"));
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this, FoldingGrid::Kind::Table);
     grid->setContentsMargins(unit, unit, unit, unit);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 3);

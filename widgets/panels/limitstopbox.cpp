@@ -9,6 +9,7 @@
 
 #include "model/intent/homingplan.h"
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -91,7 +92,7 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     buttons->addStretch(1);
     buttons->addWidget(m_disarm->button());
     buttons->addWidget(m_arm->button());
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 3);
     grid->addWidget(new QLabel(tr("Stop at"), this), 0, 0);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "widgets/common/focuskeeper.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/palettes.h"
 #include "widgets/common/scrolled.h"
@@ -50,6 +51,14 @@ void letScroll(QTabWidget& pages) {
         pages.insertTab(i, area, title);
     }
     pages.setCurrentIndex(0);
+}
+
+void letWrap(const QWidget& page, bool may) {
+    // A label lays its page out anew even where it is told what it does already.
+    for (QLabel* label : page.findChildren<QLabel*>())
+        if (label->buddy() != nullptr && label->wordWrap() != may)
+            label->setWordWrap(may);
+    FoldingGrid::letFold(page, may);
 }
 
 }  // namespace
@@ -121,19 +130,20 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
             revealTuning();
     } else {
         m_pages->removeTab(0);
+        letWrap(*m_motions->widget(), false);
         m_columns->insertWidget(0, m_motions, 1);
         m_motions->show();
     }
     fit(pageWidth());
 }
 
-/// Names of fields take a second line before a page scrolls sideways. Not before: a label that may wrap does
-/// so where there is room, too.
+/// Names of fields take a second line before a page scrolls sideways, and rows fold where that is too little.
+/// Not before: a label that may wrap does so where there is room, too.
 void ModulePage::fit(int width) {
     fitPages(width);
     for (int i = 0; i < m_pages->count(); ++i) {
         const auto* area = qobject_cast<QScrollArea*>(m_pages->widget(i));
-        if (area == nullptr || area == m_motions)
+        if (area == nullptr)
             continue;
         QWidget* page = area->widget();
         // At first all names stand in one line.
@@ -141,10 +151,7 @@ void ModulePage::fit(int width) {
         if (first)
             need->second = page->minimumSizeHint().width();
         const bool wraps = width < need->second;
-        // A label lays its page out anew even where it is told what it does already.
-        for (QLabel* label : page->findChildren<QLabel*>())
-            if (label->buddy() != nullptr && label->wordWrap() != wraps)
-                label->setWordWrap(wraps);
+        letWrap(*page, wraps);
     }
 }
 
@@ -173,7 +180,11 @@ void ModulePage::setTuning(bool on) {
 }
 
 int ModulePage::spareHeight() const {
-    return m_motions->viewport()->height() - m_motions->widget()->sizeHint().height();
+    const QWidget& motions = *m_motions->widget();
+    const QSize room = m_motions->viewport()->size();
+    // Rows that flow tell only so how many lines they take.
+    const int need = motions.hasHeightForWidth() ? motions.heightForWidth(room.width()) : 0;
+    return room.height() - qMax(need, motions.minimumSizeHint().height());
 }
 
 QList<Command*> ModulePage::commands() const {

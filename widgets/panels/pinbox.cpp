@@ -11,6 +11,7 @@
 
 #include "model/settings/pinsof.h"
 #include "widgets/common/askdialog.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/panels/boxparts.h"
@@ -33,7 +34,7 @@ PinBox::PinBox(ModuleContext& context, QWidget* parent)
     m_hint->setObjectName(u"pinsHint"_s);
     m_hint->setWordWrap(true);
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this, FoldingGrid::Kind::Table);
     grid->setContentsMargins(unit, unit / 2, unit, unit / 2);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 3);

@@ -3,7 +3,10 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <algorithm>
+#include <vector>
 
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 
@@ -11,12 +14,10 @@ namespace nmc::quantitygrid {
 
 QGridLayout* newGrid(QWidget* parent) {
     const int unit = look::gridUnit(parent);
-    auto* grid = new QGridLayout(parent);
+    auto* grid = new FoldingGrid(parent);
     grid->setContentsMargins(unit, unit / 2, unit, unit / 2);
     grid->setHorizontalSpacing(unit * 2 / 3);
     grid->setVerticalSpacing(unit / 3);
-    // Wide enough for the titles, so that the fields of boxes below each other stand in line.
-    grid->setColumnMinimumWidth(0, unit * 14);
     grid->setColumnStretch(kButtonColumn - 1, 1);
     return grid;
 }
@@ -43,6 +44,21 @@ void addFirstRow(QGridLayout* grid, int line, const QString& label, QuantityFiel
     QFont bold = name->font();
     bold.setBold(true);
     name->setFont(bold);
+}
+
+void align(std::initializer_list<const QWidget*> boxes) {
+    std::vector<QGridLayout*> grids;
+    int widest = 0;
+    for (const QWidget* box : boxes) {
+        auto* grid = qobject_cast<QGridLayout*>(box->layout());
+        grids.push_back(grid);
+        for (int line = 0; line < grid->rowCount(); ++line)
+            if (const QLayoutItem* item = grid->itemAtPosition(line, 0))
+                if (const auto* name = qobject_cast<const QLabel*>(item->widget()); name && name->buddy())
+                    widest = std::max(widest, name->sizeHint().width());
+    }
+    for (QGridLayout* grid : grids)
+        grid->setColumnMinimumWidth(0, widest);
 }
 
 void follow(QuantityField* field, double native, double nativeBefore) {

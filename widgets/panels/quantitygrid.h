@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QString>
+#include <initializer_list>
 
 class QGridLayout;
+class QWidget;
 
 namespace nmc {
 
@@ -20,6 +22,8 @@ inline constexpr int kColumns = 5;
 void addRow(QGridLayout* grid, int line, const QString& label, QuantityField* field);
 /// The first of a kind of motion: its label is bold, and says which.
 void addFirstRow(QGridLayout* grid, int line, const QString& label, QuantityField* field);
+/// The fields of these boxes, one below the other, stand in line, whatever their labels are called.
+void align(std::initializer_list<const QWidget*> boxes);
 /// Shows a value that is kept elsewhere, unless that is what the field stands for already: what is being
 /// typed stays as it is.
 void follow(QuantityField* field, double native, double nativeBefore);

@@ -20,6 +20,7 @@
 #include "widgets/panels/movebybox.h"
 #include "widgets/panels/panelhead.h"
 #include "widgets/panels/pwmbox.h"
+#include "widgets/panels/quantitygrid.h"
 #include "widgets/panels/travelbox.h"
 
 namespace nmc {
@@ -32,9 +33,11 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     auto* motion = new MotionBox(m_context, this);
     auto* left = new QVBoxLayout;
     left->setSpacing(look::gridUnit(this) / 2);
-    left->addWidget(motion);
-    left->addWidget(new JogBox(m_context, *motion, this));
-    left->addWidget(new MoveByBox(m_context, *motion, this));
+    auto* jog = new JogBox(m_context, *motion, this);
+    auto* moveBy = new MoveByBox(m_context, *motion, this);
+    for (QWidget* box : std::initializer_list<QWidget*>{motion, jog, moveBy})
+        left->addWidget(box);
+    quantitygrid::align({motion, jog, moveBy});
     left->addStretch(1);
 
     m_pages = new QTabWidget(this);

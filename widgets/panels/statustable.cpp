@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 
@@ -14,30 +15,35 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kColumnsOfByte = 3;
-constexpr int kColumnsOfBoth = 2 * kColumnsOfByte;
-constexpr int kFirstValue = 10;
+constexpr int kFirstValue = 2;
 }  // namespace
 
 StatusTable::StatusTable(QWidget* parent)
-    : QWidget(parent), m_grid(new QGridLayout(this)), m_line(kFirstValue) {
+    : QWidget(parent), m_grid(new FoldingGrid(this)), m_line(kFirstValue) {
     const int unit = look::gridUnit(this);
     m_grid->setContentsMargins(unit, unit, unit, unit);
-    m_grid->setHorizontalSpacing(unit * 2 / 3);
+    m_grid->setHorizontalSpacing(unit * 3 / 2);
     m_grid->setVerticalSpacing(unit / 3);
     m_grid->setRowMinimumHeight(kFirstValue - 1, unit);
-    m_grid->setColumnStretch(kColumnsOfByte - 1, 1);
-    m_grid->setColumnStretch(kColumnsOfBoth - 1, 1);
+    m_grid->setColumnStretch(1, 1);
+    auto* bytes = new FlowLayout(unit * 4);
+    for (QGridLayout*& bits : m_bitGrids) {
+        bits = new QGridLayout;
+        bits->setHorizontalSpacing(unit * 2 / 3);
+        bits->setVerticalSpacing(unit / 3);
+        bytes->addLayout(bits);
+    }
+    m_grid->addLayout(bytes, 0, 0, 1, 2);
 }
 
 void StatusTable::addBits(Byte byte, const QString& title, const BitNames& names, Meaning meaning,
                           const QString& prefix) {
-    const int column = byte == Byte::First ? 0 : kColumnsOfByte;
+    QGridLayout* grid = m_bitGrids[static_cast<std::size_t>(byte)];
     auto* heading = new QLabel(title, this);
     QFont bold = font();
     bold.setBold(true);
     heading->setFont(bold);
-    m_grid->addWidget(heading, 0, column, 1, kColumnsOfByte);
+    grid->addWidget(heading, 0, 0, 1, 3);
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (names[i].empty())
             continue;
@@ -52,19 +58,19 @@ void StatusTable::addBits(Byte byte, const QString& title, const BitNames& names
                                 static_cast<QWidget*>(bit.value)})
             widget->setToolTip(meaning(i));
         const int line = static_cast<int>(i) + 1;
-        m_grid->addWidget(bit.glyph, line, column, Qt::AlignCenter);
-        m_grid->addWidget(label, line, column + 1);
-        m_grid->addWidget(bit.value, line, column + 2);
+        grid->addWidget(bit.glyph, line, 0, Qt::AlignCenter);
+        grid->addWidget(label, line, 1);
+        grid->addWidget(bit.value, line, 2);
     }
 }
 
 QLabel* StatusTable::addValue(const QString& label, const QString& objectName) {
-    m_grid->addWidget(new QLabel(label, this), m_line, 0, 1, kColumnsOfByte);
+    m_grid->addWidget(new QLabel(label, this), m_line, 0);
     auto* value = new QLabel(u"–"_s, this);
     value->setObjectName(objectName);
     value->setFont(look::tabular(font()));
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_grid->addWidget(value, m_line++, kColumnsOfByte, 1, kColumnsOfByte);
+    m_grid->addWidget(value, m_line++, 1);
     return value;
 }
 
@@ -74,7 +80,7 @@ void StatusTable::addButtons(std::initializer_list<QPushButton*> buttons) {
     for (QPushButton* button : buttons)
         row->addWidget(button);
     m_grid->setRowMinimumHeight(m_line++, unit);
-    m_grid->addLayout(row, m_line++, 0, 1, kColumnsOfBoth);
+    m_grid->addLayout(row, m_line++, 0, 1, 2);
     m_grid->setRowStretch(m_line, 1);
 }
 

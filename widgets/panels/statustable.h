@@ -45,6 +45,7 @@ private:
     };
     std::array<std::array<Bit, 8>, 2> m_bits;
     QGridLayout* m_grid;
+    std::array<QGridLayout*, 2> m_bitGrids{};
     int m_line;
 };
 

@@ -7,6 +7,7 @@
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
 #include "model/module/stepperdefaults.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
@@ -44,13 +45,16 @@ StepperHoldBox::StepperHoldBox(ModuleContext& context, QWidget* parent)
     bold.setBold(true);
     title->setFont(bold);
     m_label->setBuddy(m_speed);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 2);
     grid->addWidget(title, 0, 0);
-    grid->addWidget(look::newMutedLabel(tr("Moves only while you hold a button, or Space on it"), this), 0, 1,
-                    1, 4);
+    auto* meaning = look::newMutedLabel(tr("Moves only while you hold a button, or Space on it"), this);
+    // They wrap as the names of fields do where there is little room.
+    for (QLabel* words : {meaning, m_outcome})
+        words->setBuddy(m_speed);
+    grid->addWidget(meaning, 0, 1, 1, 4);
     grid->addWidget(m_label, 1, 0);
     grid->addWidget(m_speed, 1, 1);
     grid->addWidget(m_speed->unitLabel(), 1, 2);

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
@@ -53,7 +54,7 @@ StepperIoBox::StepperIoBox(ModuleContext& context, QWidget* parent)
     m_hint->setWordWrap(true);
     m_analog->setObjectName(u"stepperIoAnalog"_s);
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setContentsMargins(unit, unit, unit, unit);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 3);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/steppermodechoice.h"
 
-#include <QHBoxLayout>
 #include <QRadioButton>
 
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 
 namespace nmc {
@@ -28,9 +28,7 @@ StepperModeChoice::StepperModeChoice(QWidget* parent) : QWidget(parent) {
             u"stepperModeTimedRun"_s, tr("Run without ramp"),
             tr("Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).")}};
     look::name(this, u"stepperModeChoice"_s, tr("Kind of motion"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(look::gridUnit(this) * 2);
+    auto* row = new FlowLayout(look::gridUnit(this) * 2, this);
     for (std::size_t i = 0; i < choices.size(); ++i) {
         m_buttons[i] = new QRadioButton(choices[i].text, this);
         look::name(m_buttons[i], choices[i].name, choices[i].text);
@@ -38,7 +36,6 @@ StepperModeChoice::StepperModeChoice(QWidget* parent) : QWidget(parent) {
         row->addWidget(m_buttons[i]);
         connect(m_buttons[i], &QRadioButton::clicked, this, &StepperModeChoice::chosen);
     }
-    row->addStretch(1);
 }
 
 StepperModeChoice::Mode StepperModeChoice::mode() const {

@@ -10,6 +10,7 @@
 #include "model/intent/travel.h"
 #include "model/module/stepperdefaults.h"
 #include "widgets/common/elidedlabel.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/travelwords.h"
@@ -28,7 +29,7 @@ StepperMotionBox::StepperMotionBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(tr("Motion"), parent), m_context(context) {
     look::name(this, u"stepperMotionBox"_s, tr("Motion"));
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setContentsMargins(unit, unit, unit, unit);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 2);
@@ -76,6 +77,7 @@ void StepperMotionBox::buildFields(QGridLayout* grid, int line) {
     addRow(m_speed, tr("Trave&l speed"));
     m_outcome = look::newMutedLabel({}, this);
     m_outcome->setObjectName(u"stepperSpeedOutcome"_s);
+    m_outcome->setBuddy(m_speed);  // wraps as its name does where there is little room
     m_ramp = newMutedLine(this);
     m_ramp->setObjectName(u"stepperRampOutcome"_s);
     auto* outcome = new QHBoxLayout;

@@ -9,6 +9,7 @@
 
 #include "model/intent/stepperplan.h"
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/words.h"
@@ -76,7 +77,7 @@ StepperParametersBox::StepperParametersBox(ModuleContext& context, QWidget* pare
       m_hint(new QLabel(this)) {
     look::name(this, u"stepperParametersBox"_s, tr("Parameters"));
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setContentsMargins(unit, unit, unit, unit);
     grid->setHorizontalSpacing(unit * 2 / 3);
     grid->setVerticalSpacing(unit / 3);

@@ -5,6 +5,7 @@
 #include <QLabel>
 
 #include "model/module/stepperdefaults.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/panels/stepperwords.h"
@@ -42,7 +43,7 @@ StepperRampBox::StepperRampBox(ModuleContext& context, QWidget* parent)
     auto* capLabel = new QLabel(tr("Max jog speed"), this);
     capLabel->setBuddy(m_cap);
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setContentsMargins(0, unit / 2, 0, 0);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 3);

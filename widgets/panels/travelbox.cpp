@@ -11,6 +11,7 @@
 #include "model/machinefile/machinelayout.h"
 #include "model/module/servodefaults.h"
 #include "widgets/common/askdialog.h"
+#include "widgets/common/foldinggrid.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/travelwords.h"
@@ -25,7 +26,7 @@ TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(tr("Travel and speed limits"), parent), m_context(context) {
     look::name(this, named(u"travelBox"_s), tr("Travel and speed limits"));
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
+    auto* grid = new FoldingGrid(this);
     grid->setHorizontalSpacing(unit / 2);
     grid->setVerticalSpacing(unit / 2);
     buildLimit(grid, Lowest);
