@@ -19,6 +19,15 @@ namespace {
     return {kp, kd, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}};
 }
 
+/// zeta 0.7 at three times the motor's own frequency, by the formulas of docs/tuning.md.
+[[nodiscard]] servo::SetGain threeTimesAsFastAs(const MotorConstants& motor) {
+    const double omega = 3 / motor.timeConstant;
+    const double push = motor.gain / (256 * motor.timeConstant);
+    const double kd = (2 * 0.7 * omega - 1 / motor.timeConstant) / (push * 512e-6);
+    return gainsOf(static_cast<std::uint16_t>(std::clamp(omega * omega / push, 1.0, 32'767.0)),
+                   static_cast<std::uint16_t>(std::clamp(kd, 0.0, 32'767.0)));
+}
+
 TEST(LoopMargins, AreThoseOfTheContinuousLoopFarBelowTheServoRate) {
     // L = K Kp / 256 / (s (tau s + 1)) is 1 at w = 10 rad/s if K Kp / 256 = 10 sqrt(1 + (10 tau)^2): 11.18
     // with tau 0.05 s. There the phase is -90 - atan(0.5) = -116.57 degrees, and half a tick of holding -0.15
@@ -134,7 +143,7 @@ TEST(PredictDoubt, KnowsThatGainAndTimeConstantGoTogether) {
     EXPECT_NEAR(predict(motor, gainsOf(16, 0), 0, 300, 0.5, 2).phaseMargin.doubt, 1.14, 0.23);
 }
 
-/// What may resonate makes margins doubtful, and the step not.
+/// What may resonate makes margins and the step doubtful, the more the lower it may do so.
 TEST(PredictDoubt, CountsWhatMayResonate) {
     MotorModel motor = MotorModel::exactly({788, 0.013, 2, 0, 0.55e-3});
     const auto upTo = [&](std::optional<double> hertz) {
@@ -149,7 +158,37 @@ TEST(PredictDoubt, CountsWhatMayResonate) {
     EXPECT_LT(high.phaseMargin.doubt, low.phaseMargin.doubt);
     ASSERT_TRUE(rigid.gainMargin && low.gainMargin);
     EXPECT_LT(rigid.gainMargin->doubt, low.gainMargin->doubt);
-    EXPECT_NEAR(low.overshoot.doubt, rigid.overshoot.doubt, 1);
+    EXPECT_GT(low.overshoot.doubt, 1.5 * rigid.overshoot.doubt);
+    EXPECT_GT(low.settling.doubt, rigid.settling.doubt);
+}
+
+/// Motors that are known but for a spring that the steps did not show, against the simulator's shaft: every
+/// third has one. One figure in twenty may be farther off than two standard deviations.
+TEST(PredictDoubt, OfTheStepCoversASpring) {
+    using namespace testing_support;
+    sim::Random random(29);
+    int of = 0;
+    int covered = 0;
+    const auto count = [&](const Measured& predicted, double truth) {
+        ++of;
+        covered += std::abs(predicted.value - truth) <= 2 * predicted.doubt ? 1 : 0;
+    };
+    for (int i = 0; i < 30; ++i) {
+        sim::MotorParameters motor;
+        motor.elasticInertiaKgM2 = i % 3 == 0 ? 0.5 * random.unit() * motor.inertiaKgM2 : 0.0;
+        motor.resonanceHz = 60 + 60 * random.unit();
+        const servo::SetGain gains = threeTimesAsFastAs(physics(motor));
+        MotorModel known = MotorModel::exactly(physics(motor));
+        known.rigidUpTo = 60;
+        const Prediction predicted = predict(known, gains, 0, 300, 0.3, kFirstBand);
+        TunedServo servo(motor, gains, 3);
+        servo.wait(0.1);
+        const ResponseRecord run = servo.trueStep(300, 0.3);
+        ASSERT_TRUE(run.metrics.overshoot && run.metrics.settling);
+        count(predicted.overshoot, run.metrics.overshoot->value);
+        count(predicted.settling, run.metrics.settling->value);
+    }
+    EXPECT_GE(covered, of * 0.95) << covered << " of " << of;
 }
 
 /// Without an integral a shaft stops where friction holds it: 4 +- 4 PWM counts at Kp 100 are up to 10 counts
@@ -194,14 +233,7 @@ TEST(PredictDoubt, CoversTheTruthOfMotorsThatWereFound) {
         const auto found = identify(stepsOf(motor, random.next()));
         ASSERT_TRUE(found);
         const auto step = static_cast<std::int32_t>(motor.countsPerTurn / 10);
-        const MotorConstants truth = physics(motor);
-        // zeta 0.7 at three times the motor's own frequency, by the formulas of docs/tuning.md.
-        servo::SetGain gains = gainsOf(0, 0);
-        const double omega = 3 / truth.timeConstant;
-        const double push = truth.gain / (256 * truth.timeConstant);
-        gains.kp = static_cast<std::uint16_t>(std::clamp(omega * omega / push, 1.0, 32'767.0));
-        gains.kd = static_cast<std::uint16_t>(
-            std::clamp((2 * 0.7 * omega - 1 / truth.timeConstant) / (push * 512e-6), 0.0, 32'767.0));
+        const servo::SetGain gains = threeTimesAsFastAs(physics(motor));
         const Prediction predicted = predict(found->motor, gains, 0, step, kMedianRecord, kFirstBand);
         TunedServo servo(motor, gains, 3);
         servo.wait(0.3);

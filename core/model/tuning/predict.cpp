@@ -226,21 +226,27 @@ Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::in
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> part;
     std::vector<std::vector<double>> positions(prediction.run.points.size());
+    bool sprung = false;
     for (const MotorConstants& other : motor.drawn(kDrawn)) {
-        const double held = 2 * part(random) - 1;
-        const ResponseRecord run = reckonStep(
-            other, taken, standing(other, gains, from, held, part(random), part(random)), bandPercent);
-        for (std::size_t i = 0; i < positions.size(); ++i)
-            positions[i].push_back(run.points[i].position);
-        overshoot.add(run.metrics.overshoot.value_or(Measured{}).value);
-        rest.add(restOf(run));
-        if (run.metrics.settling)
-            settling.add(run.metrics.settling->value);
-        else
-            prediction.unsettled += 1.0 / kDrawn;
         MotorConstants swinging = other;
         if (motor.rigidUpTo)
             hangOn(swinging, *motor.rigidUpTo, part(random), part(random));
+        // Margins are for the worst that may be. A step is for what is likely: every second motor drives a
+        // spring, which makes it overshoot and settle otherwise, and rest where it would without.
+        sprung = !sprung;
+        const MotorConstants& drawn = sprung ? swinging : other;
+        const double held = 2 * part(random) - 1;
+        const ResponseRecord run = reckonStep(
+            drawn, taken, standing(drawn, gains, from, held, part(random), part(random)), bandPercent);
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            positions[i].push_back(run.points[i].position);
+        overshoot.add(run.metrics.overshoot.value_or(Measured{}).value);
+        if (run.metrics.settling)
+            settling.add(run.metrics.settling->value);
+        else if (!sprung)
+            prediction.unsettled += 2.0 / kDrawn;
+        if (!sprung)
+            rest.add(restOf(run));
         const LoopMargins its = marginsOf(swinging, gains);
         phase.add(its.phaseDegrees);
         if (std::isfinite(its.gain))

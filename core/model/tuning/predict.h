@@ -42,7 +42,7 @@ inline constexpr double kSeldom = 0.05;
 
 /// A step that has not been made. Each doubt is one standard deviation: how the figure varies with motors
 /// that explain what was measured as well, and with where friction and encoder leave the shaft before the
-/// step. Doubts of margins count in what may resonate where the steps do not show it (MotorModel::rigidUpTo).
+/// step. They count in what may resonate where the steps do not show it (MotorModel::rigidUpTo).
 struct Prediction {
     /// The step of the motor that was found: a point for each servo tick from the step on, in encoder counts.
     ResponseRecord run;
