@@ -210,7 +210,7 @@ bool Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uin
         const bool wrong = chance > 0.0 && m_random.unit() < chance;
         if (wrong)
             module.countGarbled();
-        module.hears(wrong ? garbled(value, m_random) : value, wrong || error, struck, now);
+        module.hears(wrong ? garbled(value, m_random) : value, wrong || error, struck, hasteIsUnknown, now);
     }
     moduleEvents[index] = module.nextEvent();
     return listens;

@@ -68,8 +68,8 @@ public:
 
     /// The host's port takes `bytes` at `now`; they leave it back to back, behind what is still leaving. The
     /// line holds 65 536 bytes; more are lost and counted. `readLate`: the host wrote them before `now`, but
-    /// nobody knows when; whether it waited for its answers (CommandInFlight) is judged again when bytes that
-    /// are in time find the chain at rest.
+    /// nobody knows when; whether it waited for its answers (CommandInFlight, CommandOverwritten) is judged
+    /// again when bytes that are in time find the chain at rest.
     void hostSends(ByteSpan bytes, TimePoint now, bool readLate = false);
 
     /// When the last of what hosts have sent has left, or had.

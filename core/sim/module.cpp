@@ -84,12 +84,12 @@ void Module::restorePlace(const Place& place) {
 
 // ---- Commands ----
 
-void Module::hears(std::uint8_t byte, bool framingError, bool struck, TimePoint now) {
+void Module::hears(std::uint8_t byte, bool framingError, bool struck, bool late, TimePoint now) {
     if (m_receiver.hears(byte, framingError, struck))
-        accept(m_receiver.packet(), now);
+        accept(m_receiver.packet(), late, now);
 }
 
-void Module::accept(const Packet& packet, TimePoint now) {
+void Module::accept(const Packet& packet, bool late, TimePoint now) {
     const bool own = packet.address == m_address;
     const bool member = packet.address == m_group;
     const bool good = !packet.framingError && packet.sumIsRight();
@@ -97,7 +97,7 @@ void Module::accept(const Packet& packet, TimePoint now) {
         good && obeysResetOfAll() && packet.address == kEveryone && packet.code() == CommandCode::HardReset;
     if (!own && !member && !resetsAll)
         return;
-    if (m_pending && good && !packet.struck && !m_pending->packet.struck)
+    if (m_pending && good && !late && !packet.struck && !m_pending->packet.struck)
         m_violations.add({now, m_index, ViolationKind::CommandOverwritten, packet.bytes()});
     const std::uint64_t tick = ticksAt(now) + 1;
     m_pending = Pending{packet, tickEnd(tick), tick, own, own || (member && m_leader)};

@@ -72,8 +72,8 @@ public:
 
     // The line.
     /// A byte of the host, while awake. `framingError`: it was not what the host sent. `struck`: as in
-    /// Packet.
-    void hears(std::uint8_t byte, bool framingError, bool struck, TimePoint now);
+    /// Packet. `late`: nobody knows whether its host waited before it sent this.
+    void hears(std::uint8_t byte, bool framingError, bool struck, bool late, TimePoint now);
     [[nodiscard]] bool inPacket() const { return m_receiver.inPacket(); }
     /// When it next executes a command or has sent a byte; kNever while it only moves its motor.
     [[nodiscard]] TimePoint nextEvent() const;
@@ -183,7 +183,7 @@ private:
     [[nodiscard]] virtual std::uint8_t statusByte() const = 0;
     virtual void writeItems(ItemWriter writer) const = 0;
 
-    void accept(const Packet& packet, TimePoint now);
+    void accept(const Packet& packet, bool late, TimePoint now);
     void runTo(std::uint64_t tick);
     void executeGood(const Pending& command);
     void checkForm(const Packet& packet);
