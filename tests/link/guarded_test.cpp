@@ -14,7 +14,7 @@
 #include <deque>
 
 #include "link/guardian/guardreport.h"
-#include "tests/link/changes.h"
+#include "tests/support/changes.h"
 #include "tests/link/connection.h"
 #include "tests/support/leaverunning.h"
 

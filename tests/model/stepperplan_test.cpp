@@ -286,27 +286,5 @@ TEST(StepPlan, AsksNothingOfAModuleThatDoesNotAnswerButToSwitchOff) {
     EXPECT_EQ(refusalOf(intent::MotorOff{}, stepper.module), std::nullopt);
 }
 
-TEST(H02_ReadOnly, AStepperIsToldNothing) {
-    const StepperMotion run = steppermotion::VelocityProfile{40, 4, false};
-    ModuleState module = Stepper::holding().module;
-    for (const Intent& intent : std::vector<Intent>{
-             intent::Enable{}, intent::StopSmoothly{}, intent::StopAbruptly{}, intent::MotorOff{},
-             intent::SetAmplifier{}, intent::ResetPosition{}, intent::SaveAsHome{},
-             intent::Home{firstRecipe(module.info.identity)},
-             stepperintent::SetParameters{Stepper::parameters()}, stepperintent::SetOutputs{1},
-             stepperintent::Move{run}, stepperintent::LoadMove{run}}) {
-        module.readOnly = false;
-        EXPECT_TRUE(plan(intent, module)) << "intent " << intent.index();
-        module.readOnly = true;
-        const auto planned = plan(intent, module);
-        ASSERT_FALSE(planned) << "intent " << intent.index();
-        EXPECT_EQ(planned.error(), Refusal::ReadOnly) << "intent " << intent.index();
-    }
-    for (int kind = 0; kind <= static_cast<int>(IntentKind::SetOutputs); ++kind)
-        EXPECT_EQ(whyNot(static_cast<IntentKind>(kind), module), Refusal::ReadOnly) << kind;
-    EXPECT_EQ(whyNotFromStandstill(run, module), Refusal::ReadOnly);
-    EXPECT_EQ(procedureFor(stepperintent::ChangeMotion{run}, module), nullptr);
-}
-
 }  // namespace
 }  // namespace nmc
