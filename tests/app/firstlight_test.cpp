@@ -98,21 +98,21 @@ public:
         type("accelerationField", QStringLiteral("0.02"));
         click("goButton");
     }
-    /// 8 000 counts at 8 counts/tick and 0.02 counts/tick^2, and back again half-way, where Esc stops it.
+    /// 8 000 counts at 8 counts/tick and 0.02 counts/tick^2, and back again and far beyond, where Esc stops
+    /// it: on a busy machine nobody sees what is over in half a second.
     void moveAndStop() {
         goTo(8'000);
-        ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::AtSpeed; }));
         ASSERT_TRUE(waitFor(
             [&] { return !module(1).moving() && std::abs(*module(1).latest->position - 8'000) <= 5; }));
         ASSERT_TRUE(waitUntilEnabled("goButton"));
-        goTo(0);
+        goTo(-400'000);
         ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::AtSpeed; }));
         QTest::keyClick(&find<QLineEdit>("goalField"), Qt::Key_Escape);
         ASSERT_TRUE(waitFor([&] {
             return find<QLabel>("stopResultLabel").text().contains(QLatin1String("stopped and holding"));
         }));
         ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::Holding; }));
-        EXPECT_GT(*module(1).latest->position, 1'000);
+        EXPECT_GT(*module(1).latest->position, -390'000);
     }
 
 private:
