@@ -51,21 +51,23 @@ struct Trial {
 /// they send. Pure.
 class Chain {
 public:
-    struct Module {
-        explicit Module(const ModuleInfo& info)
-            : belief(info),
-              plausibility(info.identity),
-              trust(info.identity),
-              ownMotion(info.identity.type) {}
+    /// All that follows from what a module was told. A command that was refused was certainly not carried
+    /// out: then this is as it was before.
+    struct Memory {
+        explicit Memory(const ModuleInfo& info)
+            : belief(info), plausibility(info.identity), ownMotion(info.identity.type) {}
+        Belief belief;
+        Plausibility plausibility;
+        MotionWatch watch;
+        OwnMotion ownMotion;
+    };
+    struct Module : Memory {
+        explicit Module(const ModuleInfo& info) : Memory(info), trust(info.identity) {}
         /// The same module, of which nothing is known any more but what a stop is to take low.
         explicit Module(const Belief& before) : Module(before.info()) {
             belief.forgetOutputs(before.outputs().stopOutputs());
         }
-        Belief belief;
-        Plausibility plausibility;
         Trust trust;
-        MotionWatch watch;
-        OwnMotion ownMotion;
         Health health;
         std::optional<UnacknowledgedStop> owed{};
         std::optional<Trial> trial{};

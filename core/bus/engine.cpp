@@ -440,7 +440,7 @@ void Engine::send(Work work, TimePoint now) {
     const Ask& ask = work.ask;
     if (ask.module && ask.command) {
         const TimePoint latched = m_line.latchTime(ask.request.payload.data.size() + 4, now);
-        work.before = m_chain.belief(*ask.module);
+        work.before = m_chain.at(*ask.module);
         m_chain.tell(*ask.module, *ask.command, latched);
     }
     if (ask.retry)

@@ -154,7 +154,7 @@ private:
         Ask ask;
         Task* task = nullptr;  ///< none when nobody waits for its end any more
         std::uint8_t refusals = 0;
-        std::optional<Belief> before{};  ///< to put back when it is refused
+        std::optional<Chain::Memory> before{};  ///< to put back when it is refused
         TimePoint sent{};
     };
 

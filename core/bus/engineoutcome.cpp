@@ -133,7 +133,7 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
     if (end.result == ReplyResult::Refused) {
         module.trust.interrupt();
         if (work.before)
-            module.belief = *work.before;
+            static_cast<Chain::Memory&>(module) = *work.before;
         // What waits is not what was asked for.
         if (ask.command &&
             (is<servo::LoadTrajectory>(*ask.command) || is<stepper::LoadTrajectory>(*ask.command)))

@@ -230,6 +230,36 @@ TEST(Operations, TryThreeTimesWhenTheModuleRefuses) {
     EXPECT_EQ(bus.engine.statistics().timeouts, 0U);
 }
 
+/// With SR 10 velocities count per ten ticks, so that a reply could tell of ten times as many (DS-V 5.2).
+/// That was refused: 200 counts a tick from one reply to the next are too many for any motor, as before.
+TEST(Operations, ARefusedCommandChangesNothingThatIsHeldPlausible) {
+    ScriptedBus bus(1);
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(500ms);
+    bool fast = false;
+    bus.answer = [&](ByteSpan packet) {
+        std::vector<std::uint8_t> reply = bus.likeAServo(packet);
+        const auto frame = parsePacket(packet);
+        constexpr std::size_t kVelocity = 1 + 4 + 1;  // behind status, position and A/D
+        if (frame && frame->payload.code == CommandCode::SetGain) {
+            reply[0] |= 0x02U;
+        } else if (fast && reply.size() > kVelocity + 2) {
+            reply[kVelocity] = 0x38;  // -200, which the wire carries for 200
+            reply[kVelocity + 1] = 0xFF;
+        }
+        reply.pop_back();
+        return withSum(reply);
+    };
+    bus.engine.submit(
+        {OperationId(7), {toServo(0, servo::SetGain{100, 1'000, 0, 0, 255, 0, 4'000, 10, std::uint8_t{0}})}},
+        bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<OperationFinished>() > 0; }));
+    ASSERT_GT(bus.engine.statistics().refused, 0U);
+    fast = true;
+    bus.runFor(50ms);
+    EXPECT_GT(bus.engine.statistics().rejections[static_cast<std::size_t>(Rejection::VelocityJump)], 0U);
+}
+
 TEST(Operations, SucceedWhenTheSecondAttemptIsAccepted) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
