@@ -165,31 +165,10 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
         publish(*ask.module, end, *trusted);
 }
 
-namespace {
-
-/// What an SC says in item 3 as the first data sheet says it (DS-V 5.3), so that nobody above the bus has to
-/// know the two: what it calls slew is the constant speed between acc and dec, and its index is the pin
-/// itself.
-StatusReport inFirstWords(StatusReport report, const ModuleIdentity& module) {
-    if (!isSc(module) || !report.aux)
-        return report;
-    constexpr unsigned kIndex = 0x01, kAccelDone = 0x08, kSlewDone = 0x10;
-    const servo::ScAuxByte said{*report.aux};
-    unsigned aux = *report.aux & ~(kIndex | kAccelDone | kSlewDone);
-    aux |= said.index() ? 0U : kIndex;
-    aux |= said.accelerating() ? 0U : kAccelDone;
-    aux |= said.accelerating() || said.slewing() ? 0U : kSlewDone;
-    report.aux = static_cast<std::uint8_t>(aux);
-    return report;
-}
-
-}  // namespace
-
 void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted) {
     Chain::Module& known = m_chain.at(module);
-    m_events.emplace_back(Sample{module, end.latched, inFirstWords(trusted, known.belief.info().identity),
-                                 end.late, end.report.status, known.plausibility.takeJump(),
-                                 known.unanswered.has_value()});
+    m_events.emplace_back(Sample{module, end.latched, trusted, end.late, end.report.status,
+                                 known.plausibility.takeJump(), known.unanswered.has_value()});
     if (m_config.readOnly)
         return;  // whatever moves there is for others to start and to stop
     // Attached, it may move as it likes; its velocity tells.

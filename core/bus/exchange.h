@@ -114,7 +114,7 @@ enum class ReplyResult : std::uint8_t {
 
 struct ReplyEnd {
     ReplyResult result = ReplyResult::Unresponsive;
-    StatusReport report;  ///< of Accepted and Refused
+    StatusReport report;  ///< of Accepted and Refused; that of an SC in the terms of DS-V 5.3 (toAuxByte)
     TimePoint latched;    ///< when the module latched it: command's end on the wire plus half a tick
     TimePoint latchedBy;  ///< not later than this, however late this machine was
     Duration late{};      ///< as in Sample

@@ -231,7 +231,7 @@ std::optional<Rejection> Plausibility::servoStructure(const StatusReport& report
     const servo::AuxByte aux{*report.aux};
     if (!aux.servoOn() && !(status.positionError() && status.moveDone()))
         return Rejection::OffWithoutBits;
-    if (aux.slewDone() && !aux.accelDone() && !isSc(m_identity))  // whose bits say something else
+    if (aux.slewDone() && !aux.accelDone())
         return Rejection::SlewWithoutAccel;
     return std::nullopt;
 }

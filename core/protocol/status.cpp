@@ -176,4 +176,17 @@ tl::expected<StatusReport, StatusError> decodeStatus(const ModuleIdentity& modul
     return report;
 }
 
+namespace servo {
+
+AuxByte toAuxByte(ScAuxByte sc) {
+    constexpr unsigned kIndex = 0x01, kAccelDone = 0x08, kSlewDone = 0x10;
+    unsigned bits = sc.bits & ~(kIndex | kAccelDone | kSlewDone);
+    bits |= sc.index() ? 0U : kIndex;
+    bits |= sc.accelerating() ? 0U : kAccelDone;
+    bits |= sc.accelerating() || sc.slewing() ? 0U : kSlewDone;
+    return {static_cast<std::uint8_t>(bits)};
+}
+
+}  // namespace servo
+
 }  // namespace nmc

@@ -104,6 +104,10 @@ struct ScAuxByte {
     [[nodiscard]] constexpr bool pathMode() const { return (bits & 0x40U) != 0; }
     bool operator==(const ScAuxByte&) const = default;
 };
+/// The same in the terms of the first data sheet, so that nobody above the wire has to know the two: what an
+/// SC calls slew is the constant speed between acceleration and deceleration, and its index is the pin
+/// itself.
+[[nodiscard]] AuxByte toAuxByte(ScAuxByte sc);
 /// The data sheet's names of the bits, bit 0 first; empty where undefined.
 inline constexpr std::array<std::string_view, 8> kStatusBitNames{
     "move_done", "cksum_error", "overcurrent", "power_on",
