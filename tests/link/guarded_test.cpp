@@ -14,8 +14,8 @@
 #include <deque>
 
 #include "link/guardian/guardreport.h"
-#include "tests/support/changes.h"
 #include "tests/link/connection.h"
+#include "tests/support/changes.h"
 #include "tests/support/leaverunning.h"
 
 namespace nmc {
