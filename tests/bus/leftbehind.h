@@ -12,12 +12,18 @@ namespace nmc::test {
     return config;
 }
 
+[[nodiscard]] inline sim::ChainOptions withFaults() {
+    sim::ChainOptions options;
+    options.enableFaults = true;
+    return options;
+}
+
 /// The first program: it gives addresses, runs the first motor in velocity mode, one count per tick, and is
 /// gone. Another one, with `next` for its configuration, takes its place.
 class LeftBehind {
 public:
     LeftBehind(std::size_t modules, std::uint32_t baud, const bus::EngineConfig& next = {})
-        : bus(servos(modules), atRate(baud)) {
+        : bus(servos(modules), atRate(baud), withFaults()) {
         EXPECT_TRUE(bus.connect());
         EXPECT_FALSE(bus.last<bus::ChainFound>()->attached);
         EXPECT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, kOnePerTick, true)}), bus::Outcome::Done);

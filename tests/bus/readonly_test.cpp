@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/bus/leftbehind.h"
+#include "tests/support/hexbytes.h"
 #include "tests/support/modules.h"
 
 namespace nmc::test {
@@ -243,6 +244,27 @@ TEST(ReadOnly, LeavesMotorsAloneWhenTheLinkIsGivenUp) {
     ASSERT_TRUE(bus.runUntil(givenUp, 60s));
     bus.runFor(10s);
     looker.expectUndisturbed();
+}
+
+/// Elsewhere a position that stays while the motor is said to move is a reason to stop it (faults.md F-12).
+TEST(ReadOnly, SuspectsNoMotionOfAModuleThatRepeatsAReply) {
+    OnLooker looker;
+    VirtualBus& bus = looker.bus;
+    // The program before has sent one command more: 4 counts per tick, in velocity mode (DS-V 5.2).
+    bus.chain.hostSends(testing_support::fromHex("AA 01 94 B6 00 00 04 00 1F 05 00 00 73"), bus.now);
+    bus.runFor(500ms);
+    ASSERT_NEAR(looker.commandVelocity(), 4.0, 0.01);
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(500ms);
+    sim::FaultSpec stuck;
+    stuck.kind = sim::FaultKind::Stuck;
+    stuck.modules = {0};
+    ASSERT_TRUE(bus.chain.inject(stuck, bus.now));
+    bus.runFor(5s);
+    EXPECT_NEAR(*bus.lastSample(0)->report.velocity, 4, 1) << "as of the reply that is repeated";
+    EXPECT_NEAR(looker.commandVelocity(), 4.0, 0.01);
+    EXPECT_EQ(bus.count<MotionSuspect>(), 0U);
+    EXPECT_EQ(bus.count<StopFinished>(), 0U);
 }
 
 TEST(ReadOnly, DefinesNothingAfterADoubt) {
