@@ -75,6 +75,7 @@ void PositionKeeper::setMachine(const std::string& name) {
     m_machine = name;
     if (!isOfAnother())
         return;
+    m_memory.begin({});  // a module that is silent now is offered nothing when it answers
     // Each that is withdrawn leaves m_offered.
     const std::vector<ModuleIndex> offered = m_offered;
     for (const ModuleIndex module : offered)

@@ -138,37 +138,62 @@ TEST_F(PositionKept, OneThatWasStoppedByQuittingIsOffered) {
     EXPECT_NEAR(panel.module().home.place()->counts, -rests, 4 + 5);
 }
 
-/// It is kept for the chain at a port, whatever file the machine was in when it moved last.
-TEST_F(PositionKept, IsOfferedWhateverWasSavedOrOpenedUnlessItIsAnotherMachine) {
-    const QString press = folder.filePath(u"press.json"_s);
-    {
+/// Positions are kept for the chain at a port, whatever file the machine was in when it moved last.
+class PositionOfAMachine : public PositionKept {
+protected:
+    /// "press" is saved while it stands at 5 000; then the modules lose their power.
+    void leavePressAt5000() {
         VirtualPanel panel({}, {}, folder.path());
         ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
         Hand hand(panel);
         hand.strike(Qt::CTRL | Qt::Key_S);
         ASSERT_NO_FATAL_FAILURE(hand.chooseFile(press));
         ASSERT_TRUE(panel.waitFor([&] { return panel.composition().machine().name == "press"; }));
+        Machine other;
+        other.name = "mill";
+        ASSERT_TRUE(writeFile(mill, writeMachine(other)).has_value());
+        power();
     }
-    Machine other;
-    other.name = "mill";
-    const QString mill = folder.filePath(u"mill.json"_s);
-    ASSERT_TRUE(writeFile(mill, writeMachine(other)).has_value());
-    power();
-    VirtualPanel panel({}, {}, folder.path());
-    Hand hand(panel);
-    panel.start();
-    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
-    const auto open = [&](const QString& file, const char* name) {
+    /// Attached, with what was remembered on offer. At the rate to which a restarted module listens, so that
+    /// it can have its address again.
+    void begin(VirtualPanel& panel) {
+        panel.composition().show({sim.terminal(), 19'200, false});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
+    }
+    void open(VirtualPanel& panel, const QString& file, const char* name) {
         emit panel.window().machineMenu().openRequested(file);
+        Hand hand(panel);
         ASSERT_NO_FATAL_FAILURE(hand.click(u"Apply"_s));
         ASSERT_TRUE(panel.waitFor([&] { return panel.composition().machine().name == name; }));
-        ASSERT_TRUE(panel.answersFor(0.3));
-    };
-    ASSERT_NO_FATAL_FAILURE(open(press, "press"));
+    }
+    const QString press = folder.filePath(u"press.json"_s);
+    const QString mill = folder.filePath(u"mill.json"_s);
+};
+
+TEST_F(PositionOfAMachine, IsOfferedUnlessAnotherMachineIsOpened) {
+    ASSERT_NO_FATAL_FAILURE(leavePressAt5000());
+    VirtualPanel panel({}, {}, folder.path());
+    ASSERT_NO_FATAL_FAILURE(begin(panel));
+    ASSERT_NO_FATAL_FAILURE(open(panel, press, "press"));
+    ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_NE(panel.standing(offer), nullptr) << "it is the same machine";
-    ASSERT_NO_FATAL_FAILURE(open(mill, "mill"));
+    ASSERT_NO_FATAL_FAILURE(open(panel, mill, "mill"));
+    ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(panel.standing(offer), nullptr) << "that one has never been seen here";
+}
+
+TEST_F(PositionOfAMachine, IsNotOfferedToAnotherWhoseModuleWasSilentWhenItWasOpened) {
+    ASSERT_NO_FATAL_FAILURE(leavePressAt5000());
+    VirtualPanel panel({}, {}, folder.path());
+    ASSERT_NO_FATAL_FAILURE(begin(panel));
+    (void)sim.control(u"power-cycle 1"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().silent; }));
+    ASSERT_NO_FATAL_FAILURE(open(panel, mill, "mill"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"Module 1 restarted"_s) != nullptr; }));
+    ASSERT_TRUE(panel.press(u"Module 1 restarted"_s, u"Assign the address of module 1"_s));
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.module().silent; }));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.standing(offer), nullptr);
 }
 
 }  // namespace
