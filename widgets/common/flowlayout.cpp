@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/flowlayout.h"
 
-#include <QStyle>
 #include <QWidget>
+
+#include "widgets/common/layoutline.h"
 
 namespace nmc {
 
@@ -72,24 +73,13 @@ void FlowLayout::setGeometry(const QRect& rect) {
 }
 
 int FlowLayout::place(const QRect& rect, Move move) const {
-    struct Placed {
-        QLayoutItem* item;
-        int left;
-        QSize size;
-    };
-    std::vector<Placed> row;
+    LayoutLine line;
     int top = 0;
-    int high = 0;
-    const auto endRow = [&] {
-        // What is lower than its row stands in the middle of it, as words beside a field do; but tables begin
-        // at the same height.
-        for (const auto& [item, left, size] : row) {
-            const int down = item->widget() != nullptr ? (high - size.height()) / 2 : 0;
-            if (move == Move::Yes)
-                item->setGeometry(QStyle::visualRect(parentWidget()->layoutDirection(), rect,
-                                                     {rect.topLeft() + QPoint(left, top + down), size}));
-        }
-        row.clear();
+    const auto endLine = [&] {
+        if (move == Move::Yes)
+            line.place(*parentWidget(), rect, top);
+        top += line.height();
+        line = {};
     };
     int left = 0;
     for (const auto& item : m_items) {
@@ -98,17 +88,15 @@ int FlowLayout::place(const QRect& rect, Move move) const {
         const QSize size =
             item->sizeHint().boundedTo({qMax(rect.width(), item->minimumSize().width()), QWIDGETSIZE_MAX});
         if (left > 0 && left + size.width() > rect.width()) {
-            endRow();
+            endLine();
             left = 0;
-            top += high + spacing() / 2;
-            high = 0;
+            top += spacing() / 2;
         }
-        row.push_back({item.get(), left, size});
+        line.add(item.get(), left, size);
         left += size.width() + spacing();
-        high = qMax(high, size.height());
     }
-    endRow();
-    return top + high;
+    endLine();
+    return top;
 }
 
 }  // namespace nmc

@@ -3,11 +3,11 @@
 
 #include <QFormLayout>
 #include <QLabel>
-#include <QStyle>
 #include <algorithm>
 
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/layoutline.h"
 
 namespace nmc {
 
@@ -116,25 +116,13 @@ int FoldingGrid::place(const QRect& rect, Move move) const {
     const auto rows = this->rows();
     const std::vector<int> columns = columnWidths(rows);
     int top = 0;
-    struct Placed {
-        QLayoutItem* item;
-        int left;
-        QSize size;
-    };
-    std::vector<Placed> line;
+    LayoutLine line;
     const auto endLine = [&] {
-        int high = 0;
-        for (const Placed& placed : line)
-            high = std::max(high, placed.size.height());
-        // What is lower than its line stands in the middle of it, as words beside a field do.
-        for (const auto& [item, left, size] : line)
-            if (move == Move::Yes)
-                item->setGeometry(QStyle::visualRect(
-                    parentWidget()->layoutDirection(), rect,
-                    {rect.topLeft() + QPoint(left, top + (high - size.height()) / 2), size}));
+        if (move == Move::Yes)
+            line.place(*parentWidget(), rect, top);
         if (!line.empty())
-            top += high + verticalSpacing();
-        line.clear();
+            top += line.height() + verticalSpacing();
+        line = {};
     };
     for (std::size_t i = 0; i < rows.size(); ++i) {
         int left = 0;
@@ -149,14 +137,14 @@ int FoldingGrid::place(const QRect& rect, Move move) const {
             if (cell.item->hasHeightForWidth())
                 size.setHeight(cell.item->heightForWidth(size.width()));
             const int width = table ? columns[static_cast<std::size_t>(cell.column)] : size.width();
-            const bool belowName = !table && line.size() == 1 && cell.column > 0 &&
-                                   qobject_cast<QLabel*>(line.front().item->widget()) != nullptr;
+            const bool belowName = !table && line.count() == 1 && cell.column > 0 &&
+                                   qobject_cast<QLabel*>(line.first()->widget()) != nullptr;
             if (left > 0 && (belowName || left + width > rect.width())) {
                 endLine();
                 // What belongs to a row of a table stands to the right of its name.
                 left = table ? columns.front() + horizontalSpacing() : 0;
             }
-            line.push_back({cell.item, left, size});
+            line.add(cell.item, left, size);
             left += width + horizontalSpacing();
         }
         endLine();
