@@ -261,6 +261,24 @@ TEST(GroupStop, GoesToEachModuleWhenNotAllAreInGroupFF) {
     bus.expectNoViolations();
 }
 
+TEST(GroupStop, GoesToEachModuleWhereAnotherHostChoseTheGroups) {
+    GroupBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    for (std::uint8_t i = 0; i < 2; ++i)
+        ASSERT_EQ(bus.perform({gains(i), enable(i), loadVelocity(i, 65'536, true)}), Outcome::Done);
+    ASSERT_EQ(bus.put(0, 0x81).outcome, Outcome::Done);
+    bus.newHost();
+    ASSERT_TRUE(bus.connect());
+    const std::size_t from = bus.sent.size();
+    const auto stop = bus.stopAll();
+    ASSERT_TRUE(stop);
+    EXPECT_EQ(stop->stopped.size(), 2U);
+    EXPECT_EQ(bus.sends("AA FF 17", from), 0U) << "the first would not hear it";
+    EXPECT_EQ(bus.sends("AA 01 17 05 1D", from), 2U) << "at once, and again for its reply";
+    EXPECT_EQ(bus.sends("AA 02 17 05 1E", from), 2U);
+    bus.expectNoViolations();
+}
+
 // ---- home ----
 
 TEST(GroupHome, IsSavedByAllMembersInTheSameTick) {
