@@ -230,8 +230,8 @@ TEST(Operations, TryThreeTimesWhenTheModuleRefuses) {
     EXPECT_EQ(bus.engine.statistics().timeouts, 0U);
 }
 
-/// With SR 10 velocities count per ten ticks, so that a reply could tell of ten times as many (DS-V 5.2).
-/// That was refused: 200 counts a tick from one reply to the next are too many for any motor, as before.
+/// A servo rate divisor of 10 makes a tick ten times as long, so ten times as many counts per tick would be
+/// plausible (DS-V 5.2). The module refuses it, so 200 counts a tick stay as implausible as before.
 TEST(Operations, ARefusedCommandChangesNothingThatIsHeldPlausible) {
     ScriptedBus bus(1);
     ASSERT_TRUE(bus.connect());

@@ -99,8 +99,8 @@ TEST_F(FirstLight, AMotorMovesAndItsTraceIsHonest) {
         worst = std::max(worst, error);
     }
     EXPECT_NEAR(highest, 20'000, 50);
-    // With these gains the motor lags some 25 counts at 8 counts/tick, and the sample's own time is
-    // uncertain by half a tick, which is another 4.
+    // A lag of 25 counts at 8 counts/tick, and half a tick of doubt about when the position was sampled,
+    // which is another 4 counts.
     EXPECT_GT(all, 100);
     EXPECT_EQ(small, all);
     EXPECT_GT(worst, 5);

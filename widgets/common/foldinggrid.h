@@ -14,7 +14,7 @@ public:
     enum class Kind : bool { Form, Table };
     explicit FoldingGrid(QWidget* parent, Kind kind = Kind::Form) : QGridLayout(parent), m_kind(kind) {}
 
-    /// Of all of them on this page, and of its forms.
+    /// Lets every FoldingGrid and QFormLayout on `page` fold, or none.
     static void letFold(const QWidget& page, bool may);
 
     [[nodiscard]] QSize minimumSize() const override;

@@ -34,7 +34,7 @@ namespace nmc::texts {
 [[nodiscard]] int positionDecimals(const AxisScale& scale);
 /// "1 234 counts", "0.617 turns".
 [[nodiscard]] QString position(const AxisScale& scale, double counts);
-/// The same of an amount, which has no direction.
+/// An amount without a direction: "1 234 counts".
 [[nodiscard]] QString distance(const AxisScale& scale, double counts);
 /// Of a servo that should hold: "Oscillating ± 200 counts at about 37 Hz"
 [[nodiscard]] QString swing(const SwingWatch::Swing& swing, const AxisScale& scale);

@@ -54,7 +54,7 @@ void letScroll(QTabWidget& pages) {
 }
 
 void letWrap(const QWidget& page, bool may) {
-    // A label lays its page out anew even where it is told what it does already.
+    // QLabel::setWordWrap() invalidates the layout even when nothing changes, so only changes are passed on.
     for (QLabel* label : page.findChildren<QLabel*>())
         if (label->buddy() != nullptr && label->wordWrap() != may)
             label->setWordWrap(may);
