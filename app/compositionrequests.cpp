@@ -25,7 +25,7 @@ namespace nmc {
 namespace {
 
 /// What moves a motor, or may; what switches one on holds it where it is.
-bool mayMove(const bus::ModuleCommand& command) {
+bool mayMove(const ModuleCommand& command) {
     constexpr Overloaded moves{
         [](const AnyOf<servo::LoadTrajectory, stepper::LoadTrajectory> auto& load) { return load.startNow; },
         [](const servo::StopMotor& stop) { return stop.manner == servo::StopManner::Here; },

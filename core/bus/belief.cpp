@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/overloaded.h"
+#include "module/commandfacts.h"
 
 namespace nmc::bus {
 
@@ -12,7 +13,7 @@ struct Belief::Sent {
     TimePoint latched;
 
     void operator()(const servo::LoadTrajectory& load) const {
-        b.m_loaded.reset();
+        b.m_servo.loadWaiting = false;
         if (!load.startNow)
             return;
         b.m_lastMotion = latched;
@@ -20,7 +21,7 @@ struct Belief::Sent {
         b.mayStart(load);
     }
     void operator()(const stepper::LoadTrajectory& load) const {
-        b.m_stepperLoad.reset();
+        b.m_stepper.waiting.reset();
         if (!load.startNow)
             return;
         b.m_lastMotion = latched;
@@ -28,20 +29,19 @@ struct Belief::Sent {
     }
     void operator()(const StartMotion&) const {
         b.m_lastMotion = latched;
-        b.m_starting = b.m_loaded;
-        if (b.m_loaded)
-            b.mayStart(*b.m_loaded);
-        b.m_loaded.reset();
-        if (b.m_stepperLoad)
-            b.mayStart(*b.m_stepperLoad);
-        b.m_stepperLoad.reset();
+        b.m_starting = b.servoLoad();
+        if (b.m_starting)
+            b.mayStart(*b.m_starting);
+        if (b.m_stepper.waiting)
+            b.mayStart(*b.m_stepper.waiting);
+        b.forgetLoad();
     }
     void operator()(const servo::StopMotor& stop) const {
         b.m_amplifierOff = b.m_amplifierOff && !stop.amplifierEnable;
         if (stop.manner == servo::StopManner::AmplifierOnly)
             return;
         b.m_lastMotion = latched;
-        b.m_loaded.reset();  // DS-V 5.2: the velocity parameter becomes 0
+        b.m_servo.loadWaiting = false;  // DS-V 5.2: the velocity parameter becomes 0
         if (stop.manner == servo::StopManner::Abruptly || stop.manner == servo::StopManner::Here)
             b.m_mayEnable = true;
     }
@@ -49,18 +49,12 @@ struct Belief::Sent {
         b.m_lastMotion = latched;
         b.m_mayEnable = b.m_mayEnable || stop.amplifierEnable;
         if (stop.manner != stepper::StopManner::AmplifierOnly)
-            b.m_stepperLoad.reset();
+            b.m_stepper.waiting.reset();
     }
     void operator()(const DefineStatus&) const { b.forgetItems(); }
     void operator()(const SetAddress&) const { b.m_info.group.reset(); }
-    void operator()(const AnyOf<ResetPosition, servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
-        b.rename();
-    }
-    void operator()(const AnyOf<ReadStatus, servo::SetGain, stepper::SetParameters, stepper::SetOutputs,
-                                servo::SetHoming, stepper::SetHoming, SetBaud, servo::ClearStickyBits,
-                                SaveAsHome, Nop, HardReset, servo::HardReset> auto&) const {}
     void operator()(const AnyOf<servo::IoControl, servo::ScIoControl> auto&) const {
-        b.m_pathControl.reset();
+        b.m_servo.pathControl.reset();
     }
     void operator()(const servo::AddPathPoints& add) const {
         if (!add.startsPath())
@@ -69,6 +63,7 @@ struct Belief::Sent {
         b.m_onPath = b.m_mayEnable = true;
     }
     void operator()(const io::OwnCommand auto& command) const { b.m_outputs.onSent(command); }
+    void operator()(const auto& /*other*/) const {}
 };
 
 struct Belief::Executed {
@@ -77,17 +72,8 @@ struct Belief::Executed {
     void operator()(const servo::LoadTrajectory& load) const {
         if (load.startNow)
             b.started(load);
-        else
-            b.m_loaded = load;
     }
-    void operator()(const stepper::LoadTrajectory& load) const {
-        if (!load.startNow)
-            b.m_stepperLoad = load;
-    }
-    void operator()(const stepper::SetParameters& parameters) const {
-        b.m_parametersSet = true;
-        b.m_parameters = parameters;
-    }
+    void operator()(const stepper::SetParameters&) const { b.m_parametersSet = true; }
     void operator()(const StartMotion&) const {
         if (b.m_starting)
             b.started(*b.m_starting);
@@ -108,27 +94,26 @@ struct Belief::Executed {
     void operator()(const SetAddress& set) const {
         b.m_info.group = GroupPlace{set.group.value(), set.leader};
     }
-    void operator()(const AnyOf<ResetPosition, servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
-        b.rename();
-    }
-    void operator()(
-        const AnyOf<ReadStatus, servo::SetGain, stepper::StopMotor, stepper::SetOutputs, stepper::SetHoming,
-                    SetBaud, servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
-    void operator()(const servo::IoControl& control) const { b.m_pathControl = pathControlOf(control); }
     void operator()(const servo::ScIoControl& control) const {
-        b.m_pathControl = pathControlOf(control);
         b.m_limitStops = control.limitStop != servo::LimitStop::None;
     }
-    void operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {}
-    void operator()(const io::OwnCommand auto& command) const { b.m_outputs.onExecuted(command); }
+    void operator()(const auto& /*other*/) const {}
 };
 
 void Belief::onSent(const ModuleCommand& command, TimePoint latched) {
-    std::visit([&](const auto& chip) { std::visit(Sent{*this, latched}, chip); }, command);
+    if (setsCounter(command))
+        rename();
+    visitCommand(Sent{*this, latched}, command);
 }
 
 void Belief::onExecuted(const ModuleCommand& command) {
-    std::visit([&](const auto& chip) { std::visit(Executed{*this}, chip); }, command);
+    if (setsCounter(command))
+        rename();
+    visitCommand(Executed{*this}, command);
+    std::visit(Overloaded{[this](const ServoCommand& own) { m_servo.apply(own); },
+                          [this](const StepperCommand& own) { m_stepper.apply(own); },
+                          [this](const IoCommand& own) { m_outputs.onExecuted(own); }},
+               command);
 }
 
 void Belief::onNotExecuted(const Belief& before) {
@@ -137,8 +122,8 @@ void Belief::onNotExecuted(const Belief& before) {
     m_velocityGoal = before.m_velocityGoal;
     m_stepperReverse = before.m_stepperReverse;
     m_stepperGoal = before.m_stepperGoal;
-    m_stepperLoad = before.m_stepperLoad;
-    m_loaded = before.m_loaded;
+    m_stepper.waiting = before.m_stepper.waiting;
+    m_servo.loadWaiting = before.m_servo.loadWaiting;
     m_starting = before.m_starting;
     m_onPath = before.m_onPath;
 }
@@ -198,9 +183,8 @@ void Belief::setRestarted() {
     m_info.group = GroupPlace{};
     m_on = m_mayEnable = m_pwmMayRun = m_pwmUnknown = m_velocityGoal = m_homingStops = m_limitStops =
         m_parametersSet = m_onPath = false;
-    m_parameters.reset();
-    m_stepperLoad.reset();
-    m_loaded.reset();
+    m_servo = {};
+    m_stepper = {};
     m_starting.reset();
     m_outputs.onReset();
 }

@@ -35,7 +35,7 @@ public:
     void attach() {
         m_velocityGoal = m_pwmUnknown = m_parametersSet = true;
         m_info.group.reset();
-        m_pathControl.reset();
+        m_servo.pathControl.reset();
         m_outputs.forget();
     }
     /// The same module, found at its address by another look of the same connection: it has not restarted, or
@@ -43,8 +43,8 @@ public:
     void foundAgain(ModuleIndex index) { m_info.index = index; }
     /// A load was asked for and refused: an older one that waits must not start in its place.
     void forgetLoad() {
-        m_loaded.reset();
-        m_stepperLoad.reset();
+        m_servo.loadWaiting = false;
+        m_stepper.waiting.reset();
     }
     /// The command that was sent last was certainly not carried out, as a look has shown.
     void onNotExecuted(const Belief& before);
@@ -74,7 +74,7 @@ public:
     /// CMC and SC: what the servo is told to hold or follow, of the last status that told.
     [[nodiscard]] std::optional<std::int32_t> commandPosition() const { return m_commandPosition; }
     /// CMC and SC: nothing when nobody here knows what I/O Control was told.
-    [[nodiscard]] const std::optional<PathControl>& pathControl() const { return m_pathControl; }
+    [[nodiscard]] const std::optional<PathControl>& pathControl() const { return m_servo.pathControl; }
     /// CMC and SC: it may be running through path points.
     [[nodiscard]] bool onPath() const { return m_onPath; }
 
@@ -102,9 +102,13 @@ public:
     [[nodiscard]] bool moving() const { return mayMove() || m_velocity.value_or(0) != 0; }
 
     /// A Load Trajectory that was answered and not used up by a start or a stop.
-    [[nodiscard]] bool loaded() const { return m_stepperLoad || m_loaded; }
-    [[nodiscard]] const std::optional<servo::LoadTrajectory>& servoLoad() const { return m_loaded; }
-    [[nodiscard]] const std::optional<stepper::LoadTrajectory>& stepperLoad() const { return m_stepperLoad; }
+    [[nodiscard]] bool loaded() const { return servoLoad() || stepperLoad(); }
+    [[nodiscard]] std::optional<servo::LoadTrajectory> servoLoad() const {
+        return m_servo.loadWaiting ? std::optional(m_servo.load) : std::nullopt;
+    }
+    [[nodiscard]] const std::optional<stepper::LoadTrajectory>& stepperLoad() const {
+        return m_stepper.waiting;
+    }
     /// PIC-STEP: what it does, as far as status and commands tell, and in which direction.
     [[nodiscard]] StepperMode stepperMode() const;
     [[nodiscard]] bool runsReverse() const { return m_stepperReverse; }
@@ -118,7 +122,9 @@ public:
         m_outputs.forget();
     }
     /// As answered in this connection.
-    [[nodiscard]] const std::optional<stepper::SetParameters>& parameters() const { return m_parameters; }
+    [[nodiscard]] const std::optional<stepper::SetParameters>& parameters() const {
+        return m_stepper.parameters;
+    }
 
 private:
     struct Sent;
@@ -151,15 +157,14 @@ private:
     bool m_limitStops = false;          ///< SC, told so: the chip ends what goes towards a closed limit
     bool m_homingStops = false;         ///< the chip itself stops when home is found
     bool m_parametersSet = false;       ///< from an answer or attach(), until a restart
-    std::optional<stepper::SetParameters> m_parameters;
-    bool m_stepperReverse = false;             ///< of the last start that was sent; of no meaning at rest
+    bool m_stepperReverse = false;      ///< of the last start that was sent; of no meaning at rest
     std::optional<StepperMode> m_stepperGoal;  ///< of what may run
-    std::optional<stepper::LoadTrajectory> m_stepperLoad;
-    bool m_restarted = false;  ///< once true, stays so: welcome() makes another Belief
-    std::optional<servo::LoadTrajectory> m_loaded;
+    bool m_restarted = false;                  ///< once true, stays so: welcome() makes another Belief
+    // As answered; what a command may change that has not been answered does not wait, or is not known.
+    ServoRegisters m_servo;
+    StepperRegisters m_stepper;
     IoOutputs m_outputs;
     std::optional<std::int32_t> m_commandPosition;
-    std::optional<PathControl> m_pathControl = PathControl{};
     bool m_onPath = false;
     std::optional<servo::LoadTrajectory> m_starting;  ///< what the last start, if carried out, runs
 };

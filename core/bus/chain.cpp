@@ -5,24 +5,9 @@
 #include <memory>
 
 #include "bus/commandlane.h"
-#include "bus/retrypolicy.h"
+#include "module/commandfacts.h"
 
 namespace nmc::bus {
-
-namespace {
-
-/// A stop wants to be seen through at every module. Stop Here is a step of a motor that goes on being looked
-/// at.
-[[nodiscard]] bool endsFocus(const ModuleCommand& command) {
-    if (const auto* servo = std::get_if<ServoCommand>(&command)) {
-        const auto* stop = std::get_if<servo::StopMotor>(servo);
-        return stop != nullptr && stop->manner != servo::StopManner::Here &&
-               stop->manner != servo::StopManner::AmplifierOnly;
-    }
-    return is<stepper::StopMotor>(command);
-}
-
-}  // namespace
 
 Chain::Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate, bool readOnly)
     : m_rate(rate), m_readOnly(readOnly), m_schedule(modules.size()) {
@@ -106,13 +91,16 @@ std::size_t Chain::longestReply() const {
 void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
     Module& module = at(index);
     module.belief.onSent(command, latched);
-    module.plausibility.onSent(command, latched);
-    module.watch.onSent(command);
+    if (const auto* own = std::get_if<ServoCommand>(&command))
+        module.sent.apply(*own);
+    module.plausibility.onSent(command, module.sent, latched);
+    module.watch.onSent(command, module.sent);
     module.ownMotion.onSent(command);
-    if (mayStartMotion(command))
+    const Effect effect = factsOf(command).effect;
+    if (effect == Effect::Start)
         module.trust.expectMotion();
-    if (endsFocus(command))
-        m_schedule.unfocus();
+    if (effect == Effect::Stop)
+        m_schedule.unfocus();  // it wants to be seen through at every module
 }
 
 void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {

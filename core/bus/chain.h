@@ -57,6 +57,7 @@ public:
         explicit Memory(const ModuleInfo& info)
             : belief(info), plausibility(info.identity), ownMotion(info.identity.type) {}
         Belief belief;
+        ServoRegisters sent;  ///< as if all that was sent had been carried out
         Plausibility plausibility;
         MotionWatch watch;
         OwnMotion ownMotion;

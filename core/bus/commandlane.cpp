@@ -6,10 +6,6 @@
 
 namespace nmc::bus {
 
-Payload payloadOf(const ModuleCommand& command) {
-    return std::visit([](const auto& chip) { return encode(chip); }, command);
-}
-
 OperationFinished rejected(const Operation& operation, Outcome outcome) {
     OperationFinished event{operation.id, outcome, {}, 0};
     if (!operation.orders.empty()) {

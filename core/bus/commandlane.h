@@ -90,7 +90,4 @@ private:
 /// The event for an operation that never got into the lane.
 [[nodiscard]] OperationFinished rejected(const Operation& operation, Outcome outcome);
 
-/// Its payload, whichever chip it is for.
-[[nodiscard]] Payload payloadOf(const ModuleCommand& command);
-
 }  // namespace nmc::bus

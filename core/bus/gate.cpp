@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "bus/gate.h"
 
-#include "base/overloaded.h"
+#include "module/commandfacts.h"
 #include "protocol/unsupported.h"
 
 namespace nmc::bus {
 
 namespace {
-
-using servo::ProfileMode;
 
 [[nodiscard]] Permission onlyAtStandstill(const Belief& belief) {
     if (!belief.fresh())
@@ -29,57 +27,29 @@ using servo::ProfileMode;
     return goalMode(StepperMode::Stopped, load) || goalMode(StepperMode::Trapezoidal, load);
 }
 
-[[nodiscard]] bool trapezoidal(const servo::LoadTrajectory& load) {
-    return load.servo && load.profile == ProfileMode::Trapezoidal;
+[[nodiscard]] Permission offThePath(const Belief& belief) {
+    return belief.onPath() ? Permission::InMotion : Permission::Allowed;
 }
 
-struct GateJudge {
+[[nodiscard]] Permission onlyWhileOff(const Belief& belief) {
+    if (!belief.fresh())
+        return Permission::NeedsStatus;
+    return belief.mayBeOn() || belief.mayMove() ? Permission::InMotion : Permission::Allowed;
+}
+
+/// Commands that go by what has been loaded or set before.
+struct AsLoaded {
     const Belief& belief;
 
-    Permission operator()(const Nop&) const { return Permission::Allowed; }
-    Permission operator()(const ReadStatus&) const { return Permission::Allowed; }
-    Permission operator()(const DefineStatus&) const { return Permission::Allowed; }
-    Permission operator()(const SetAddress&) const { return Permission::Never; }
-    Permission operator()(const SetBaud&) const { return Permission::Never; }
-    Permission operator()(const HardReset&) const { return Permission::Never; }
-    Permission operator()(const ResetPosition&) const { return onlyAtStandstill(belief); }
-    Permission operator()(const SaveAsHome&) const { return Permission::Allowed; }
     Permission operator()(const StartMotion&) const {
-        if (!belief.loaded())
-            return Permission::Never;
         if (const auto& load = belief.stepperLoad())
             return mayStart(*load);
         const auto& load = belief.servoLoad();
-        return load && trapezoidal(*load) ? onlyAtStandstill(belief) : offThePath();
-    }
-
-    Permission operator()(const servo::LoadTrajectory& load) const {
-        // Until it is started a load changes nothing (DS-V 5.1, note 1).
-        if (trapezoidal(load) && load.startNow)
+        if (!load)
             return Permission::Never;
-        return load.startNow ? offThePath() : Permission::Allowed;
+        const bool trapezoidal = load->servo && load->profile == servo::ProfileMode::Trapezoidal;
+        return trapezoidal ? onlyAtStandstill(belief) : offThePath(belief);
     }
-    Permission operator()(const AnyOf<servo::SetGain, servo::StopMotor> auto&) const {
-        return Permission::Allowed;
-    }
-    /// Fast path would change the rate of the points that are in the buffer.
-    Permission operator()(const servo::IoControl&) const { return offThePath(); }
-    Permission operator()(const servo::SetHoming&) const { return Permission::Allowed; }
-    Permission operator()(const servo::ClearStickyBits&) const { return Permission::Allowed; }
-    Permission operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
-        return onlyAtStandstill(belief);
-    }
-    /// Each of its bits acts at once, and some of them can destroy an amplifier that is on.
-    Permission operator()(const servo::ScIoControl&) const {
-        if (!belief.fresh())
-            return Permission::NeedsStatus;
-        return belief.mayBeOn() || belief.mayMove() ? Permission::InMotion : Permission::Allowed;
-    }
-    /// Points belong to PathTask, which asks mayFollowPath().
-    Permission operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
-        return Permission::Never;
-    }
-
     Permission operator()(const stepper::LoadTrajectory& load) const {
         if (!inTable(load) || !belief.parametersSet())
             return Permission::Never;
@@ -93,14 +63,8 @@ struct GateJudge {
         return now && stepper::sameInMotion(*now, parameters) ? Permission::Allowed
                                                               : onlyAtStandstill(belief);
     }
-    Permission operator()(const stepper::StopMotor&) const { return Permission::Allowed; }
-    Permission operator()(const stepper::SetOutputs&) const { return Permission::Allowed; }
-    Permission operator()(const stepper::SetHoming&) const { return Permission::Allowed; }
-    Permission operator()(const io::OwnCommand auto&) const { return Permission::Allowed; }
+    Permission operator()(const auto& /*other*/) const { return Permission::Never; }
 
-    [[nodiscard]] Permission offThePath() const {
-        return belief.onPath() ? Permission::InMotion : Permission::Allowed;
-    }
     [[nodiscard]] Permission mayStart(const stepper::LoadTrajectory& load) const {
         if (!belief.fresh())
             return Permission::NeedsStatus;
@@ -109,21 +73,13 @@ struct GateJudge {
     }
 };
 
-/// What every chip of the family takes for the same.
-[[nodiscard]] bool isQuestion(CommandCode code) {
-    return code == CommandCode::Nop || code == CommandCode::ReadStatus || code == CommandCode::DefineStatus;
-}
-
 /// The command is one of the module's own, as its version knows it.
 [[nodiscard]] bool belongs(const ModuleIdentity& module, const ModuleCommand& command) {
-    return std::visit(
-        [&](const auto& own) {
-            const CommandCode code = encode(own).code;
-            if (!isKnown(module))
-                return isQuestion(code) || code == CommandCode::StopMotor;
-            return isQuestion(code) || takes(module, own);
-        },
-        command);
+    if (isQuestion(command))
+        return true;
+    if (!isKnown(module))
+        return payloadOf(command).code == CommandCode::StopMotor;
+    return std::visit([&](const auto& own) { return takes(module, own); }, command);
 }
 
 }  // namespace
@@ -131,7 +87,21 @@ struct GateJudge {
 Permission judge(const Belief& belief, const ModuleCommand& command) {
     if (belief.restarted() || !belongs(belief.info().identity, command))
         return Permission::Never;
-    return std::visit([&](const auto& chip) { return std::visit(GateJudge{belief}, chip); }, command);
+    switch (factsOf(command).when) {
+        case When::Always:
+            return Permission::Allowed;
+        case When::Never:
+            return Permission::Never;
+        case When::Standstill:
+            return onlyAtStandstill(belief);
+        case When::OffThePath:
+            return offThePath(belief);
+        case When::MotorOff:
+            return onlyWhileOff(belief);
+        case When::AsLoaded:
+            return visitCommand(AsLoaded{belief}, command);
+    }
+    return Permission::Never;
 }
 
 Permission mayFollowPath(const Belief& belief, servo::PathRate rate) {

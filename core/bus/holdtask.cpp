@@ -2,8 +2,8 @@
 #include "bus/holdtask.h"
 
 #include "bus/gate.h"
-#include "bus/retrypolicy.h"
 #include "bus/standstill.h"
+#include "module/commandfacts.h"
 
 namespace nmc::bus {
 

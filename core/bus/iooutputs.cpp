@@ -12,9 +12,7 @@ void IoOutputs::onReset() {
 void IoOutputs::forget() {
     m_mayBeHigh = io::kAllPins;
     m_pwmMayRun = {true, true};
-    m_outputs.reset();
-    m_pwm.reset();
-    m_stored.reset();
+    m_told.attached();
 }
 
 void IoOutputs::onSent(const io::SetPwm& set) {
@@ -22,36 +20,29 @@ void IoOutputs::onSent(const io::SetPwm& set) {
 }
 
 void IoOutputs::onSent(const io::SynchOutput& /*synch*/) {
-    const io::SetSynchOutput stored = m_stored.value_or(io::SetSynchOutput{io::kAllPins, 255, 255});
+    const io::SetSynchOutput stored = m_told.stored.value_or(io::SetSynchOutput{io::kAllPins, 255, 255});
     onSent(io::SetOutput{stored.outputs});
     onSent(io::SetPwm{stored.pwm1, stored.pwm2});
 }
 
-void IoOutputs::onExecuted(const io::SetOutput& set) {
-    m_mayBeHigh = set.outputs;
-    m_outputs = set.outputs;
-}
-
-void IoOutputs::onExecuted(const io::SetPwm& set) {
-    m_pwmMayRun = {set.pwm1 != 0, set.pwm2 != 0};
-    m_pwm = {set.pwm1, set.pwm2};
-}
-
-void IoOutputs::onExecuted(const io::SynchOutput& /*synch*/) {
-    if (!m_stored)
-        return;  // as left by another host: what it may be was noted when it was sent
-    onExecuted(io::SetOutput{m_stored->outputs});
-    onExecuted(io::SetPwm{m_stored->pwm1, m_stored->pwm2});
+void IoOutputs::onExecuted(const IoCommand& command) {
+    m_told.apply(command);
+    const bool synch = std::holds_alternative<io::SynchOutput>(command);
+    // What Synch Output may have put out that another host has stored was noted when it was sent.
+    if ((synch || std::holds_alternative<io::SetOutput>(command)) && m_told.outputs)
+        m_mayBeHigh = *m_told.outputs;
+    if ((synch || std::holds_alternative<io::SetPwm>(command)) && m_told.pwm)
+        m_pwmMayRun = {(*m_told.pwm)[0] != 0, (*m_told.pwm)[1] != 0};
 }
 
 std::optional<IoCommand> IoOutputs::stop() const {
-    const std::optional<std::uint16_t> levels = m_outputs ? m_outputs : m_pins;
+    const std::optional<std::uint16_t> levels = m_told.outputs ? m_told.outputs : m_pins;
     if ((m_mayBeHigh & m_off.pins) != 0 && levels)
         return io::SetOutput{static_cast<std::uint16_t>(*levels & ~unsigned{m_off.pins})};
     const std::array<bool, 2> off{(m_off.pwm & 1U) != 0, (m_off.pwm & 2U) != 0};
     if ((off[0] && m_pwmMayRun[0]) || (off[1] && m_pwmMayRun[1])) {
         // One whose value nobody knows goes with the other: the chip takes both at once and tells neither.
-        const std::array<std::uint8_t, 2> values = m_pwm.value_or(std::array<std::uint8_t, 2>{});
+        const std::array<std::uint8_t, 2> values = m_told.pwm.value_or(std::array<std::uint8_t, 2>{});
         return io::SetPwm{off[0] ? std::uint8_t{0} : values[0], off[1] ? std::uint8_t{0} : values[1]};
     }
     return std::nullopt;

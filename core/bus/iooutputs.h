@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "protocol/commands.h"
+#include "module/registers.h"
 
 namespace nmc::bus {
 
@@ -27,18 +27,14 @@ public:
     void onSent(const io::SetPwm& set);
     void onSent(const io::SynchOutput& synch);
     void onSent(const auto& /*other*/) {}
-    void onExecuted(const io::SetOutput& set);
-    void onExecuted(const io::SetPwm& set);
-    void onExecuted(const io::SetSynchOutput& set) { m_stored = set; }
-    void onExecuted(const io::SynchOutput& synch);
-    void onExecuted(const auto& /*other*/) {}
+    void onExecuted(const IoCommand& command);
     /// The levels of all pins; outputs read back.
     void onPins(std::uint16_t pins) { m_pins = pins; }
 
     /// What waits for Synch Output; empty: nothing that was stored in this connection.
-    [[nodiscard]] const std::optional<io::SetSynchOutput>& stored() const { return m_stored; }
+    [[nodiscard]] const std::optional<io::SetSynchOutput>& stored() const { return m_told.stored; }
     /// As answered; empty: not known.
-    [[nodiscard]] std::optional<std::uint16_t> told() const { return m_outputs; }
+    [[nodiscard]] std::optional<std::uint16_t> told() const { return m_told.outputs; }
 
     void setStopOutputs(const StopOutputs& off) { m_off = off; }
     [[nodiscard]] const StopOutputs& stopOutputs() const { return m_off; }
@@ -50,9 +46,7 @@ private:
     StopOutputs m_off;
     std::uint16_t m_mayBeHigh = 0;
     std::array<bool, 2> m_pwmMayRun{};
-    std::optional<std::uint16_t> m_outputs = std::uint16_t{0};  ///< as answered
-    std::optional<std::array<std::uint8_t, 2>> m_pwm = std::array<std::uint8_t, 2>{};
-    std::optional<io::SetSynchOutput> m_stored;
+    IoRegisters m_told;  ///< as answered
     std::optional<std::uint16_t> m_pins;
 };
 

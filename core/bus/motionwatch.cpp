@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "base/overloaded.h"
 #include "bus/exchange.h"
+#include "module/commandfacts.h"
 
 namespace nmc::bus {
 
@@ -20,54 +20,49 @@ namespace {
 
 struct MotionWatch::Sent {
     MotionWatch& w;
+    const ServoRegisters& sent;
 
     void operator()(const servo::LoadTrajectory& load) const {
-        w.m_loaded = load;
-        if (load.position && !load.relative)
-            w.m_goal = load.position->value();
         // Changed on its way, the load of a trapezoidal move may start by itself; but what moves already is
         // watched as what it is.
         const bool underWay = w.m_velocity != 0 && (w.m_corridor || w.m_heading);
         if (load.startNow || (load.profile == servo::ProfileMode::Trapezoidal && !underWay))
-            w.started();
+            w.started(sent);
     }
-    void operator()(const StartMotion&) const { w.started(); }
+    void operator()(const StartMotion&) const { w.started(sent); }
     void operator()(const servo::StopMotor& stop) const {
         if (stop.manner != servo::StopManner::AmplifierOnly)
             w.forget();
     }
-    void operator()(const ResetPosition&) const { w.forget(); }
-    void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, stepper::LoadTrajectory, servo::SetGain,
-                                stepper::SetParameters, stepper::StopMotor, servo::IoControl,
-                                stepper::SetOutputs, servo::SetHoming, stepper::SetHoming, SetBaud,
-                                servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
     /// It goes where its points lead, which is watched by PathTask.
     void operator()(const servo::AddPathPoints&) const { w.forget(); }
-    void operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const { w.forget(); }
-    void operator()(const AnyOf<servo::ScIoControl, servo::HardReset> auto&) const {}
+    void operator()(const auto& /*other*/) const {}
 };
 
-void MotionWatch::onSent(const ModuleCommand& command) {
+void MotionWatch::onSent(const ModuleCommand& command, const ServoRegisters& sent) {
+    if (setsCounter(command))
+        forget();
     if (const auto* chip = std::get_if<ServoCommand>(&command))
-        std::visit(Sent{*this}, *chip);
+        std::visit(Sent{*this, sent}, *chip);
 }
 
-void MotionWatch::started() {
+void MotionWatch::started(const ServoRegisters& sent) {
+    const servo::LoadTrajectory& load = sent.load;
     const bool wasGoing = m_heading && m_velocity != 0;
     const int before = m_heading ? m_heading->direction : 0;
     forget();
-    if (!m_loaded.servo || !m_position)
+    if (!load.servo || !m_position)
         return;
-    if (m_loaded.profile == servo::ProfileMode::Trapezoidal) {
+    if (load.profile == servo::ProfileMode::Trapezoidal) {
         const auto shown = static_cast<std::int32_t>(*m_position);
         // From the command position, which is not far from the position of a servo at rest.
-        if (m_loaded.relative && m_loaded.position && m_velocity == 0)
-            m_corridor = Corridor{*m_position, *m_position + m_loaded.position->value()};
-        else if (m_goal && !m_loaded.relative)
-            m_corridor = Corridor{*m_position, *m_position + (std::int64_t{*m_goal} - shown)};
+        if (load.relative && load.position && m_velocity == 0)
+            m_corridor = Corridor{*m_position, *m_position + load.position->value()};
+        else if (sent.goal && !load.relative)
+            m_corridor = Corridor{*m_position, *m_position + (std::int64_t{sent.goal->value()} - shown)};
         return;
     }
-    const int direction = m_loaded.reverse ? -1 : 1;
+    const int direction = load.reverse ? -1 : 1;
     // From the other direction it first has to slow down: it is watched once it goes the new way.
     const bool underWay = !wasGoing || before == direction;
     m_heading = Heading{direction, underWay, *m_position * direction};

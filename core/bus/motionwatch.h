@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bus/types.h"
+#include "module/registers.h"
 
 namespace nmc::bus {
 
@@ -21,7 +22,8 @@ public:
     /// Replies that repeat a position while the velocity is not 0.
     static constexpr unsigned kFrozen = 5;
 
-    void onSent(const ModuleCommand& command);
+    /// `sent`: after this command and all before it.
+    void onSent(const ModuleCommand& command, const ServoRegisters& sent);
     /// A report that may be believed. What is wrong with the motion, once.
     [[nodiscard]] std::optional<MotionSuspect::Reason> onReport(const StatusReport& report);
 
@@ -43,13 +45,11 @@ private:
         std::int32_t position = 0;
     };
 
-    void started();
+    void started(const ServoRegisters& sent);
     void forget();
     [[nodiscard]] std::optional<MotionSuspect::Reason> leaves(std::int64_t position, int velocity);
     [[nodiscard]] bool frozen(const StatusReport& report);
 
-    servo::LoadTrajectory m_loaded;
-    std::optional<std::int32_t> m_goal;      ///< stays loaded
     std::optional<std::int64_t> m_position;  ///< beyond 32 bits where it has wrapped
     std::int16_t m_velocity = 0;
     std::optional<Corridor> m_corridor;

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "bus/gate.h"
-#include "bus/retrypolicy.h"
+#include "module/commandfacts.h"
 
 namespace nmc::bus {
 
@@ -150,7 +150,8 @@ Line::Script OperationTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint
 void OperationTask::onStepEnd(const Ask& ask, const ReplyEnd& end) {
     if (end.result == ReplyResult::Accepted)
         return accept(end);
-    const bool looks = end.result == ReplyResult::Refused ? isStart(ask) : canVerify(*ask.command);
+    const bool looks =
+        end.result == ReplyResult::Refused ? isStart(ask) : factsOf(*ask.command).evidence != Evidence::None;
     if (looks && m_chain.answers(*ask.module)) {
         m_verification = Verification{end, m_positionBefore, m_attempts};
         return;

@@ -3,31 +3,13 @@
 
 #include <cstdlib>
 
-#include "bus/commandlane.h"
+#include "module/commandfacts.h"
 
 namespace nmc::bus {
 
 void OwnMotion::onSent(const ModuleCommand& command) {
-    switch (payloadOf(command).code) {
-        case CommandCode::Nop:
-        case CommandCode::ReadStatus:
-        case CommandCode::DefineStatus:
-            return;
-        case CommandCode::ResetPosition:
-        case CommandCode::SetAddress:
-        case CommandCode::LoadTrajectory:
-        case CommandCode::StartMotion:
-        case CommandCode::SetGain:
-        case CommandCode::StopMotor:
-        case CommandCode::IoControl:
-        case CommandCode::SetHoming:
-        case CommandCode::SetBaud:
-        case CommandCode::ClearStickyBits:
-        case CommandCode::SaveAsHome:
-        case CommandCode::AddPathPoints:
-        case CommandCode::HardReset:
-            break;
-    }
+    if (isQuestion(command))
+        return;
     m_commanded = true;
     m_still.reset();
 }

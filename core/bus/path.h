@@ -15,15 +15,6 @@
 /// buffer, which is kept filled. Values; any thread may hold copies.
 namespace nmc::bus {
 
-/// What I/O Control has to do with paths.
-struct PathControl {
-    bool fastPath = false;          ///< 60 and 120 Hz instead of 30 and 60
-    bool stepAndDirection = false;  ///< of an SC: its command position is not the host's alone
-    bool operator==(const PathControl&) const = default;
-};
-/// Nothing for any other command.
-[[nodiscard]] std::optional<PathControl> pathControlOf(const ServoCommand& command);
-
 struct PathAxis {
     ModuleIndex module;
     std::int32_t from = 0;             ///< the command position that it holds; the path begins there

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/overloaded.h"
+#include "module/commandfacts.h"
 
 namespace nmc::bus {
 
@@ -46,9 +46,9 @@ constexpr double kSwings = 8.0;
 
 struct Plausibility::Sent {
     Plausibility& p;
+    const ServoRegisters& sent;
     TimePoint latched;
 
-    void operator()(const ResetPosition&) const { p.m_position.open(latched); }
     void operator()(const SaveAsHome&) const { p.m_home.open(latched); }
     void operator()(const servo::SetHoming&) const { homing(); }
     void operator()(const stepper::SetHoming&) const { homing(); }
@@ -56,20 +56,12 @@ struct Plausibility::Sent {
     void operator()(const stepper::LoadTrajectory&) const { p.m_motion.open(latched); }
     void operator()(const stepper::StopMotor&) const { p.m_motion.open(latched); }
     void operator()(const StartMotion&) const {
-        p.m_mayRun = runs(p.m_loaded);
-        p.m_mayEnable = latched;
         p.m_motion.open(latched);
-        p.jerk(latched, p.reachOf(p.m_loaded));
+        started();
     }
     void operator()(const servo::LoadTrajectory& load) const {
-        p.m_loaded = load;
-        if (load.position && !load.relative)
-            p.m_goal = load.position->value();
-        if (!load.startNow)
-            return;
-        p.m_mayRun = runs(load);
-        p.m_mayEnable = latched;
-        p.jerk(latched, p.reachOf(load));
+        if (load.startNow)
+            started();
     }
     void operator()(const servo::StopMotor& stop) const {
         p.m_mayEnable = latched;
@@ -83,11 +75,6 @@ struct Plausibility::Sent {
         p.m_errorLimit = gain.el;
         p.jerk(latched, kSwing);
     }
-    void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, stepper::SetParameters,
-                                servo::IoControl, stepper::SetOutputs, SetBaud, Nop, HardReset> auto&) const {
-    }
-    void operator()(const servo::ResetRelativeToHome&) const { p.m_position.open(latched); }
-    void operator()(const servo::SetPosition&) const { p.m_position.open(latched); }
     /// A path knows no acceleration: from one point to the next it may go at another speed.
     void operator()(const servo::AddPathPoints& add) const {
         p.m_mayRun = true;
@@ -97,11 +84,12 @@ struct Plausibility::Sent {
             fastest = std::max(fastest, (word & ~3U) / 256.0);
         p.jerk(latched, 1.5 * fastest * ticks(kJerkTime) + kSwing);
     }
-    void operator()(const AnyOf<servo::ScIoControl, servo::HardReset> auto&) const {}
-    void operator()(const io::OwnCommand auto&) const {}
+    void operator()(const auto& /*other*/) const {}
 
-    [[nodiscard]] static bool runs(const servo::LoadTrajectory& load) {
-        return !load.servo || load.profile == servo::ProfileMode::Velocity;
+    void started() const {
+        p.m_mayRun = !sent.load.servo || sent.load.profile == servo::ProfileMode::Velocity;
+        p.m_mayEnable = latched;
+        p.jerk(latched, p.reachOf(sent));
     }
     void homing() const {
         p.m_homing.open(latched);
@@ -145,17 +133,18 @@ double Plausibility::bend(TimePoint at, double most) const {
 }
 
 /// How far a motion may go before the next reply: all the way, if that is short.
-double Plausibility::reachOf(const servo::LoadTrajectory& load) const {
+double Plausibility::reachOf(const ServoRegisters& sent) const {
     const double most = kFastest * ticks(kJerkTime);
+    const servo::LoadTrajectory& load = sent.load;
     if (!load.servo)
         return most;
     if (load.profile == servo::ProfileMode::Velocity)
         return load.velocity ? 1.5 * load.velocity->value() / 65'536.0 * ticks(kJerkTime) + kSwing : most;
     if (load.relative && load.position)
         return 1.5 * std::abs(static_cast<double>(load.position->value())) + kSwing;
-    if (!m_goal || !m_known.position)
+    if (!sent.goal || !m_known.position)
         return most;
-    return 1.5 * std::abs(distance(*m_known.position, *m_goal)) + kSwing;
+    return 1.5 * std::abs(distance(*m_known.position, sent.goal->value())) + kSwing;
 }
 
 void Plausibility::Allowance::onReply(TimePoint latched) {
@@ -163,8 +152,10 @@ void Plausibility::Allowance::onReply(TimePoint latched) {
         --replies;
 }
 
-void Plausibility::onSent(const ModuleCommand& command, TimePoint latched) {
-    std::visit([&](const auto& chip) { std::visit(Sent{*this, latched}, chip); }, command);
+void Plausibility::onSent(const ModuleCommand& command, const ServoRegisters& sent, TimePoint latched) {
+    if (setsCounter(command))
+        m_position.open(latched);
+    visitCommand(Sent{*this, sent, latched}, command);
 }
 
 std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {

@@ -8,6 +8,7 @@
 #include "bus/exchange.h"
 #include "bus/rejection.h"
 #include "bus/types.h"
+#include "module/registers.h"
 
 namespace nmc::bus {
 
@@ -40,8 +41,9 @@ public:
 
     explicit Plausibility(ModuleIdentity identity) : m_identity(identity) {}
 
-    /// `command` goes out and will be latched at `latched`: what it may change is no contradiction.
-    void onSent(const ModuleCommand& command, TimePoint latched);
+    /// `command` goes out and will be latched at `latched`: what it may change is no contradiction. `sent`:
+    /// after this command and all before it.
+    void onSent(const ModuleCommand& command, const ServoRegisters& sent, TimePoint latched);
 
     /// Judges a reply whose sum is right. Nothing: it is believed, and later ones are judged by it.
     [[nodiscard]] std::optional<Rejection> judge(const ReplyEnd& end);
@@ -86,7 +88,7 @@ private:
     [[nodiscard]] bool explainedByItsSpeed(const ReplyEnd& end) const;
     [[nodiscard]] std::optional<Rejection> stepperMotion(const Known& known, const ReplyEnd& end) const;
     void jerk(TimePoint at, double reach);
-    [[nodiscard]] double reachOf(const servo::LoadTrajectory& load) const;
+    [[nodiscard]] double reachOf(const ServoRegisters& sent) const;
     [[nodiscard]] bool jerked(TimePoint at) const;
     [[nodiscard]] bool restsUntold(const Known& known, TimePoint at) const;
     [[nodiscard]] bool holds(const Known& known, const StatusReport& report) const;
@@ -116,9 +118,7 @@ private:
     std::optional<std::uint16_t> m_errorLimit;  ///< EL as sent last
     bool m_mayRun = true;  ///< slower than its velocity item shows, until a stop or a move is sent
     std::optional<TimePoint> m_mayEnable;  ///< the last command that may have switched the servo on
-    std::optional<std::int32_t> m_goal;    ///< stays loaded
-    servo::LoadTrajectory m_loaded;
-    std::uint8_t m_divisor = 1;  ///< SR: velocities count per so many ticks (DS-V 5.2)
+    std::uint8_t m_divisor = 1;            ///< SR: velocities count per so many ticks (DS-V 5.2)
 };
 
 }  // namespace nmc::bus

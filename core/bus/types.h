@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -13,30 +12,10 @@
 #include "base/time.h"
 #include "bus/path.h"
 #include "bus/rejection.h"
-#include "protocol/commands.h"
+#include "module/modulecommand.h"
 
 /// What goes into the bus engine and what comes out of it. All values; any thread may hold copies.
 namespace nmc::bus {
-
-/// A command for one chip or another.
-using ModuleCommand = std::variant<ServoCommand, StepperCommand, IoCommand>;
-
-/// Whether it is this command, of whatever chip.
-template <typename Command>
-[[nodiscard]] bool is(const ModuleCommand& command) {
-    return std::visit(
-        [](const auto& chip) {
-            return std::visit(
-                [](const auto& own) { return std::is_same_v<std::decay_t<decltype(own)>, Command>; }, chip);
-        },
-        command);
-}
-
-/// It sets the module's counter: a position from before does not count.
-[[nodiscard]] inline bool setsCounter(const ModuleCommand& command) {
-    return is<ResetPosition>(command) || is<servo::ResetRelativeToHome>(command) ||
-           is<servo::SetPosition>(command);
-}
 
 using OperationId = Strong<struct OperationIdTag, std::uint32_t>;
 

@@ -19,10 +19,6 @@ struct Verification {
     unsigned looks = 0;
 };
 
-/// A look can tell for these: Start Motion, Reset Position, Save Current Position as Home, Clear Sticky
-/// Bits.
-[[nodiscard]] bool canVerify(const ModuleCommand& command);
-
 enum class Carried : std::uint8_t {
     Out,
     NotOut,   ///< provably: it may be sent again

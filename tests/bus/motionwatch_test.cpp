@@ -13,6 +13,11 @@ namespace {
 using namespace bus;
 using Suspect = std::optional<MotionSuspect::Reason>;
 
+void send(MotionWatch& watch, ServoRegisters& sent, const Order& order) {
+    sent.apply(std::get<ServoCommand>(order.command));
+    watch.onSent(order.command, sent);
+}
+
 /// A servo that is on, told things and asked in turns.
 class Watched {
 public:
@@ -27,9 +32,10 @@ public:
                                .aux = aux};
         return watch.onReport(accepted(ModuleType::Servo, items, bytesOf(state, items), {}).report);
     }
-    void told(const Order& order) { watch.onSent(order.command); }
+    void told(const Order& order) { send(watch, sent, order); }
 
     MotionWatch watch;
+    ServoRegisters sent;
 
 private:
     bool m_long = false;
@@ -177,8 +183,9 @@ TEST(MotionWatch, HasNoOpinionOnPwmOutput) {
 
 TEST(MotionWatch, HasNoOpinionBeforeItKnowsWhereTheMotorIs) {
     MotionWatch watch;
-    watch.onSent(loadMove(0, 5'000).command);
-    watch.onSent(start(0).command);
+    ServoRegisters sent;
+    send(watch, sent, loadMove(0, 5'000));
+    send(watch, sent, start(0));
     const ServoState state{.position = -9'000};
     EXPECT_EQ(watch.onReport(accepted(ModuleType::Servo, kLong, bytesOf(state, kLong), {}).report),
               Suspect{});

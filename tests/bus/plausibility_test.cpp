@@ -32,9 +32,14 @@ public:
         for (int i = 0; i < 4; ++i)
             EXPECT_EQ(says(said, i == 0 || i % 2 != 0 ? kLong : kShort), std::nullopt);
     }
-    void sends(ModuleCommand command) { judge.onSent(command, now + 5ms); }
+    void sends(const ModuleCommand& command) {
+        if (const auto* own = std::get_if<ServoCommand>(&command))
+            sent.apply(*own);
+        judge.onSent(command, sent, now + 5ms);
+    }
 
     Plausibility judge;
+    ServoRegisters sent;
     TimePoint now{};
 };
 

@@ -68,20 +68,20 @@ TEST_F(PicIo, WhatIsLatchedIsRead) {
 
 TEST_F(PicIo, WhatWasStoredIsWhatItPutsOut) {
     executed(io::SetSynchOutput{0x0010, 1, 2});
-    EXPECT_EQ(module.pins.told(), std::nullopt);
+    EXPECT_EQ(module.pins.outputs, std::nullopt);
     executed(io::SynchOutput{});
-    EXPECT_EQ(module.pins.told(), 0x0010);
-    EXPECT_EQ(module.pins.pwm(), (std::array<std::uint8_t, 2>{1, 2}));
+    EXPECT_EQ(module.pins.outputs, 0x0010);
+    EXPECT_EQ(module.pins.pwm, (std::array<std::uint8_t, 2>{1, 2}));
 }
 
 TEST_F(PicIo, FoundAsAnotherHostLeftItNothingIsKnownButWhatItReads) {
     module.attached();
-    EXPECT_EQ(module.pins.inputs(), std::nullopt);
-    EXPECT_EQ(module.pins.pwm(), std::nullopt);
+    EXPECT_EQ(module.pins.inputs, std::nullopt);
+    EXPECT_EQ(module.pins.pwm, std::nullopt);
     EXPECT_EQ(planned(iointent::SetOutput{2, true}), Commands{io::SetOutput{0x0805}});
     executed(io::SetDirection{io::kAllPins});
     module.restarted();
-    EXPECT_EQ(module.pins.inputs(), io::kAllPins) << "after power-up all are inputs";
+    EXPECT_EQ(module.pins.inputs, io::kAllPins) << "after power-up all are inputs";
 }
 
 TEST_F(PicIo, HasNoMotor) {

@@ -22,7 +22,7 @@ std::vector<std::string> bytesOf(const Intent& intent, const ModuleState& module
         return {"refused " + std::to_string(static_cast<int>(steps.error()))};
     std::vector<std::string> bytes;
     for (const bus::Order& step : *steps) {
-        const PacketBytes packet = toPacket({BusAddress(1), bus::payloadOf(step.command)});
+        const PacketBytes packet = toPacket({BusAddress(1), payloadOf(step.command)});
         const std::vector<std::uint8_t> inner(packet.begin() + 2, packet.end() - 1);
         bytes.push_back(toHex(inner));
     }

@@ -102,15 +102,13 @@ COMMANDS = (
              "        m_chain.forgetStates();\n", ""),
     )),
     Mutant("load-and-start-in-one", "link.md 1: a trapezoidal move is never started by the command that loads it", (
-        Edit("core/bus/gate.cpp",
-             "        if (trapezoidal(load) && load.startNow)\n            return Permission::Never;\n",
-             ""),
+        Edit("core/module/commandfacts.cpp",
+             "trapezoidal ? Never : OffThePath", "OffThePath"),
     )),
     Mutant("blind-retry-of-start", "link.md 2.3: a start that nobody answered is never repeated", (
-        Edit("core/bus/retrypolicy.cpp",
-             "    RetryRule operator()(const AnyOf<StartMotion, ResetPosition,",
-             "    RetryRule operator()(const StartMotion&) const { return kRepeat; }\n"
-             "    RetryRule operator()(const AnyOf<ResetPosition,"),
+        Edit("core/module/commandfacts.cpp",
+             "{ return {kGiveUp, Motion, AsLoaded, Effect::Start}; }",
+             "{ return {kRepeat, Motion, AsLoaded, Effect::Start}; }"),
     )),
     Mutant("blind-retry-of-a-refused-start", "faults.md F-09: that it was refused is the module's word alone", (
         Edit("core/bus/operationtask.cpp",
@@ -123,9 +121,9 @@ COMMANDS = (
              "    if (!unanswered(end.result))\n        return accept(end);"),
     )),
     Mutant("reset-position-in-motion", "faults.md M-19: never sent while the motor moves", (
-        Edit("core/bus/gate.cpp",
-             "Permission operator()(const ResetPosition&) const { return onlyAtStandstill(belief); }",
-             "Permission operator()(const ResetPosition&) const { return Permission::Allowed; }"),
+        Edit("core/module/commandfacts.cpp",
+             "{kGiveUp, Position, Standstill, Effect::Counter}",
+             "{kGiveUp, Position, Always, Effect::Counter}"),
     )),
     Mutant("gate-believes-an-old-status", "link.md 2.4: a status from before the last motion permits nothing", (
         Edit("core/bus/gate.cpp",

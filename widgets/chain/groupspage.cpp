@@ -179,9 +179,9 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
         tr("The address of this module, 1 to 127. Press Enter to send it. Position, gains and group are kept."));
     if (!row.address->hasFocus())
         row.address->showValue(module.info.address.value());
-    look::setText(row.load, module.loadWaiting     ? tr("move loaded")
-                            : module.pins.stored() ? tr("outputs stored")
-                                                   : QString());
+    look::setText(row.load, module.loadWaiting   ? tr("move loaded")
+                            : module.pins.stored ? tr("outputs stored")
+                                                 : QString());
 }
 
 void GroupsPage::showLink(const LinkState& link, const std::vector<GroupSettings>& groups) {

@@ -150,7 +150,7 @@ void CounterBox::store() {
 
 QString CounterBox::rate() const {
     const ModuleState& module = m_context.state();
-    const auto& timer = module.pins.timer();
+    const auto& timer = module.pins.timer;
     if (!timer)
         return tr("Counter source unknown: another program has set it.");
     if (!timer->enable)
@@ -186,7 +186,7 @@ void CounterBox::refresh() {
             problem = field->problemText();
     m_store->setPossible(problem,
                          tr("Sends these values to the module, which keeps them until you apply them."));
-    const auto& stored = module.pins.stored();
+    const auto& stored = module.pins.stored;
     m_synchOutput->setPossible(!outputs.isEmpty() ? outputs
                                : stored           ? QString()
                                                   : tr("Store outputs first."),

@@ -113,8 +113,8 @@ DirectBox::Value DirectBox::addValue(const QString& name, const QString& text, d
     return value;
 }
 
-void DirectBox::setCommand(std::function<bus::ModuleCommand()> command,
-                           std::function<QString(const bus::ModuleCommand&)> meaning) {
+void DirectBox::setCommand(std::function<ModuleCommand()> command,
+                           std::function<QString(const ModuleCommand&)> meaning) {
     m_command = std::move(command);
     m_tell = std::move(meaning);
     addRow(m_meaning, nullptr);
@@ -136,7 +136,7 @@ QString DirectBox::problem() const {
 void DirectBox::refresh() {
     if (!m_command)
         return;
-    const bus::ModuleCommand command = m_command();
+    const ModuleCommand command = m_command();
     const auto meaning = m_tell(command);
     QString reason = problem();
     const auto refusal = m_context.connected() ? whyNotDirect(command, m_context.state())

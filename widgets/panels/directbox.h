@@ -45,8 +45,8 @@ public:
     Value addValue(const QString& name, const QString& text, double min, double max, bool optional);
 
     /// The command as it stands, and what the chip does with it. Asked for whenever something changes.
-    void setCommand(std::function<bus::ModuleCommand()> command,
-                    std::function<QString(const bus::ModuleCommand&)> meaning);
+    void setCommand(std::function<ModuleCommand()> command,
+                    std::function<QString(const ModuleCommand&)> meaning);
 
 private:
     [[nodiscard]] QString named(const QString& name) const;
@@ -61,8 +61,8 @@ private:
     QLabel* m_bytes;
     Command* m_send;
     std::vector<Value> m_values;
-    std::function<bus::ModuleCommand()> m_command;
-    std::function<QString(const bus::ModuleCommand&)> m_tell;
+    std::function<ModuleCommand()> m_command;
+    std::function<QString(const ModuleCommand&)> m_tell;
 };
 
 }  // namespace nmc

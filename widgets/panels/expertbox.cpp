@@ -96,7 +96,7 @@ DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
                               : nullptr;
     QCheckBox* now = box->addFlag(u"Now"_s, ExpertBox::tr("Start motion now"));
     box->setCommand(
-        [=]() -> bus::ModuleCommand {
+        [=]() -> ModuleCommand {
             servo::LoadTrajectory load;
             load.relative = relative != nullptr && relative->isChecked();
             load.position = counts(position);
@@ -112,7 +112,7 @@ DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
             load.startNow = now->isChecked();
             return ServoCommand(load);
         },
-        [](const bus::ModuleCommand& command) {
+        [](const ModuleCommand& command) {
             const auto& load = std::get<servo::LoadTrajectory>(std::get<ServoCommand>(command));
             if (!load.servo)
                 return startMeaning(
@@ -147,12 +147,12 @@ DirectBox* newServoStop(ModuleContext& context, QWidget* parent) {
                               ? box->addFlag(u"Advanced"_s, ExpertBox::tr("Advanced features on"))
                               : nullptr;
     box->setCommand(
-        [=]() -> bus::ModuleCommand {
+        [=]() -> ModuleCommand {
             return ServoCommand(servo::StopMotor{
                 amplifier->isChecked(), static_cast<servo::StopManner>(manner->currentIndex()), *counts(here),
                 advanced != nullptr && advanced->isChecked()});
         },
-        [&context](const bus::ModuleCommand& command) {
+        [&context](const ModuleCommand& command) {
             switch (std::get<servo::StopMotor>(std::get<ServoCommand>(command)).manner) {
                 case servo::StopManner::AmplifierOnly:
                     return ExpertBox::tr("Switches only AMP_EN. The servo stays as it is.");
@@ -184,7 +184,7 @@ DirectBox* newServoHoming(ModuleContext& context, QWidget* parent) {
     QCheckBox* current = box->addFlag(u"CurrentLimit"_s, ExpertBox::tr("Current limit"));
     QComboBox* manner = box->addChoice(u"Manner"_s, ExpertBox::tr("Then"), homingManners());
     box->setCommand(
-        [=]() -> bus::ModuleCommand {
+        [=]() -> ModuleCommand {
             servo::SetHoming homing;
             homing.onLimit1Change = limit1->isChecked();
             homing.onLimit2Change = limit2->isChecked();
@@ -194,7 +194,7 @@ DirectBox* newServoHoming(ModuleContext& context, QWidget* parent) {
             takeManner(homing, manner->currentIndex());
             return ServoCommand(homing);
         },
-        [](const bus::ModuleCommand& command) {
+        [](const ModuleCommand& command) {
             const auto& homing = std::get<servo::SetHoming>(std::get<ServoCommand>(command));
             return homingMeaning(homing, homing.onLimit1Change || homing.onLimit2Change ||
                                              homing.onIndexChange || homing.onPositionError ||
@@ -216,15 +216,15 @@ DirectBox* newServoReset(ModuleContext& context, QWidget* parent) {
                                          static_cast<double>(servo::kPositionRange.min),
                                          static_cast<double>(servo::kPositionRange.max), false);
     box->setCommand(
-        [=]() -> bus::ModuleCommand {
+        [=]() -> ModuleCommand {
             if (how->currentIndex() == 1)
                 return ServoCommand(servo::ResetRelativeToHome{});
             if (how->currentIndex() == 2)
                 return ServoCommand(servo::SetPosition{*counts(position)});
             return ServoCommand(ResetPosition{});
         },
-        [](const bus::ModuleCommand& command) {
-            if (bus::is<servo::ResetRelativeToHome>(command))
+        [](const ModuleCommand& command) {
+            if (is<servo::ResetRelativeToHome>(command))
                 return ExpertBox::tr("The home register is subtracted from the position. Nothing moves.");
             return ExpertBox::tr("The position becomes this value. Nothing moves.");
         });
@@ -273,7 +273,7 @@ DirectBox* newStepperLoad(ModuleContext& context, QWidget* parent) {
     QCheckBox* reverse = box->addFlag(u"Reverse"_s, ExpertBox::tr("Reverse (without a position)"));
     QCheckBox* now = box->addFlag(u"Now"_s, ExpertBox::tr("Start motion now"));
     box->setCommand(
-        [=]() -> bus::ModuleCommand {
+        [=]() -> ModuleCommand {
             stepper::LoadTrajectory load;
             load.position = counts(position);
             load.speed = byte(speed);
@@ -285,7 +285,7 @@ DirectBox* newStepperLoad(ModuleContext& context, QWidget* parent) {
             load.startNow = now->isChecked();
             return StepperCommand(load);
         },
-        [&context](const bus::ModuleCommand& command) {
+        [&context](const ModuleCommand& command) {
             const auto& load = std::get<stepper::LoadTrajectory>(std::get<StepperCommand>(command));
             return startMeaning(load.startNow, stepperGoalMeaning(load, context.state().stepper.mode()));
         });
@@ -301,11 +301,11 @@ DirectBox* newStepperStop(ModuleContext& context, QWidget* parent) {
     QCheckBox* amplifier = box->addFlag(u"Amplifier"_s, ExpertBox::tr("Amplifier enabled"));
     amplifier->setChecked(true);
     box->setCommand(
-        [=]() -> bus::ModuleCommand {
+        [=]() -> ModuleCommand {
             return StepperCommand(stepper::StopMotor{
                 amplifier->isChecked(), static_cast<stepper::StopManner>(manner->currentIndex())});
         },
-        [](const bus::ModuleCommand& command) {
+        [](const ModuleCommand& command) {
             switch (std::get<stepper::StopMotor>(std::get<StepperCommand>(command)).manner) {
                 case stepper::StopManner::AmplifierOnly:
                     return ExpertBox::tr("Switches only AMP_EN. A motion in progress keeps counting.");
@@ -328,7 +328,7 @@ DirectBox* newStepperHoming(ModuleContext& context, QWidget* parent) {
     QCheckBox* home = box->addFlag(u"HomeSwitch"_s, ExpertBox::tr("Change of the home switch"));
     QComboBox* manner = box->addChoice(u"Manner"_s, ExpertBox::tr("Then"), homingManners());
     box->setCommand(
-        [=]() -> bus::ModuleCommand {
+        [=]() -> ModuleCommand {
             stepper::SetHoming homing;
             homing.onLimit1Change = limit1->isChecked();
             homing.onLimit2Change = limit2->isChecked();
@@ -336,7 +336,7 @@ DirectBox* newStepperHoming(ModuleContext& context, QWidget* parent) {
             takeManner(homing, manner->currentIndex());
             return StepperCommand(homing);
         },
-        [](const bus::ModuleCommand& command) {
+        [](const ModuleCommand& command) {
             const auto& homing = std::get<stepper::SetHoming>(std::get<StepperCommand>(command));
             return homingMeaning(homing,
                                  homing.onLimit1Change || homing.onLimit2Change || homing.onHomeSwitchChange);

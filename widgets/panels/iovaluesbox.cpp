@@ -196,7 +196,7 @@ void IoValuesBox::refresh() {
             m_analog.at(i).value,
             value ? texts::analogReading(PinSettings::of(settings.analog, i).scale, *value) : u"–"_s);
     }
-    const auto pwm = module.pins.pwm();
+    const auto pwm = module.pins.pwm;
     const QString reason = m_context.reasonNow(IntentKind::SetOutputs);
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
         look::setText(m_pwm.at(i).state,

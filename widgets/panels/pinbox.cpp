@@ -116,7 +116,7 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
 }
 
 void PinBox::setDirection(unsigned pin, bool input) {
-    if (const auto inputs = m_context.state().pins.inputs()) {
+    if (const auto inputs = m_context.state().pins.inputs) {
         const unsigned bit = 1U << pin;
         m_context.ask(
             iointent::SetDirection{static_cast<std::uint16_t>(input ? *inputs | bit : *inputs & ~bit)});
@@ -183,7 +183,7 @@ void PinBox::showSettings() {
 void PinBox::refresh() {
     for (unsigned i = 0; i < io::kPins; ++i)
         refreshPin(i);
-    const bool known = m_context.state().pins.inputs().has_value();
+    const bool known = m_context.state().pins.inputs.has_value();
     m_allInputs->setVisible(!known);
     m_allInputs->setPossible(m_context.reasonNow(IntentKind::ControlIo),
                              tr("Makes all twelve pins inputs: outputs release what they drive."));
@@ -197,11 +197,11 @@ void PinBox::refresh() {
 void PinBox::refreshPin(unsigned number) {
     const ModuleState& module = m_context.state();
     const Pin& pin = m_pins.at(number);
-    const auto inputs = module.pins.inputs();
+    const auto inputs = module.pins.inputs;
     const auto level = module.latest.value_or(StatusReport{}).pins;
     const bool output = inputs && !bitOf(*inputs, number);
     const bool high = bitOf(level.value_or(0), number);
-    const bool toldHigh = bitOf(module.pins.told().value_or(level.value_or(0)), number);
+    const bool toldHigh = bitOf(module.pins.outputs.value_or(level.value_or(0)), number);
     const bool differs = output && level && toldHigh != high;
 
     const QSignalBlocker direction(pin.direction);

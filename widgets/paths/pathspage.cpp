@@ -40,7 +40,7 @@ struct PathsPage::Basis {
     struct Axis {
         std::optional<Refusal> refusal;
         std::optional<std::int32_t> place;
-        std::optional<bus::PathControl> control;
+        std::optional<PathControl> control;
         std::optional<servo::SetGain> gains;
         std::optional<TravelRange> travel;
         double fastest;

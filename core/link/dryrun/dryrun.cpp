@@ -211,10 +211,10 @@ private:
     }
     /// And what its outputs were told. Unknown, they are as unknown to the copy.
     void setDirections(const ModuleState& real) {
-        if (!real.isIo() || !real.pins.inputs() || !real.latest)
+        if (!real.isIo() || !real.pins.inputs || !real.latest)
             return;
-        tell(index(real), iointent::SetDirection{*real.pins.inputs()});
-        const unsigned outputs = io::kAllPins & ~unsigned{*real.pins.inputs()};
+        tell(index(real), iointent::SetDirection{*real.pins.inputs});
+        const unsigned outputs = io::kAllPins & ~unsigned{*real.pins.inputs};
         const unsigned levels = real.pins.levels(*real.latest).value_or(0);
         for (unsigned pin = 0; pin < io::kPins; ++pin)
             if ((outputs & levels) >> pin & 1U)
@@ -328,7 +328,7 @@ private:
     }
     void told(const bus::CommandExecuted& executed) {
         m_modules.at(executed.module.value()).apply(executed);
-        if (m_run && bus::is<StartMotion>(executed.command))
+        if (m_run && is<StartMotion>(executed.command))
             ++m_result.axes[executed.module.value()].moves;
     }
     void told(const bus::ModuleUnresponsive& silence) {

@@ -22,7 +22,7 @@ struct WhyNot {
             return whyNot(IntentKind::DrivePwm, module);
         if (load.profile == servo::ProfileMode::Trapezoidal)
             return Refusal::StartApart;
-        const bool ramp = load.acceleration ? load.acceleration->value() != 0 : module.accelerationLoaded;
+        const bool ramp = load.acceleration ? load.acceleration->value() != 0 : module.accelerationLoaded();
         return ramp ? whyNot(IntentKind::Run, module) : std::optional(Refusal::NoAcceleration);
     }
     std::optional<Refusal> operator()(const servo::StopMotor& stop) const {
@@ -32,7 +32,7 @@ struct WhyNot {
             case servo::StopManner::MotorOff:
                 return whyNot(IntentKind::MotorOff, module);
             case servo::StopManner::Smoothly:
-                if (!module.accelerationLoaded)
+                if (!module.accelerationLoaded())
                     return Refusal::NoAcceleration;
                 break;
             case servo::StopManner::Abruptly:
@@ -119,7 +119,7 @@ struct WhyNot {
 
 }  // namespace
 
-std::optional<Refusal> whyNotDirect(const bus::ModuleCommand& command, const ModuleState& module) {
+std::optional<Refusal> whyNotDirect(const ModuleCommand& command, const ModuleState& module) {
     const auto reason =
         std::visit([&](const auto& own) { return unsupported(module.info.identity, own); }, command);
     if (reason == Unsupported::OtherChip)

@@ -7,7 +7,6 @@ namespace nmc {
 
 /// Why a command cannot be sent as it stands: the same rules as those of the panel's own controls, and where
 /// these have none, what the data sheets and the bus's gate (bus/gate.h) allow. Pure.
-[[nodiscard]] std::optional<Refusal> whyNotDirect(const bus::ModuleCommand& command,
-                                                  const ModuleState& module);
+[[nodiscard]] std::optional<Refusal> whyNotDirect(const ModuleCommand& command, const ModuleState& module);
 
 }  // namespace nmc

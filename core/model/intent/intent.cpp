@@ -117,7 +117,7 @@ struct Planner {
     Plan operator()(const intent::StopSmoothly&) const {
         // With acceleration 0 the chip could not slow down (link.md 2.6).
         const auto manner =
-            module.accelerationLoaded ? servo::StopManner::Smoothly : servo::StopManner::Abruptly;
+            module.accelerationLoaded() ? servo::StopManner::Smoothly : servo::StopManner::Abruptly;
         return stop(manner);
     }
     Plan operator()(const intent::StopAbruptly&) const { return stop(servo::StopManner::Abruptly); }

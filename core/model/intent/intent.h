@@ -155,7 +155,7 @@ struct ArmLimitStop {
 };
 /// One command with all that its data bytes can say, for who knows the data sheet (directplan.h).
 struct Direct {
-    bus::ModuleCommand command;
+    ModuleCommand command;
 };
 /// Back to its power-up state, alone: it loses all but its address.
 struct ResetModule {};

@@ -35,7 +35,7 @@ struct IoPlanner {
                        [&] { return Orders{step(io::SetOutput{static_cast<std::uint16_t>(outputs)})}; });
     }
     Plan operator()(const iointent::SetPwm& set) const {
-        auto values = module.pins.pwm().value_or(std::array<std::uint8_t, 2>{});
+        auto values = module.pins.pwm.value_or(std::array<std::uint8_t, 2>{});
         values.at(set.output) = set.value;
         return allowed(IntentKind::SetOutputs, [&] {
             return Orders{step(io::SetPwm{values[0], values[1]})};
@@ -82,7 +82,7 @@ std::optional<Refusal> whyNotIo(IntentKind kind, const ModuleState& module) {
         case IntentKind::StartLoaded:  // of its group: Synch Output
             if (const auto refusal = whyNotTold(kind, module))
                 return refusal;
-            return module.pins.stored() ? std::nullopt : std::optional(Refusal::NothingLoaded);
+            return module.pins.stored ? std::nullopt : std::optional(Refusal::NothingLoaded);
         case IntentKind::Enable:
         case IntentKind::Move:
         case IntentKind::Load:

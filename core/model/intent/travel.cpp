@@ -254,7 +254,8 @@ struct DirectProblem {
         const auto& parameters = module.stepper.parameters();
         return time && parameters ? StepperSpeed(parameters->speedMode).acceleration(*time) : 0.0;
     }
-    return module.acceleration() * perSecond * perSecond;
+    const double acceleration = module.acceleration ? module.acceleration->value() / 65'536.0 : 0.0;
+    return acceleration * perSecond * perSecond;
 }
 
 /// Which way it goes without an end, -1 or 1; 0: it stands, or ends by itself.
@@ -335,7 +336,7 @@ std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleSta
 }
 
 std::optional<TravelProblem> loadedProblem(const ModuleState& module) {
-    if (const servo::LoadTrajectory* load = module.waiting())
+    if (const auto load = module.waiting())
         return asItStands(courseOf(*load, module), module);
     const auto& waits = module.stepper.waiting();
     return waits ? asItStands(courseOf(*waits, module), module) : std::nullopt;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bus/standstill.h"
+#include "module/commandfacts.h"
 
 namespace nmc {
 
@@ -43,18 +44,18 @@ void HomeFact::forget() {
 }
 
 void HomeFact::apply(const bus::CommandExecuted& executed) {
-    if (bus::is<SaveAsHome>(executed.command)) {
+    if (is<SaveAsHome>(executed.command)) {
         forget();
         m_saved = executed.time;
-    } else if (bus::setsCounter(executed.command)) {
+    } else if (setsCounter(executed.command)) {
         counterMoved(executed.time, shift(executed.command));
     }
 }
 
-std::optional<std::int32_t> HomeFact::shift(const bus::ModuleCommand& command) const {
+std::optional<std::int32_t> HomeFact::shift(const ModuleCommand& command) const {
     if (!m_latest)
         return std::nullopt;
-    if (bus::is<servo::ResetRelativeToHome>(command))
+    if (is<servo::ResetRelativeToHome>(command))
         return m_register ? std::optional(countsBetween(*m_register, 0)) : std::nullopt;
     std::int32_t to = 0;
     if (const auto* own = std::get_if<ServoCommand>(&command))

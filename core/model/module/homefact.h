@@ -53,7 +53,7 @@ public:
 private:
     /// By so much, counts; empty: nobody knows.
     void counterMoved(TimePoint time, std::optional<std::int32_t> by);
-    [[nodiscard]] std::optional<std::int32_t> shift(const bus::ModuleCommand& command) const;
+    [[nodiscard]] std::optional<std::int32_t> shift(const ModuleCommand& command) const;
 
     struct Reading {
         TimePoint time;

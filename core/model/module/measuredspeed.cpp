@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/strong.h"
+#include "module/commandfacts.h"
 
 namespace nmc {
 
@@ -28,7 +29,7 @@ void MeasuredSpeed::apply(TimePoint time, std::int32_t position) {
 }
 
 void MeasuredSpeed::apply(const bus::CommandExecuted& executed) {
-    if (bus::setsCounter(executed.command))
+    if (setsCounter(executed.command))
         forget();
 }
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "bus/standstill.h"
+#include "module/commandfacts.h"
 
 namespace nmc {
 
@@ -181,8 +182,8 @@ void ModuleState::endAtLimit() {
     if (!servoOn() || !latest->servoStatus().moveDone() || !limitEnds(direction()))
         return;
     motion = MotionMode::Velocity;
-    goalVelocity = m_loadedVelocity = 0.0;
-    loadWaiting = false;
+    goalVelocity = 0.0;
+    stopped();
     m_goal.reset();
 }
 
@@ -197,10 +198,10 @@ void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before, std::opti
                   .expected = {watched && before.onLimit1(), watched && before.onLimit2()}});
 }
 
-/// `velocity`: counts per tick. Before the command has changed anything here.
-void ModuleState::noteCommand(TimePoint time, int direction, double velocity) {
+/// Before the command has changed anything here.
+void ModuleState::noteCommand(TimePoint time, int direction, double countsPerTick) {
     const double perSecond = servoRate ? ticksPerSecond(*servoRate) : 0.0;
-    m_trip.apply({time, !servoOn(), !moving(), direction, std::abs(velocity) * perSecond});
+    m_trip.apply({time, !servoOn(), !moving(), direction, std::abs(countsPerTick) * perSecond});
 }
 
 /// The chip has stopped the motor by itself, or switched it off, because it was told to (DS-V 5.2).
@@ -219,8 +220,8 @@ bool ModuleState::watchHome(const bus::Sample& sample) {
         motion = MotionMode::Velocity;
     }
     if (homing.stops()) {
-        goalVelocity = m_loadedVelocity = 0.0;
-        loadWaiting = false;
+        goalVelocity = 0.0;
+        stopped();
         m_goal.reset();
     }
     return true;
@@ -240,42 +241,20 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;
-    if (const auto control = bus::pathControlOf(*command))
-        pathControl = control;
-    if (const auto* load = std::get_if<servo::LoadTrajectory>(command)) {
-        // What is not loaded keeps what it was (DS-V 5.2).
-        const std::optional<Counts> position = m_loaded.position;
-        m_loaded = *load;
-        if (!load->position)
-            m_loaded.position = position;
-        if (load->velocity)
-            m_loadedVelocity = load->velocity->value() / 65'536.0;
-        if (load->acceleration) {
-            accelerationLoaded = load->acceleration->value() != 0;
-            m_acceleration = load->acceleration->value() / 65'536.0;
-        }
-        loadWaiting = !load->startNow;
-        if (load->startNow)
-            applyLoaded(executed.time);
-    } else if (std::holds_alternative<StartMotion>(*command)) {
-        loadWaiting = false;
+    if (const auto* set = std::get_if<servo::SetGain>(command)) {
+        if (gains && *gains != *set)
+            gainsBefore = gains;
+        swing.forget();
+    }
+    ServoRegisters::apply(*command);
+    if (is<StartMotion>(executed.command) || (is<servo::LoadTrajectory>(executed.command) && !loadWaiting)) {
         applyLoaded(executed.time);
     } else if (const auto* stop = std::get_if<servo::StopMotor>(command)) {
         apply(*stop, executed.time);
-    } else if (const auto* sent = std::get_if<servo::SetGain>(command)) {
-        if (gains && *gains != *sent)
-            gainsBefore = gains;
-        gains = *sent;
-        servoRate = sent->sr;
-        swing.forget();
-    } else if (const auto* control = std::get_if<servo::IoControl>(command)) {
-        io = *control;
-    } else if (const auto* sc = std::get_if<servo::ScIoControl>(command)) {
-        scIo = *sc;
     } else if (const auto* add = std::get_if<servo::AddPathPoints>(command)) {
         if (add->startsPath())
             startPath(executed.time);
-    } else if (bus::setsCounter(executed.command)) {
+    } else if (setsCounter(executed.command)) {
         m_goal.reset();
         m_held.reset();
         m_restedAt.reset();
@@ -286,28 +265,21 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
 
 void ModuleState::restarted() {
     hasRestarted = true;
+    static_cast<ServoRegisters&>(*this) = {};
     speed.forget();
     swing.forget();
-    gains.reset();
     gainsBefore.reset();
-    servoRate = 1;
-    io.reset();
-    scIo.reset();
-    pathControl = bus::PathControl{};
     m_commandPosition.reset();
     homing = {};
     limits = {};
     home = {};
-    m_loaded = {};
     m_held.reset();
     m_goal.reset();
     m_looksWhileOff = 0;
-    loadWaiting = false;
     motion = MotionMode::None;
-    goalVelocity = m_loadedVelocity = m_acceleration = 0.0;
-    amplifierEnabled = accelerationLoaded = false;
+    goalVelocity = 0.0;
     stepper.restarted();
-    pins.restarted();
+    pins = {};
 }
 
 void ModuleState::attached() {
@@ -330,8 +302,9 @@ void ModuleState::doubtGains() {
 
 void ModuleState::confirmedAtRest() {
     motion = motion == MotionMode::Velocity ? motion : MotionMode::None;
-    goalVelocity = m_loadedVelocity = 0.0;
-    m_motionUnknown = m_drifts = loadWaiting = false;
+    goalVelocity = 0.0;
+    stopped();
+    m_motionUnknown = m_drifts = false;
     m_restedAt.reset();
     // A stop that nobody has heard an answer to may have cut a move short. Of one that was carried out it is
     // known what it left.
@@ -342,30 +315,32 @@ void ModuleState::confirmedAtRest() {
 void ModuleState::applyLoaded(TimePoint time) {
     motionCommandedAt = time;
     const std::optional<std::int32_t> from = goal();
+    const servo::LoadTrajectory started = trajectory();
+    const double magnitude = started.velocity ? started.velocity->value() / 65'536.0 : 0.0;
     m_goal.reset();
     m_held.reset();
-    if (!m_loaded.servo) {
+    if (!started.servo) {
         motion = MotionMode::Pwm;
         offCommanded = true;
         m_looksWhileOff = 0;
         return;
     }
-    const bool velocityMode = m_loaded.profile == servo::ProfileMode::Velocity;
-    const bool reverse = velocityMode        ? m_loaded.reverse
-                         : m_loaded.relative ? m_loaded.position && m_loaded.position->value() < 0
-                                             : latest && latest->position && m_loaded.position &&
-                                                   m_loaded.position->value() < *latest->position;
-    noteCommand(time, m_loadedVelocity == 0.0 ? 0 : reverse ? -1 : 1, m_loadedVelocity);
+    const bool velocityMode = started.profile == servo::ProfileMode::Velocity;
+    const bool reverse = velocityMode       ? started.reverse
+                         : started.relative ? started.position && started.position->value() < 0
+                                            : latest && latest->position && started.position &&
+                                                  started.position->value() < *latest->position;
+    noteCommand(time, magnitude == 0.0 ? 0 : reverse ? -1 : 1, magnitude);
     offCommanded = m_motionUnknown = false;
     motion = velocityMode ? MotionMode::Velocity : MotionMode::Trapezoidal;
-    if (!velocityMode && m_loaded.position) {
-        if (!m_loaded.relative)
-            m_goal = m_loaded.position->value();
+    if (!velocityMode && started.position) {
+        if (!started.relative)
+            m_goal = started.position->value();
         else if (from)
-            m_goal = *from + m_loaded.position->value();
+            m_goal = *from + started.position->value();
         m_goalReverse = reverse;
     }
-    goalVelocity = m_loaded.reverse ? -m_loadedVelocity : m_loadedVelocity;
+    goalVelocity = started.reverse ? -magnitude : magnitude;
 }
 
 void ModuleState::startPath(TimePoint time) {
@@ -379,7 +354,6 @@ void ModuleState::startPath(TimePoint time) {
 }
 
 void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
-    amplifierEnabled = stop.amplifierEnable;
     if (stop.manner == servo::StopManner::AmplifierOnly)
         return;
     if (stop.manner != servo::StopManner::MotorOff)
@@ -388,13 +362,12 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
                  ? std::nullopt
                  : heldThroughStop();
     motionCommandedAt = time;
-    // The chip zeroes its velocity parameter: the next move must load it again (protocol.md 2).
-    goalVelocity = m_loadedVelocity = 0.0;
+    goalVelocity = 0.0;
     m_goal.reset();
     m_goalReverse.reset();
     if (stop.manner == servo::StopManner::Here)
         m_goal = stop.here.value();
-    loadWaiting = m_motionUnknown = false;
+    m_motionUnknown = false;
     m_looksWhileOff = 0;
     if (stop.manner == servo::StopManner::MotorOff) {
         motion = MotionMode::None;

@@ -13,12 +13,12 @@
 #include "model/module/homewatch.h"
 #include "model/module/limitwatch.h"
 #include "model/module/measuredspeed.h"
-#include "model/module/pinstate.h"
 #include "model/module/stepperstate.h"
 #include "model/module/swingwatch.h"
 #include "model/module/tripwatch.h"
 #include "model/settings/machine.h"
 #include "model/settings/operatorrights.h"
+#include "module/registers.h"
 
 namespace nmc {
 
@@ -28,7 +28,9 @@ enum class MotionMode : std::uint8_t { None, Trapezoidal, Velocity, Pwm, Path };
 /// Everything known of one module: a value, fed by the engine's events, shown by the panels.
 /// Values that the module cannot be asked for are beliefs, from what was sent and confirmed in this
 /// connection.
-struct ModuleState {
+///
+/// The registers of a PIC-SERVO are public members of it, as confirmed in this connection.
+struct ModuleState : ServoRegisters {
     bus::ModuleInfo info;
     /// Latest value of every item; an item never reported is empty.
     std::optional<StatusReport> latest;
@@ -45,29 +47,13 @@ struct ModuleState {
     std::optional<OperatorRights> rights;
     /// What it was asked for last by this panel, as long as that has not ended; stops apart.
     std::optional<bus::OperationId> awaited;
-    /// Gains as last confirmed; empty: unknown.
-    std::optional<servo::SetGain> gains;
-    /// PIC-SERVO: SR, which goes with the gains; 1 after power-up (DS-V 4.5). Empty: another host may have
-    /// set it, so nobody knows how long a tick is.
-    std::optional<int> servoRate = 1;
-    /// What they were before; empty: unknown too.
+    /// Gains from before those; empty: unknown.
     std::optional<servo::SetGain> gainsBefore;
     MotionMode motion = MotionMode::None;
     /// Goal velocity of velocity mode, counts/tick, signed; for telling "at speed" from "at rest".
     double goalVelocity = 0.0;
-    /// An acceleration above 0 was loaded: a smooth stop can slow down.
-    bool accelerationLoaded = false;
-    bool amplifierEnabled = false;
     /// PIC-SERVO: when the last command was latched that started or stopped a motion.
     TimePoint motionCommandedAt;
-    /// A load was confirmed and waits for a start.
-    bool loadWaiting = false;
-    /// Directions and outputs of the limit pins as last confirmed; empty: unknown.
-    std::optional<servo::IoControl> io;
-    /// Of an SC, instead: what its amplifier and its limits were last told; empty: unknown.
-    std::optional<servo::ScIoControl> scIo;
-    /// CMC and SC: what I/O Control told it of paths; empty: unknown.
-    std::optional<bus::PathControl> pathControl = bus::PathControl{};
     /// How far the last path is of which this is the first axis.
     std::optional<bus::PathProgress> path;
     /// What Set Homing Mode last told it.
@@ -95,7 +81,7 @@ struct ModuleState {
     /// PIC-STEP: what it was told, and does.
     StepperState stepper;
     /// PIC-I/O: what it was told, and how fast its counter counts.
-    PinState pins;
+    IoRegisters pins;
     MeasuredSpeed counting;
 
     void apply(const bus::Sample& sample);
@@ -132,12 +118,10 @@ struct ModuleState {
     /// What moves it, or holds it, is still the move to there that was commanded last. A stop ends that even
     /// where it changes nothing, since it may have been meant for more than this motor.
     [[nodiscard]] bool headsFor(std::int32_t goal) const;
-    /// PIC-SERVO: the load that waits for a start, null for none.
-    [[nodiscard]] const servo::LoadTrajectory* waiting() const {
-        return isServo() && loadWaiting ? &m_loaded : nullptr;
+    /// PIC-SERVO: what a start would run, if a load waits for one.
+    [[nodiscard]] std::optional<servo::LoadTrajectory> waiting() const {
+        return isServo() && loadWaiting ? std::optional(trajectory()) : std::nullopt;
     }
-    /// Counts per tick squared, of the acceleration loaded last; 0: unknown.
-    [[nodiscard]] double acceleration() const { return m_acceleration; }
     /// What the user reads as a velocity is what the chip would be sent: not where the axis is read in units
     /// per second and nobody knows how long its ticks are.
     [[nodiscard]] bool speedsKnown() const { return !isServo() || servoRate || unit == UnitKind::Native; }
@@ -170,13 +154,12 @@ private:
     void maybeWentOff(bool byHome);
     void wentOff();
     [[nodiscard]] TripCause causeOfTrip() const;
-    void noteCommand(TimePoint time, int direction, double velocity);
+    void noteCommand(TimePoint time, int direction, double countsPerTick);
     [[nodiscard]] TripWatch::Reading tripLook() const;
     [[nodiscard]] bool changedPlaceLately() const;
     [[nodiscard]] Activity activityWhileOff() const;
     [[nodiscard]] Activity activityWhileOn() const;
 
-    servo::LoadTrajectory m_loaded;
     std::optional<std::int32_t> m_goal;  ///< as goal() says
     std::optional<bool> m_goalReverse;   ///< likewise
     std::optional<std::int32_t> m_commandPosition;
@@ -198,8 +181,6 @@ private:
     bool m_drifts = false;  ///< its position has changed lately; slow velocities read 0
     std::optional<bus::Sample> m_restedAt;
     TripWatch m_trip;
-    double m_acceleration = 0.0;
-    double m_loadedVelocity = 0.0;  ///< counts/tick, stays loaded until a stop zeroes it
 };
 
 /// Null: the chain has no such module.

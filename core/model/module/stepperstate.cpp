@@ -8,12 +8,12 @@
 namespace nmc {
 
 void StepperState::attached() {
-    m_outputs.reset();
+    m_told.outputs.reset();
 }
 
 void StepperState::restarted() {
     *this = StepperState{};
-    m_outputs.reset();
+    m_told.outputs.reset();
 }
 
 // ---- What the module says ----
@@ -87,16 +87,16 @@ void StepperState::watchMotion(bool wasMoving, bool homeFound) {
 }
 
 bool StepperState::estopActs() const {
-    return m_inputs.estop() && !(m_parameters && m_parameters->ignoreEstop);
+    return m_inputs.estop() && !(m_told.parameters && m_told.parameters->ignoreEstop);
 }
 
 bool StepperState::limitActs(bool reverse) const {
     const bool active = reverse ? m_inputs.limit2() : m_inputs.limit1();
-    return active && !(m_parameters && m_parameters->ignoreLimits);
+    return active && !(m_told.parameters && m_told.parameters->ignoreLimits);
 }
 
 bool StepperState::tooHot() const {
-    return m_parameters && m_analog && *m_analog < m_parameters->thermalLimit;
+    return m_told.parameters && m_analog && *m_analog < m_told.parameters->thermalLimit;
 }
 
 bus::StepperMode StepperState::mode() const {
@@ -139,29 +139,19 @@ struct StepperState::Executed {
     void operator()(const stepper::LoadTrajectory& load) const {
         if (load.startNow)
             s.started(load, time);
-        else
-            s.m_waiting = load;
     }
     void operator()(const StartMotion&) const {
-        if (s.m_waiting)
-            s.started(*s.m_waiting, time);
+        if (s.m_told.waiting)
+            s.started(*s.m_told.waiting, time);
     }
-    void operator()(const stepper::SetParameters& parameters) const {
-        // Integer speeds mean something else in another speed mode.
-        if (!s.m_parameters || s.m_parameters->speedMode != parameters.speedMode)
-            s.m_waiting.reset();
-        s.m_parameters = parameters;
-    }
-    void operator()(const stepper::SetOutputs& set) const { s.m_outputs = set.outputs; }
     void operator()(const stepper::StopMotor& stop) const { s.stopped(stop, time); }
     void operator()(const stepper::SetHoming& homing) const { s.m_homingSwitchesOff = homing.motorOff; }
-    // What these change shows in a status, or is no business of a motion.
-    void operator()(const AnyOf<ResetPosition, SetAddress, DefineStatus, ReadStatus, SetBaud, SaveAsHome, Nop,
-                                HardReset> auto&) const {}
+    void operator()(const auto& /*other*/) const {}
 };
 
 void StepperState::apply(const StepperCommand& executed, TimePoint time) {
     std::visit(Executed{*this, time}, executed);
+    m_told.apply(executed);
 }
 
 void StepperState::started(const stepper::LoadTrajectory& load, TimePoint time) {
@@ -176,9 +166,6 @@ void StepperState::started(const stepper::LoadTrajectory& load, TimePoint time) 
             m_reverse = m_position ? std::optional(*m_goal < *m_position) : std::nullopt;
         }
     }
-    if (load.accelerationTime)
-        m_accelerationTime = load.accelerationTime;
-    m_waiting.reset();
     m_startedAt = time;
     m_stopping = m_ourStop = m_slowing = false;
     m_ended.reset();
@@ -193,7 +180,6 @@ void StepperState::stopped(const stepper::StopMotor& stop, TimePoint time) {
     m_ended.reset();
     if (stop.manner == stepper::StopManner::AmplifierOnly)
         return;
-    m_waiting.reset();
     m_startedAt.reset();
     m_ourStop = true;
     m_stopping = stop.manner == stepper::StopManner::Smoothly;

@@ -7,7 +7,7 @@
 #include "base/time.h"
 #include "bus/steppergate.h"
 #include "model/module/activity.h"
-#include "protocol/commands.h"
+#include "module/registers.h"
 
 namespace nmc {
 
@@ -26,13 +26,15 @@ public:
     void apply(const StepperCommand& executed, TimePoint time);
 
     /// Empty: not set in this connection, so nothing may move.
-    [[nodiscard]] const std::optional<stepper::SetParameters>& parameters() const { return m_parameters; }
+    [[nodiscard]] const std::optional<stepper::SetParameters>& parameters() const {
+        return m_told.parameters;
+    }
     /// OUT1..OUT5 as bits 0..4; empty: unknown.
-    [[nodiscard]] std::optional<std::uint8_t> outputs() const { return m_outputs; }
+    [[nodiscard]] std::optional<std::uint8_t> outputs() const { return m_told.outputs; }
     /// Of the ramp that the next smooth stop would take; empty: unknown.
-    [[nodiscard]] std::optional<std::uint8_t> accelerationTime() const { return m_accelerationTime; }
+    [[nodiscard]] std::optional<std::uint8_t> accelerationTime() const { return m_told.accelerationTime; }
     /// A load that was confirmed and waits for a start.
-    [[nodiscard]] const std::optional<stepper::LoadTrajectory>& waiting() const { return m_waiting; }
+    [[nodiscard]] const std::optional<stepper::LoadTrajectory>& waiting() const { return m_told.waiting; }
 
     [[nodiscard]] bool amplifierOn() const { return m_on; }
     /// It switched its amplifier off without being told to, as two answers in a row say, and has not been on
@@ -75,10 +77,7 @@ private:
     std::optional<std::int32_t> m_position;
     std::optional<std::uint16_t> m_timer;
 
-    std::optional<stepper::SetParameters> m_parameters;
-    std::optional<std::uint8_t> m_outputs = kPowerUpOutputs;
-    std::optional<std::uint8_t> m_accelerationTime;
-    std::optional<stepper::LoadTrajectory> m_waiting;
+    StepperRegisters m_told;
     std::optional<bus::StepperMode> m_goalMode;
     std::optional<std::int32_t> m_goal;
     std::optional<bool> m_reverse;
@@ -94,8 +93,6 @@ private:
     bool m_slowing = false;   ///< between the last two statuses
     bool m_ourStop = false;
     std::optional<Activity> m_ended;  ///< what ended the last motion, or switched it off
-
-    static constexpr std::uint8_t kPowerUpOutputs = 0x10;  ///< OUT5 high, the rest low (DS-S 2.3)
 };
 
 }  // namespace nmc

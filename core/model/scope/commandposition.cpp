@@ -35,26 +35,24 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
         return;
     countTicks(executed.time, executed.late, executed.early);
     m_verified = std::exchange(m_unsettled, false);
+    const auto gainsBefore = m_told.gains;
+    m_told.apply(*command);
     std::visit(Overloaded{
-                   [&](const servo::LoadTrajectory& trajectory) {
-                       load(trajectory);
-                       if (trajectory.startNow)
+                   [&](const servo::LoadTrajectory& load) {
+                       if (load.startNow)
                            start(executed);
                    },
                    [&](const StartMotion&) { start(executed); },
                    [&](const servo::StopMotor& stopMotor) { stop(stopMotor, executed); },
                    [&](const ResetPosition&) { zero(executed); },
                    [&](const servo::SetGain& gains) {
-                       m_errorLimit = gains.el;
-                       if (std::exchange(m_gains, gains) != gains)
+                       if (gainsBefore != gains)
                            m_standing = {};
                        setServoRate(gains.sr, executed);
                    },
                    [&](const servo::SetHoming& homing) { arm(homing, executed); },
-                   [](const AnyOf<SetAddress, DefineStatus, ReadStatus, servo::IoControl, SetBaud,
-                                  servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) {},
                    [&](const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) { forget(); },
-                   [](const AnyOf<servo::ScIoControl, servo::AddPathPoints, servo::HardReset> auto&) {},
+                   [](const auto& /*other*/) {},
                },
                *command);
 }
@@ -157,16 +155,6 @@ Moments CommandPosition::begun(const bus::CommandExecuted& executed) const {
 
 // ---- Commands ----
 
-void CommandPosition::load(const servo::LoadTrajectory& load) {
-    m_loaded = load;
-    if (load.position && !load.relative)
-        m_goal = load.position->value();
-    if (load.velocity)
-        m_velocity = load.velocity->value() / 65'536.0;
-    if (load.acceleration)
-        m_acceleration = load.acceleration->value() / 65'536.0;
-}
-
 void CommandPosition::start(const bus::CommandExecuted& executed) {
     if (!m_envelope)
         return startAs(executed);
@@ -183,25 +171,27 @@ void CommandPosition::start(const bus::CommandExecuted& executed) {
 
 void CommandPosition::startAs(const bus::CommandExecuted& executed) {
     explain(executed);
+    const servo::LoadTrajectory load = m_told.trajectory();
+    const double velocity = load.velocity ? load.velocity->value() / 65'536.0 : 0.0;
     m_commanded = executed.time;
     m_repeated = executed.early > Duration{};
     m_effective = showsFrom(executed, m_tick);
-    if (!m_loaded.servo)
+    if (!load.servo)
         return switchedOff();
     m_servoOn = true;
-    m_runningAcceleration = m_acceleration;
-    m_runningGoal = m_goal;
+    m_runningAcceleration = load.acceleration ? load.acceleration->value() / 65'536.0 : 0.0;
+    m_runningGoal = load.position ? load.position->value() : 0;
     // That it moves does not tell of one that did so before whether it goes on as it was told to then.
     if (m_verified && m_motion != Motion::None)
         return forget();
     if (m_envelope && m_motion == Motion::None)
         m_standing.leave(m_envelope->at(shown(executed)));
     const Moments when = begun(executed);
-    if (m_loaded.profile == servo::ProfileMode::Velocity) {
+    if (load.profile == servo::ProfileMode::Velocity) {
         m_awaiting = Awaiting::Nothing;
-        return runAt(m_loaded.reverse ? -m_velocity : m_velocity, when);
+        return runAt(load.reverse ? -velocity : velocity, when);
     }
-    if (m_loaded.relative)
+    if (load.relative)
         return forget();  // what reports its error has no need of this
     const auto from = m_tickKnown ? at(executed.time, executed.late) : std::nullopt;
     if (!m_tickKnown)
@@ -211,7 +201,7 @@ void CommandPosition::startAs(const bus::CommandExecuted& executed) {
         return;
     rest(*from);
     m_motion = Motion::Trapezoid;
-    m_envelope->moveTo(m_goal, m_velocity, {tick(), m_acceleration}, when);
+    m_envelope->moveTo(m_runningGoal, velocity, {tick(), m_runningAcceleration}, when);
 }
 
 void CommandPosition::runAt(double velocity, const Moments& when) {
@@ -232,7 +222,6 @@ void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecu
     m_commanded = executed.time;
     m_repeated = executed.early > Duration{};
     m_effective = showsFrom(executed, m_tick);
-    m_velocity = 0.0;  // the chip zeroes its velocity parameter (protocol.md 2)
     const bool wasOn = std::exchange(m_servoOn, true);
     switch (stop.manner) {
         case servo::StopManner::AmplifierOnly:
@@ -333,7 +322,7 @@ void CommandPosition::stopAtHome(const Moments& found, TimePoint shows) {
     const servo::StopManner manner = std::exchange(m_homing, std::nullopt)->manner;
     if (manner == servo::StopManner::MotorOff)
         return;  // the status says that it is off
-    m_velocity = 0.0;
+    m_told.stopped();
     m_effective = shows;
     if (manner == servo::StopManner::Smoothly)
         runAt(0.0, {found.earliest - m_tick / 2, found.likely - m_tick / 2, found.latest - m_tick / 2,

@@ -8,7 +8,7 @@
 #include "bus/types.h"
 #include "model/scope/commandenvelope.h"
 #include "model/scope/standingerror.h"
-#include "protocol/commands.h"
+#include "module/registers.h"
 
 namespace nmc {
 
@@ -46,7 +46,9 @@ public:
     /// unknown or the servo is off.
     [[nodiscard]] std::optional<CommandEstimate> at(TimePoint time, Duration late = {}) const;
     /// EL as set in this connection: the servo switches itself off beyond it. Counts.
-    [[nodiscard]] std::optional<int> errorLimit() const { return m_errorLimit; }
+    [[nodiscard]] std::optional<int> errorLimit() const {
+        return m_told.gains ? std::optional<int>(m_told.gains->el) : std::nullopt;
+    }
 
 private:
     /// What makes the command position known again.
@@ -63,7 +65,6 @@ private:
         Moments searching;  ///< when home had not been found yet
     };
 
-    void load(const servo::LoadTrajectory& load);
     void start(const bus::CommandExecuted& executed);
     void startAs(const bus::CommandExecuted& executed);
     void stop(const servo::StopMotor& stop, const bus::CommandExecuted& executed);
@@ -109,16 +110,11 @@ private:
     StandingError m_standing;
     TickClock m_ticks;
     bool m_lostCount = false;  ///< of its ticks, in this motion
-    std::optional<servo::SetGain> m_gains;
-    std::optional<int> m_errorLimit;
+    ServoRegisters m_told;
     bool m_servoOn = false;                ///< as commanded or reported, whichever is newer
     TimePoint m_commanded;                 ///< when the last command that changes the motion was carried out
     bool m_repeated = false;               ///< that one, perhaps: it may have been carried out before
     TimePoint m_effective;                 ///< a status from then on shows what came of it
-    servo::LoadTrajectory m_loaded;        ///< control bits of the last load
-    double m_goal = 0;                     ///< counts; survives a load without a position
-    double m_velocity = 0;                 ///< counts/tick, >= 0
-    double m_acceleration = 0;             ///< counts/tick^2; as loaded
     double m_runningGoal = 0;              ///< of the last start
     double m_runningAcceleration = 0;      ///< of the last start
     double m_runningVelocity = 0;          ///< counts/tick, signed; of Motion::Velocity

@@ -19,7 +19,7 @@ bool hasBit(std::uint16_t mask, unsigned bit) {
 
 /// As it was told in this connection; `pin` from 0.
 bool isIoOutput(unsigned pin, const ModuleState& module) {
-    return pin < io::kPins && module.pins.inputs() && !hasBit(*module.pins.inputs(), pin);
+    return pin < io::kPins && module.pins.inputs && !hasBit(*module.pins.inputs, pin);
 }
 
 /// Whether `wanted` is called by the rows of `sequence`, or is it.
@@ -168,9 +168,9 @@ public:
         const bool servoPin = module->isServo() && set.output <= 2;
         const bool stepperPin = module->isStepper() && set.output <= 5;
         const bool ioPin = module->isIo() && set.output <= io::kPins;
-        report(stepperPin || (ioPin && !module->pins.inputs()) ? SequenceProblem::Kind::OutputsUnknown
-               : servoPin || ioPin                             ? SequenceProblem::Kind::NotAnOutput
-                                                               : SequenceProblem::Kind::NoSuchPin,
+        report(stepperPin || (ioPin && !module->pins.inputs) ? SequenceProblem::Kind::OutputsUnknown
+               : servoPin || ioPin                           ? SequenceProblem::Kind::NotAnOutput
+                                                             : SequenceProblem::Kind::NoSuchPin,
                set.module);
         m_problems.back().output = set.output;
     }

@@ -14,7 +14,7 @@ namespace {
 /// Motions begin only when all of them are loaded: a load that is refused leaves every motor where it is.
 void startsLast(std::vector<bus::Order>& steps) {
     std::stable_partition(steps.begin(), steps.end(),
-                          [](const bus::Order& step) { return !bus::is<StartMotion>(step.command); });
+                          [](const bus::Order& step) { return !is<StartMotion>(step.command); });
 }
 
 /// What stops its motor, tried whatever is believed of it; nothing where nothing is on.

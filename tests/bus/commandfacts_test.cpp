@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "bus/commandlane.h"
-#include "bus/retrypolicy.h"
+#include "module/commandfacts.h"
 #include "tests/bus/steps.h"
 
 namespace nmc::test {
@@ -13,7 +12,7 @@ using namespace bus;
 
 // The oracle is the table of link.md 2.3.
 
-TEST(RetryPolicy, RepeatsQuestionsAndIdenticalSettingsTwice) {
+TEST(CommandFacts, RepeatsQuestionsAndIdenticalSettingsTwice) {
     const std::vector<ModuleCommand> commands{
         ServoCommand(Nop{}),
         ServoCommand(ReadStatus{}),
@@ -34,7 +33,7 @@ TEST(RetryPolicy, RepeatsQuestionsAndIdenticalSettingsTwice) {
             << toHex(payloadOf(command).data);
 }
 
-TEST(RetryPolicy, NeverRepeatsBlindlyWhatCouldActTwice) {
+TEST(CommandFacts, NeverRepeatsBlindlyWhatCouldActTwice) {
     const std::vector<ModuleCommand> commands{
         ServoCommand(StartMotion{}),
         ServoCommand(ResetPosition{}),
@@ -54,20 +53,20 @@ TEST(RetryPolicy, NeverRepeatsBlindlyWhatCouldActTwice) {
             << payloadOf(command).commandByte();
 }
 
-TEST(RetryPolicy, RepeatsALoadOnlyWithoutStart) {
+TEST(CommandFacts, RepeatsALoadOnlyWithoutStart) {
     EXPECT_EQ(retryRule(loadMove(0, 5).command).silentRepeats, 2);
     EXPECT_EQ(retryRule(loadVelocity(0, 5, false).command).silentRepeats, 2);
     EXPECT_EQ(retryRule(loadVelocity(0, 5, true).command).silentRepeats, 0);
     EXPECT_EQ(retryRule(loadPwm(0, 5).command).silentRepeats, 0);
 }
 
-TEST(RetryPolicy, RepeatsAStopAtOnce) {
+TEST(CommandFacts, RepeatsAStopAtOnce) {
     EXPECT_EQ(retryRule(enable(0).command), (RetryRule{AfterSilence::RepeatAtOnce, 4, 10}));
     EXPECT_EQ(retryRule(StepperCommand(stepper::StopMotor{})),
               (RetryRule{AfterSilence::RepeatAtOnce, 4, 10}));
 }
 
-TEST(RetryPolicy, OnlyAMotorStartsAMotion) {
+TEST(CommandFacts, OnlyAMotorStartsAMotion) {
     EXPECT_TRUE(mayStartMotion(loadVelocity(0, 5, true).command));
     EXPECT_TRUE(mayStartMotion(start(0).command));
     EXPECT_FALSE(mayStartMotion(loadVelocity(0, 5, false).command));

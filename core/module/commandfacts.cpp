@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "module/commandfacts.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr RetryRule kGiveUp{};
+constexpr RetryRule kOnce{AfterSilence::GiveUp, 0, 1};
+constexpr RetryRule kRepeat{AfterSilence::Repeat, 2};
+constexpr RetryRule kRepeatAtOnce{AfterSilence::RepeatAtOnce, 4, 10};
+
+using enum Evidence;
+using enum When;
+
+constexpr CommandFacts kQuestion{kRepeat, None, Always, Effect::None};
+/// The same however often it is made.
+constexpr CommandFacts kSetting{kRepeat, None, Always, Effect::Setting};
+/// Carried out again it would undo what came of the first time: home found, the counter set to 0, outputs set
+/// or inputs latched.
+constexpr CommandFacts kOnceOnly{kGiveUp, None, Always, Effect::Setting};
+
+/// A command without a row does not compile.
+struct Row {
+    CommandFacts operator()(const Nop&) const { return kQuestion; }
+    CommandFacts operator()(const ReadStatus&) const { return kQuestion; }
+    CommandFacts operator()(const DefineStatus&) const { return kQuestion; }
+    /// Discovery asks at the new address before it sends it again.
+    CommandFacts operator()(const SetAddress&) const { return {kGiveUp, None, Never, Effect::Setting}; }
+    /// No reply by design, and never an exchange.
+    CommandFacts operator()(const SetBaud&) const { return {kGiveUp, None, Never, Effect::Setting}; }
+    CommandFacts operator()(const HardReset&) const { return {kOnce, None, Never, Effect::Setting}; }
+    CommandFacts operator()(const ResetPosition&) const {
+        return {kGiveUp, Position, Standstill, Effect::Counter};
+    }
+    CommandFacts operator()(const SaveAsHome&) const { return {kGiveUp, Home, Always, Effect::Setting}; }
+    CommandFacts operator()(const StartMotion&) const { return {kGiveUp, Motion, AsLoaded, Effect::Start}; }
+
+    // ---- PIC-SERVO ----
+
+    /// Nothing moves before the start, so a load alone can be sent again, and at any time (DS-V 5.1, note 1).
+    /// A trapezoidal move is never started by the command that loads it: a garbled load moves nothing.
+    CommandFacts operator()(const servo::LoadTrajectory& load) const {
+        if (!load.startNow)
+            return kSetting;
+        const bool trapezoidal = load.servo && load.profile == servo::ProfileMode::Trapezoidal;
+        return {kGiveUp, None, trapezoidal ? Never : OffThePath, Effect::Start};
+    }
+    CommandFacts operator()(const servo::SetGain&) const { return kSetting; }
+    /// The place of Stop Here may be another one.
+    CommandFacts operator()(const servo::StopMotor& stop) const {
+        const Effect effect = stop.manner == servo::StopManner::Here            ? Effect::Start
+                              : stop.manner == servo::StopManner::AmplifierOnly ? Effect::Setting
+                                                                                : Effect::Stop;
+        return {kRepeatAtOnce, None, Always, effect};
+    }
+    /// Fast path would change the rate of the points that are in the buffer.
+    CommandFacts operator()(const servo::IoControl&) const {
+        return {kRepeat, None, OffThePath, Effect::Setting};
+    }
+    CommandFacts operator()(const servo::SetHoming&) const { return kOnceOnly; }
+    CommandFacts operator()(const servo::ClearStickyBits&) const {
+        return {kGiveUp, StickyBits, Always, Effect::Setting};
+    }
+    CommandFacts operator()(const servo::ResetRelativeToHome&) const {
+        return {kGiveUp, None, Standstill, Effect::Counter};
+    }
+    CommandFacts operator()(const servo::SetPosition&) const {
+        return {kGiveUp, None, Standstill, Effect::Counter};
+    }
+    /// Each of its bits acts at once, and some of them can destroy an amplifier that is on.
+    CommandFacts operator()(const servo::ScIoControl&) const {
+        return {kRepeat, None, MotorOff, Effect::Setting};
+    }
+    /// Points belong to PathTask, which asks mayFollowPath().
+    CommandFacts operator()(const servo::AddPathPoints& add) const {
+        return {kOnce, None, Never, add.startsPath() ? Effect::Start : Effect::Setting};
+    }
+    CommandFacts operator()(const servo::HardReset&) const { return {kOnce, None, Never, Effect::Setting}; }
+
+    // ---- PIC-STEP ----
+
+    CommandFacts operator()(const stepper::LoadTrajectory& load) const {
+        if (!load.startNow)
+            return {kRepeat, None, AsLoaded, Effect::Setting};
+        return {kGiveUp, None, AsLoaded, Effect::Start};
+    }
+    CommandFacts operator()(const stepper::SetParameters&) const {
+        return {kRepeat, None, AsLoaded, Effect::Setting};
+    }
+    CommandFacts operator()(const stepper::StopMotor&) const {
+        return {kRepeatAtOnce, None, Always, Effect::Stop};
+    }
+    CommandFacts operator()(const stepper::SetOutputs&) const { return kSetting; }
+    CommandFacts operator()(const stepper::SetHoming&) const { return kOnceOnly; }
+
+    // ---- PIC-I/O ----
+
+    CommandFacts operator()(const io::SetDirection&) const { return kSetting; }
+    CommandFacts operator()(const io::SetOutput&) const { return kSetting; }
+    CommandFacts operator()(const io::SetPwm&) const { return kSetting; }
+    CommandFacts operator()(const io::SetSynchOutput&) const { return kSetting; }
+    CommandFacts operator()(const io::SetTimerMode&) const { return kOnceOnly; }
+    CommandFacts operator()(const io::SynchOutput&) const { return kOnceOnly; }
+    CommandFacts operator()(const io::SynchInput&) const { return kOnceOnly; }
+};
+
+}  // namespace
+
+CommandFacts factsOf(const ModuleCommand& command) {
+    return visitCommand(Row{}, command);
+}
+
+}  // namespace nmc

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "module/registers.h"
+
+#include "base/overloaded.h"
+
+namespace nmc {
+
+void ServoRegisters::apply(const ServoCommand& command) {
+    std::visit(Overloaded{
+                   [this](const servo::LoadTrajectory& loaded) {
+                       load = loaded;
+                       loadWaiting = !loaded.startNow;
+                       if (loaded.position && !loaded.relative)
+                           goal = loaded.position;
+                       if (loaded.velocity)
+                           velocity = loaded.velocity;
+                       if (loaded.acceleration)
+                           acceleration = loaded.acceleration;
+                   },
+                   [this](const StartMotion&) { loadWaiting = false; },
+                   [this](const servo::StopMotor& stop) {
+                       amplifierEnabled = stop.amplifierEnable;
+                       if (stop.manner != servo::StopManner::AmplifierOnly)
+                           stopped();
+                   },
+                   [this](const servo::SetGain& set) {
+                       gains = set;
+                       servoRate = set.sr;
+                   },
+                   [this](const servo::IoControl& control) {
+                       io = control;
+                       pathControl = PathControl{control.fastPath, false};
+                   },
+                   [this](const servo::ScIoControl& control) {
+                       scIo = control;
+                       pathControl = PathControl{control.fastPath, control.stepAndDirection};
+                   },
+                   [](const auto& /*other*/) {},
+               },
+               command);
+}
+
+void ServoRegisters::stopped() {
+    velocity = CountsPerTick(0);
+    loadWaiting = false;
+}
+
+servo::LoadTrajectory ServoRegisters::trajectory() const {
+    servo::LoadTrajectory whole = load;
+    if (!load.relative)
+        whole.position = goal;
+    whole.velocity = velocity;
+    whole.acceleration = acceleration;
+    return whole;
+}
+
+void StepperRegisters::apply(const StepperCommand& command) {
+    std::visit(Overloaded{
+                   [this](const stepper::LoadTrajectory& load) {
+                       waiting.reset();
+                       if (!load.startNow)
+                           waiting = load;
+                       else if (load.accelerationTime)
+                           accelerationTime = load.accelerationTime;
+                   },
+                   [this](const StartMotion&) {
+                       if (waiting && waiting->accelerationTime)
+                           accelerationTime = waiting->accelerationTime;
+                       waiting.reset();
+                   },
+                   [this](const stepper::SetParameters& set) {
+                       // Integer speeds mean something else in another speed mode.
+                       if (!parameters || parameters->speedMode != set.speedMode)
+                           waiting.reset();
+                       parameters = set;
+                   },
+                   [this](const stepper::StopMotor& stop) {
+                       if (stop.manner != stepper::StopManner::AmplifierOnly)
+                           waiting.reset();
+                   },
+                   [this](const stepper::SetOutputs& set) { outputs = set.outputs; },
+                   [](const auto& /*other*/) {},
+               },
+               command);
+}
+
+void IoRegisters::attached() {
+    inputs.reset();
+    outputs.reset();
+    pwm.reset();
+    timer.reset();
+    stored.reset();
+}
+
+void IoRegisters::apply(const IoCommand& command) {
+    std::visit(Overloaded{
+                   [this](const io::SetDirection& set) { inputs = set.inputs; },
+                   [this](const io::SetOutput& set) { outputs = set.outputs; },
+                   [this](const io::SetPwm& set) {
+                       pwm = {set.pwm1, set.pwm2};
+                   },
+                   [this](const io::SetTimerMode& mode) { timer = mode; },
+                   [this](const io::SetSynchOutput& set) { stored = set; },
+                   [this](const io::SynchOutput&) {
+                       outputs.reset();
+                       pwm.reset();
+                       if (!stored)
+                           return;  // what another host has stored
+                       outputs = stored->outputs;
+                       pwm = {stored->pwm1, stored->pwm2};
+                   },
+                   [](const auto& /*other*/) {},
+               },
+               command);
+}
+
+}  // namespace nmc
