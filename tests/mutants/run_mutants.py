@@ -76,8 +76,8 @@ def configure(suite):
                     f"-DNMC_BUILD_GUI={suite.gui}", "-DCMAKE_CXX_FLAGS=-w"], check=True, capture_output=True)
 
 
-def compiles(suite, jobs):
-    command = ["cmake", "--build", suite.build, "-j", str(jobs), "--target", *suite.programs, *suite.helpers]
+def compiles(suite, jobs, *programs):
+    command = ["cmake", "--build", suite.build, "-j", str(jobs), "--target", *programs, *suite.helpers]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         print(done.stdout[-3000:], file=sys.stderr)
@@ -100,9 +100,11 @@ def failures(suite, program):
             if test.get("failures")}
 
 
-def noticed_by(suite, before):
-    """The tests of the first program in which any fails that did not before."""
+def noticed_by(suite, jobs, before):
+    """The tests of the first program in which any fails that did not before; nothing when it does not compile."""
     for program in suite.programs:
+        if not compiles(suite, jobs, program):
+            return None
         new = failures(suite, program) - before
         if new:
             return new
@@ -116,7 +118,7 @@ def run(mutant, suite, jobs, before):
         for edit in mutant.edits:
             path = TREE / edit.file
             path.write_text(path.read_text(encoding="utf-8").replace(edit.old, edit.new), encoding="utf-8")
-        return noticed_by(suite, before) if compiles(suite, jobs) else None
+        return noticed_by(suite, jobs, before)
     finally:
         for name, text in originals.items():
             (TREE / name).write_text(text, encoding="utf-8")
@@ -125,7 +127,7 @@ def run(mutant, suite, jobs, before):
 def run_all(suite, mutants, jobs):
     """How many survive; nothing when the tree does not build without any."""
     configure(suite)
-    if not compiles(suite, jobs):
+    if not compiles(suite, jobs, *suite.programs):
         print("run_mutants: the tree does not build", file=sys.stderr)
         return None
     before = set().union(*(failures(suite, program) for program in suite.programs))
