@@ -57,9 +57,9 @@ ChainLook::Next ChainLook::next() {
     if (std::exchange(m_waits, false))  // the rest of a reply that came in pieces
         return Line::Script{Line::Pause{kLongestReplyGap}, DiscardInput{}};
     if (m_zerosHeard || m_asksIdentity)
-        return Request{probe.address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}};
+        return Request{probe.address, encode(ReadStatus{kIdentityItems}), {{}, kIdentityItems}};
     // The answer's length hangs on what the host before defined.
-    return Request{probe.address, Nop{}.encode(), {}, Framing::Open};
+    return Request{probe.address, encode(Nop{}), {}, Framing::Open};
 }
 
 /// The probes of the next round.

@@ -110,13 +110,13 @@ Discovery::Next Discovery::next() {
         case Phase::Recheck:
             return probe(m_unheard.back(), 0);
         case Phase::Identify:
-            return askModule(ReadStatus{kIdentityItems}.encode(), kIdentityItems, 2);
+            return askModule(encode(ReadStatus{kIdentityItems}), kIdentityItems, 2);
         case Phase::ChangeRate:
             return changeRate();
         case Phase::Define:
             return defineItems(standingItems(m_modules[m_at].identity));
         case Phase::Confirm:
-            return askModule(ReadStatus{kAllItems}.encode(), kAllItems, 2);
+            return askModule(encode(ReadStatus{kAllItems}), kAllItems, 2);
         case Phase::Done: {
             ChainFound found{m_modules, rate(), m_attached, m_attached && m_look.unaddressed()};
             found.readOnly = m_config.readOnly;
@@ -216,7 +216,7 @@ Line::Script Discovery::restartScript() const {
         for (unsigned group = kFirstGroup; group <= kEverybody.value(); ++group) {
             const BusAddress address(static_cast<std::uint8_t>(group));
             script.insert(script.end(),
-                          {Line::Packet{toPacket({address, HardReset{}.encode()})}, Line::Spacer{}});
+                          {Line::Packet{toPacket({address, encode(HardReset{})})}, Line::Spacer{}});
         }
         // The port's rate must not change before its own buffer has run empty; the adapter may lag.
         script.emplace_back(Line::Lag{});
@@ -256,25 +256,25 @@ Discovery::Next Discovery::changeRate() {
 /// take it, too.
 Ask Discovery::setAddress() {
     const SetAddress set{BusAddress(++m_number), kEverybody, false};
-    Ask ask = question({kUnaddressed, set.encode(), {}}, 0, Quarantine::Brief);
+    Ask ask = question({kUnaddressed, encode(set), {}}, 0, Quarantine::Brief);
     ask.refusedAttempts = 1;
     return ask;
 }
 
 /// Of every reply from now on; a chain that is only looked at keeps what others have defined.
 Ask Discovery::defineItems(StatusItems items) const {
-    return askModule(m_config.readOnly ? ReadStatus{items}.encode() : DefineStatus{items}.encode(), items, 2);
+    return askModule(m_config.readOnly ? encode(ReadStatus{items}) : encode(DefineStatus{items}), items, 2);
 }
 
 /// Of another length than the answer to Set Address, which may still be on its way.
 Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
-    return question({address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}}, repeats,
+    return question({address, encode(ReadStatus{kIdentityItems}), {{}, kIdentityItems}}, repeats,
                     Quarantine::Brief);
 }
 
 /// Its answer has the length of those to Set Address, which are right when they are late.
 Ask Discovery::stillThere() const {
-    return question({m_modules.back().address, Nop{}.encode(), {}}, 0, Quarantine::Full);
+    return question({m_modules.back().address, encode(Nop{}), {}}, 0, Quarantine::Full);
 }
 
 Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {

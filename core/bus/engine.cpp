@@ -211,10 +211,10 @@ void Engine::readdress(ModuleIndex module, TimePoint now) {
 void Engine::resetModule(ModuleIndex module, TimePoint now,
                          const std::optional<servo::HardReset>& configuration) {
     if (!configuration)
-        m_readdress.beginReset(module, HardReset{}.encode(), busy());
+        m_readdress.beginReset(module, encode(HardReset{}), busy());
     else if (m_chain.has(module) &&
              takes(m_chain.belief(module).info().identity, ServoCommand(*configuration)))
-        m_readdress.beginReset(module, configuration->encode(), busy());
+        m_readdress.beginReset(module, encode(*configuration), busy());
     else
         m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NotNow});
     proceed(now);

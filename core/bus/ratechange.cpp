@@ -94,7 +94,7 @@ void RateChange::interrupt() {
 
 /// Nobody answers: there is no leader.
 Line::Script RateChange::tellAll(std::uint32_t rate) const {
-    const Payload payload = SetBaud{findBrd(rate).value_or(kPowerUpBrd)}.encode();
+    const Payload payload = encode(SetBaud{findBrd(rate).value_or(kPowerUpBrd)});
     Line::Script script{Line::Gap{}};
     for (const BusAddress group : m_groups) {
         if (group != m_groups.front())
@@ -107,7 +107,7 @@ Line::Script RateChange::tellAll(std::uint32_t rate) const {
 }
 
 RateChange::Ask RateChange::ask() const {
-    return {{m_chain[m_at].address, Nop{}.encode(), m_chain[m_at].reply}};
+    return {{m_chain[m_at].address, encode(Nop{}), m_chain[m_at].reply}};
 }
 
 void RateChange::enter(Phase phase) {

@@ -25,7 +25,7 @@ void RateTask::begin(std::uint32_t baud, bool busy) {
     std::vector<RateChange::Target> chain;
     std::vector<BusAddress> groups;
     for (const Chain::Module& module : m_chain.modules()) {
-        chain.push_back({module.belief.info().address, m_chain.layoutOf(module.belief, Nop{}.encode())});
+        chain.push_back({module.belief.info().address, m_chain.layoutOf(module.belief, encode(Nop{}))});
         groups.emplace_back(module.belief.info().group->group);
     }
     // FF comes last, and always: a module that has no address is in it.

@@ -98,9 +98,9 @@ Next ReaddressTask::next(TimePoint now) {
         case Stage::Address:
             if (m_line.baud() != kPowerUpBaud)
                 return Line::toRate(kPowerUpBaud);
-            return question(BusAddress(0), SetAddress{info.address, kEverybody, false}.encode(), {});
+            return question(BusAddress(0), encode(SetAddress{info.address, kEverybody, false}), {});
         case Stage::Probe:
-            return question(info.address, ReadStatus{kIdentityItems}.encode(), kIdentityItems);
+            return question(info.address, encode(ReadStatus{kIdentityItems}), kIdentityItems);
         case Stage::Rate: {
             m_stage = m_done ? Stage::Identify : Stage::Over;
             if (m_chain.rate() == kPowerUpBaud)
@@ -109,23 +109,23 @@ Next ReaddressTask::next(TimePoint now) {
             Line::Script script{Line::Gap{}};
             const auto brd = findBrd(m_chain.rate());
             if (m_done && brd)
-                script.emplace_back(Line::Packet{toPacket({kEverybody, SetBaud{*brd}.encode()})});
+                script.emplace_back(Line::Packet{toPacket({kEverybody, encode(SetBaud{*brd})})});
             const Line::Script back = Line::toRate(m_chain.rate());
             script.insert(script.end(), back.begin(), back.end());
             return script;
         }
         case Stage::Identify:
-            return question(info.address, ReadStatus{kIdentityItems}.encode(), kIdentityItems);
+            return question(info.address, encode(ReadStatus{kIdentityItems}), kIdentityItems);
         case Stage::Free:
         case Stage::There:
-            return question(*m_to, ReadStatus{kIdentityItems}.encode(), kIdentityItems);
+            return question(*m_to, encode(ReadStatus{kIdentityItems}), kIdentityItems);
         case Stage::Move: {
             ++m_moves;
-            const Payload set = SetAddress{*m_to, BusAddress(info.group->group), info.group->leader}.encode();
+            const Payload set = encode(SetAddress{*m_to, BusAddress(info.group->group), info.group->leader});
             return question(info.address, set, m_chain.layoutOf(m_chain.belief(*m_module), set).items);
         }
         case Stage::Still:
-            return question(info.address, ReadStatus{kIdentityItems}.encode(), kIdentityItems);
+            return question(info.address, encode(ReadStatus{kIdentityItems}), kIdentityItems);
         case Stage::Over:
             break;
     }

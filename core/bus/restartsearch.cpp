@@ -38,7 +38,7 @@ Next RestartSearch::next(TimePoint /*now*/) {
             m_stage = Stage::Back;
             bus::Ask ask;
             ask.purpose = Purpose::Challenge;
-            ask.request = {BusAddress(0), ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}};
+            ask.request = {BusAddress(0), encode(ReadStatus{kIdentityItems}), {{}, kIdentityItems}};
             ask.handlesFailure = true;
             ask.believed = false;
             return ask;

@@ -4,7 +4,7 @@
 namespace nmc {
 
 Payload payloadOf(const ModuleCommand& command) {
-    return visitCommand([](const auto& own) { return own.encode(); }, command);
+    return visitCommand([](const auto& own) { return encode(own); }, command);
 }
 
 }  // namespace nmc

@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "base/strong.h"
-#include "protocol/frame.h"
+#include "protocol/commandform.h"
 #include "protocol/iocommands.h"
 #include "protocol/laterservocommands.h"
 #include "protocol/moduletype.h"
@@ -19,14 +19,13 @@
 namespace nmc {
 
 // Commands that mean the same to several chips (DS-V 5.2, DS-S 5.1). Each struct is the meaning of one
-// command; encode() makes its payload, decode() reads a payload of that code and refuses what the data sheet
-// does.
+// command, and says in fields() what it is made of (commandform.h).
 
 /// Position, and on a PIC-SERVO the command position, become 0. Not in a trapezoidal move; on a PIC-STEP not
 /// in motion.
 struct ResetPosition {
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<ResetPosition, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::ResetPosition;
+    static void fields(auto& form, auto& /*c*/) { form.ignoreRest(1); }
     bool operator==(const ResetPosition&) const = default;
 };
 
@@ -35,60 +34,63 @@ struct SetAddress {
     BusAddress address;
     BusAddress group{0xFF};  ///< 0x80..0xFF
     bool leader = false;     ///< on the wire: bit 7 of the group byte cleared
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetAddress, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::SetAddress;
+    static void fields(auto& form, auto& c) {
+        form.number("address", c.address);
+        form.group(c.group, c.leader);
+    }
     bool operator==(const SetAddress&) const = default;
 };
 
 /// Items of every reply from now on, this one included.
 struct DefineStatus {
     StatusItems items;
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<DefineStatus, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::DefineStatus;
+    static void fields(auto& form, auto& c) { form.items(c.items); }
     bool operator==(const DefineStatus&) const = default;
 };
 
 /// Items of this one reply.
 struct ReadStatus {
     StatusItems items;
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<ReadStatus, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::ReadStatus;
+    static void fields(auto& form, auto& c) { form.items(c.items); }
     bool operator==(const ReadStatus&) const = default;
 };
 
 /// Runs the trajectory that was loaded last.
 struct StartMotion {
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<StartMotion, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::StartMotion;
+    static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const StartMotion&) const = default;
 };
 
 /// To a group of all modules without a leader: a reply would come at the new rate.
 struct SetBaud {
     std::uint8_t brd = 0;
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetBaud, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::SetBaud;
+    static void fields(auto& form, auto& c) { form.rate(c.brd); }
     bool operator==(const SetBaud&) const = default;
 };
 
 /// home := position.
 struct SaveAsHome {
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SaveAsHome, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::SaveAsHome;
+    static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const SaveAsHome&) const = default;
 };
 
 /// Only asks for a reply with the defined items.
 struct Nop {
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<Nop, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::Nop;
+    static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const Nop&) const = default;
 };
 
 /// Back to the power-up state; no reply. Chips without saved configuration ignore a control byte.
 struct HardReset {
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<HardReset, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::HardReset;
+    static void fields(auto& form, auto& /*c*/) { form.ignoreRest(1); }
     bool operator==(const HardReset&) const = default;
 };
 
@@ -117,7 +119,7 @@ using IoCommand = std::variant<io::SetDirection, SetAddress, DefineStatus, ReadS
 
 template <typename... Commands>
 [[nodiscard]] Payload encode(const std::variant<Commands...>& command) {
-    return std::visit([](const auto& c) { return c.encode(); }, command);
+    return std::visit([](const auto& c) { return encode(c); }, command);
 }
 
 }  // namespace nmc

@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "protocol/baud.h"
 #include "protocol/commands.h"
 #include "protocol/commandtable.h"
-#include "protocol/describeparts.h"
+
 #include "protocol/frame.h"
+#include "protocol/phrases.h"
 
 namespace nmc {
 
@@ -31,41 +33,95 @@ std::string itemNames(Module module, StatusItems items) {
     return phrases.empty() ? "status byte only" : phrases.text();
 }
 
-// What follows the name of the command; empty when the name says it all.
+/// A 16.16 fixed-point number with six significant digits.
+std::string fixedPoint(std::uint32_t value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(),
+                                   static_cast<double>(value) / 65'536.0, std::chars_format::general, 6);
+    return {text.data(), end.ptr};
+}
 
-std::string meaning(const SetAddress& c, Module) {
-    return Phrases()
-        .add("address " + std::to_string(c.address.value()))
-        .add("group " + toHex(std::array{c.group.value()}))
-        .add(c.leader ? "leader" : "member")
-        .text();
-}
-std::string meaning(const DefineStatus& c, Module module) {
-    return itemNames(module, c.items);
-}
-std::string meaning(const ReadStatus& c, Module module) {
-    return itemNames(module, c.items);
-}
-std::string meaning(const SetBaud& c, Module) {
-    for (const BaudRow& row : kBaudRows)
-        if (c.brd == row.brd || c.brd == row.dataSheetBrd)
-            return "code " + std::to_string(c.brd) + ", " + std::to_string(row.nominal) + " Bd";
-    return "code " + std::to_string(c.brd) + ", " + std::to_string(std::lround(realRate(c.brd))) + " Bd";
-}
-/// A command that one chip has alone has its words in describeparts.h, or its name says it all.
-template <typename Command>
-std::string meaning(const Command& c, Module) {
-    if constexpr (requires { ownWords(c); })
-        return ownWords(c);
-    return {};
-}
+/// What follows the name of a command; empty when the name says it all. A form of commandform.h.
+class Describer {
+public:
+    static constexpr bool kReads = false;
+    explicit Describer(Module module) : m_module(module) {}
+    [[nodiscard]] bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) const {
+        return true;
+    }
+
+    void bit(unsigned /*number*/, bool value, std::string_view words = {}) {
+        if (value)
+            say(words);
+    }
+    void constant(std::uint8_t /*mask*/, std::uint8_t /*bits*/, std::string_view words = {}) { say(words); }
+    template <typename Enum>
+    void choice(std::uint8_t /*mask*/, Enum value, Choices<Enum> rows) {
+        for (const auto& row : rows)
+            if (row.value == value)
+                say(row.words);
+    }
+    template <typename T>
+    void number(std::string_view name, T value, ValueRange /*range*/ = kAnyValue) {
+        constexpr bool kFixed = std::is_same_v<T, CountsPerTick> || std::is_same_v<T, CountsPerTickSquared>;
+        if constexpr (kFixed)
+            m_phrases.add(std::string(name) + ' ' + fixedPoint(value.value()));
+        else
+            m_phrases.add(std::string(name) + ' ' + std::to_string(rawValue(value)));
+    }
+    template <typename T>
+    void optional(unsigned /*number*/, std::string_view name, const std::optional<T>& value,
+                  ValueRange range = kAnyValue) {
+        trailing(name, value, range);
+    }
+    template <typename T>
+    void trailing(std::string_view name, const std::optional<T>& value, ValueRange /*range*/ = kAnyValue) {
+        if (value)
+            number(name, *value);
+    }
+    void lines(std::string_view words, std::string_view name, unsigned count, unsigned value) {
+        m_phrases.add(std::string(words) + ' ' + lineNames(name, count, value, "none"));
+    }
+    void items(StatusItems items) { m_phrases.add(itemNames(m_module, items)); }
+    void rate(std::uint8_t brd) {
+        const auto row = std::ranges::find_if(
+            kBaudRows, [&](const BaudRow& each) { return brd == each.brd || brd == each.dataSheetBrd; });
+        const auto rate =
+            row != std::end(kBaudRows) ? static_cast<long>(row->nominal) : std::lround(realRate(brd));
+        number("code", brd);
+        m_phrases.add(std::to_string(rate) + " Bd");
+    }
+    void group(BusAddress group, bool leader) {
+        m_phrases.add("group " + toHex(std::array{group.value()})).add(leader ? "leader" : "member");
+    }
+    /// How long each lasts hangs on the fast path bit, which is not at hand; the speeds do not.
+    void pathPoints(const auto& words, std::size_t count) {
+        if (count == 0)
+            return say("start the path");
+        Phrases speeds;
+        for (const std::uint16_t word : std::span(words).first(count))
+            speeds.add(((word & 1U) != 0 ? "-" : "") + fixedPoint((word & ~0x03U) << 8U) +
+                       ((word & 2U) != 0 ? " long" : ""));
+        m_phrases.add(counted(count, "point") + " at " + speeds.text());
+    }
+    void check(bool /*condition*/) {}
+    void ignoreRest(std::size_t /*most*/) {}
+    void say(std::string_view words) { m_phrases.addIf(!words.empty(), words); }
+    void orElse(std::string_view words) { m_phrases.addIf(m_phrases.empty(), words); }
+    [[nodiscard]] const std::string& text() const { return m_phrases.text(); }
+
+private:
+    Module m_module;
+    Phrases m_phrases;
+};
 
 template <typename... Commands>
 std::string sentence(Module module, const std::variant<Commands...>& command) {
     const auto row = findCommand(module, encode(command).code);
     const std::string name(row ? row->name : "");
-    const std::string text = std::visit([&module](const auto& c) { return meaning(c, module); }, command);
-    return text.empty() ? name : name + ": " + text;
+    Describer describer(module);
+    std::visit([&](const auto& c) { c.fields(describer, c); }, command);
+    return describer.text().empty() ? name : name + ": " + describer.text();
 }
 
 template <typename Command>
@@ -85,8 +141,6 @@ std::optional<std::string> sentenceOf(Module module, const Payload& payload) {
     }
     return sentenceOf(module, decodeServoCommand(module, payload));
 }
-
-constexpr ModuleIdentity kFirstServo{ModuleType::Servo, servo::kDeadbandVersion};
 
 std::string describePayload(Module addressee, const Payload& payload) {
     // A module that is not known is only ever sent what all have in common.

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "protocol/describe.h"
-#include "protocol/describeparts.h"
+#include "protocol/phrases.h"
 
 namespace nmc {
 
@@ -51,7 +51,7 @@ std::string number(const std::optional<T>& item) {
 std::string ioValue(const StatusReport& report, std::uint8_t item) {
     switch (item) {
         case StatusItems::Pins:
-            return describe::pinNames(report.pins.value_or(0), "all low");
+            return describe::lineNames("IO", io::kPins, report.pins.value_or(0), "all low");
         case StatusItems::Analog1:
             return number(report.analogs[0]);
         case StatusItems::Analog2:
@@ -61,7 +61,7 @@ std::string ioValue(const StatusReport& report, std::uint8_t item) {
         case StatusItems::Counter:
             return number(report.counter);
         case StatusItems::LatchedPins:
-            return describe::pinNames(report.latchedPins.value_or(0), "all low");
+            return describe::lineNames("IO", io::kPins, report.latchedPins.value_or(0), "all low");
         case StatusItems::LatchedCounter:
             return number(report.latchedCounter);
         default:

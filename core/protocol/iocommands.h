@@ -3,11 +3,8 @@
 
 #include <cstdint>
 
-#include <tl/expected.hpp>
-
 #include "base/overloaded.h"
-#include "protocol/commanderror.h"
-#include "protocol/frame.h"
+#include "protocol/commandform.h"
 
 /// The commands that only a PIC-I/O has (docs/family.md). Of its twelve pins, bit 0 is IO1 and bit 11 IO12.
 namespace nmc::io {
@@ -21,8 +18,8 @@ inline constexpr std::uint32_t kTimerHz = 5'000'000;
 /// After power-up all pins are inputs.
 struct SetDirection {
     std::uint16_t inputs = kAllPins;
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetDirection, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::ResetPosition;
+    static void fields(auto& form, auto& c) { form.lines("inputs", "IO", kPins, c.inputs); }
     bool operator==(const SetDirection&) const = default;
 };
 
@@ -30,23 +27,26 @@ struct SetDirection {
 struct SetPwm {
     std::uint8_t pwm1 = 0;
     std::uint8_t pwm2 = 0;
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetPwm, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::LoadTrajectory;
+    static void fields(auto& form, auto& c) {
+        form.number("PWM1", c.pwm1);
+        form.number("PWM2", c.pwm2);
+    }
     bool operator==(const SetPwm&) const = default;
 };
 
 /// Puts out what Set Synch Output has stored, in all modules of a group at once. The code of Start Motion.
 struct SynchOutput {
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SynchOutput, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::StartMotion;
+    static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const SynchOutput&) const = default;
 };
 
 /// Bits of inputs are ignored.
 struct SetOutput {
     std::uint16_t outputs = 0;
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetOutput, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::SetGain;
+    static void fields(auto& form, auto& c) { form.lines("high", "IO", kPins, c.outputs); }
     bool operator==(const SetOutput&) const = default;
 };
 
@@ -55,8 +55,12 @@ struct SetSynchOutput {
     std::uint16_t outputs = 0;
     std::uint8_t pwm1 = 0;
     std::uint8_t pwm2 = 0;
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetSynchOutput, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::StopMotor;
+    static void fields(auto& form, auto& c) {
+        form.lines("high", "IO", kPins, c.outputs);
+        form.number("PWM1", c.pwm1);
+        form.number("PWM2", c.pwm2);
+    }
     bool operator==(const SetSynchOutput&) const = default;
 };
 
@@ -71,15 +75,24 @@ struct SetTimerMode {
     bool enable = false;
     bool counter = false;
     Prescaler prescaler = Prescaler::X1;
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetTimerMode, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::IoControl;
+    static void fields(auto& form, auto& c) {
+        form.bit(0, c.enable);
+        form.bit(1, c.counter);
+        form.say(!c.enable ? "off" : c.counter ? "counter" : "timer");
+        form.choice(0x30, c.prescaler,
+                    {{Prescaler::X1, 0x00, c.enable ? "prescaler 1" : ""},
+                     {Prescaler::X2, 0x10, c.enable ? "prescaler 2" : ""},
+                     {Prescaler::X4, 0x20, c.enable ? "prescaler 4" : ""},
+                     {Prescaler::X8, 0x30, c.enable ? "prescaler 8" : ""}});
+    }
     bool operator==(const SetTimerMode&) const = default;
 };
 
 /// Latches inputs and counter, in all modules of a group at once. The code of Save as Home.
 struct SynchInput {
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SynchInput, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::SaveAsHome;
+    static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const SynchInput&) const = default;
 };
 

@@ -6,12 +6,9 @@
 #include <optional>
 #include <span>
 
-#include <tl/expected.hpp>
-
 #include "base/overloaded.h"
 #include "base/strong.h"
-#include "protocol/commanderror.h"
-#include "protocol/frame.h"
+#include "protocol/commandform.h"
 #include "protocol/pathpoint.h"
 
 /// What PIC-SERVO CMC (version 5) and SC (version 10) have beyond the first data sheet (docs/family.md).
@@ -22,16 +19,19 @@ inline constexpr ValueRange kLaterVelocityRange{0, 83'886'080};
 
 /// Reset Position relative to home: position := position - home. CMC and SC.
 struct ResetRelativeToHome {
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<ResetRelativeToHome, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::ResetPosition;
+    static void fields(auto& form, auto& /*c*/) { form.constant(0x03, 0x01, "relative to home"); }
     bool operator==(const ResetRelativeToHome&) const = default;
 };
 
 /// Reset Position to a value; the command position follows. SC.
 struct SetPosition {
     Counts position;
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetPosition, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::ResetPosition;
+    static void fields(auto& form, auto& c) {
+        form.constant(0x03, 0x02);
+        form.number("to position", c.position);
+    }
     bool operator==(const SetPosition&) const = default;
 };
 
@@ -46,8 +46,19 @@ struct ScIoControl {
     bool fastPath = false;  ///< path points at 60 and 120 Hz instead of 30 and 60
     bool stepAndDirection = false;
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<ScIoControl, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::IoControl;
+    static void fields(auto& form, auto& c) {
+        form.choice(0x0C, c.limitStop,
+                    {{LimitStop::None, 0x00},
+                     {LimitStop::MotorOff, 0x04, "motor off on limit"},
+                     {LimitStop::Abruptly, 0x08, "stop abruptly on limit"}});
+        form.bit(4, c.threePhase, "3-phase");
+        form.bit(5, c.antiphase, "antiphase");
+        form.bit(6, c.fastPath, "fast path");
+        form.bit(7, c.stepAndDirection, "step and direction");
+        form.check(!c.stepAndDirection || c.limitStop == LimitStop::None);
+        form.orElse("all off");
+    }
     bool operator==(const ScIoControl&) const = default;
 };
 
@@ -63,8 +74,8 @@ public:
     [[nodiscard]] std::span<const std::uint16_t> words() const { return {m_words.data(), m_count}; }
     [[nodiscard]] bool startsPath() const { return m_count == 0; }
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<AddPathPoints, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::AddPathPoints;
+    static void fields(auto& form, auto& c) { form.pathPoints(c.m_words, c.m_count); }
     bool operator==(const AddPathPoints&) const = default;
 
 private:
@@ -84,8 +95,18 @@ struct HardReset {
     bool threePhase = false;  ///< this and the next survive a soft reset, too
     bool antiphase = false;
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<HardReset, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::HardReset;
+    static void fields(auto& form, auto& c) {
+        form.bit(0, c.save);
+        form.say(c.save ? "save configuration" : "erase configuration");
+        form.bit(1, c.restoreAddresses, "restore addresses");
+        form.bit(2, c.amplifierOn, "amplifier on");
+        form.bit(3, c.servoOn, "servo on");
+        form.bit(4, c.stepAndDirection, "step and direction");
+        form.bit(5, c.limitProtection, "limit protection");
+        form.bit(6, c.threePhase, "3-phase");
+        form.bit(7, c.antiphase, "antiphase");
+    }
     bool operator==(const HardReset&) const = default;
 };
 

@@ -4,11 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include <tl/expected.hpp>
-
 #include "base/strong.h"
-#include "protocol/commanderror.h"
-#include "protocol/frame.h"
+#include "protocol/commandform.h"
 
 /// The commands that only a PIC-SERVO has, or that mean something else on a PIC-STEP (DS-V 5.2).
 namespace nmc::servo {
@@ -45,8 +42,26 @@ struct LoadTrajectory {
     /// reverse, which older versions ignore in that mode.
     bool relative = false;
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<LoadTrajectory, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::LoadTrajectory;
+    static void fields(auto& form, auto& c) {
+        form.optional(0, "position", c.position, kPositionRange);
+        form.optional(1, "velocity", c.velocity, kVelocityRange);
+        form.optional(2, "acceleration", c.acceleration, kVelocityRange);
+        form.optional(3, "PWM", c.pwm);
+        form.bit(4, c.servo);
+        form.choice(0x20, c.profile, {{ProfileMode::Trapezoidal, 0x00}, {ProfileMode::Velocity, 0x20}});
+        const bool trapezoidal = c.servo && c.profile == ProfileMode::Trapezoidal;
+        bool backwards = c.reverse || c.relative;
+        form.bit(6, backwards);
+        if constexpr (std::remove_reference_t<decltype(form)>::kReads) {
+            c.relative = backwards && trapezoidal && form.ofVersions(kPathVersion);
+            c.reverse = backwards && !c.relative;
+        }
+        form.say(!c.servo ? "PWM mode" : trapezoidal ? "trapezoidal" : "velocity mode");
+        form.say(c.relative ? "relative" : "");
+        form.say(c.reverse ? "reverse" : "");
+        form.bit(7, c.startNow, "start now");
+    }
     bool operator==(const LoadTrajectory&) const = default;
 };
 
@@ -63,9 +78,21 @@ struct SetGain {
     std::optional<std::uint8_t> db;
     std::optional<std::uint8_t> sm = {};  ///< SC: step rate multiplier; sent with db only
 
-    [[nodiscard]] Payload encode() const;
-    /// A fifteenth byte is ignored, as the chip does; decodeServoCommand() reads that of an SC.
-    static tl::expected<SetGain, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::SetGain;
+    static void fields(auto& form, auto& c) {
+        form.number("Kp", c.kp, kGainRange);
+        form.number("Kd", c.kd, kGainRange);
+        form.number("Ki", c.ki, kGainRange);
+        form.number("IL", c.il, kGainRange);
+        form.number("OL", c.ol);
+        form.number("CL", c.cl);
+        form.number("EL", c.el, kPositionErrorRange);
+        form.number("SR", c.sr, kServoRateRange);
+        form.trailing("DB", c.db);
+        if (c.db && form.ofVersions(kScVersion))
+            form.trailing("SM", c.sm);
+        form.ignoreRest(1);  // the others take the fifteenth byte and do not read it
+    }
     bool operator==(const SetGain&) const = default;
 };
 
@@ -84,8 +111,21 @@ struct StopMotor {
     Counts here;                    ///< only for StopManner::Here
     bool advancedFeatures = false;  ///< CMC only: switches them on
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<StopMotor, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::StopMotor;
+    static void fields(auto& form, auto& c) {
+        form.choice(0x1E, c.manner,
+                    {{StopManner::AmplifierOnly, 0x00},
+                     {StopManner::MotorOff, 0x02, "motor off"},
+                     {StopManner::Abruptly, 0x04, "stop abruptly"},
+                     {StopManner::Smoothly, 0x08, "stop smoothly"},
+                     {StopManner::Here, 0x10, "stop here"}});
+        if (c.manner == StopManner::Here)
+            form.number("position", c.here);
+        form.bit(0, c.amplifierEnable);
+        form.say(c.amplifierEnable ? "amplifier on" : "amplifier off");
+        if (form.ofVersions(kPathVersion, kPathVersion))
+            form.bit(5, c.advancedFeatures, "advanced features");
+    }
     bool operator==(const StopMotor&) const = default;
 };
 
@@ -97,8 +137,17 @@ struct IoControl {
     bool limit2IsInput = true;
     bool fastPath = false;  ///< CMC only: path points at 60 and 120 Hz instead of 30 and 60
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<IoControl, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::IoControl;
+    static void fields(auto& form, auto& c) {
+        form.bit(0, c.limit1Output);
+        form.bit(1, c.limit2Output);
+        form.bit(2, c.limit1IsInput);
+        form.bit(3, c.limit2IsInput);
+        form.say(c.limit1IsInput ? "limit1 input" : c.limit1Output ? "limit1 output 1" : "limit1 output 0");
+        form.say(c.limit2IsInput ? "limit2 input" : c.limit2Output ? "limit2 output 1" : "limit2 output 0");
+        if (form.ofVersions(kPathVersion))
+            form.bit(6, c.fastPath, "fast path");
+    }
     bool operator==(const IoControl&) const = default;
 };
 
@@ -113,14 +162,25 @@ struct SetHoming {
     bool stopAbruptly = false;
     bool stopSmoothly = false;
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetHoming, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::SetHoming;
+    static void fields(auto& form, auto& c) {
+        form.bit(0, c.onLimit1Change, "change of limit1");
+        form.bit(1, c.onLimit2Change, "change of limit2");
+        form.bit(3, c.onIndexChange, "change of index");
+        form.bit(6, c.onPositionError, "position error");
+        form.bit(7, c.onCurrentLimit, "current limiting");
+        form.bit(2, c.motorOff, "motor off");
+        form.bit(4, c.stopAbruptly, "stop abruptly");
+        form.bit(5, c.stopSmoothly, "stop smoothly");
+        form.check(int{c.motorOff} + int{c.stopAbruptly} + int{c.stopSmoothly} <= 1);
+        form.orElse("cancel");
+    }
     bool operator==(const SetHoming&) const = default;
 };
 
 struct ClearStickyBits {
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<ClearStickyBits, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::ClearStickyBits;
+    static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const ClearStickyBits&) const = default;
 };
 

@@ -4,11 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include <tl/expected.hpp>
-
 #include "base/strong.h"
-#include "protocol/commanderror.h"
-#include "protocol/frame.h"
+#include "protocol/commandform.h"
 
 /// The commands that only a PIC-STEP has, or that mean something else on a PIC-SERVO (DS-S 5.1).
 namespace nmc::stepper {
@@ -35,8 +32,23 @@ struct LoadTrajectory {
     bool reverse = false;
     bool startNow = false;
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<LoadTrajectory, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::LoadTrajectory;
+    static void fields(auto& form, auto& c) {
+        bool timed = c.timer.has_value();
+        form.bit(3, timed);
+        form.optional(0, "position", c.position, kPositionRange);
+        form.optional(1, "speed", c.speed, kSpeedRange);
+        form.optional(2, "acceleration time", c.accelerationTime, kAccelerationTimeRange);
+        if (timed) {
+            if constexpr (std::remove_reference_t<decltype(form)>::kReads)
+                c.timer.emplace();
+            form.number("timer count", c.timer->count, kTimerCountRange);
+            form.number("nearest speed", c.timer->nearestSpeed, kSpeedRange);
+        }
+        form.bit(4, c.reverse, "reverse");
+        form.bit(7, c.startNow, "start now");
+        form.orElse("nothing loaded");
+    }
     bool operator==(const LoadTrajectory&) const = default;
 };
 
@@ -53,8 +65,21 @@ struct SetParameters {
     std::uint8_t holdCurrent = 0;
     std::uint8_t thermalLimit = 0;  ///< 0: off
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetParameters, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::SetGain;
+    static void fields(auto& form, auto& c) {
+        form.choice(0x03, c.speedMode,
+                    {{SpeedMode::X8, 0, "8x"},
+                     {SpeedMode::X4, 1, "4x"},
+                     {SpeedMode::X2, 2, "2x"},
+                     {SpeedMode::X1, 3, "1x"}});
+        form.bit(2, c.ignoreLimits, "ignore limits");
+        form.bit(3, c.ignoreEstop, "ignore E-stop");
+        form.bit(4, c.motorOffOnLimitOrEstop, "motor off on limit or E-stop");
+        form.number("minimum profile speed", c.minimumProfileSpeed, kSpeedRange);
+        form.number("run current", c.runCurrent);
+        form.number("hold current", c.holdCurrent);
+        form.number("thermal limit", c.thermalLimit);
+    }
     bool operator==(const SetParameters&) const = default;
 };
 
@@ -69,8 +94,15 @@ struct StopMotor {
     bool amplifierEnable = false;
     StopManner manner = StopManner::AmplifierOnly;
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<StopMotor, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::StopMotor;
+    static void fields(auto& form, auto& c) {
+        form.choice(0x0C, c.manner,
+                    {{StopManner::AmplifierOnly, 0x00},
+                     {StopManner::Abruptly, 0x04, "stop abruptly"},
+                     {StopManner::Smoothly, 0x08, "stop smoothly"}});
+        form.bit(0, c.amplifierEnable);
+        form.say(c.amplifierEnable ? "amplifier on" : "amplifier off");
+    }
     bool operator==(const StopMotor&) const = default;
 };
 
@@ -78,8 +110,8 @@ struct StopMotor {
 struct SetOutputs {
     std::uint8_t outputs = 0;
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetOutputs, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::IoControl;
+    static void fields(auto& form, auto& c) { form.lines("high", "OUT", 5, c.outputs); }
     bool operator==(const SetOutputs&) const = default;
 };
 
@@ -92,8 +124,17 @@ struct SetHoming {
     bool stopAbruptly = false;
     bool stopSmoothly = false;
 
-    [[nodiscard]] Payload encode() const;
-    static tl::expected<SetHoming, CommandError> decode(const Payload& payload);
+    static constexpr CommandCode kCode = CommandCode::SetHoming;
+    static void fields(auto& form, auto& c) {
+        form.bit(0, c.onLimit1Change, "change of limit1");
+        form.bit(1, c.onLimit2Change, "change of limit2");
+        form.bit(3, c.onHomeSwitchChange, "change of home switch");
+        form.bit(2, c.motorOff, "motor off");
+        form.bit(4, c.stopAbruptly, "stop abruptly");
+        form.bit(5, c.stopSmoothly, "stop smoothly");
+        form.check(int{c.motorOff} + int{c.stopAbruptly} + int{c.stopSmoothly} <= 1);
+        form.orElse("cancel");
+    }
     bool operator==(const SetHoming&) const = default;
 };
 

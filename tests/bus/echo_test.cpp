@@ -21,8 +21,7 @@ class EchoingLine : public testing::Test {
 protected:
     void ask(Framing framing = Framing::Settled) {
         now += 100ms;
-        line.begin({BusAddress(1), Nop{}.encode(), {{ModuleType::Servo, 4}, StatusItems{0x0B}}, framing},
-                   now);
+        line.begin({BusAddress(1), encode(Nop{}), {{ModuleType::Servo, 4}, StatusItems{0x0B}}, framing}, now);
     }
     /// So long after the command began to leave.
     bool hear(const std::string& hex, Duration after) { return line.onBytes(fromHex(hex), now + after); }
@@ -64,7 +63,7 @@ TEST_F(EchoingLine, IsRecognisedByOneExactEchoWhichIsNoAnswer) {
 TEST_F(EchoingLine, IsRecognisedWhereTheLastBytesComeBehindTheReplysLength) {
     now += 100ms;  // five bytes out, four back
     line.begin(
-        {BusAddress(1), ReadStatus{kIdentityItems}.encode(), {{ModuleType::Servo, 4}, kIdentityItems}, {}},
+        {BusAddress(1), encode(ReadStatus{kIdentityItems}), {{ModuleType::Servo, 4}, kIdentityItems}, {}},
         now);
     for (const char* byte : {"AA ", "01 ", "13 ", "20 "})
         hear(byte, 20ms);

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 constexpr StatusItems kPoll{0x0B};
 
 [[nodiscard]] Request nop(StatusItems items = kPoll) {
-    return {BusAddress(1), Nop{}.encode(), {{ModuleType::Servo, 4}, items}};
+    return {BusAddress(1), encode(Nop{}), {{ModuleType::Servo, 4}, items}};
 }
 
 /// How the exchange in flight ends when nothing more comes.
@@ -57,7 +57,7 @@ TEST(Line, GivesUpAtTheTimeout) {
 }
 
 TEST(Line, LetsNothingLeaveThatIsNotPermitted) {
-    const auto packetOf = [](const auto& command) { return toPacket({BusAddress(1), command.encode()}); };
+    const auto packetOf = [](const auto& command) { return toPacket({BusAddress(1), encode(command)}); };
     const auto leaves = [](Line::Permit permit, const PacketBytes& packet) {
         Line line(4ms, 10ms);
         line.permit(permit);
@@ -86,7 +86,7 @@ TEST(Line, LetsNothingLeaveThatIsNotPermitted) {
 /// AA 01 26 0A 00 31 is Set Output to a PIC-I/O and would be a broken Set Gain to a PIC-SERVO.
 TEST(Line, LetsNoOtherOutputsLeaveThanThoseOfTheStop) {
     const auto setOutput = [](std::uint16_t outputs) {
-        return toPacket({BusAddress(1), io::SetOutput{outputs}.encode()});
+        return toPacket({BusAddress(1), encode(io::SetOutput{outputs})});
     };
     for (const auto permit : {Line::Permit::Questions, Line::Permit::QuestionsAndStops}) {
         Line line(4ms, 10ms);
@@ -103,7 +103,7 @@ TEST(Line, LetsNoOtherOutputsLeaveThanThoseOfTheStop) {
 TEST(Line, EndsAnExchangeThatIsNotPermittedInSilence) {
     Line line(4ms, 10ms);
     line.permit(Line::Permit::Questions);
-    line.begin({BusAddress(1), DefineStatus{kPoll}.encode(), {{ModuleType::Servo, 4}, kPoll}}, TimePoint(1s));
+    line.begin({BusAddress(1), encode(DefineStatus{kPoll}), {{ModuleType::Servo, 4}, kPoll}}, TimePoint(1s));
     EXPECT_TRUE(line.takeOutput().empty());
     const auto end = endOf(line);
     ASSERT_TRUE(end);
@@ -276,7 +276,7 @@ TEST(Line, BelievesAPipelinedReplyOnceTheNextOneBegins) {
 TEST(Line, TakesAReplyOfUnknownLengthAsLongAsBytesCome) {
     for (const std::string reply : {"19 19 ", "19 64 00 00 00 7D ", "19 00 00 00 00 00 00 19 "}) {
         Line line(4ms, 10ms);
-        line.begin({BusAddress(1), Nop{}.encode(), {}, Framing::Open}, TimePoint(1s));
+        line.begin({BusAddress(1), encode(Nop{}), {}, Framing::Open}, TimePoint(1s));
         TimePoint now(1s + 6ms);
         for (std::size_t i = 0; i < reply.size(); i += 3, now += 520us)
             line.onBytes(fromHex(reply.substr(i, 3)), now);
@@ -290,14 +290,14 @@ TEST(Line, TakesAReplyOfUnknownLengthAsLongAsBytesCome) {
 
 TEST(Line, RejectsAReplyOfUnknownLengthWithAWrongSum) {
     Line line(4ms, 10ms);
-    line.begin({BusAddress(1), Nop{}.encode(), {}, Framing::Open}, TimePoint(1s));
+    line.begin({BusAddress(1), encode(Nop{}), {}, Framing::Open}, TimePoint(1s));
     line.onBytes(fromHex("19 64 00 00 00 7E "), TimePoint(1s + 8ms));
     EXPECT_EQ(endOf(line)->result, ReplyResult::BadChecksum);
 }
 
 TEST(Line, DoesNotCountRepliesThatItDoesNotRead) {
     Line line(4ms, 10ms);
-    const PacketBytes packet = toPacket({BusAddress(1), Nop{}.encode()});
+    const PacketBytes packet = toPacket({BusAddress(1), encode(Nop{})});
     line.run({Line::Packet{packet, 8}, Line::Pause{10ms}}, TimePoint(1s));
     line.onBytes(fromHex("19 00 00 00 00 00 00 19 AA "), TimePoint(1s + 8ms));
     EXPECT_EQ(line.statistics().surplusBytes, 1U);
@@ -328,8 +328,8 @@ TEST(Line, RunsAScriptInOrder) {
 TEST(Line, KeepsPacketsApartThatNobodyAnswersEvenIfTheyAreWrittenTogether) {
     for (const std::uint32_t rate : {9'600U, 19'200U, 57'600U, 115'200U}) {
         Line line(4ms, 10ms);
-        line.run({SetHostBaud{rate}, Line::Packet{toPacket({BusAddress(0x81), SaveAsHome{}.encode()})},
-                  Line::Spacer{}, Line::Packet{toPacket({BusAddress(0x82), SaveAsHome{}.encode()})}},
+        line.run({SetHostBaud{rate}, Line::Packet{toPacket({BusAddress(0x81), encode(SaveAsHome{})})},
+                  Line::Spacer{}, Line::Packet{toPacket({BusAddress(0x82), encode(SaveAsHome{})})}},
                  TimePoint(1s));
         auto output = line.takeOutput();
         ASSERT_EQ(output.size(), 3U) << rate;

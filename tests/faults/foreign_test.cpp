@@ -27,10 +27,9 @@ protected:
     }
     void sends(const Order& order) {
         const auto& chip = order.command;
-        sends(
-            order.module.value(),
-            std::visit([](const auto& c) { return std::visit([](const auto& x) { return x.encode(); }, c); },
-                       chip));
+        sends(order.module.value(),
+              std::visit([](const auto& c) { return std::visit([](const auto& x) { return encode(x); }, c); },
+                         chip));
     }
     [[nodiscard]] std::size_t motions(std::uint8_t module) const {
         std::size_t n = 0;
@@ -78,13 +77,13 @@ TEST_F(F45_ForeignMotion, OfAServoThatWasOffIsTold) {
 }
 
 TEST_F(F45_ForeignMotion, OfAStepperIsTold) {
-    sends(2, stepper::SetParameters{}.encode());
+    sends(2, encode(stepper::SetParameters{}));
     stepper::LoadTrajectory load;
     load.speed = 20;
     load.accelerationTime = 20;
     load.startNow = true;
-    sends(2, stepper::StopMotor{true, stepper::StopManner::AmplifierOnly}.encode());
-    sends(2, load.encode());
+    sends(2, encode(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly}));
+    sends(2, encode(load));
     bus.runFor(1s);
     EXPECT_EQ(motions(2), 1U);
 }

@@ -12,7 +12,7 @@ TEST(StartingGains, LimitTheOutputToAQuarterAndTheIntegralToASixteenth) {
     EXPECT_GT(gains.ki, 0) << "without it friction keeps the motor off its goal";
     EXPECT_LE(gains.ki * gains.il / 256, 16) << "the integral's part of the output, DS-V 4.3";
     EXPECT_EQ(gains.sr, 1);
-    EXPECT_TRUE(gains.encode().data.size() == 14) << "every field has a value";
+    EXPECT_TRUE(encode(gains).data.size() == 14) << "every field has a value";
 }
 
 TEST(StartingGains, TripAfterAQuarterOfATurn) {

@@ -23,7 +23,7 @@ bool flag() {
 
 template <typename Command>
 void expectRoundTrip(const Command& command) {
-    const auto decoded = Command::decode(command.encode());
+    const auto decoded = decode<Command>(encode(command));
     RC_ASSERT(decoded.has_value());
     RC_ASSERT(*decoded == command);
 }
@@ -149,19 +149,19 @@ RC_GTEST_PROP(Packets, ParseToTheFrameTheyWereMadeFrom,
 
 TEST(SetGain, IsThirteenBytesWithoutAndFourteenWithDeadband) {
     servo::SetGain gains;
-    EXPECT_EQ(gains.encode().commandByte(), 0xD6);  // DS-V 5.2: 0xD6 for versions 1, 2 and 3
+    EXPECT_EQ(encode(gains).commandByte(), 0xD6);  // DS-V 5.2: 0xD6 for versions 1, 2 and 3
     gains.db = std::uint8_t{0};
-    EXPECT_EQ(gains.encode().commandByte(), 0xE6);  // 0xE6 for version 4
+    EXPECT_EQ(encode(gains).commandByte(), 0xE6);  // 0xE6 for version 4
 }
 
 TEST(SetGain, PutsEveryValueAtItsDataSheetPlace) {
     const servo::SetGain gains{0x0102, 0x0304, 0x0506, 0x0708, 0x09, 0x0A, 0x0B0C, 0x0D, std::uint8_t{0x0E}};
-    EXPECT_EQ(toHex(gains.encode().data), "02 01 04 03 06 05 08 07 09 0A 0C 0B 0D 0E");
+    EXPECT_EQ(toHex(encode(gains).data), "02 01 04 03 06 05 08 07 09 0A 0C 0B 0D 0E");
 }
 
 TEST(SetGain, IgnoresAFifteenthByte) {
     DataBytes data{1, 0, 2, 0, 3, 0, 4, 0, 5, 6, 7, 0, 8, 9, 0xFF};
-    const auto gains = servo::SetGain::decode({CommandCode::SetGain, data});
+    const auto gains = decode<servo::SetGain>({CommandCode::SetGain, data});
     ASSERT_TRUE(gains.has_value());
     EXPECT_EQ(gains->db, 9);
 }
@@ -169,87 +169,87 @@ TEST(SetGain, IgnoresAFifteenthByte) {
 TEST(SetGain, RefusesWhatTheDataSheetDoesNotAllow) {
     servo::SetGain gains;
     gains.kp = 0x8000;
-    EXPECT_EQ(servo::SetGain::decode(gains.encode()).error(), CommandError::OutOfRange);
+    EXPECT_EQ(decode<servo::SetGain>(encode(gains)).error(), CommandError::OutOfRange);
     gains = {};
     gains.el = 0x4000;
-    EXPECT_EQ(servo::SetGain::decode(gains.encode()).error(), CommandError::OutOfRange);
+    EXPECT_EQ(decode<servo::SetGain>(encode(gains)).error(), CommandError::OutOfRange);
     gains = {};
     gains.sr = 0;
-    EXPECT_EQ(servo::SetGain::decode(gains.encode()).error(), CommandError::OutOfRange);
+    EXPECT_EQ(decode<servo::SetGain>(encode(gains)).error(), CommandError::OutOfRange);
 }
 
 TEST(LoadTrajectory, RefusesDataThatItsControlByteDoesNotAnnounce) {
-    EXPECT_EQ(servo::LoadTrajectory::decode({CommandCode::LoadTrajectory, {0x11, 1, 2, 3}}).error(),
+    EXPECT_EQ(decode<servo::LoadTrajectory>({CommandCode::LoadTrajectory, {0x11, 1, 2, 3}}).error(),
               CommandError::Length);
-    EXPECT_EQ(servo::LoadTrajectory::decode({CommandCode::LoadTrajectory, {0x10, 1}}).error(),
+    EXPECT_EQ(decode<servo::LoadTrajectory>({CommandCode::LoadTrajectory, {0x10, 1}}).error(),
               CommandError::Length);
-    EXPECT_EQ(stepper::LoadTrajectory::decode({CommandCode::LoadTrajectory, {0x08, 1, 2}}).error(),
+    EXPECT_EQ(decode<stepper::LoadTrajectory>({CommandCode::LoadTrajectory, {0x08, 1, 2}}).error(),
               CommandError::Length);
 }
 
 TEST(StopMotor, TakesOnlyOneMannerAtATime) {
-    EXPECT_EQ(servo::StopMotor::decode({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
-    EXPECT_EQ(stepper::StopMotor::decode({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
+    EXPECT_EQ(decode<servo::StopMotor>({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
+    EXPECT_EQ(decode<stepper::StopMotor>({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
 }
 
 TEST(StepperCommandBits, AreWhereTheDataSheetPutsThem) {
     // DS-S 5.1: speed mode 1x = 11, limits off bit 2, E-stop off bit 3, motor off bit 4.
     const stepper::SetParameters parameters{stepper::SpeedMode::X1, true, true, true, 10, 200, 50, 70};
-    EXPECT_EQ(toHex(parameters.encode().data), "1F 0A C8 32 46");
-    EXPECT_EQ(parameters.encode().commandByte(), 0x56);
-    EXPECT_EQ(toHex(stepper::StopMotor{true, stepper::StopManner::Smoothly}.encode().data), "09");
-    EXPECT_EQ(toHex(stepper::StopMotor{false, stepper::StopManner::Abruptly}.encode().data), "04");
-    EXPECT_EQ(toHex(stepper::SetOutputs{0x10}.encode().data), "10");
-    EXPECT_EQ(toHex(stepper::SetHoming{true, false, true, false, true, false}.encode().data), "19");
+    EXPECT_EQ(toHex(encode(parameters).data), "1F 0A C8 32 46");
+    EXPECT_EQ(encode(parameters).commandByte(), 0x56);
+    EXPECT_EQ(toHex(encode(stepper::StopMotor{true, stepper::StopManner::Smoothly}).data), "09");
+    EXPECT_EQ(toHex(encode(stepper::StopMotor{false, stepper::StopManner::Abruptly}).data), "04");
+    EXPECT_EQ(toHex(encode(stepper::SetOutputs{0x10}).data), "10");
+    EXPECT_EQ(toHex(encode(stepper::SetHoming{true, false, true, false, true, false}).data), "19");
     stepper::LoadTrajectory load;
     load.timer = stepper::TimerCount{0xFE0C, 50};
     load.reverse = load.startNow = true;
-    EXPECT_EQ(toHex(load.encode().data), "98 0C FE 32");
+    EXPECT_EQ(toHex(encode(load).data), "98 0C FE 32");
 }
 
 TEST(IoCommandBits, AreWhereTheFamilyPagePutsThem) {
     // IO1 and IO12; bits 0 enable, 1 counter, 5 and 4 prescaler.
-    EXPECT_EQ(toHex(io::SetDirection{0x0801}.encode().data), "01 08");
-    EXPECT_EQ(toHex(io::SetOutput{0x0FFF}.encode().data), "FF 0F");
-    EXPECT_EQ(toHex(io::SetSynchOutput{0x0102, 3, 4}.encode().data), "02 01 03 04");
-    EXPECT_EQ(toHex(io::SetPwm{7, 8}.encode().data), "07 08");
-    EXPECT_EQ(toHex(io::SetTimerMode{true, false, io::Prescaler::X8}.encode().data), "31");
-    EXPECT_EQ(toHex(io::SetTimerMode{true, true, io::Prescaler::X2}.encode().data), "13");
-    EXPECT_EQ(io::SynchOutput{}.encode().commandByte(), 0x05);
-    EXPECT_EQ(io::SynchInput{}.encode().commandByte(), 0x0C);
-    EXPECT_EQ(io::SetDirection::decode({CommandCode::ResetPosition, {0, 0xF1}})->inputs, 0x0100);
+    EXPECT_EQ(toHex(encode(io::SetDirection{0x0801}).data), "01 08");
+    EXPECT_EQ(toHex(encode(io::SetOutput{0x0FFF}).data), "FF 0F");
+    EXPECT_EQ(toHex(encode(io::SetSynchOutput{0x0102, 3, 4}).data), "02 01 03 04");
+    EXPECT_EQ(toHex(encode(io::SetPwm{7, 8}).data), "07 08");
+    EXPECT_EQ(toHex(encode(io::SetTimerMode{true, false, io::Prescaler::X8}).data), "31");
+    EXPECT_EQ(toHex(encode(io::SetTimerMode{true, true, io::Prescaler::X2}).data), "13");
+    EXPECT_EQ(encode(io::SynchOutput{}).commandByte(), 0x05);
+    EXPECT_EQ(encode(io::SynchInput{}).commandByte(), 0x0C);
+    EXPECT_EQ(decode<io::SetDirection>({CommandCode::ResetPosition, {0, 0xF1}})->inputs, 0x0100);
 }
 
 TEST(ScCommandBits, AreWhereTheFamilyPagePutsThem) {
     servo::ScIoControl control;
     control.limitStop = servo::LimitStop::MotorOff;
-    EXPECT_EQ(toHex(control.encode().data), "04");
+    EXPECT_EQ(toHex(encode(control).data), "04");
     control.limitStop = servo::LimitStop::Abruptly;
     control.antiphase = control.fastPath = true;
-    EXPECT_EQ(toHex(control.encode().data), "68");
-    EXPECT_EQ(toHex((servo::HardReset{true, false, false, false, false, true, false, true}).encode().data),
+    EXPECT_EQ(toHex(encode(control).data), "68");
+    EXPECT_EQ(toHex(encode(servo::HardReset{true, false, false, false, false, true, false, true}).data),
               "A1");
     servo::StopMotor stop;
     stop.advancedFeatures = true;
-    EXPECT_EQ(toHex(stop.encode().data), "20");
+    EXPECT_EQ(toHex(encode(stop).data), "20");
     servo::IoControl first;
     first.fastPath = true;
-    EXPECT_EQ(toHex(first.encode().data), "4C");
+    EXPECT_EQ(toHex(encode(first).data), "4C");
     servo::LoadTrajectory load;
     load.relative = true;
-    EXPECT_EQ(toHex(load.encode().data), "50");
+    EXPECT_EQ(toHex(encode(load).data), "50");
 }
 
 TEST(ScIoControl, RefusesStepAndDirectionWithALimitStop) {
     for (const DataBytes& control : {DataBytes{0x84}, DataBytes{0x88}, DataBytes{0x0C}})
-        EXPECT_EQ(servo::ScIoControl::decode({CommandCode::IoControl, control}).error(),
+        EXPECT_EQ(decode<servo::ScIoControl>({CommandCode::IoControl, control}).error(),
                   CommandError::OutOfRange);
 }
 
 TEST(AddPathPoints, TakesWholePointsOnly) {
-    EXPECT_EQ(servo::AddPathPoints::decode({CommandCode::AddPathPoints, {1, 2, 3}}).error(),
+    EXPECT_EQ(decode<servo::AddPathPoints>({CommandCode::AddPathPoints, {1, 2, 3}}).error(),
               CommandError::Length);
-    EXPECT_EQ(servo::AddPathPoints::decode(
+    EXPECT_EQ(decode<servo::AddPathPoints>(
                   {CommandCode::AddPathPoints, DataBytes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}})
                   .error(),
               CommandError::Length);
@@ -258,7 +258,7 @@ TEST(AddPathPoints, TakesWholePointsOnly) {
 }
 
 TEST(SetAddress, ClearsBit7ForALeaderAndReadsItBackAsTheGroup) {
-    const auto leader = SetAddress::decode({CommandCode::SetAddress, {5, 0x02}});
+    const auto leader = decode<SetAddress>({CommandCode::SetAddress, {5, 0x02}});
     ASSERT_TRUE(leader.has_value());
     EXPECT_EQ(leader->group, BusAddress(0x82));
     EXPECT_TRUE(leader->leader);

@@ -89,9 +89,9 @@ void expectEncodersFitTheTable(const ModuleIdentity& module, std::variant<Comman
         EXPECT_GE(payload.data.size(), row->minData) << row->name;
         EXPECT_LE(payload.data.size(), row->maxData) << row->name;
     };
-    (check(Commands{}.encode()), ...);
+    (check(encode(Commands{})), ...);
     // Each row has a command.
-    std::set<CommandCode> codes{Commands{}.encode().code...};
+    std::set<CommandCode> codes{encode(Commands{}).code...};
     EXPECT_EQ(codes.size(), commandTable(module).size());
 }
 

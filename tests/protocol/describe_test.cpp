@@ -99,8 +99,8 @@ TEST(DescribeCommand, SaysTheCommandsOfAStepper) {
               "hold "
               "current 50, thermal limit 0"},
              {"AA 01 17 09 21", "Stop Motor: stop smoothly, amplifier on"},
-             {"AA 01 18 11 2A", "Set Outputs: OUT1, OUT5 high"},
-             {"AA 01 18 00 19", "Set Outputs: all low"},
+             {"AA 01 18 11 2A", "Set Outputs: high OUT1 OUT5"},
+             {"AA 01 18 00 19", "Set Outputs: high none"},
              {"AA 01 19 18 32", "Set Homing Mode: change of home switch, stop abruptly"},
              {"AA 01 13 0C 20", "Read Status: current timer count, inputs"},
              {"AA 01 0B 0C", "command 11, which the chip does not have: no data"},
@@ -188,7 +188,7 @@ TEST(DescribeCommand, SaysWhatAPicIoIsAsked) {
 
 TEST(DescribeCommand, SaysACommandThatIsNotOnTheWireYet) {
     EXPECT_EQ(describeCommand(ServoCommand(servo::SetPosition{Counts(5)})), "Reset Position: to position 5");
-    EXPECT_EQ(describeCommand(StepperCommand(stepper::SetOutputs{1})), "Set Outputs: OUT1 high");
+    EXPECT_EQ(describeCommand(StepperCommand(stepper::SetOutputs{1})), "Set Outputs: high OUT1");
     EXPECT_EQ(describeCommand(IoCommand(io::SynchInput{})), "Synch Input");
 }
 

@@ -197,7 +197,7 @@ TEST(DataSheetExample, LoadPositionAndAcceleration) {
     servo::LoadTrajectory load;
     load.position = Counts(1);
     load.acceleration = CountsPerTickSquared(2);
-    const Payload payload = load.encode();
+    const Payload payload = encode(load);
     EXPECT_EQ(payload.commandByte(), 0x94);
     EXPECT_EQ(toHex(payload.data), "15 01 00 00 00 02 00 00 00");
 }

@@ -29,7 +29,7 @@ constexpr unsigned kStartNow = 0x80;  // of Load Trajectory's control byte (DS-V
         load.accelerationTime = hold.pace->accelerationTime;
         load.reverse = hold.reverse;
         load.startNow = true;
-        payload = load.encode();
+        payload = encode(load);
     } else {
         servo::LoadTrajectory load;
         load.velocity = hold.velocity;
@@ -37,7 +37,7 @@ constexpr unsigned kStartNow = 0x80;  // of Load Trajectory's control byte (DS-V
         load.profile = servo::ProfileMode::Velocity;
         load.reverse = hold.reverse;
         load.startNow = true;
-        payload = load.encode();
+        payload = encode(load);
     }
     const PacketBytes packet = toPacket({BusAddress(address), payload});
     return {packet.begin(), packet.end()};

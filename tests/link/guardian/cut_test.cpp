@@ -38,11 +38,11 @@ TEST_P(LastExchange, AStartOfAnotherMotion) {
     load.profile = servo::ProfileMode::Velocity;
     load.reverse = true;
     load.startNow = true;
-    cutEverywhere(load.encode());
+    cutEverywhere(encode(load));
 }
 
 TEST_P(LastExchange, TheLongestCommand) {
-    cutEverywhere(servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}.encode());
+    cutEverywhere(encode(servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(H02, LastExchange, testing::Values(19'200U, 115'200U));

@@ -56,7 +56,7 @@ public:
         say(port, {0xAA, 0x00, 0x21, 0x01, 0xFF, 0x21});
         say(port, {0xAA, 0x00, 0x21, 0x02, 0xFF, 0x22});
         const servo::SetGain gains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
-        say(port, packet(gains.encode()));
+        say(port, packet(encode(gains)));
         if (baud == 115'200) {
             port.write({0xAA, 0xFF, 0x1A, 0x0A, 0x23});  // Set Baud; nobody answers
             port.setRate(B115200);
@@ -73,7 +73,7 @@ public:
         load.acceleration = CountsPerTickSquared(65'536);
         load.profile = servo::ProfileMode::Velocity;
         load.startNow = true;
-        say(port, packet(load.encode()));
+        say(port, packet(encode(load)));
         ASSERT_TRUE(comesTrue([&] { return velocity() > 7.9; }));
     }
     /// Of the command: 0 is told to hold.
