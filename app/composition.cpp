@@ -435,6 +435,20 @@ void Composition::tellStopOutputs() {
     m_worker.setStopOutputs(std::move(outputs));
 }
 
+/// The bus thread stops what would leave its limits, whether this thread is busy or not. A procedure minds
+/// them itself.
+void Composition::tellTravelLimits() {
+    std::vector<bus::TravelLimits> limits;
+    for (const ModuleState& module : m_store.link().modules) {
+        const auto range = m_procedures.running(module.info.index) ? std::nullopt : travelRange(module);
+        limits.push_back(range ? bus::TravelLimits{range->lowest, range->highest} : bus::TravelLimits{});
+    }
+    if (limits == m_travelLimits)
+        return;
+    m_travelLimits = limits;
+    m_worker.setTravelLimits(std::move(limits));
+}
+
 /// Statuses come faster than anybody reads numbers; what a module does, and what it is asked for, is news at
 /// once: controls follow it.
 void Composition::showLinkSoon() {

@@ -101,7 +101,6 @@ private:
     void hold(const bus::HoldToMove& hold);
     /// Stops what would leave its limits and does not end by itself; arms what is to be armed.
     void watchAxes();
-    void keepWithinTravel(const ModuleState& module);
     void keepArmed(const ModuleState& module);
     /// Not again before what it was told last can show. What it is told now counts.
     [[nodiscard]] bool mayTell(ModuleIndex axis);
@@ -134,6 +133,7 @@ private:
     void showFrame();
     void showFrameSoon();
     void tellStopOutputs();
+    void tellTravelLimits();
 
     void tell(const StoreEvent& event);
     void told(const bus::ChainFound& found);
@@ -154,6 +154,7 @@ private:
     void told(const bus::AddressChanged& changed);
     void told(const bus::ReaddressFailed& failed);
     void told(const bus::MotionSuspect& suspect);
+    void told(const bus::StoppedBeforeLimit& stopped);
     void told(const bus::UnacknowledgedStopConfirmed& confirmed);
     void told(const bus::ForeignTraffic& traffic);
     void told(const bus::ForeignMotion& motion);
@@ -203,6 +204,7 @@ private:
     std::optional<ConnectTarget> m_target;          ///< what is connected, or was last
     std::optional<ConnectTarget> m_openNext;        ///< to be opened when the present connection has closed
     std::vector<bus::StopOutputs> m_stopOutputs;    ///< as the worker was told last
+    std::vector<bus::TravelLimits> m_travelLimits;  ///< likewise
     std::vector<ModuleIndex> m_watched;             ///< what the worker polls most: panel and scope show it
     std::optional<QString> m_lostPort;              ///< where motors' states became unknown
     std::set<ModuleIndex> m_tested;                 ///< by procedures that run (isTest)

@@ -38,6 +38,12 @@ void Composition::tell(const StoreEvent& event) {
         m_window.endHold();
     if (const auto* operation = std::get_if<bus::OperationFinished>(&event))
         m_motionMarker.ended(operation->id, monotonicNow());
+    // One that has set a counter has taken the limits out of force.
+    if (std::holds_alternative<bus::OperationFinished>(event) ||
+        std::holds_alternative<bus::GroupFinished>(event)) {
+        m_travelLimits.clear();
+        tellTravelLimits();
+    }
     // What became of the operation of a procedure or a sequence is for that to say.
     const bool ofProcedure = m_procedures.take(event);
     const bool ofSequence = m_sequences.take(event);
@@ -64,6 +70,7 @@ void Composition::told(const bus::ChainFound& found) {
     m_watched.clear();
     m_stopOutputs.clear();
     tellStopOutputs();
+    m_travelLimits.clear();
     m_messages.tell(texts::connected(found, m_target->port));
     m_messages.end(texts::key::badLink());
     if (found.replyGap > Duration{})
@@ -148,6 +155,12 @@ void Composition::told(const bus::ReaddressFailed& failed) {
 void Composition::told(const bus::MotionSuspect& suspect) {
     const Message message = texts::withRecord(texts::motionSuspect(suspect));
     m_messages.noteStop(message, bus::StopCause::MotionSuspect, {suspect.module});
+    m_messages.tellOf(message);
+}
+
+void Composition::told(const bus::StoppedBeforeLimit& stopped) {
+    const Message message = texts::stoppedBeforeLimit(stopped.module);
+    m_messages.noteStop(message, bus::StopCause::TravelLimit, {stopped.module});
     m_messages.tellOf(message);
 }
 

@@ -102,12 +102,11 @@ void Composition::hold(const bus::HoldToMove& wanted) {
 void Composition::watchAxes() {
     if (m_store.link().phase != LinkPhase::Connected || m_store.link().readOnly)
         return;
+    tellTravelLimits();
     for (const ModuleState& module : std::vector(m_store.link().modules))
         // A procedure sees to it itself.
-        if (!module.silent && !m_procedures.running(module.info.index)) {
-            keepWithinTravel(module);
+        if (!module.silent && !m_procedures.running(module.info.index))
             keepArmed(module);
-        }
 }
 
 bool Composition::mayTell(ModuleIndex axis) {
@@ -126,18 +125,6 @@ void Composition::keepArmed(const ModuleState& module) {
         return;
     if (auto orders = plan(*arm, asOfPanel(module)))
         submit({.id = {}, .orders = std::move(*orders)});
-}
-
-void Composition::keepWithinTravel(const ModuleState& module) {
-    /// From a position on the wire to the stop that follows it: a poll of a long chain, a turn of this
-    /// thread, and a command.
-    constexpr Duration kLatency = std::chrono::milliseconds(100);
-    const ModuleIndex index = module.info.index;
-    const auto stop = stopBeforeLimit(module, kLatency);
-    if (!stop || !mayTell(index))
-        return;
-    carryOut(index, *stop);
-    m_messages.tellOf(texts::stoppedBeforeLimit(index));
 }
 
 bus::OperationId Composition::submit(Procedure::Send send) {

@@ -176,7 +176,8 @@ bool ProcedureController::take(const StoreEvent& event) {
             [this](const AnyOf<ComputerSlept, GuardianStopped, bus::LinkLost> auto&) {
                 suspect(std::nullopt);
             },
-            [this](const AnyOf<bus::MotionSuspect, bus::ForeignMotion> auto& motion) {
+            [this](
+                const AnyOf<bus::MotionSuspect, bus::StoppedBeforeLimit, bus::ForeignMotion> auto& motion) {
                 overtake(motion.module);
             },
             [this](const bus::ForeignTraffic&) { overtakeAll(); },

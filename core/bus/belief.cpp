@@ -32,8 +32,11 @@ struct Belief::Sent {
         b.m_starting = b.servoLoad();
         if (b.m_starting)
             b.mayStart(*b.m_starting);
-        if (b.m_stepper.waiting)
-            b.mayStart(*b.m_stepper.waiting);
+        if (const auto& waiting = b.m_stepper.waiting) {
+            b.mayStart(*waiting);
+            if (waiting->accelerationTime)
+                b.m_stepper.accelerationTime = waiting->accelerationTime;
+        }
         b.forgetLoad();
     }
     void operator()(const servo::StopMotor& stop) const {

@@ -109,9 +109,17 @@ public:
     [[nodiscard]] const std::optional<stepper::LoadTrajectory>& stepperLoad() const {
         return m_stepper.waiting;
     }
-    /// PIC-STEP: what it does, as far as status and commands tell, and in which direction.
+    /// PIC-SERVO: it was told to run in velocity mode, and has not been seen to end that.
+    [[nodiscard]] bool velocityGoal() const { return m_velocityGoal; }
+    /// PIC-STEP: what it does, as far as status and commands tell.
     [[nodiscard]] StepperMode stepperMode() const;
-    [[nodiscard]] bool runsReverse() const { return m_stepperReverse; }
+    /// The direction of velocityGoal(), or of a PIC-STEP that moves.
+    [[nodiscard]] bool runsReverse() const {
+        return m_info.identity.type == ModuleType::Stepper ? m_stepperReverse : m_velocityReverse;
+    }
+    /// As answered.
+    [[nodiscard]] const ServoRegisters& servoRegisters() const { return m_servo; }
+    [[nodiscard]] const StepperRegisters& stepperRegisters() const { return m_stepper; }
     /// PIC-STEP: Set Parameters was answered, or may have been before this connection (DS-S 5.1).
     [[nodiscard]] bool parametersSet() const { return m_parametersSet; }
     /// PIC-I/O: what it puts out, and which of that a stop takes low.

@@ -97,6 +97,8 @@ void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latc
     module.watch.onSent(command, module.sent);
     module.ownMotion.onSent(command);
     const Effect effect = factsOf(command).effect;
+    if (effect == Effect::Counter)
+        module.travel.onCounterSet();
     if (effect == Effect::Start)
         module.trust.expectMotion();
     if (effect == Effect::Stop)

@@ -14,6 +14,7 @@
 #include "bus/pollschedule.h"
 #include "bus/stoptarget.h"
 #include "bus/task.h"
+#include "bus/travelwatch.h"
 #include "bus/trialwatch.h"
 #include "bus/trust.h"
 
@@ -61,6 +62,7 @@ public:
         Plausibility plausibility;
         MotionWatch watch;
         OwnMotion ownMotion;
+        TravelWatch travel;
     };
     struct Module : Memory {
         explicit Module(const ModuleInfo& info) : Memory(info), trust(info.identity) {}

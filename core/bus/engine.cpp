@@ -179,18 +179,7 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
         members.push_back(info.index);
         finished.members.push_back({info.index, MemberOutcome::Done});
     }
-    if (m_operations.cancelFor(members))
-        dropOperation();
-    leavePath(members);
-    m_trials.leave(members);
-    for (const ModuleIndex module : members) {
-        if (m_hold.holds(module))
-            m_hold.clear();
-        // What is owed for a fault is not made weaker.
-        const auto& owed = m_chain.at(module).owed;
-        if (!owed || ofOperator(owed->cause) || manner == StopManner::Off)
-            m_chain.owe(module, StopCause::GroupStop, manner);
-    }
+    haltAxes(members, StopCause::GroupStop, manner);
     m_unacknowledged.tellTogether(std::move(members));
     if (finished.members.empty())
         finished.outcome = Outcome::Forbidden;
@@ -296,6 +285,13 @@ void Engine::setStopOutputs(const std::vector<StopOutputs>& outputs) {
     for (Chain::Module& module : m_chain.modules()) {
         const std::size_t index = module.belief.info().index.value();
         module.belief.setStopOutputs(index < outputs.size() ? outputs[index] : StopOutputs{});
+    }
+}
+
+void Engine::setTravelLimits(const std::vector<TravelLimits>& limits) {
+    for (Chain::Module& module : m_chain.modules()) {
+        const std::size_t index = module.belief.info().index.value();
+        module.travel.setLimits(index < limits.size() ? limits[index] : TravelLimits{});
     }
 }
 
@@ -585,6 +581,20 @@ void Engine::halt(ModuleIndex module, StopCause cause, StopManner manner) {
         m_hold.clear();
     dropWork();
     m_chain.owe(module, cause, manner);
+}
+
+void Engine::haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, StopManner manner) {
+    if (m_operations.cancelFor(modules))
+        dropOperation();
+    leavePath(modules);
+    m_trials.leave(modules);
+    for (const ModuleIndex module : modules) {
+        if (m_hold.holds(module))
+            m_hold.clear();
+        const auto& owed = m_chain.at(module).owed;
+        if (!owed || ofOperator(owed->cause) || manner == StopManner::Off)
+            m_chain.owe(module, cause, manner);
+    }
 }
 
 /// Whose commands get lost in the other's nobody knows: what was asked for here does not go on.

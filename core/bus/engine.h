@@ -112,6 +112,10 @@ public:
     /// Holds for every chain that is found from now on, too.
     void setStopOutputs(const std::vector<StopOutputs>& outputs);
 
+    /// How far each axis may go, by module: what has no end of its own is stopped before that
+    /// (StoppedBeforeLimit). Set again once the counter of a module was set, or a chain was found.
+    void setTravelLimits(const std::vector<TravelLimits>& limits);
+
     /// One module as fast as the wire carries, its position every time, for 5 s at most: the others are asked
     /// once a second, silent ones not at all. Nothing: no longer. A stop of whatever kind ends it, and so
     /// does another connect(). Calling it again begins the time anew.
@@ -207,6 +211,9 @@ private:
     void adopt(ChainFound found, const Discovery& discovery, TimePoint now);
     void takeHeard(ModuleIndex module, const ReplyEnd& end);
     void halt(ModuleIndex module, StopCause cause, StopManner manner);
+    /// These, and whatever else was asked for of them is cancelled. What is owed for a fault is not made
+    /// weaker.
+    void haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, StopManner manner);
     void onForeignTraffic();
     void onLinkLost();
     void giveUp(const Recovery::GivenUp& what, TimePoint now);

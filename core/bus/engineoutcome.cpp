@@ -175,6 +175,11 @@ void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport
     const bool mayMove = known.belief.mayMove() && !known.belief.pwmUnknown();
     if (known.ownMotion.onReport(end.report, end.latched, mayMove))
         m_events.emplace_back(ForeignMotion{module, trusted.position.value_or(0)});
+    if (const auto manner = known.travel.onReport(trusted, end.latched, known.belief);
+        manner && (!known.owed || known.owed->cause != StopCause::TravelLimit)) {
+        m_events.emplace_back(StoppedBeforeLimit{module});
+        haltAxes({module}, StopCause::TravelLimit, *manner);
+    }
     const auto reason = known.watch.onReport(trusted);
     if (!reason)
         return;

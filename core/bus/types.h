@@ -17,6 +17,13 @@
 /// What goes into the bus engine and what comes out of it. All values; any thread may hold copies.
 namespace nmc::bus {
 
+/// How far an axis may go, as its chip counts now; nothing: no limit on that side.
+struct TravelLimits {
+    std::optional<std::int32_t> lowest;
+    std::optional<std::int32_t> highest;
+    bool operator==(const TravelLimits&) const = default;
+};
+
 using OperationId = Strong<struct OperationIdTag, std::uint32_t>;
 
 /// One command to one module.
@@ -325,12 +332,14 @@ enum class StopCause : std::uint8_t {
     ForeignTraffic,
     GroupStop,  ///< the operator stopped its group, or itself while its chain was looked for
     PathEnded,  ///< a path ended before its last point
+    TravelLimit,
 };
 
-/// The operator wanted the motion to end, and may want it again before it has.
+/// The operator wanted the motion to end, or it was on its way out of its limits: he may want another one
+/// before it has.
 [[nodiscard]] constexpr bool ofOperator(StopCause cause) {
     return cause == StopCause::HoldReleased || cause == StopCause::HoldExpired ||
-           cause == StopCause::GroupStop;
+           cause == StopCause::GroupStop || cause == StopCause::TravelLimit;
 }
 
 /// A stop that the engine owed to one module is confirmed: the module was seen at rest, twice. Until then it
@@ -415,6 +424,12 @@ struct MotionSuspect {
     std::int32_t position = 0;
 };
 
+/// A motion without an end was about to leave its limits of travel (travelwatch.h); its module has been told
+/// to stop.
+struct StoppedBeforeLimit {
+    ModuleIndex module;
+};
+
 /// Modules answer somebody else: another host is on the line (strayframes.h). What was asked for here is
 /// cancelled, and a hold has ended. Once, until nothing has been heard of him for ten seconds.
 struct ForeignTraffic {
@@ -438,7 +453,7 @@ using Event =
                  StopFinished, ModuleUnresponsive, CommandRefused, LinkLost, HoldExpired, HealthChanged,
                  ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
                  UnacknowledgedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic,
-                 ForeignMotion, AddressChanged, PathProgress>;
+                 ForeignMotion, AddressChanged, PathProgress, StoppedBeforeLimit>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/module/stepperspeed.h"
+#include "module/stepperspeed.h"
 
 #include <algorithm>
 #include <cmath>

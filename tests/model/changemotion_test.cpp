@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "model/intent/stepperplan.h"
-#include "model/module/stepperspeed.h"
 #include "model/procedure/procedures.h"
+#include "module/stepperspeed.h"
 #include "tests/support/virtualbus.h"
 
 namespace nmc {

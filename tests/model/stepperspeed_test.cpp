@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Expected values from the tables of DS-S 4.1 and 4.2 and by hand.
-#include "model/module/stepperspeed.h"
+#include "module/stepperspeed.h"
 
 #include <gtest/gtest.h>
 

@@ -220,26 +220,6 @@ TEST(Travel, PwmAndPushesAreRefusedAtTheEnd) {
     EXPECT_TRUE(plan(intent::CheckDirection{250}, module).has_value());
 }
 
-// 2 counts/tick are 3906.25 counts/s; 131 / 65536 counts/tick^2 slow down by 7624.6 counts/s^2, in 1000.6
-// counts (v^2 / 2a). In 0.1 s it goes 390.6 counts.
-TEST(Travel, WhatDoesNotEndByItselfIsStoppedInTime) {
-    const auto needsStop = [&](std::int32_t position) {
-        ModuleState there = limited(position);
-        there.travel.lowest.reset();
-        there.apply(executedAt(1, velocityMode(2 << 16, 131)));
-        there.apply(sampleOf(1.1, kMoveDone | kPower, kServoOn | kAccelDone, position));
-        return stopBeforeLimit(there, std::chrono::milliseconds(100)).has_value();
-    };
-    EXPECT_FALSE(needsStop(1'500 - 1'395));
-    EXPECT_TRUE(needsStop(1'500 - 1'385));
-    EXPECT_TRUE(needsStop(1'600));
-    ModuleState bounded = limited();
-    bounded.apply(executedAt(1, trapezoid(1'500, 2 << 16, 131)));
-    bounded.apply(executedAt(1, StartMotion{}));
-    bounded.apply(sampleOf(1.1, kPower, kServoOn, 1'400));
-    EXPECT_FALSE(stopBeforeLimit(bounded, std::chrono::milliseconds(100))) << "the chip ends it";
-}
-
 // ---- backlash ----
 
 TEST(Backlash, AMoveFromTheWrongSideTurnsRoundBeyondItsGoal) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves by N, again and again.
-#include "model/module/stepperspeed.h"
+#include "module/stepperspeed.h"
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {

@@ -32,7 +32,8 @@ struct SilenceCase {
     friend void PrintTo(const SilenceCase& c, std::ostream* stream) {
         static constexpr std::array kCauses{"HoldReleased", "HoldExpired", "MotionSuspect",
                                             "GroupHalfStarted"};
-        *stream << kCauses.at(static_cast<std::size_t>(c.cause))
+        *stream << (c.cause == StopCause::TravelLimit ? "TravelLimit"
+                                                      : kCauses.at(static_cast<std::size_t>(c.cause)))
                 << (c.deaf == Deaf::Module ? "OneOf" : "AllOf") << c.modules << "For" << c.silence / 1ms
                 << "At" << c.baud;
     }
@@ -41,7 +42,7 @@ struct SilenceCase {
 [[nodiscard]] std::vector<SilenceCase> silenceCases() {
     std::vector<SilenceCase> all;
     for (const StopCause cause : {StopCause::HoldReleased, StopCause::HoldExpired, StopCause::MotionSuspect,
-                                  StopCause::GroupHalfStarted})
+                                  StopCause::GroupHalfStarted, StopCause::TravelLimit})
         for (const Deaf deaf : {Deaf::Module, Deaf::WholeBus})
             for (const Duration silence : {Duration(300ms), Duration(2s), Duration(20s)})
                 for (const std::uint32_t baud : {19'200U, 115'200U})
@@ -91,6 +92,9 @@ public:
             case StopCause::GroupHalfStarted:
                 startHalf();
                 break;
+            case StopCause::TravelLimit:
+                runsOut();
+                break;
             case StopCause::LinkGivenUp:
             case StopCause::StopAll:
             case StopCause::ForeignTraffic:
@@ -120,6 +124,12 @@ private:
         rig.submit(runOn(0, rig.world.chain[0], 60));
         rig.run(500ms);
         rig.bus.fault("module 1 reverse for=250ms");
+    }
+    /// Its limit is where it already is.
+    void runsOut() {
+        rig.submit(runOn(0, rig.world.chain[0], 60));
+        rig.run(500ms);
+        rig.bus.engine.setTravelLimits({{std::nullopt, 0}});
     }
     /// The second module does not hear the start.
     void startHalf() {

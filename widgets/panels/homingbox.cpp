@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "model/intent/homingplan.h"
-#include "model/module/stepperspeed.h"
+#include "module/stepperspeed.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"

@@ -4,7 +4,7 @@
 #include <QGroupBox>
 #include <optional>
 
-#include "model/module/stepperspeed.h"
+#include "module/stepperspeed.h"
 #include "widgets/panels/modulecontext.h"
 #include "widgets/panels/movebybox.h"
 #include "widgets/panels/steppermodechoice.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "model/module/stepperspeed.h"
+#include "module/stepperspeed.h"
 #include "widgets/panels/modulecontext.h"
 #include "widgets/panels/steppermeaning.h"
 

@@ -3,8 +3,8 @@
 
 #include <QString>
 
-#include "model/module/stepperspeed.h"
 #include "model/settings/machine.h"
+#include "module/stepperspeed.h"
 
 /// What a PIC-STEP makes of the numbers that the user typed, in words.
 namespace nmc::texts {

@@ -68,6 +68,9 @@ public:
     void setStopOutputs(std::vector<bus::StopOutputs> outputs) {
         m_channel.requests.setStopOutputs(std::move(outputs));
     }
+    void setTravelLimits(std::vector<bus::TravelLimits> limits) {
+        m_channel.requests.setTravelLimits(std::move(limits));
+    }
     void setRecording(bool on) { m_channel.recording = on; }
     /// The asking thread lives.
     void beat();

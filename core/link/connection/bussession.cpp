@@ -111,6 +111,8 @@ void BusSession::takeRequests(TimePoint now) {
         m_engine.watch(*taken.watched);
     if (taken.stopOutputs)
         m_engine.setStopOutputs(*taken.stopOutputs);
+    if (taken.travelLimits)
+        m_engine.setTravelLimits(*taken.travelLimits);
     if (taken.focused)
         m_engine.focus(*taken.focused, now);
     if (taken.held)

@@ -136,13 +136,13 @@ void BusStore::take(const bus::Event& event) {
                 if (known(changed.module))
                     m_link.modules[changed.module.value()].info.group = changed.place;
             },
-            [this](
-                const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
-                            bus::ModuleUnresponsive, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
-                            bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished,
-                            bus::RateChanged, bus::RateChangeFailed, bus::UnacknowledgedStopConfirmed,
-                            bus::Readdressed, bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic,
-                            bus::ForeignMotion, bus::AddressChanged> auto& news) {
+            [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
+                               bus::ModuleUnresponsive, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
+                               bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect,
+                               bus::StoppedBeforeLimit, bus::GroupFinished, bus::RateChanged,
+                               bus::RateChangeFailed, bus::UnacknowledgedStopConfirmed, bus::Readdressed,
+                               bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic,
+                               bus::ForeignMotion, bus::AddressChanged> auto& news) {
                 note(news);
                 emit happened(news);
             },

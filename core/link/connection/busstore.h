@@ -18,11 +18,11 @@ namespace nmc {
 using StoreEvent =
     std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
                  bus::ModuleUnresponsive, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
-                 bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished,
-                 bus::RateChanged, bus::RateChangeFailed, bus::UnacknowledgedStopConfirmed, bus::Readdressed,
-                 bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion,
-                 bus::AddressChanged, PortClosed, SimulatorAnswered, PanelFroze, ComputerSlept,
-                 GuardianStopped, GuardianMissing>;
+                 bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::StoppedBeforeLimit,
+                 bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed,
+                 bus::UnacknowledgedStopConfirmed, bus::Readdressed, bus::ReaddressFailed, bus::EchoNoticed,
+                 bus::ForeignTraffic, bus::ForeignMotion, bus::AddressChanged, PortClosed, SimulatorAnswered,
+                 PanelFroze, ComputerSlept, GuardianStopped, GuardianMissing>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.
@@ -106,8 +106,8 @@ private:
     void note(const bus::ForeignMotion& motion);
     void note(const bus::GroupFinished& finished);
     void note(const bus::ForeignTraffic& traffic);
-    void note(const AnyOf<bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect, bus::RateChangeFailed,
-                          bus::ReaddressFailed, bus::EchoNoticed> auto&) {}
+    void note(const AnyOf<bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect, bus::StoppedBeforeLimit,
+                          bus::RateChangeFailed, bus::ReaddressFailed, bus::EchoNoticed> auto&) {}
     /// What these were told has not been heard of: what moves them is for their positions to say.
     void doubtMotions(const std::vector<ModuleIndex>& modules);
     void closed(const PortClosed& closed);

@@ -49,6 +49,8 @@ public:
     void keepTrial(ModuleIndex module) { m_loop.keepTrial(module); }
     /// Which outputs of PIC-I/O modules a stop of all takes low, by module (Engine::setStopOutputs).
     void setStopOutputs(std::vector<bus::StopOutputs> outputs) { m_loop.setStopOutputs(std::move(outputs)); }
+    /// How far each axis may go, as its chip counts now (Engine::setTravelLimits).
+    void setTravelLimits(std::vector<bus::TravelLimits> limits) { m_loop.setTravelLimits(std::move(limits)); }
     /// Ends in exactly one bus::OperationFinished: Cancelled at once when too much waits already, or when
     /// nothing is connected. So do the next three, each in its own event.
     void submit(bus::Operation operation);

@@ -142,6 +142,9 @@ struct EventLine {
         return name(suspect.module) + ": motion suspect, reason " + number(suspect.reason) + ", position " +
                std::to_string(suspect.position);
     }
+    std::string operator()(const bus::StoppedBeforeLimit& stopped) const {
+        return name(stopped.module) + ": stopped before its travel limit";
+    }
     std::string operator()(const bus::GroupChanged& changed) const {
         return name(changed.module) +
                (changed.place ? ": group " + std::to_string(changed.place->group) : ": group unknown");

@@ -42,6 +42,10 @@ void RequestBox::setStopOutputs(std::vector<bus::StopOutputs> outputs) {
     change([&outputs](Taken& waiting) { waiting.stopOutputs = std::move(outputs); });
 }
 
+void RequestBox::setTravelLimits(std::vector<bus::TravelLimits> limits) {
+    change([&limits](Taken& waiting) { waiting.travelLimits = std::move(limits); });
+}
+
 void RequestBox::hold(const bus::HoldToMove& hold) {
     change([&hold](Taken& waiting) { waiting.held = hold; });
 }

@@ -37,6 +37,7 @@ public:
         std::vector<ModuleIndex> kept;  ///< Engine::keepTrial
         std::optional<std::vector<ModuleIndex>> watched;
         std::optional<std::vector<bus::StopOutputs>> stopOutputs;
+        std::optional<std::vector<bus::TravelLimits>> travelLimits;
         std::optional<std::optional<ModuleIndex>> focused;
         std::optional<bus::HoldToMove> held;
     };
@@ -51,6 +52,7 @@ public:
     void focus(std::optional<ModuleIndex> module);
     void keepTrial(ModuleIndex module);
     void setStopOutputs(std::vector<bus::StopOutputs> outputs);
+    void setTravelLimits(std::vector<bus::TravelLimits> limits);
     void hold(const bus::HoldToMove& hold);
     void release();
     /// False: it is not taken, because too many wait or because nobody is there to take them; `request` is

@@ -6,7 +6,7 @@
 #include "base/overloaded.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/travel.h"
-#include "model/module/stepperspeed.h"
+#include "module/stepperspeed.h"
 
 namespace nmc {
 

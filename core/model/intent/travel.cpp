@@ -8,7 +8,7 @@
 #include "bus/standstill.h"
 #include "model/intent/backlash.h"
 #include "model/intent/stepperplan.h"
-#include "model/module/stepperspeed.h"
+#include "module/stepperspeed.h"
 
 namespace nmc {
 
@@ -247,35 +247,6 @@ struct DirectProblem {
     return std::nullopt;
 }
 
-/// Counts (steps) per second squared of the stop that is sent; 0: it knows no ramp. `perSecond`: ticks.
-[[nodiscard]] double rampOf(const ModuleState& module, double perSecond) {
-    if (module.isStepper()) {
-        const auto time = module.stepper.accelerationTime();
-        const auto& parameters = module.stepper.parameters();
-        return time && parameters ? StepperSpeed(parameters->speedMode).acceleration(*time) : 0.0;
-    }
-    const double acceleration = module.acceleration ? module.acceleration->value() / 65'536.0 : 0.0;
-    return acceleration * perSecond * perSecond;
-}
-
-/// Which way it goes without an end, -1 or 1; 0: it stands, or ends by itself.
-[[nodiscard]] int endless(const ModuleState& module, double speed) {
-    if (!module.moving())
-        return 0;
-    if (module.isStepper()) {
-        const bus::StepperMode mode = module.stepper.mode();
-        if (mode != bus::StepperMode::VelocityProfile && mode != bus::StepperMode::Unprofiled)
-            return 0;
-        const auto reverse = module.stepper.runsReverse();
-        return !reverse ? 0 : *reverse ? -1 : 1;
-    }
-    if (module.motion == MotionMode::Pwm)
-        return speed < 0 ? -1 : speed > 0 ? 1 : 0;
-    if (module.motion != MotionMode::Velocity)
-        return 0;
-    return module.goalVelocity < 0 ? -1 : module.goalVelocity > 0 ? 1 : 0;
-}
-
 }  // namespace
 
 TravelForce travelForce(const ModuleState& module) {
@@ -361,27 +332,6 @@ StepperMotion withinTravel(const StepperMotion& motion, const ModuleState& modul
         if (const auto end = travelEnd(module, run->reverse))
             return steppermotion::UnprofiledMove{*end, false, run->timer};
     return motion;
-}
-
-std::optional<Intent> stopBeforeLimit(const ModuleState& module, Duration latency) {
-    const auto position = positionOf(module);
-    const double speed = module.speed.perSecond().value_or(0.0);
-    const int direction = endless(module, speed);
-    const auto end = direction == 0 ? std::nullopt : travelEnd(module, direction < 0);
-    if (!end || !position)
-        return std::nullopt;
-    // With SR unknown the longest way is that of ticks as short as they can be: the ramp, in counts, is the
-    // same for all, and what goes by until the stop arrives is most.
-    const double perSecond = ticksPerSecond(module.servoRate.value_or(1));
-    const double wanted =
-        module.motion == MotionMode::Velocity ? std::abs(module.goalVelocity) * perSecond : 0.0;
-    const double fast = std::max(std::abs(speed), wanted);
-    const bool pwm = module.motion == MotionMode::Pwm;
-    const double ramp = pwm ? 0.0 : rampOf(module, perSecond);
-    const double needs = fast * toSeconds(latency) + (ramp > 0.0 ? fast * fast / (2.0 * ramp) : 0.0);
-    if ((static_cast<double>(*end) - *position) * direction > needs)
-        return std::nullopt;
-    return pwm ? Intent(intent::MotorOff{}) : Intent(intent::StopSmoothly{});
 }
 
 }  // namespace nmc

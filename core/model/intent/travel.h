@@ -66,9 +66,4 @@ struct TravelProblem {
 /// The same of a PIC-STEP's motion.
 [[nodiscard]] StepperMotion withinTravel(const StepperMotion& motion, const ModuleState& module);
 
-/// The stop for a motion that has no end of its own and would leave the limits within `latency`, the time
-/// until a stop takes effect: of PWM, which no chip ends, and of a run that was begun before its limits were
-/// in force. Nothing: it may go on.
-[[nodiscard]] std::optional<Intent> stopBeforeLimit(const ModuleState& module, Duration latency);
-
 }  // namespace nmc

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "model/module/modulestate.h"
-#include "model/module/stepperspeed.h"
 #include "model/settings/machine.h"
+#include "module/stepperspeed.h"
 
 /// Where a PIC-STEP begins that nothing was set for: slow, whatever motor it drives. Steps/s.
 namespace nmc::stepperdefaults {

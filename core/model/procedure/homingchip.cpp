@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "model/module/stepperspeed.h"
+#include "module/stepperspeed.h"
 
 namespace nmc {
 

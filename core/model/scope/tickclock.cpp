@@ -9,7 +9,7 @@ namespace nmc {
 namespace {
 
 /// A line that tells less often is not worth counting by: the clocks run apart meanwhile.
-constexpr Duration kSeldom = std::chrono::milliseconds(50);
+constexpr Duration kCountsFor = std::chrono::milliseconds(50);
 
 [[nodiscard]] TimePoint middle(const TickClock::Window& window) {
     return window.earliest + (window.latest - window.earliest) / 2;
@@ -23,7 +23,7 @@ static_assert(Ticks(1) == kServoTick);
 void TickClock::learn(const Window& latched, bool resting) {
     if (m_tick && resting) {
         m_tick->there = middle(m_tick->here);
-        if (latched.latest - m_tick->here.latest > kSeldom)
+        if (latched.latest - m_tick->here.latest > kCountsFor)
             m_tick.reset();
     }
     if (!m_tick) {

@@ -20,7 +20,8 @@ struct SequenceNews {
             run.onLinkSuspect();
     }
     void operator()(const AnyOf<bus::ModuleRestarted, bus::LinkLost> auto&) const { run.onLinkSuspect(); }
-    void operator()(const AnyOf<bus::MotionSuspect, bus::ForeignMotion, bus::HoldExpired> auto& news) const {
+    void operator()(const AnyOf<bus::MotionSuspect, bus::StoppedBeforeLimit, bus::ForeignMotion,
+                                bus::HoldExpired> auto& news) const {
         run.onTakenOver(news.module);
     }
     /// Those that were set in motion from here have been told to stop.

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "bus/travelwatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "module/stepperspeed.h"
+
+namespace nmc::bus {
+
+namespace {
+
+/// A command and its reply, and the servo tick after which it takes effect.
+constexpr Duration kCommand = std::chrono::milliseconds(30);
+
+/// Which way a motion without an end goes, -1 or 1; 0: there is none, or nobody knows.
+[[nodiscard]] int endless(const Belief& belief, double speed) {
+    if (!belief.mayMove())
+        return 0;
+    if (belief.info().identity.type == ModuleType::Stepper) {
+        const StepperMode mode = belief.stepperMode();
+        if (mode != StepperMode::VelocityProfile && mode != StepperMode::Unprofiled)
+            return 0;
+        return belief.runsReverse() ? -1 : 1;
+    }
+    if (belief.pwmUnknown())
+        return 0;
+    if (belief.pwmMayRun())
+        return speed < 0 ? -1 : speed > 0 ? 1 : 0;
+    if (!belief.velocityGoal())
+        return 0;
+    return belief.runsReverse() ? -1 : 1;
+}
+
+/// Counts (steps) per second squared of a smooth stop; 0: it has no ramp. `ticks`: per second.
+[[nodiscard]] double rampOf(const Belief& belief, double ticks) {
+    if (belief.info().identity.type == ModuleType::Stepper) {
+        const StepperRegisters& told = belief.stepperRegisters();
+        return told.accelerationTime && told.parameters
+                   ? StepperSpeed(told.parameters->speedMode).acceleration(*told.accelerationTime)
+                   : 0.0;
+    }
+    const auto& acceleration = belief.servoRegisters().acceleration;
+    return acceleration && !belief.pwmMayRun() ? acceleration->value() / 65'536.0 * ticks * ticks : 0.0;
+}
+
+}  // namespace
+
+void TravelWatch::measure(std::int32_t position, TimePoint latched) {
+    m_between = m_reported ? latched - *m_reported : Duration{};
+    m_reported = latched;
+    if (m_from && latched - m_from->time < kSpeedOver)
+        return;
+    if (m_from)
+        m_speed = countsBetween(m_from->counts, position) / toSeconds(latched - m_from->time);
+    m_from = Place{latched, position};
+}
+
+std::optional<StopManner> TravelWatch::onReport(const StatusReport& report, TimePoint latched,
+                                                const Belief& belief) {
+    if (!report.position)
+        return std::nullopt;
+    measure(*report.position, latched);
+    const int direction = endless(belief, m_speed);
+    const auto& limit = direction < 0 ? m_limits.lowest : m_limits.highest;
+    if (direction == 0 || !limit)
+        return std::nullopt;
+    // With SR unknown the longest way is that of ticks as short as they can be: the ramp, in counts, is the
+    // same for all, and what goes by until the stop arrives is most.
+    const ServoRegisters& told = belief.servoRegisters();
+    const double ticks = ticksPerSecond(told.servoRate.value_or(1));
+    const double wanted =
+        belief.velocityGoal() && told.velocity ? told.velocity->value() / 65'536.0 * ticks : 0.0;
+    const double fast = std::max(std::abs(m_speed), wanted);
+    const double ramp = rampOf(belief, ticks);
+    const double needs = fast * toSeconds(std::max(kLatency, m_between + kCommand)) +
+                         (ramp > 0.0 ? fast * fast / (2.0 * ramp) : 0.0);
+    if ((static_cast<double>(*limit) - *report.position) * direction > needs)
+        return std::nullopt;
+    return belief.pwmMayRun() ? StopManner::Off : ramp > 0.0 ? StopManner::Smoothly : StopManner::Abruptly;
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Limits of travel are kept by the engine, whoever else is busy.
+#include <gtest/gtest.h>
+
+#include "tests/bus/steps.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+class TravelLimit : public testing::Test {
+protected:
+    void enableFirst() {
+        ASSERT_TRUE(bus.connect());
+        ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+        bus.runFor(100ms);
+    }
+    /// Two counts a tick, which are 3906 counts/s; 131/65536 counts/tick^2 are 7625 counts/s^2.
+    [[nodiscard]] static Order run(bool reverse = false) {
+        servo::LoadTrajectory load;
+        load.velocity = CountsPerTick(2 << 16);
+        load.acceleration = CountsPerTickSquared(131);
+        load.profile = servo::ProfileMode::Velocity;
+        load.reverse = reverse;
+        load.startNow = true;
+        return {ModuleIndex(0), ServoCommand(load)};
+    }
+    VirtualBus bus{servos(2)};
+};
+
+/// It takes 1001 counts to come to rest (v^2 / 2a), and goes 391 counts in the 0.1 s that the stop may need.
+TEST_F(TravelLimit, ARunThatWasBegunBeforeItsLimitsEndsBeforeThem) {
+    for (const bool reverse : {false, true}) {
+        SCOPED_TRACE(reverse);
+        VirtualBus chain(servos(1));
+        ASSERT_TRUE(chain.connect());
+        ASSERT_EQ(chain.perform({gains(0), enable(0), run(reverse)}), Outcome::Done);
+        chain.runFor(1s);
+        const std::size_t from = chain.sent.size();
+        chain.engine.setTravelLimits({{-20'000, 20'000}});
+        chain.runFor(8s);
+        EXPECT_EQ(chain.count<StoppedBeforeLimit>(), 1U);
+        EXPECT_EQ(chain.sends("AA 01 17 09 21", from), 1U) << "smoothly, and its servo stays on";
+        const double way = std::abs(static_cast<double>(chain.servo(0).position));
+        EXPECT_LE(way, 20'000);
+        EXPECT_GT(way, 20'000 - 391 - 100);
+        EXPECT_EQ(chain.servo(0).commandVelocity, 0);
+        EXPECT_TRUE(chain.servo(0).servoOn);
+        chain.expectNoViolations();
+    }
+}
+
+TEST_F(TravelLimit, TheWayBackIsFreeAtOnce) {
+    enableFirst();
+    ASSERT_EQ(bus.perform({run()}), Outcome::Done);
+    bus.engine.setTravelLimits({{std::nullopt, 5'000}});
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<StoppedBeforeLimit>() == 1; }, 5s));
+    bus.runFor(50ms);
+    EXPECT_EQ(bus.perform({run(true)}), Outcome::Done) << "while it slows down";
+    bus.runFor(3s);
+    EXPECT_LT(bus.servo(0).position, 0);
+    EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 1U);
+}
+
+TEST_F(TravelLimit, APwmOutputIsSwitchedOff) {
+    enableFirst();
+    const servo::StopMotor offWithPower{true, servo::StopManner::MotorOff, {}};
+    ASSERT_EQ(bus.perform({toServo(0, offWithPower), loadPwm(0, 60)}), Outcome::Done);
+    bus.engine.setTravelLimits({{std::nullopt, 20'000}});
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<StoppedBeforeLimit>() == 1; }, 20s));
+    EXPECT_LT(bus.servo(0).position, 20'000);
+    bus.runFor(1s);
+    EXPECT_FALSE(bus.servo(0).servoOn);
+    EXPECT_EQ(bus.servo(0).pwm, 0);
+}
+
+/// Where the counter is 0 is another place then, and so are the limits.
+TEST_F(TravelLimit, IsNotInForceAfterTheCounterWasSet) {
+    enableFirst();
+    bus.engine.setTravelLimits({{-1'000, 1'000}});
+    ASSERT_EQ(bus.perform({toServo(0, ResetPosition{}), run()}), Outcome::Done);
+    bus.runFor(2s);
+    EXPECT_GT(bus.servo(0).position, 5'000);
+    EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 0U);
+    bus.engine.setTravelLimits({{std::nullopt, 15'000}});
+    bus.runFor(4s);
+    EXPECT_LE(bus.servo(0).position, 15'000);
+    EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 1U);
+}
+
+TEST_F(TravelLimit, LeavesAMoveAloneThatEndsByItself) {
+    enableFirst();
+    bus.engine.setTravelLimits({{std::nullopt, 5'000}});
+    ASSERT_EQ(bus.perform({loadMove(0, 6'000), start(0)}), Outcome::Done) << "the plan has allowed it";
+    bus.runFor(6s);
+    EXPECT_NEAR(bus.servo(0).position, 6'000, 4);
+    EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 0U);
+}
+
+TEST_F(TravelLimit, LeavesAnotherHostsRunAlone) {
+    enableFirst();
+    ASSERT_EQ(bus.perform({run()}), Outcome::Done);
+    bus.newHost();
+    ASSERT_TRUE(bus.connect());
+    bus.engine.setTravelLimits({{std::nullopt, 5'000}});
+    bus.runFor(3s);
+    EXPECT_GT(bus.servo(0).position, 6'000);
+    EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 0U);
+}
+
+}  // namespace
+
+}  // namespace nmc::test

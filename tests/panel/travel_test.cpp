@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Limits of travel that are set while the motor runs, through the window.
+#include <gtest/gtest.h>
+
+#include "tests/support/hand.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::Hand;
+using testing_support::moves;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
+
+/// It runs at 8 counts/tick, which are 15 625 counts/s, and slows down by 1311/65536 counts/tick^2, which are
+/// 76 300 counts/s^2: it needs 1600 counts for that, and 1563 for the 0.1 s that a stop may take.
+TEST(TravelLimits, AFrozenPanelDelaysNoStop) {
+    VirtualChain sim{u"servo"_s};
+    VirtualPanel panel;
+    const auto position = [&] { return sim.state(1)[u"position"_s].toInt(); };
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    panel.ask(intent::SaveAsHome{});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().home.place().has_value(); }));
+    Hand hand(panel);
+    ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Axis"_s));
+    const int limit = position() + 80'000;
+    const int fromHome = limit - panel.module().home.place()->counts;
+    ASSERT_NO_FATAL_FAILURE(hand.type(u"Highest position"_s, QString::number(fromHome)));
+    ASSERT_EQ(panel.composition().machine().axes.at(0).travel.highest, fromHome);
+    ASSERT_TRUE(panel.waitFor([&] { return position() > limit - 15'000; }));
+    ASSERT_LT(position(), limit - 10'000) << "too late to show anything";
+    panel.freeze(std::chrono::milliseconds(1'800));
+    EXPECT_FALSE(moves(sim));
+    EXPECT_LE(position(), limit);
+    EXPECT_GT(position(), limit - 3'000);
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"just before its travel limit"_s) == 1; }))
+        << panel.headlines().join(u" | "_s).toStdString();
+    EXPECT_TRUE(panel.module().servoOn());
+}
+
+}  // namespace
+}  // namespace nmc
