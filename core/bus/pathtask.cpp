@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
+#include <utility>
 
 #include "bus/commandlane.h"
 #include "bus/gate.h"
@@ -18,6 +20,42 @@ constexpr unsigned kMaxLooks = 12;
 constexpr unsigned kMaxInVain = 4;
 /// A module that nobody has asked for so long is asked.
 constexpr Duration kInSight = std::chrono::milliseconds(250);
+/// Between two news of how far it is.
+constexpr Duration kNews = std::chrono::milliseconds(100);
+/// Bytes of a frame of seven points: header, address, command, points, sum.
+constexpr std::size_t kLongestFrame = 4 + 2 * PathBuffer::kLongestFrame;
+/// Time-outs' worth of looks after it was lost.
+constexpr int kLookAgain = 4;
+
+/// From when on a frame that is lost may be one too many: what it takes to find that out, and to send it
+/// again.
+[[nodiscard]] TimePoint dangerAt(TimePoint dry, const LineTiming& timing) {
+    if (dry == TimePoint::max())
+        return dry;
+    const Duration timeout = timing.timeout(kLongestFrame, kMaxReply);
+    return dry - LineTiming::quarantine(timeout) - kLookAgain * timeout;
+}
+
+[[nodiscard]] Outcome outcomeOf(PathEnd how) {
+    switch (how) {
+        case PathEnd::Done:
+            return Outcome::Done;
+        case PathEnd::Stopped:
+            return Outcome::Cancelled;
+        case PathEnd::NotReady:
+            return Outcome::Forbidden;
+        case PathEnd::Uncertain:
+        case PathEnd::NoAnswer:
+            return Outcome::NoAnswer;
+        case PathEnd::NotStarted:
+        case PathEnd::UnderRun:
+        case PathEnd::StoppedShort:
+        case PathEnd::OffPath:
+            break;
+    }
+    return Outcome::Refused;
+}
+
 }  // namespace
 
 // ---- from outside ----
@@ -285,6 +323,235 @@ Next PathTask::addPoints(Axis& axis) {
     m_touched = true;
     axis.sending = points.size();
     return m_chain.command(Purpose::Operation, {axis.module(), ServoCommand(*add)});
+}
+
+// ---- What came of its questions and points ----
+
+bool PathTask::Axis::confirms(StatusItems items) {
+    const bool other = agree == 0 || agreed != items;
+    agreed = items;
+    agree += other ? 1U : 0U;
+    return agree >= 2;
+}
+
+PathTask::Axis* PathTask::find(ModuleIndex module) {
+    const auto found =
+        std::find_if(m_axes.begin(), m_axes.end(), [&](const Axis& axis) { return axis.module() == module; });
+    return found == m_axes.end() ? nullptr : &*found;
+}
+
+Line::Script PathTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*now*/) {
+    Axis* axis = active() && ask.module ? find(*ask.module) : nullptr;
+    if (axis == nullptr)
+        return {};
+    const bool accepted = end.result == ReplyResult::Accepted;
+    axis->vain = accepted ? 0 : axis->vain + 1;
+    if (const std::size_t points = std::exchange(axis->sending, 0); points == 0) {
+        if (!accepted && m_phase == Phase::Readying)
+            this->end(PathEnd::NoAnswer, axis->module());
+    } else if (accepted) {
+        axis->buffer.onSent(points);
+    } else {  // that it was refused is the module's word alone
+        axis->doubtFrame(points);
+    }
+    return {};
+}
+
+void PathTask::onReport(ModuleIndex module, const ReplyEnd& end) {
+    Axis* axis = find(module);
+    if (axis == nullptr || !end.report.pathPoints)
+        return;
+    axis->left = *end.report.pathPoints;
+    ++axis->looks;
+    if (axis->doubt > 0)
+        return settle(*axis, end);
+    axis->buffer.onTold(axis->left, end.latched, end.latchedBy);
+    switch (m_phase) {
+        case Phase::Looking:
+        case Phase::Readying:
+        case Phase::Laying:
+        case Phase::Starting:
+            return;
+        case Phase::Counting:
+            if (axis->left != axis->buffer.sent())
+                return this->end(PathEnd::Uncertain, module);
+            std::ignore = axis->confirms(end.report.items);
+            return;
+        case Phase::Confirming:
+            return confirmStart(*axis, end);
+        case Phase::Running:
+            return watch(*axis, end);
+    }
+}
+
+void PathTask::noteSilence() {
+    for (const Axis& axis : m_axes)
+        if (!m_chain.answers(axis.module()))
+            return end(PathEnd::NoAnswer, axis.module());
+}
+
+/// Two looks of different length have to say the same.
+void PathTask::settle(Axis& axis, const ReplyEnd& end) {
+    const bool stands = end.report.aux && !servo::AuxByte{*end.report.aux}.pathMode();
+    if (m_phase == Phase::Running && stands)
+        return this->end(PathEnd::UnderRun, axis.module());
+    const auto carriedOut = axis.buffer.carriedOut(axis.doubt, axis.left, end.latched, end.latchedBy);
+    if (!carriedOut || axis.vote.value_or(*carriedOut) != *carriedOut)
+        return this->end(PathEnd::Uncertain, axis.module());
+    axis.vote = carriedOut;
+    if (!axis.confirms(end.report.items))
+        return;
+    if (*carriedOut)
+        axis.buffer.onSent(axis.doubt);
+    axis.doubt = 0;
+    axis.looks = axis.agree = 0;
+    axis.buffer.onTold(axis.left, end.latched, end.latchedBy);
+}
+
+void PathTask::confirmStart(Axis& axis, const ReplyEnd& end) {
+    const bool runs = end.report.aux && servo::AuxByte{*end.report.aux}.pathMode();
+    if (runs || axis.left < axis.buffer.sent()) {
+        std::ignore = axis.confirms(end.report.items);
+        axis.disagree = 0;
+    } else if (end.latched > m_started + kTakesEffect && ++axis.disagree == 2) {
+        this->end(PathEnd::NotStarted, axis.module());
+    }
+}
+
+/// All have started: the model follows them from now on.
+void PathTask::begun() {
+    for (const Axis& axis : m_axes) {
+        const ModuleCommand go = ServoCommand(servo::AddPathPoints());
+        m_chain.at(axis.module()).belief.onExecuted(go);
+        m_events.emplace_back(CommandExecuted{axis.module(), m_started, go});
+    }
+}
+
+void PathTask::watch(Axis& axis, const ReplyEnd& end) {
+    const StatusReport& report = end.report;
+    axis.looks = 0;
+    if (!report.aux || !report.position || !report.positionError)
+        return;
+    if (!axis.buffer.sentAll())
+        m_least = std::min(m_least.value_or(axis.left), axis.left);
+    if (!servo::AuxByte{*report.aux}.pathMode()) {
+        if (axis.confirms(report.items))
+            standsStill(axis, report);
+    } else {
+        axis.agree = 0;
+        if (offPath(axis, report))
+            return this->end(PathEnd::OffPath, axis.module());
+    }
+    if (!active())
+        return;
+    m_runsDry = m_runsDry && end.latched >= dangerAt(dryAt(), m_line.timing());
+    tell(end.latched);
+}
+
+namespace {
+
+[[nodiscard]] std::int64_t commandPosition(const StatusReport& report) {
+    return std::int64_t{*report.position} + *report.positionError;
+}
+
+}  // namespace
+
+/// Its chip has ended the path.
+void PathTask::standsStill(Axis& axis, const StatusReport& report) {
+    // Points that came too late are still in the buffer.
+    const std::size_t taken = axis.buffer.sent() - std::min(axis.left, axis.buffer.sent());
+    if (commandPosition(report) != axis.place(taken) || !servo::AuxByte{*report.aux}.servoOn())
+        return end(PathEnd::StoppedShort, axis.module());
+    if (axis.left > 0 || !axis.buffer.sentAll())
+        return end(PathEnd::UnderRun, axis.module());
+    axis.done = true;
+    if (std::all_of(m_axes.begin(), m_axes.end(), [](const Axis& other) { return other.done; }))
+        end(PathEnd::Done);
+}
+
+/// Between the point that it left and the one that it goes to, and one more on each side: the chip need not
+/// latch both in the same tick.
+bool PathTask::offPath(const Axis& axis, const StatusReport& report) const {
+    const std::size_t sent = axis.buffer.sent();
+    const std::size_t taken = sent - std::min(axis.left, sent);
+    const std::int64_t at = commandPosition(report);
+    std::int64_t lowest = at + 1, highest = at - 1;
+    for (std::size_t i = taken < 2 ? 0 : taken - 2; i <= std::min(taken + 1, sent); ++i) {
+        lowest = std::min<std::int64_t>(lowest, axis.place(i));
+        highest = std::max<std::int64_t>(highest, axis.place(i));
+    }
+    return at < lowest || at > highest;
+}
+
+// ---- what is told ----
+
+TimePoint PathTask::dryAt() const {
+    TimePoint first = TimePoint::max();
+    for (const Axis& axis : m_axes)
+        if (!axis.buffer.sentAll())
+            first = std::min(first, axis.buffer.dryAt());
+    return first;
+}
+
+std::optional<TimePoint> PathTask::foreseeAt() const {
+    const TimePoint dry = dryAt();
+    if (m_phase != Phase::Running || m_runsDry || dry == TimePoint::max())
+        return std::nullopt;
+    return dangerAt(dry, m_line.timing());
+}
+
+void PathTask::foresee(TimePoint now) {
+    const auto at = foreseeAt();
+    if (!at || now < *at)
+        return;
+    m_runsDry = true;
+    m_toldAt.reset();
+    tell(now);
+}
+
+void PathTask::tell(TimePoint now) {
+    if (m_toldAt && now - *m_toldAt < kNews)
+        return;
+    m_toldAt = now;
+    m_events.emplace_back(progress(now));
+}
+
+PathProgress PathTask::progress(TimePoint now) const {
+    PathProgress progress;
+    progress.plan = m_plan;
+    progress.module = m_plan->axes.empty() ? ModuleIndex() : m_plan->axes.front().module;
+    progress.least = m_least;
+    progress.runsDry = m_runsDry;
+    if (m_axes.empty() || m_phase < Phase::Confirming)
+        return progress;
+    progress.done = progress.points();
+    progress.left = m_axes.front().buffer.sent();
+    for (const Axis& axis : m_axes) {
+        const std::size_t taken = axis.buffer.taken(now);
+        progress.done = std::min(progress.done, taken);
+        progress.left = std::min(progress.left, axis.buffer.sent() - taken);
+    }
+    progress.lasts = pathPeriod(m_plan->rate) * static_cast<Duration::rep>(progress.left);
+    return progress;
+}
+
+void PathTask::end(PathEnd how, std::optional<ModuleIndex> by, const std::vector<ModuleIndex>& stopped) {
+    PathProgress last = progress(m_toldAt.value_or(TimePoint{}));
+    last.end = how;
+    last.endedBy = by;
+    if (how == PathEnd::Done)
+        last.done = last.points(), last.left = 0, last.lasts = {};
+    m_events.emplace_back(last);
+    m_events.emplace_back(OperationFinished{m_id, outcomeOf(how), by.value_or(last.module),
+                                            payloadOf(ServoCommand(servo::AddPathPoints())).commandByte()});
+    if (m_touched && how != PathEnd::Done) {
+        m_stops.manner = m_plan->smoothStop ? StopManner::Smoothly : StopManner::Abruptly;
+        for (const Axis& axis : m_axes)
+            if (std::find(stopped.begin(), stopped.end(), axis.module()) == stopped.end())
+                m_stops.modules.push_back(axis.module());
+    }
+    m_plan.reset();
+    m_axes.clear();
 }
 
 }  // namespace nmc::bus

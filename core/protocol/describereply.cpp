@@ -43,56 +43,30 @@ const BitNames& auxBitNames(const ModuleIdentity& module) {
     return hasPathBuffer(module) ? servo::kCmcAuxBitNames : servo::kAuxBitNames;
 }
 
-template <typename T>
-std::string number(const std::optional<T>& item) {
-    return std::to_string(item.value_or(T{}));
-}
-
-std::string ioValue(const StatusReport& report, std::uint8_t item) {
-    switch (item) {
-        case StatusItems::Pins:
-            return describe::lineNames("IO", io::kPins, report.pins.value_or(0), "all low");
-        case StatusItems::Analog1:
-            return number(report.analogs[0]);
-        case StatusItems::Analog2:
-            return number(report.analogs[1]);
-        case StatusItems::Analog3:
-            return number(report.analogs[2]);
-        case StatusItems::Counter:
-            return number(report.counter);
-        case StatusItems::LatchedPins:
-            return describe::lineNames("IO", io::kPins, report.latchedPins.value_or(0), "all low");
-        case StatusItems::LatchedCounter:
-            return number(report.latchedCounter);
-        default:
-            return {};
-    }
-}
-
-std::string motorValue(const ModuleIdentity& module, const StatusReport& report, std::uint8_t item) {
-    switch (item) {
-        case StatusItems::Position:
-            return number(report.position);
-        case StatusItems::Analog:
-            return number(report.analog);
-        case StatusItems::Velocity:  // and StatusItems::TimerCount
-            return module.type == ModuleType::Stepper ? number(report.timerCount) : number(report.velocity);
-        case StatusItems::Aux:  // and StatusItems::Inputs
-            return bitNames(module.type, auxBitNames(module), report.aux.value_or(0));
-        case StatusItems::Home:
-            return number(report.home);
-        case StatusItems::PositionError:
-            return number(report.positionError);
-        case StatusItems::PathPoints:
-            return number(report.pathPoints);
-        default:
-            return {};
-    }
-}
-
-std::string identity(const StatusReport& report) {
-    const ModuleIdentity is = report.identity.value_or(ModuleIdentity{});
-    return "type " + std::to_string(static_cast<int>(is.type)) + ", version " + std::to_string(is.version);
+/// What has no bits with names of their own is a number.
+std::string valueOf(const ModuleIdentity& module, const StatusReport& report, std::uint8_t item) {
+    const bool io = module.type == ModuleType::Io;
+    if (!io && item == StatusItems::Aux)
+        return bitNames(module.type, auxBitNames(module), report.aux.value_or(0));
+    std::string text;
+    const auto describe = [&](const auto& value) {
+        using T = typename std::decay_t<decltype(value)>::value_type;
+        if constexpr (std::is_same_v<T, ModuleIdentity>)
+            text = "type " + std::to_string(static_cast<int>(value->type)) + ", version " +
+                   std::to_string(value->version);
+        else if (io && (item == StatusItems::Pins || item == StatusItems::LatchedPins))
+            text = describe::lineNames("IO", io::kPins, static_cast<std::uint16_t>(*value), "all low");
+        else
+            text = std::to_string(*value);
+    };
+    visitItem(
+        module, item,
+        [&](const auto& value) {
+            if (value)
+                describe(value);
+        },
+        report);
+    return text;
 }
 
 std::string describeReport(const ModuleIdentity& module, const StatusReport& report) {
@@ -100,12 +74,8 @@ std::string describeReport(const ModuleIdentity& module, const StatusReport& rep
     for (const StatusItemRow& row : statusItemTable(module)) {
         if (!report.items.has(row.bit))
             continue;
-        if (row.bit == StatusItems::Identity)
-            phrases.add(identity(report));
-        else
-            phrases.add(std::string(row.name) + ' ' +
-                        (module.type == ModuleType::Io ? ioValue(report, row.bit)
-                                                       : motorValue(module, report, row.bit)));
+        const std::string value = valueOf(module, report, row.bit);
+        phrases.add(row.bit == StatusItems::Identity ? value : std::string(row.name) + ' ' + value);
     }
     const std::string bits = bitNames(module.type, statusBitNames(module.type), report.status);
     return phrases.add(report.status == 0 ? "status 00" : bits).text();

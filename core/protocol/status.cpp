@@ -38,86 +38,18 @@ constexpr std::array kIoItems{
     StatusItemRow{StatusItems::LatchedCounter, "latched counter", 4},
 };
 
-ModuleIdentity identityOf(ByteSpan bytes) {
-    return {static_cast<ModuleType>(bytes[0]), bytes[1]};
+void read(ByteSpan bytes, std::optional<ModuleIdentity>& identity) {
+    identity = {static_cast<ModuleType>(bytes[0]), bytes[1]};
 }
 
-void storeIo(StatusReport& report, std::uint8_t item, ByteSpan bytes) {
-    constexpr std::uint16_t kPins = 0x0FFF;
-    const auto pins = [bytes] {
-        return static_cast<std::uint16_t>(readLittleEndian<std::uint16_t>(bytes) & kPins);
-    };
-    switch (item) {
-        case StatusItems::Pins:
-            report.pins = pins();
-            break;
-        case StatusItems::Analog1:
-            report.analogs[0] = bytes[0];
-            break;
-        case StatusItems::Analog2:
-            report.analogs[1] = bytes[0];
-            break;
-        case StatusItems::Analog3:
-            report.analogs[2] = bytes[0];
-            break;
-        case StatusItems::Counter:
-            report.counter = readLittleEndian<std::uint32_t>(bytes);
-            break;
-        case StatusItems::Identity:
-            report.identity = identityOf(bytes);
-            break;
-        case StatusItems::LatchedPins:
-            report.latchedPins = pins();
-            break;
-        case StatusItems::LatchedCounter:
-            report.latchedCounter = readLittleEndian<std::uint32_t>(bytes);
-            break;
-        default:
-            break;
-    }
+template <typename T>
+void read(ByteSpan bytes, std::optional<T>& value) {
+    value = readLittleEndian<T>(bytes);
 }
 
-std::int16_t velocityOf(const ModuleIdentity& module, ByteSpan bytes) {
-    const auto sent = readLittleEndian<std::int16_t>(bytes);
-    if (hasPathBuffer(module))
-        return sent;
-    // DS-V 5.2: "the negative of the velocity". -(-32768) does not fit; the chip cannot get there.
-    const int negated = -int{sent};
-    return static_cast<std::int16_t>(negated > INT16_MAX ? INT16_MAX : negated);
-}
-
-void storeMotor(StatusReport& report, const ModuleIdentity& module, std::uint8_t item, ByteSpan bytes) {
-    switch (item) {
-        case StatusItems::Position:
-            report.position = readLittleEndian<std::int32_t>(bytes);
-            break;
-        case StatusItems::Analog:
-            report.analog = bytes[0];
-            break;
-        case StatusItems::Velocity:  // and StatusItems::TimerCount
-            if (module.type == ModuleType::Stepper)
-                report.timerCount = readLittleEndian<std::uint16_t>(bytes);
-            else
-                report.velocity = velocityOf(module, bytes);
-            break;
-        case StatusItems::Aux:  // and StatusItems::Inputs
-            report.aux = bytes[0];
-            break;
-        case StatusItems::Home:
-            report.home = readLittleEndian<std::int32_t>(bytes);
-            break;
-        case StatusItems::Identity:
-            report.identity = identityOf(bytes);
-            break;
-        case StatusItems::PositionError:
-            report.positionError = readLittleEndian<std::int16_t>(bytes);
-            break;
-        case StatusItems::PathPoints:
-            report.pathPoints = bytes[0];
-            break;
-        default:
-            break;
-    }
+/// DS-V 5.2: "the negative of the velocity". -(-32768) does not fit; the chip cannot get there.
+std::int16_t negated(std::int16_t sent) {
+    return sent == INT16_MIN ? INT16_MAX : static_cast<std::int16_t>(-sent);
 }
 
 }  // namespace
@@ -152,6 +84,17 @@ std::size_t replyLength(const ModuleIdentity& module, StatusItems items) {
     return length;
 }
 
+void merge(const ModuleIdentity& module, StatusReport& into, const StatusReport& from) {
+    into.status = from.status;
+    into.items = StatusItems(static_cast<std::uint8_t>(into.items.mask() | from.items.mask()));
+    const auto take = [](auto& to, const auto& value) {
+        if (value)
+            to = value;
+    };
+    for (const StatusItemRow& row : statusItemTable(module))
+        visitItem(module, row.bit, take, into, from);
+}
+
 tl::expected<StatusReport, StatusError> decodeStatus(const ModuleIdentity& module, StatusItems items,
                                                      ByteSpan reply) {
     if (reply.size() != replyLength(module, items))
@@ -167,12 +110,15 @@ tl::expected<StatusReport, StatusError> decodeStatus(const ModuleIdentity& modul
         if (!items.has(row.bit))
             continue;
         const ByteSpan bytes = reply.subspan(at, row.size);
-        if (module.type == ModuleType::Io)
-            storeIo(report, row.bit, bytes);
-        else
-            storeMotor(report, module, row.bit, bytes);
+        visitItem(
+            module, row.bit, [bytes](auto& value) { read(bytes, value); }, report);
         at += row.size;
     }
+    if (report.velocity && !hasPathBuffer(module))
+        report.velocity = negated(*report.velocity);
+    for (std::optional<std::uint16_t>* pins : {&report.pins, &report.latchedPins})
+        if (*pins)
+            *pins = static_cast<std::uint16_t>(**pins & 0x0FFFU);
     return report;
 }
 

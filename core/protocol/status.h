@@ -196,6 +196,56 @@ struct StatusReport {
     bool operator==(const StatusReport&) const = default;
 };
 
+/// Calls `function` with the member that holds this item, of each of the reports: StatusReports, const or
+/// not. With those of statusItemTable() it knows every item.
+template <typename Function, typename... Reports>
+void visitItem(const ModuleIdentity& module, std::uint8_t item, Function function, Reports&... reports) {
+    if (item == StatusItems::Identity)
+        return function(reports.identity...);
+    if (module.type == ModuleType::Io) {
+        switch (item) {
+            case StatusItems::Pins:
+                return function(reports.pins...);
+            case StatusItems::Analog1:
+                return function(reports.analogs[0]...);
+            case StatusItems::Analog2:
+                return function(reports.analogs[1]...);
+            case StatusItems::Analog3:
+                return function(reports.analogs[2]...);
+            case StatusItems::Counter:
+                return function(reports.counter...);
+            case StatusItems::LatchedPins:
+                return function(reports.latchedPins...);
+            case StatusItems::LatchedCounter:
+                return function(reports.latchedCounter...);
+            default:
+                return;
+        }
+    }
+    switch (item) {
+        case StatusItems::Position:
+            return function(reports.position...);
+        case StatusItems::Analog:
+            return function(reports.analog...);
+        case StatusItems::Velocity:  // and StatusItems::TimerCount
+            return module.type == ModuleType::Stepper ? function(reports.timerCount...)
+                                                      : function(reports.velocity...);
+        case StatusItems::Aux:  // and StatusItems::Inputs
+            return function(reports.aux...);
+        case StatusItems::Home:
+            return function(reports.home...);
+        case StatusItems::PositionError:
+            return function(reports.positionError...);
+        case StatusItems::PathPoints:
+            return function(reports.pathPoints...);
+        default:
+            return;
+    }
+}
+
+/// Takes over every item that `from` carries; what it does not carry keeps its last value.
+void merge(const ModuleIdentity& module, StatusReport& into, const StatusReport& from);
+
 enum class StatusError : std::uint8_t { Length, Checksum };
 
 /// Decodes a whole reply, whose layout the host must know beforehand: there is neither header nor length.

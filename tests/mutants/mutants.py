@@ -79,7 +79,7 @@ BELIEVING = (
              "const bool second = m_last.has_value();"),
     )),
     Mutant("refused-reply-believed", "faults.md F-08: a refusal shows that the module lives, and is no sample", (
-        Edit("core/bus/engineoutcome.cpp",
+        Edit("core/bus/engine.cpp",
              "    if (end.result == ReplyResult::Refused) {\n        module.trust.interrupt();",
              "    if (false) {\n        module.trust.interrupt();"),
     )),
@@ -88,7 +88,7 @@ BELIEVING = (
 COMMANDS = (
     Mutant("blind-retry-of-set-address", "link.md 2.3: the new address is asked first, or two modules get it", (
         Edit("core/bus/discovery.cpp",
-             "set.encode(), {}}, 0, Quarantine::Brief);",
+             "encode(set), {}}, 0, Quarantine::Brief);",
              "set.encode(), {}}, 1, Quarantine::Brief);"),
     )),
     Mutant("address-number-sent-twice", "link.md 2.3: whoever took it may only not have been heard", (
@@ -199,7 +199,7 @@ GROUPS = (
              "        if (!info.group)\n            continue;\n        if ((everybody"),
     )),
     Mutant("refused-load-leaves-the-old-one", "faults.md M-26: what waits is not what was asked for", (
-        Edit("core/bus/engineoutcome.cpp", "            module.belief.forgetLoad();\n", "            ;\n"),
+        Edit("core/bus/engine.cpp", "            module.belief.forgetLoad();\n", "            ;\n"),
     )),
     Mutant("rate-changed-for-group-ff-only", "protocol.md 1: a module is in exactly one group", (
         Edit("core/bus/ratetask.cpp", "        groups.emplace_back(module.belief.info().group->group);\n", ""),

@@ -33,7 +33,7 @@ READ_ONLY = (
              "    if (!m_stop.active() && !m_config.readOnly) {\n", "    if (!m_stop.active()) {\n"),
     )),
     Mutant("read-only-suspects-motions", "each is somebody else's", (
-        Edit("core/bus/engineoutcome.cpp", 
+        Edit("core/bus/engine.cpp", 
              "    if (m_config.readOnly)\n        return;  // whatever moves there", "    //"),
     )),
     Mutant("read-only-has-a-burst", "a crash stops nobody else's motors", (

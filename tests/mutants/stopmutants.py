@@ -44,7 +44,7 @@ STOPPING = (
              "            if (belief(order.module).info().group.value_or(GroupPlace{}).leader)"),
     )),
     Mutant("suspect-motion-goes-on", "faults.md M-17: a motor that is not where it should be is stopped", (
-        Edit("core/bus/engineoutcome.cpp",
+        Edit("core/bus/engine.cpp",
              "    halt(module, StopCause::MotionSuspect, off ? StopManner::Off : StopManner::Abruptly);",
              "    static_cast<void>(off);\n    dropWork();"),
     )),

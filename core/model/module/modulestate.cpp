@@ -9,35 +9,6 @@
 
 namespace nmc {
 
-namespace {
-
-/// Copies every item that `from` carries; what it does not carry keeps its last value.
-void merge(StatusReport& into, const StatusReport& from) {
-    into.status = from.status;
-    into.items = StatusItems(static_cast<std::uint8_t>(into.items.mask() | from.items.mask()));
-    const auto take = [](auto& to, const auto& value) {
-        if (value)
-            to = value;
-    };
-    take(into.position, from.position);
-    take(into.analog, from.analog);
-    take(into.velocity, from.velocity);
-    take(into.timerCount, from.timerCount);
-    take(into.aux, from.aux);
-    take(into.home, from.home);
-    take(into.identity, from.identity);
-    take(into.positionError, from.positionError);
-    take(into.pathPoints, from.pathPoints);
-    take(into.pins, from.pins);
-    for (std::size_t i = 0; i < from.analogs.size(); ++i)
-        take(into.analogs[i], from.analogs[i]);
-    take(into.counter, from.counter);
-    take(into.latchedPins, from.latchedPins);
-    take(into.latchedCounter, from.latchedCounter);
-}
-
-}  // namespace
-
 /// Whether a motor moves that was set in motion by somebody else, or is off: a velocity below one count a
 /// tick reads 0, so the position has to tell.
 void ModuleState::watchDrift(const bus::Sample& sample, bool wasOn) {
@@ -67,7 +38,7 @@ void ModuleState::apply(const bus::Sample& sample) {
     const HomeWatch watchBefore = homing;
     if (!latest)
         latest.emplace();
-    merge(*latest, sample.report);
+    merge(info.identity, *latest, sample.report);
     latestTime = sample.time;
     if (sample.report.position)
         speed.apply(sample.time, *sample.report.position);
