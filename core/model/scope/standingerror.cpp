@@ -12,14 +12,6 @@ double halfBand(const CommandEstimate& command) {
     return (command.high - command.low) / 2;
 }
 
-/// By how much a shaft may stand farther off than in the `rests` before. Where friction holds it anywhere
-/// within a reach, the next rest is beyond f times the farthest of n with a probability of f^-n / (n + 1): this
-/// is the f of one in a thousand.
-double beyondTheFarthest(unsigned rests) {
-    constexpr double kSeldomOf = 1'000;
-    return std::max(1.0, std::pow(kSeldomOf / (rests + 1.0), 1.0 / rests));
-}
-
 }  // namespace
 
 void StandingError::leave(const CommandEstimate& command) {
@@ -44,13 +36,12 @@ std::optional<CommandEstimate> StandingError::look(TimePoint time, std::int32_t 
     // motion that could not be followed.
     const bool usual = m_farthest && own <= 2 * m_own && std::abs(command.position - position) <= farthest;
     m_own = std::max(m_own, own);
-    const double most = usual ? farthest * beyondTheFarthest(m_rests) : 0.0;
-    ++m_rests;
     if (command.low == command.high || !usual) {
         m_farthest = std::max(m_farthest.value_or(0.0), reach);
         return std::nullopt;
     }
-    const CommandEstimate narrower{0, position + std::max(low, -most), position + std::min(high, most)};
+    const CommandEstimate narrower{0, position + std::max(low, -farthest),
+                                   position + std::min(high, farthest)};
     return CommandEstimate{(narrower.low + narrower.high) / 2, narrower.low, narrower.high};
 }
 

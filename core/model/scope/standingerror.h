@@ -31,7 +31,6 @@ private:
     double m_before = 0;               ///< half the band where the last motions began
     double m_own = 0;                  ///< half the band that a motion has left at most
     std::optional<double> m_farthest;  ///< so far off it may have stood
-    unsigned m_rests = 0;              ///< that m_farthest goes by
 };
 
 }  // namespace nmc
