@@ -12,6 +12,7 @@
 #include "model/module/modulescale.h"
 #include "model/procedure/procedures.h"
 #include "model/response/responsefile.h"
+#include "module/commandfacts.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/looptests/frequencypage.h"
@@ -21,22 +22,6 @@
 #include "widgets/scope/scoperecord.h"
 
 namespace nmc {
-
-namespace {
-
-/// What moves a motor, or may; what switches one on holds it where it is.
-bool mayMove(const ModuleCommand& command) {
-    constexpr Overloaded moves{
-        [](const AnyOf<servo::LoadTrajectory, stepper::LoadTrajectory> auto& load) { return load.startNow; },
-        [](const servo::StopMotor& stop) { return stop.manner == servo::StopManner::Here; },
-        [](const StartMotion&) { return true; },
-        [](const servo::AddPathPoints& add) { return add.startsPath(); },
-        [](const auto&) { return false; },
-    };
-    return std::visit([&](const auto& chip) { return std::visit(moves, chip); }, command);
-}
-
-}  // namespace
 
 void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     m_scanWhenIdle = false;  // the user has gone on
@@ -131,7 +116,7 @@ bus::OperationId Composition::submit(Procedure::Send send) {
     const bus::OperationId id(++m_lastOperation);
     std::vector<ModuleIndex> moved;
     for (const bus::Order& order : send.orders)
-        if (mayMove(order.command))
+        if (mayStartMotion(order.command))
             moved.push_back(order.module);
     if (!moved.empty())
         m_motionMarker.asked(id, moved);

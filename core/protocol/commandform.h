@@ -222,6 +222,16 @@ private:
     bool m_right = true;
 };
 
+/// What Set Homing Mode does when home is found, the same on a PIC-SERVO and a PIC-STEP: at most one of the
+/// three.
+void homingStopFields(auto& form, auto& c) {
+    form.bit(2, c.motorOff, "motor off");
+    form.bit(4, c.stopAbruptly, "stop abruptly");
+    form.bit(5, c.stopSmoothly, "stop smoothly");
+    form.check(int{c.motorOff} + int{c.stopAbruptly} + int{c.stopSmoothly} <= 1);
+    form.orElse("cancel");
+}
+
 template <typename Command>
 concept HasFields = requires {
     Command::kCode;

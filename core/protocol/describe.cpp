@@ -10,7 +10,6 @@
 #include "protocol/baud.h"
 #include "protocol/commands.h"
 #include "protocol/commandtable.h"
-
 #include "protocol/frame.h"
 #include "protocol/phrases.h"
 

@@ -169,11 +169,7 @@ struct SetHoming {
         form.bit(3, c.onIndexChange, "change of index");
         form.bit(6, c.onPositionError, "position error");
         form.bit(7, c.onCurrentLimit, "current limiting");
-        form.bit(2, c.motorOff, "motor off");
-        form.bit(4, c.stopAbruptly, "stop abruptly");
-        form.bit(5, c.stopSmoothly, "stop smoothly");
-        form.check(int{c.motorOff} + int{c.stopAbruptly} + int{c.stopSmoothly} <= 1);
-        form.orElse("cancel");
+        homingStopFields(form, c);
     }
     bool operator==(const SetHoming&) const = default;
 };

@@ -129,11 +129,7 @@ struct SetHoming {
         form.bit(0, c.onLimit1Change, "change of limit1");
         form.bit(1, c.onLimit2Change, "change of limit2");
         form.bit(3, c.onHomeSwitchChange, "change of home switch");
-        form.bit(2, c.motorOff, "motor off");
-        form.bit(4, c.stopAbruptly, "stop abruptly");
-        form.bit(5, c.stopSmoothly, "stop smoothly");
-        form.check(int{c.motorOff} + int{c.stopAbruptly} + int{c.stopSmoothly} <= 1);
-        form.orElse("cancel");
+        homingStopFields(form, c);
     }
     bool operator==(const SetHoming&) const = default;
 };
