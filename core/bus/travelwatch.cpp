@@ -65,8 +65,8 @@ std::optional<StopManner> TravelWatch::onReport(const StatusReport& report, Time
     const auto& limit = direction < 0 ? m_limits.lowest : m_limits.highest;
     if (direction == 0 || !limit)
         return std::nullopt;
-    // With SR unknown the longest way is that of ticks as short as they can be: the ramp, in counts, is the
-    // same for all, and what goes by until the stop arrives is most.
+    // While SR is unknown, the shortest tick is assumed: a ramp takes the same counts at any tick length, and
+    // the motor covers the most distance before the stop arrives.
     const ServoRegisters& told = belief.servoRegisters();
     const double ticks = ticksPerSecond(told.servoRate.value_or(1));
     const double wanted =

@@ -11,8 +11,8 @@
 namespace nmc::bus {
 
 /// Stops a motion that has no end of its own before it leaves the limits of travel: a PWM output, which no
-/// chip ends, and a run that was begun before its limits were in force. Whoever is known to have started it
-/// is this connection: what another host has set going is not ended here. One object per module. Pure.
+/// chip ends, and a run that was begun before its limits were in force. Only motions that this connection
+/// started are stopped, not those of another host. One object per module. Pure.
 class TravelWatch {
 public:
     /// From a report to the stop that answers it; or as long as the module is left unasked, if that is

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] std::optional<StatusReport> confirm(const StatusReport& report);
     /// The next reply does not follow the last one without a doubt in between.
     void interrupt() { m_last.reset(); }
-    /// A command that may move the motor goes out: that it stands still has to be shown anew.
+    /// A command that may move the motor goes out: standstill has to be proved again.
     void expectMotion();
 
 private:

@@ -63,7 +63,7 @@ struct CommandFacts {
 [[nodiscard]] inline RetryRule retryRule(const ModuleCommand& command) {
     return factsOf(command).retry;
 }
-/// Once it is carried out, "stands still" has to be shown anew.
+/// Once such a command may have been carried out, standstill has to be proved again.
 [[nodiscard]] inline bool mayStartMotion(const ModuleCommand& command) {
     return factsOf(command).effect == Effect::Start;
 }

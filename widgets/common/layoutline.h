@@ -14,7 +14,7 @@ public:
     [[nodiscard]] bool empty() const { return m_items.empty(); }
     [[nodiscard]] std::size_t count() const { return m_items.size(); }
     [[nodiscard]] QLayoutItem* first() const { return m_items.front().item; }
-    /// Of the highest item.
+    /// The height of the tallest item.
     [[nodiscard]] int height() const;
     /// Moves the items to where they belong in `rect`, `top` pixels below its upper edge. Lines run from
     /// right to left where `parent` does. A widget lower than the line is centred on it, as words beside a
