@@ -89,7 +89,7 @@ COMMANDS = (
     Mutant("blind-retry-of-set-address", "link.md 2.3: the new address is asked first, or two modules get it", (
         Edit("core/bus/discovery.cpp",
              "encode(set), {}}, 0, Quarantine::Brief);",
-             "set.encode(), {}}, 1, Quarantine::Brief);"),
+             "encode(set), {}}, 1, Quarantine::Brief);"),
     )),
     Mutant("address-number-sent-twice", "link.md 2.3: whoever took it may only not have been heard", (
         Edit("core/bus/discovery.cpp",
@@ -171,8 +171,8 @@ LOSING = (
              "        for (const Chain::Module& module : m_chain.modules())\n"
              "            if (module.belief.restarted() && !m_quiet)\n"
              "                return Line::Script{\n"
-             "                    Line::Packet{toPacket({BusAddress(0),\n"
-             "                        SetAddress{module.belief.info().address, BusAddress(0xFF), false}.encode()})},\n"
+             "                    Line::Packet{toPacket({BusAddress(0), encode(SetAddress{\n"
+             "                        module.belief.info().address, BusAddress(0xFF), false})})},\n"
              "                    Line::Lag{kAfterNulls}, DiscardInput{}};\n"),
     )),
     Mutant("noise-for-a-restarted-module", "faults.md F-16: no more packets at the rate that it does not hear", (
