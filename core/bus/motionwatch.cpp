@@ -48,7 +48,6 @@ void MotionWatch::onSent(const ModuleCommand& command, const ServoRegisters& sen
 
 void MotionWatch::started(const ServoRegisters& sent) {
     const servo::LoadTrajectory& load = sent.load;
-    const bool wasGoing = m_heading && m_velocity != 0;
     const int before = m_heading ? m_heading->direction : 0;
     forget();
     if (!load.servo || !m_position)
@@ -63,8 +62,9 @@ void MotionWatch::started(const ServoRegisters& sent) {
         return;
     }
     const int direction = load.reverse ? -1 : 1;
-    // From the other direction it first has to slow down: it is watched once it goes the new way.
-    const bool underWay = !wasGoing || before == direction;
+    // What still goes the other way, by a run or a stop before, has to slow down first: it is watched once it
+    // goes the new way.
+    const bool underWay = before == direction || m_velocity * direction >= 0;
     m_heading = Heading{direction, underWay, *m_position * direction};
 }
 

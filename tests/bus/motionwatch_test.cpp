@@ -125,6 +125,22 @@ TEST(MotionWatch, LetsAMotorSlowDownBeforeItTurnsRound) {
     EXPECT_EQ(servo.is(4'000, 5), MotionSuspect::Reason::WrongWay) << "forward again";
 }
 
+/// It is told to go back before it has come to rest.
+TEST(MotionWatch, LetsAMotorThatIsBeingStoppedSlowDownToo) {
+    Watched servo;
+    servo.told(turn(false));
+    for (int i = 1; i <= 10; ++i)
+        ASSERT_EQ(servo.is(i * 200, 10), Suspect{});
+    servo.told(toServo(0, servo::StopMotor{true, servo::StopManner::Smoothly, {}}));
+    ASSERT_EQ(servo.is(2'200, 9), Suspect{});
+    servo.told(turn(true));
+    for (int i = 8; i > 0; --i)
+        ASSERT_EQ(servo.is(3'800 - i * 200, static_cast<std::int16_t>(i)), Suspect{}) << "still forward";
+    for (int i = 0; i < 20; ++i)
+        ASSERT_EQ(servo.is(3'600 - i * 100, -5), Suspect{});
+    EXPECT_EQ(servo.is(3'600, 5), MotionSuspect::Reason::WrongWay) << "forward again";
+}
+
 TEST(MotionWatch, ForgetsAMotionThatWasStopped) {
     for (const auto manner : {servo::StopManner::Abruptly, servo::StopManner::Smoothly,
                               servo::StopManner::Here, servo::StopManner::MotorOff}) {

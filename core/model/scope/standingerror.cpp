@@ -37,11 +37,18 @@ std::optional<CommandEstimate> StandingError::look(TimePoint time, std::int32_t 
     const bool usual = m_farthest && own <= 2 * m_own && std::abs(command.position - position) <= farthest;
     m_own = std::max(m_own, own);
     if (command.low == command.high || !usual) {
+        m_added = 0;
         m_farthest = std::max(m_farthest.value_or(0.0), reach);
         return std::nullopt;
     }
-    const CommandEstimate narrower{0, position + std::max(low, -farthest),
-                                   position + std::min(high, farthest)};
+    m_added += own;
+    // No more is taken back than the motions since then have added: load and friction may have changed.
+    const double cutLow = std::max(0.0, -farthest - low);
+    const double cutHigh = std::max(0.0, high - farthest);
+    const double cut = cutLow + cutHigh;
+    const double share = cut > 2 * m_added ? 2 * m_added / cut : 1.0;
+    m_added -= share * cut / 2;
+    const CommandEstimate narrower{0, command.low + share * cutLow, command.high - share * cutHigh};
     return CommandEstimate{(narrower.low + narrower.high) / 2, narrower.low, narrower.high};
 }
 

@@ -10,9 +10,9 @@
 
 namespace nmc {
 
-/// What a shaft that stands still says about a command position that does so too: what friction and load let
-/// it stand off is about the same each time. So the doubts of many motions do not add up: each leaves its
-/// own, or the farthest that the shaft may have stood off with these gains, whichever is more. Positions in
+/// What a shaft at rest says about a command position at rest. Friction and load hold the shaft about as far
+/// from it each time, so the uncertainty of many motions does not add up: what they add to the band is taken
+/// back where it lies beyond the farthest that the shaft may have stood off with these gains. Positions in
 /// counts. Pure.
 class StandingError {
 public:
@@ -30,6 +30,7 @@ private:
     bool m_told = false;
     double m_before = 0;               ///< half the band where the last motions began
     double m_own = 0;                  ///< half the band that a motion has left at most
+    double m_added = 0;                ///< by motions to half the band, since the shaft stood farthest off
     std::optional<double> m_farthest;  ///< so far off it may have stood
 };
 
