@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/flightcontroller.h"
-#include "app/procedurecontroller.h"
 #include "app/recordingcontroller.h"
+#include "link/command/procedurecontroller.h"
 #include "link/connection/busstore.h"
 #include "widgets/mainwindow/mainwindow.h"
 

@@ -10,7 +10,7 @@
 #include <QLineEdit>
 #include <QTabWidget>
 
-#include "app/procedurecontroller.h"
+#include "link/command/procedurecontroller.h"
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <QObject>
@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "app/procedurecontroller.h"
+#include "link/command/procedurecontroller.h"
 #include "link/connection/busstore.h"
 #include "link/dryrun/dryrun.h"
 #include "link/files/backgroundjob.h"

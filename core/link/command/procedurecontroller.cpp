@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/procedurecontroller.h"
+// SPDX-License-Identifier: MIT
+#include "link/command/procedurecontroller.h"
 
 #include "base/overloaded.h"
 #include "link/clock.h"

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/sequencecontroller.h"
+// SPDX-License-Identifier: MIT
+#include "link/command/sequencecontroller.h"
 
 #include <utility>
 
