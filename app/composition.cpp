@@ -99,8 +99,6 @@ Composition::Composition(QSettings& settings, PortController::Places places, con
     connect(&m_figuresTimer, &QTimer::timeout, this, [this] {
         if (!m_worker.isOpen())
             return m_window.showTime(monotonicNow());
-        if (!m_tested.empty())
-            shareBus();
         const LinkFigures figures = m_store.pullFigures(monotonicNow());
         m_window.showFigures(figures);
         if (m_store.link().phase == LinkPhase::Connected)
@@ -137,7 +135,7 @@ void Composition::stopAndQuit() {
     }
     m_quitWhenClosed = true;
     m_openNext.reset();
-    endMotions();
+    m_commander.endRuns();
     m_worker.close();
 }
 
@@ -157,10 +155,10 @@ void Composition::wireWindow() {
             });
     connect(&m_window, &MainWindow::connectFullyRequested, this, &Composition::connectFully);
     connect(&m_window, &MainWindow::disconnectRequested, this, &Composition::disconnectFromPort);
-    connect(&m_window, &MainWindow::restartNetworkRequested, this, &Composition::endMotions);
+    connect(&m_window, &MainWindow::restartNetworkRequested, &m_commander, &Commander::endRuns);
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
-    connect(&m_window, &MainWindow::stopAllRequested, this, &Composition::endMotions);
+    connect(&m_window, &MainWindow::stopAllRequested, &m_commander, &Commander::endRuns);
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, this, &Composition::hold);
     wireChain();
@@ -239,7 +237,6 @@ void Composition::wireStore() {
     m_linkTimer.setSingleShot(true);
     connect(&m_linkTimer, &QTimer::timeout, this, &Composition::showLink);
     connect(&m_store, &BusStore::linkChanged, this, [this] {
-        watchAxes();
         showLinkSoon();
         endLeft(m_motionMarker.update(m_store.link()));
         m_messages.look();
@@ -250,10 +247,18 @@ void Composition::wireStore() {
     });
     m_sleep.follow(m_store);
     connect(&m_sleep, &SleepInhibitor::stopWanted, &m_worker, &BusWorker::stopAll);
-    connect(&m_sleep, &SleepInhibitor::stopWanted, this, &Composition::endMotions);
+    connect(&m_sleep, &SleepInhibitor::stopWanted, &m_commander, &Commander::endRuns);
     connect(&m_store, &BusStore::happened, this, &Composition::tell);
-    connect(&m_procedures, &ProcedureController::reported, this, &Composition::showProcedure);
-    connect(&m_procedures, &ProcedureController::idle, this, [this] {
+    connect(&m_commander, &Commander::refused, this, &Composition::refuse);
+    connect(&m_commander, &Commander::sent, &m_machine, &MachineController::noteSent);
+    connect(&m_commander, &Commander::aboutToMove, this,
+            [this](bus::OperationId id, const std::vector<ModuleIndex>& modules) {
+                m_motionMarker.asked(id, modules);
+            });
+    connect(&m_commander, &Commander::aboutToHold, this,
+            [this](ModuleIndex module) { m_motionMarker.held(module, monotonicNow()); });
+    connect(&m_commander.procedures(), &ProcedureController::reported, this, &Composition::showProcedure);
+    connect(&m_commander.procedures(), &ProcedureController::idle, this, [this] {
         if (m_scanWhenIdle)
             scanAgain();
     });
@@ -267,7 +272,7 @@ void Composition::connectTo(const ConnectTarget& target) {
 void Composition::connectAnyway(const ConnectTarget& target) {
     m_openNext = target;
     if (m_worker.isOpen()) {
-        endMotions();
+        m_commander.endRuns();
         m_worker.close();  // PortClosed opens the next
     } else
         openNow(*std::exchange(m_openNext, std::nullopt));
@@ -321,7 +326,7 @@ void Composition::lookFirst(const QString& key) {
 
 void Composition::disconnectFromPort() {
     m_openNext.reset();
-    endMotions();
+    m_commander.endRuns();
     m_worker.close();
 }
 
@@ -407,7 +412,7 @@ void Composition::endLeft(const QStringList& files) {
 void Composition::showFrame() {
     m_window.showPackets(m_worker.takeRecords());
     std::vector<ModuleIndex> watched = m_window.watchedModules();
-    for (const ModuleIndex module : m_sequences.parts())
+    for (const ModuleIndex module : m_commander.sequences().parts())
         if (!std::ranges::count(watched, module))
             watched.push_back(module);  // whose arrival is waited for
     if (watched != m_watched) {
@@ -433,20 +438,6 @@ void Composition::tellStopOutputs() {
         return;
     m_stopOutputs = outputs;
     m_worker.setStopOutputs(std::move(outputs));
-}
-
-/// The bus thread stops what would leave its limits, whether this thread is busy or not. A procedure minds
-/// them itself.
-void Composition::tellTravelLimits() {
-    std::vector<bus::TravelLimits> limits;
-    for (const ModuleState& module : m_store.link().modules) {
-        const auto range = m_procedures.running(module.info.index) ? std::nullopt : travelRange(module);
-        limits.push_back(range ? bus::TravelLimits{range->lowest, range->highest} : bus::TravelLimits{});
-    }
-    if (limits == m_travelLimits)
-        return;
-    m_travelLimits = limits;
-    m_worker.setTravelLimits(std::move(limits));
 }
 
 /// Statuses come faster than anybody reads numbers; what a module does, and what it is asked for, is news at

@@ -9,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <tuple>
 #include <vector>
 
@@ -25,8 +24,7 @@
 #include "app/recordingcontroller.h"
 #include "app/runkeeper.h"
 #include "app/tuningcontroller.h"
-#include "link/command/procedurecontroller.h"
-#include "link/command/sequencecontroller.h"
+#include "link/command/commander.h"
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
 #include "link/connection/processguard.h"
@@ -97,22 +95,10 @@ private:
     void lookFirst(const QString& key);
     void disconnectFromPort();
     void carryOut(ModuleIndex module, const Intent& intent);
-    /// Towards a limit of travel it is a move there; where that is not possible, nothing is held.
+    void refuse(ModuleIndex module, Refusal refusal, const Intent& intent);
     void hold(const bus::HoldToMove& hold);
-    /// Stops what would leave its limits and does not end by itself; arms what is to be armed.
-    void watchAxes();
-    void keepArmed(const ModuleState& module);
-    /// Not again before what it was told last can show. What it is told now counts.
-    [[nodiscard]] bool mayTell(ModuleIndex axis);
-    bus::OperationId submit(Procedure::Send send);
     void showProcedure(const ProcedureReport& report);
     void showSequence(const SequenceReport& report);
-    /// Before a stop of all motors, or an end of the connection that stops them.
-    void endMotions();
-    /// Gives the module the bus while it is tested.
-    void focusOn(const ProcedureReport& report);
-    /// Again and again, since the bus takes a focus back that nobody renews.
-    void shareBus();
     /// Gives the window the run when it is over.
     void followSteps(const ProcedureReport& report);
     void keepRun(const ModuleState& module, const ResponseTaken& taken);
@@ -123,8 +109,6 @@ private:
     void act(const Message& message, MessageAction action);
     /// What other sessions have left, and is over.
     void endLeft(const QStringList& files);
-    void commandGroup(const bus::GroupCommand& command);
-    [[nodiscard]] std::vector<ModuleIndex> groupMembers(std::uint8_t group) const;
     void scanAgain();
     /// The modules that are there are the expected ones from now on; those that are missing are forgotten.
     void acceptChain();
@@ -133,7 +117,6 @@ private:
     void showFrame();
     void showFrameSoon();
     void tellStopOutputs();
-    void tellTravelLimits();
 
     void tell(const StoreEvent& event);
     void told(const bus::ChainFound& found);
@@ -176,19 +159,14 @@ private:
     BusWorker m_worker;
     BusStore m_store{m_worker};
     MainWindow m_window;
-    ProcedureController m_procedures{m_store,
-                                     [this](Procedure::Send send) { return submit(std::move(send)); }, this};
-    SequenceController m_sequences{
-        m_store, m_procedures,
-        [this](std::vector<bus::Order> orders) { return submit({.id = {}, .orders = std::move(orders)}); },
-        this};
+    Commander m_commander{m_store, m_worker, this};
     PathController m_paths;
     PortController m_ports;
     MachineController m_machine;
     FlightController m_flight{m_window, m_store};
     RecordingController m_recordings;
     Printing m_printing{m_window, m_settings};
-    MessageController m_messages{m_window, m_store, m_procedures, m_flight, m_recordings};
+    MessageController m_messages{m_window, m_store, m_commander.procedures(), m_flight, m_recordings};
     MotionMarker m_motionMarker;
     DayLog m_log;
     TuningController m_tuning{m_window.stepResponses()};
@@ -201,21 +179,17 @@ private:
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
     Transports m_transports;
-    std::optional<ConnectTarget> m_target;          ///< what is connected, or was last
-    std::optional<ConnectTarget> m_openNext;        ///< to be opened when the present connection has closed
-    std::vector<bus::StopOutputs> m_stopOutputs;    ///< as the worker was told last
-    std::vector<bus::TravelLimits> m_travelLimits;  ///< likewise
-    std::vector<ModuleIndex> m_watched;             ///< what the worker polls most: panel and scope show it
-    std::optional<QString> m_lostPort;              ///< where motors' states became unknown
-    std::set<ModuleIndex> m_tested;                 ///< by procedures that run (isTest)
-    std::map<ModuleIndex, ResponseTaken> m_steps;   ///< the last of each that was kept
-    std::map<ModuleIndex, ResponseTaken> m_edges;   ///< of the square waves that run, the last of each
-    std::map<ModuleIndex, TimePoint> m_axisToldAt;  ///< the last time that watchAxes() told it something
+    std::optional<ConnectTarget> m_target;         ///< what is connected, or was last
+    std::optional<ConnectTarget> m_openNext;       ///< to be opened when the present connection has closed
+    std::vector<bus::StopOutputs> m_stopOutputs;   ///< as the worker was told last
+    std::vector<ModuleIndex> m_watched;            ///< what the worker polls most: panel and scope show it
+    std::optional<QString> m_lostPort;             ///< where motors' states became unknown
+    std::map<ModuleIndex, ResponseTaken> m_steps;  ///< the last of each that was kept
+    std::map<ModuleIndex, ResponseTaken> m_edges;  ///< of the square waves that run, the last of each
     bool m_quitWhenClosed = false;
     bool m_scanWhenIdle = false;  ///< as soon as no procedure and no sequence runs any more
     bool m_enableFaults = false;
     bool m_guardianMissed = false;  ///< and said to be
-    std::uint32_t m_lastOperation = 0;
 };
 
 }  // namespace nmc

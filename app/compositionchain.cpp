@@ -15,51 +15,21 @@ void Composition::wireChain() {
     connect(&chain, &ChainMenu::rateRequested, &m_worker, &BusWorker::changeRate);
     connect(&chain, &ChainMenu::addressRequested, &m_worker, &BusWorker::changeAddress);
     const auto changeGroup = [this](const bus::GroupChange& change) {
-        m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), change});
+        m_commander.change(change);
         m_machine.noteGroup(change);
     };
     connect(&chain, &ChainMenu::groupChangeRequested, this, changeGroup);
     connect(&chain, &ChainMenu::groupNamed, &m_machine, &MachineController::nameGroup);
     connect(&m_machine, &MachineController::groupChangeRequested, this, changeGroup);
-    connect(&chain, &ChainMenu::groupCommandRequested, this, &Composition::commandGroup);
-}
-
-void Composition::commandGroup(const bus::GroupCommand& command) {
-    using enum bus::GroupCommand::Action;
-    const bus::OperationId id(++m_lastOperation);
-    const std::vector<ModuleIndex> members = groupMembers(command.group);
-    const bool stops = isStop(command.action);
-    if (command.action == StartMotion)
-        m_motionMarker.asked(id, members);
-    // As when a module is asked by itself (carryOut).
-    for (const ModuleIndex module : members) {
-        if (stops || command.action == ResetPosition)
-            m_sequences.takeOver(module, stops);
-        if (command.action == ResetPosition)
-            m_procedures.cancel(module);
-    }
-    m_worker.submit(bus::GroupOperation{id, command});
-    for (const ModuleIndex module : members)
-        if (stops)
-            m_procedures.overtake(module);
-}
-
-/// Those that are known to be in it, and those of which nothing is known.
-std::vector<ModuleIndex> Composition::groupMembers(std::uint8_t group) const {
-    std::vector<ModuleIndex> members;
-    for (const ModuleState& module : m_store.link().modules)
-        if (!module.info.group || module.info.group->group == group)
-            members.push_back(module.info.index);
-    return members;
+    connect(&chain, &ChainMenu::groupCommandRequested, &m_commander, &Commander::command);
 }
 
 void Composition::scanAgain() {
     if (m_worker.isOpen()) {
-        m_scanWhenIdle = m_procedures.anyRunning() || m_sequences.running();
+        m_scanWhenIdle = m_commander.anyRunning();
         if (m_scanWhenIdle) {
             // Nothing is left running unwatched: their motors stop first.
-            m_sequences.stop();
-            m_procedures.cancelAll();
+            m_commander.stopRuns();
         } else
             m_worker.connectAgain();
     } else if (m_target) {

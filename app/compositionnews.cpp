@@ -38,18 +38,8 @@ void Composition::tell(const StoreEvent& event) {
         m_window.endHold();
     if (const auto* operation = std::get_if<bus::OperationFinished>(&event))
         m_motionMarker.ended(operation->id, monotonicNow());
-    // One that has set a counter has taken the limits out of force.
-    if (std::holds_alternative<bus::OperationFinished>(event) ||
-        std::holds_alternative<bus::GroupFinished>(event)) {
-        m_travelLimits.clear();
-        tellTravelLimits();
-    }
-    // What became of the operation of a procedure or a sequence is for that to say.
-    const bool ofProcedure = m_procedures.take(event);
-    const bool ofSequence = m_sequences.take(event);
-    if ((ofProcedure || ofSequence) && std::holds_alternative<bus::OperationFinished>(event))
-        return;
-    std::visit([this](const auto& news) { told(news); }, event);
+    if (!m_commander.take(event))
+        std::visit([this](const auto& news) { told(news); }, event);
 }
 
 void Composition::told(const bus::UnacknowledgedStopConfirmed& confirmed) {
@@ -70,7 +60,6 @@ void Composition::told(const bus::ChainFound& found) {
     m_watched.clear();
     m_stopOutputs.clear();
     tellStopOutputs();
-    m_travelLimits.clear();
     m_messages.tell(texts::connected(found, m_target->port));
     m_messages.end(texts::key::badLink());
     if (found.replyGap > Duration{})

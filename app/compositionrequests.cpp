@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked of a module: a plan of commands at once, or a procedure that runs for a while.
+// What is asked of a module, and what becomes of a procedure.
 #include <QDateTime>
 #include <algorithm>
 #include <utility>
 
 #include "app/composition.h"
 #include "link/clock.h"
-#include "model/intent/homingplan.h"
-#include "model/intent/rights.h"
-#include "model/intent/travel.h"
 #include "model/module/modulescale.h"
-#include "model/procedure/procedures.h"
 #include "model/response/responsefile.h"
-#include "module/commandfacts.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/looptests/frequencypage.h"
@@ -23,126 +18,20 @@
 
 namespace nmc {
 
-void Composition::carryOut(ModuleIndex index, const Intent& intent) {
+void Composition::carryOut(ModuleIndex module, const Intent& intent) {
     m_scanWhenIdle = false;  // the user has gone on
-    const ModuleState* module = m_store.module(index);
-    if (module == nullptr)
-        return;
-    if (std::holds_alternative<intent::KeepGains>(intent)) {
-        m_procedures.keep(index);
-        return m_worker.keepTrial(index);
-    }
-    if (const auto* gains = std::get_if<intent::ApplyGains>(&intent);
-        gains != nullptr && plan(intent, *module) && m_procedures.take(index, gains->gains))
-        return m_machine.noteSent(index, intent);
-    const bool stops = isStop(intent);
-    if (!std::holds_alternative<intent::AskAnew>(intent))
-        m_sequences.takeOver(index, stops);
-    if (!stops)
-        m_procedures.cancel(index);
-    if (std::holds_alternative<intent::CancelProcedure>(intent))
-        return;
-    if (auto procedure = procedureFor(intent, *module)) {
-        // The one before is still stopping its motor: nothing waits in a queue to move.
-        if (!m_procedures.begin(std::move(procedure)))
-            m_messages.tellOf(texts::notPossible(index, texts::refusal(Refusal::Moving)));
-        return;
-    }
-    auto orders = plan(intent, *module);
-    if (!orders) {
-        m_procedures.cancel(index);
-        const AxisScale scale = scaleOf(*module, m_machine.machine().axis(index));
-        m_messages.tellOf(texts::notPossible(index, texts::refusal(orders.error(), intent, *module, scale)));
-        return;
-    }
-    if (std::holds_alternative<intent::ResetModule>(intent))
-        return m_worker.resetModule(index);
-    if (const auto* save = std::get_if<intent::SaveConfiguration>(&intent))
-        return m_worker.resetModule(index, save->configuration);
-    if (const auto* declare = std::get_if<intent::DeclarePosition>(&intent))
-        return m_store.declarePosition(index, declare->right);
-    const bus::OperationId id = submit({.id = {}, .orders = std::move(*orders)});
-    m_machine.noteSent(index, intent);
-    if (stops)
-        m_procedures.overtake(index);
-    else
-        m_store.noteAsked(index, id);
+    m_commander.carryOut(module, intent);
 }
 
-void Composition::hold(const bus::HoldToMove& wanted) {
-    const ModuleState* module = m_store.module(wanted.module);
-    if (module == nullptr)
-        return;
-    const auto hold = withinTravel(wanted, *module);
-    if (!hold || whyNot(IntentKind::Hold, *module)) {
+void Composition::refuse(ModuleIndex index, Refusal refusal, const Intent& intent) {
+    const ModuleState& module = *m_store.module(index);
+    const AxisScale scale = scaleOf(module, m_machine.machine().axis(index));
+    m_messages.tellOf(texts::notPossible(index, texts::refusal(refusal, intent, module, scale)));
+}
+
+void Composition::hold(const bus::HoldToMove& hold) {
+    if (!m_commander.hold(hold))
         m_window.endHold();  // the button says why
-        return;
-    }
-    m_motionMarker.held(wanted.module, monotonicNow());
-    m_sequences.takeOver(wanted.module, false);
-    m_procedures.cancel(wanted.module);
-    m_worker.hold(*hold);
-}
-
-void Composition::watchAxes() {
-    if (m_store.link().phase != LinkPhase::Connected || m_store.link().readOnly)
-        return;
-    tellTravelLimits();
-    for (const ModuleState& module : std::vector(m_store.link().modules))
-        // A procedure sees to it itself.
-        if (!module.silent && !m_procedures.running(module.info.index))
-            keepArmed(module);
-}
-
-bool Composition::mayTell(ModuleIndex axis) {
-    constexpr Duration kPatience = std::chrono::milliseconds(250);
-    const TimePoint now = monotonicNow();
-    const auto told = m_axisToldAt.find(axis);
-    if (told != m_axisToldAt.end() && now - told->second < kPatience)
-        return false;
-    m_axisToldAt[axis] = now;
-    return true;
-}
-
-void Composition::keepArmed(const ModuleState& module) {
-    const auto arm = limitStopDue(module);
-    if (!arm || module.awaited || !mayTell(module.info.index))
-        return;
-    if (auto orders = plan(*arm, asOfPanel(module)))
-        submit({.id = {}, .orders = std::move(*orders)});
-}
-
-bus::OperationId Composition::submit(Procedure::Send send) {
-    const bus::OperationId id(++m_lastOperation);
-    std::vector<ModuleIndex> moved;
-    for (const bus::Order& order : send.orders)
-        if (mayStartMotion(order.command))
-            moved.push_back(order.module);
-    if (!moved.empty())
-        m_motionMarker.asked(id, moved);
-    send.id = id;
-    m_worker.submit(std::move(send));
-    return id;
-}
-
-void Composition::focusOn(const ProcedureReport& report) {
-    if (report.over())
-        m_tested.erase(report.module);
-    else
-        m_tested.insert(report.module);
-    shareBus();
-}
-
-/// While another motor moves or is tested it is watched as closely as ever, and this one has fewer samples.
-void Composition::shareBus() {
-    const std::vector<ModuleState>& modules = m_store.link().modules;
-    const bool alone = m_tested.size() == 1 &&
-                       std::none_of(modules.begin(), modules.end(), [this](const ModuleState& other) {
-                           return m_tested.count(other.info.index) == 0 && other.moving();
-                       });
-    const auto focused = alone ? std::optional(*m_tested.begin()) : std::nullopt;
-    m_worker.focus(focused);
-    m_store.noteFocus(focused);
 }
 
 void Composition::followSteps(const ProcedureReport& report) {
@@ -198,8 +87,6 @@ std::optional<KeptResponse> Composition::recordOf(const ModuleState& module,
 
 void Composition::showProcedure(const ProcedureReport& report) {
     m_window.showProcedure(report);
-    if (isTest(report.kind))
-        focusOn(report);
     if (makesSteps(report.kind))
         followSteps(report);
     if (report.kind == ProcedureKind::SquareWave)

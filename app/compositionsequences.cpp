@@ -10,25 +10,26 @@ namespace nmc {
 
 void Composition::wireSequences() {
     SequencesDock& dock = m_window.sequences();
+    SequenceController& sequences = m_commander.sequences();
     connect(&dock, &SequencesDock::programEdited, &m_machine, &MachineController::editProgram);
     connect(&dock, &SequencesDock::goToRequested, this,
-            [this](const std::string& point) { m_sequences.goTo(m_machine.machine(), point); });
+            [this](const std::string& point) { m_commander.sequences().goTo(m_machine.machine(), point); });
     connect(&dock, &SequencesDock::startRequested, this,
             [this](const std::string& sequence, std::size_t row, bool singleStep) {
-                m_sequences.start(m_machine.machine(), sequence, row, singleStep);
+                m_commander.sequences().start(m_machine.machine(), sequence, row, singleStep);
             });
-    connect(&dock, &SequencesDock::pauseRequested, &m_sequences, &SequenceController::pause);
-    connect(&dock, &SequencesDock::resumeRequested, &m_sequences, &SequenceController::resume);
-    connect(&dock, &SequencesDock::stepRequested, &m_sequences, &SequenceController::step);
-    connect(&dock, &SequencesDock::stopRequested, &m_sequences, &SequenceController::stop);
+    connect(&dock, &SequencesDock::pauseRequested, &sequences, &SequenceController::pause);
+    connect(&dock, &SequencesDock::resumeRequested, &sequences, &SequenceController::resume);
+    connect(&dock, &SequencesDock::stepRequested, &sequences, &SequenceController::step);
+    connect(&dock, &SequencesDock::stopRequested, &sequences, &SequenceController::stop);
     connect(&dock, &SequencesDock::foresightRequested, this,
             [this](const std::string& sequence, std::size_t row) {
-                m_sequences.foresee(m_machine.machine(), sequence, row);
+                m_commander.sequences().foresee(m_machine.machine(), sequence, row);
             });
-    connect(&dock, &SequencesDock::foresightDropped, &m_sequences, &SequenceController::endForesight);
-    connect(&m_sequences, &SequenceController::foreseen, &dock, &SequencesDock::showForesight);
-    connect(&m_sequences, &SequenceController::reported, this, &Composition::showSequence);
-    connect(&m_sequences, &SequenceController::refused, this,
+    connect(&dock, &SequencesDock::foresightDropped, &sequences, &SequenceController::endForesight);
+    connect(&sequences, &SequenceController::foreseen, &dock, &SequencesDock::showForesight);
+    connect(&sequences, &SequenceController::reported, this, &Composition::showSequence);
+    connect(&sequences, &SequenceController::refused, this,
             [this](const std::vector<SequenceProblem>& problems) {
                 m_messages.tell(texts::sequenceNotBegun(problems.front()));
             });
@@ -41,13 +42,14 @@ void Composition::wireSequences() {
         Machine machine = m_machine.machine();
         std::erase_if(machine.program.points, [&](const Point& point) { return point.name == place.name; });
         machine.program.points.push_back(place);
-        m_sequences.goTo(machine, place.name);
+        m_commander.sequences().goTo(machine, place.name);
     });
     AxesDock& axes = m_window.axes();
     connect(&axes, &AxesDock::intentRequested, this, &Composition::carryOut);
     connect(&axes, &AxesDock::homeOrderEdited, &m_machine, &MachineController::editHomeOrder);
     connect(&axes, &AxesDock::homeAllRequested, this, [this] {
-        m_sequences.home(m_machine.machine(), axesToHome(m_machine.machine(), m_store.link().modules));
+        m_commander.sequences().home(m_machine.machine(),
+                                     axesToHome(m_machine.machine(), m_store.link().modules));
     });
 }
 
@@ -58,11 +60,6 @@ void Composition::showSequence(const SequenceReport& report) {
         m_messages.tell(*message);
     if (report.over() && m_scanWhenIdle)
         scanAgain();
-}
-
-void Composition::endMotions() {
-    m_sequences.stopAll();
-    m_procedures.stopAll();
 }
 
 }  // namespace nmc

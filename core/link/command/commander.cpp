@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "link/command/commander.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "link/clock.h"
+#include "model/intent/homingplan.h"
+#include "model/intent/rights.h"
+#include "model/intent/travel.h"
+#include "model/procedure/procedures.h"
+#include "module/commandfacts.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr int kFocusIntervalMs = 1'000;
+/// For the answer to a limit stop to show in the module's state.
+constexpr Duration kArmingShows = std::chrono::milliseconds(250);
+
+}  // namespace
+
+Commander::Commander(BusStore& store, BusWorker& worker, QObject* parent)
+    : QObject(parent),
+      m_store(store),
+      m_worker(worker),
+      m_procedures(
+          store, [this](Procedure::Send send) { return submit(std::move(send)); }, this),
+      m_sequences(
+          store, m_procedures,
+          [this](std::vector<bus::Order> orders) { return submit({.id = {}, .orders = std::move(orders)}); },
+          this) {
+    m_focusTimer.setInterval(kFocusIntervalMs);
+    connect(&m_focusTimer, &QTimer::timeout, this, &Commander::shareBus);
+    connect(&m_store, &BusStore::linkChanged, this, &Commander::look);
+    connect(&m_procedures, &ProcedureController::reported, this, &Commander::noteTest);
+}
+
+void Commander::carryOut(ModuleIndex index, const Intent& intent) {
+    const ModuleState* module = m_store.module(index);
+    if (module == nullptr)
+        return;
+    if (std::holds_alternative<intent::KeepGains>(intent)) {
+        m_procedures.keep(index);
+        return m_worker.keepTrial(index);
+    }
+    if (const auto* gains = std::get_if<intent::ApplyGains>(&intent);
+        gains != nullptr && plan(intent, *module) && m_procedures.take(index, gains->gains)) {
+        emit sent(index, intent);
+        return;
+    }
+    const bool stops = isStop(intent);
+    if (!std::holds_alternative<intent::AskAnew>(intent))
+        m_sequences.takeOver(index, stops);
+    if (!stops)
+        m_procedures.cancel(index);
+    if (std::holds_alternative<intent::CancelProcedure>(intent))
+        return;
+    if (auto procedure = procedureFor(intent, *module)) {
+        // The one before is still stopping its motor: nothing waits in a queue to move.
+        if (!m_procedures.begin(std::move(procedure)))
+            emit refused(index, Refusal::Moving, intent);
+        return;
+    }
+    auto orders = plan(intent, *module);
+    if (!orders) {
+        m_procedures.cancel(index);
+        emit refused(index, orders.error(), intent);
+        return;
+    }
+    if (std::holds_alternative<intent::ResetModule>(intent))
+        return m_worker.resetModule(index);
+    if (const auto* save = std::get_if<intent::SaveConfiguration>(&intent))
+        return m_worker.resetModule(index, save->configuration);
+    if (const auto* declare = std::get_if<intent::DeclarePosition>(&intent))
+        return m_store.declarePosition(index, declare->right);
+    const bus::OperationId id = submit({.id = {}, .orders = std::move(*orders)});
+    emit sent(index, intent);
+    if (stops)
+        m_procedures.overtake(index);
+    else
+        m_store.noteAsked(index, id);
+}
+
+bool Commander::hold(const bus::HoldToMove& wanted) {
+    const ModuleState* module = m_store.module(wanted.module);
+    const auto hold = module != nullptr ? withinTravel(wanted, *module) : tl::unexpected(TravelProblem{});
+    if (!hold || whyNot(IntentKind::Hold, *module))
+        return false;
+    emit aboutToHold(wanted.module);
+    m_sequences.takeOver(wanted.module, false);
+    m_procedures.cancel(wanted.module);
+    m_worker.hold(*hold);
+    return true;
+}
+
+void Commander::command(const bus::GroupCommand& command) {
+    using enum bus::GroupCommand::Action;
+    const bus::OperationId id = nextId();
+    const std::vector<ModuleIndex> members = membersOf(command.group);
+    const bool stops = isStop(command.action);
+    if (command.action == StartMotion)
+        emit aboutToMove(id, members);
+    // As carryOut() does where a module is asked by itself.
+    for (const ModuleIndex module : members) {
+        if (stops || command.action == ResetPosition)
+            m_sequences.takeOver(module, stops);
+        if (command.action == ResetPosition)
+            m_procedures.cancel(module);
+    }
+    m_worker.submit(bus::GroupOperation{id, command});
+    for (const ModuleIndex module : members)
+        if (stops)
+            m_procedures.overtake(module);
+}
+
+void Commander::change(const bus::GroupChange& change) {
+    m_worker.submit(bus::GroupOperation{nextId(), change});
+}
+
+/// Those that are known to be in it, and those whose group is not known.
+std::vector<ModuleIndex> Commander::membersOf(std::uint8_t group) const {
+    std::vector<ModuleIndex> members;
+    for (const ModuleState& module : m_store.link().modules)
+        if (!module.info.group || module.info.group->group == group)
+            members.push_back(module.info.index);
+    return members;
+}
+
+void Commander::stopRuns() {
+    m_sequences.stop();
+    m_procedures.cancelAll();
+}
+
+void Commander::endRuns() {
+    m_sequences.stopAll();
+    m_procedures.stopAll();
+}
+
+bool Commander::take(const StoreEvent& event) {
+    const bool ends = std::holds_alternative<bus::OperationFinished>(event);
+    if (std::holds_alternative<bus::ChainFound>(event))
+        m_travelLimits.clear();
+    if (ends || std::holds_alternative<bus::GroupFinished>(event)) {
+        // It may have set a counter, and then the bus has dropped the limits of that axis.
+        m_travelLimits.clear();
+        sendTravelLimits();
+    }
+    const bool ofProcedure = m_procedures.take(event);
+    const bool ofSequence = m_sequences.take(event);
+    return ends && (ofProcedure || ofSequence);
+}
+
+bus::OperationId Commander::submit(bus::Operation operation) {
+    const bus::OperationId id = nextId();
+    std::vector<ModuleIndex> moved;
+    for (const bus::Order& order : operation.orders)
+        if (mayStartMotion(order.command))
+            moved.push_back(order.module);
+    if (!moved.empty())
+        emit aboutToMove(id, moved);
+    operation.id = id;
+    m_worker.submit(std::move(operation));
+    return id;
+}
+
+void Commander::look() {
+    if (m_store.link().phase != LinkPhase::Connected || m_store.link().readOnly)
+        return;
+    sendTravelLimits();
+    for (const ModuleState& module : std::vector(m_store.link().modules))
+        if (!module.silent && !m_procedures.running(module.info.index))  // a procedure arms its own
+            keepArmed(module);
+}
+
+/// The bus thread stops what would leave its limits, whether this thread is busy or not. A procedure minds
+/// them itself.
+void Commander::sendTravelLimits() {
+    std::vector<bus::TravelLimits> limits;
+    for (const ModuleState& module : m_store.link().modules) {
+        const auto range = m_procedures.running(module.info.index) ? std::nullopt : travelRange(module);
+        limits.push_back(range ? bus::TravelLimits{range->lowest, range->highest} : bus::TravelLimits{});
+    }
+    if (limits == m_travelLimits)
+        return;
+    m_travelLimits = limits;
+    m_worker.setTravelLimits(std::move(limits));
+}
+
+void Commander::keepArmed(const ModuleState& module) {
+    const auto arm = limitStopDue(module);
+    if (!arm || module.awaited)
+        return;
+    const TimePoint now = monotonicNow();
+    const auto last = m_armedAt.find(module.info.index);
+    if (last != m_armedAt.end() && now - last->second < kArmingShows)
+        return;
+    m_armedAt[module.info.index] = now;
+    if (auto orders = plan(*arm, asOfPanel(module)))
+        submit({.id = {}, .orders = std::move(*orders)});
+}
+
+void Commander::noteTest(const ProcedureReport& report) {
+    if (!isTest(report.kind))
+        return;
+    if (report.over())
+        m_tested.erase(report.module);
+    else
+        m_tested.insert(report.module);
+    shareBus();
+    if (m_tested.empty())
+        m_focusTimer.stop();
+    else if (!m_focusTimer.isActive())
+        m_focusTimer.start();
+}
+
+/// While another motor moves or is tested it is watched as closely as ever, and this one has fewer samples.
+void Commander::shareBus() {
+    const std::vector<ModuleState>& modules = m_store.link().modules;
+    const bool alone = m_tested.size() == 1 &&
+                       std::none_of(modules.begin(), modules.end(), [this](const ModuleState& other) {
+                           return m_tested.count(other.info.index) == 0 && other.moving();
+                       });
+    const auto focused = alone ? std::optional(*m_tested.begin()) : std::nullopt;
+    m_worker.focus(focused);
+    m_store.noteFocus(focused);
+}
+
+}  // namespace nmc
