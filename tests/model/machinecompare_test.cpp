@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "tests/model/machines.h"
 #include "tests/support/modules.h"
@@ -84,6 +85,86 @@ TEST(MachineCompare, NamesTheFieldsThatDifferAndNoOthers) {
     EXPECT_EQ(rows[1].applying, Applying::ChangesPanel);
 }
 
+/// Of the file's fields, in the order of the table.
+std::vector<std::tuple<std::string, Quantity, FieldValue>> shown(const Difference* row) {
+    std::vector<std::tuple<std::string, Quantity, FieldValue>> fields;
+    if (row != nullptr)
+        for (const FieldDifference& field : row->fields)
+            fields.emplace_back(field.key, field.quantity, field.file.value_or("–"));
+    return fields;
+}
+
+/// 0 is what nobody has set, but a place, and a gain that the module has.
+TEST(MachineCompare, AFieldsQuantityTellsItsUnitAndItsKeyDoesNot) {
+    using testing::FieldsAre;
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper}) {
+        Machine file;
+        AxisSettings& axis = file.axes.emplace_back();
+        axis.expected = ModuleIdentity{type, 1};
+        axis.unit = {UnitKind::Turns, 2'000.0, ""};
+        axis.motion = {8.0, 0.02, 0.0, 0.0, 0.0, 1'000.0};
+        axis.travel = {-5, 0, 4.0};
+        axis.homing.emplace().timeLimit = 30.0;
+        axis.gains = servo::SetGain{200, 2'000, 0, 200, 255, 0, 8'000, 1, std::nullopt, std::nullopt};
+        const auto rows = compare(file, {}, {});
+        const auto fields = [&rows](MachinePart part) { return shown(row(rows, {kFirst, part})); };
+        EXPECT_THAT(fields(MachinePart::Unit),
+                    ElementsAre(FieldsAre("kind", Quantity::Plain, FieldValue("turns")),
+                                FieldsAre("counts_per_unit", Quantity::Plain, FieldValue(2'000.0))));
+        EXPECT_THAT(fields(MachinePart::Motion),
+                    ElementsAre(FieldsAre("velocity", Quantity::Velocity, FieldValue(8.0)),
+                                FieldsAre("acceleration", Quantity::Acceleration, FieldValue(0.02)),
+                                FieldsAre("step", Quantity::Distance, FieldValue(1'000.0))));
+        EXPECT_THAT(fields(MachinePart::Travel),
+                    ElementsAre(FieldsAre("lowest", Quantity::Place, FieldValue(-5.0)),
+                                FieldsAre("highest", Quantity::Place, FieldValue(0.0)),
+                                FieldsAre("fastest", Quantity::Velocity, FieldValue(4.0))));
+        EXPECT_THAT(fields(MachinePart::Homing),
+                    testing::Contains(FieldsAre("time_limit", Quantity::Seconds, FieldValue(30.0))));
+        EXPECT_THAT(fields(MachinePart::Gains),
+                    testing::IsSupersetOf({FieldsAre("Ki", Quantity::Plain, FieldValue(0.0)),
+                                           FieldsAre("EL_counts", Quantity::Plain, FieldValue(8'000.0))}));
+    }
+}
+
+TEST(MachineCompare, TheChipOfAnAxisIsNoDifferenceOfItsNumbers) {
+    Machine stepper;
+    stepper.axes.emplace_back().motion = {8.0, 0.02, 4.0, 0.5, 2.0, 1000.0};
+    Machine servo = stepper;
+    stepper.axes[0].expected = ModuleIdentity{ModuleType::Stepper, 1};
+    servo.axes[0].expected = ModuleIdentity{ModuleType::Servo, 5};
+    EXPECT_THAT(compare(stepper, servo, {}), IsEmpty());
+}
+
+TEST(MachineCompare, GroupsPointsAndSequencesAreEachOneText) {
+    using testing::FieldsAre;
+    Machine file = testing_support::taughtMill();
+    file.program.points.push_back({"Nowhere", {}});
+    const auto rows = compare(file, {}, {});
+    EXPECT_THAT(shown(row(rows, {{}, MachinePart::Groups})),
+                ElementsAre(FieldsAre("group129", Quantity::Plain, FieldValue("Table: 1, 2")),
+                            FieldsAre("leader129", Quantity::Plain, FieldValue(2.0))));
+    EXPECT_THAT(
+        shown(row(rows, {{}, MachinePart::Program})),
+        ElementsAre(
+            FieldsAre("point Pick ä", Quantity::Plain,
+                      FieldValue("module 1, counts -1500, from_home yes; module 2, counts 40, from_home no")),
+            FieldsAre("point Place", Quantity::Plain,
+                      FieldValue("module 1, counts 2147483647, from_home yes")),
+            FieldsAre("point Nowhere", Quantity::Plain, FieldValue("-")),
+            FieldsAre("sequence Main", Quantity::Plain,
+                      FieldValue("home, module 1; "
+                                 "move to, point Pick ä, together no, waits yes, percent 100; "
+                                 "set output, module 2, output 5, on yes; wait, seconds 0.25; "
+                                 "wait for input, module 2, input home switch, active no, timeout_s 3.5; "
+                                 "move to, point Place, together yes, waits no, percent 7; "
+                                 "wait for arrival; repeat, from_row 2, times 0")),
+            FieldsAre("sequence Twice", Quantity::Plain,
+                      FieldValue("call, sequence Main; repeat, from_row 1, times 2"))));
+    EXPECT_THAT(shown(row(rows, {{}, MachinePart::HomeOrder})),
+                ElementsAre(FieldsAre("home_order", Quantity::Plain, FieldValue("2, 1"))));
+}
+
 TEST(MachineCompare, PinsThatWereSetAreNamedOneByOne) {
     Machine file;
     file.axes.resize(1);
@@ -96,7 +177,16 @@ TEST(MachineCompare, PinsThatWereSetAreNamedOneByOne) {
     EXPECT_EQ(rows[0].fields[0].key, "IO3");
     EXPECT_EQ(rows[0].fields[0].file, FieldValue(std::string("name Lamp, asks yes, off_at_stop no")));
     EXPECT_EQ(rows[0].fields[1].key, "AD2");
+    EXPECT_EQ(rows[0].fields[1].file, FieldValue(std::string("Pressure")));
     EXPECT_EQ(applied(file, Machine{}, {}, ids(rows)), file);
+}
+
+TEST(MachineCompare, TheScaleOfAnInputIsAFieldOfItsOwn) {
+    Machine file;
+    PinSettings::in(file.axes.emplace_back().pins.emplace().analog, 1).scale = {0.5, 1.0, "bar"};
+    EXPECT_THAT(shown(row(compare(file, {}, {}), {kFirst, MachinePart::PinNames})),
+                ElementsAre(testing::FieldsAre("AD2 scale", Quantity::Plain,
+                                               FieldValue("per_count 0.5, at_zero 1, unit bar"))));
 }
 
 TEST(MachineCompare, PointsAndSequencesGoTogether) {

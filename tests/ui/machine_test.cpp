@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
-#include "model/machinefile/fieldlist.h"
+#include "model/machinefile/machinecompare.h"
 #include "widgets/machine/machinemenu.h"
 #include "windowtest.h"
 
@@ -207,29 +207,38 @@ TEST_F(MachineWindow, TheKeyboardAloneTicksAndApplies) {
 }
 
 TEST_F(MachineWindow, EveryFieldOfAMachineHasAWord) {
-    AxisSettings axis;
-    axis.homing.emplace();
-    axis.io.emplace();
-    axis.parameters.emplace();
-    std::vector<layout::ListedField> fields;
-    const auto append = [&fields](const std::vector<layout::ListedField>& more) {
-        fields.insert(fields.end(), more.begin(), more.end());
-    };
-    axis.unit.ownSymbol = "n";
+    Machine file;
+    file.name = "Mill";
+    file.baud = 19'200;
+    file.groups = {{0x81, "Table", {ModuleIndex(0)}, ModuleIndex(0)}};
+    file.program.points = {{"Pick", {}}};
+    file.program.sequences = {{"Main", {}}};
+    file.homeOrder = {ModuleIndex(0)};
+    file.operatorRights.emplace();
+    AxisSettings& axis = file.axes.emplace_back();
+    axis.name = "X";
+    axis.unit = {UnitKind::Own, 2.0, "n"};
     axis.motion = {1, 1, 1, 1, 1, 1};
+    axis.travel = {-1, 1, 1};
+    axis.backlash = {1, true};
+    axis.homing.emplace();
     axis.homing->velocity = axis.homing->indexVelocity = axis.homing->acceleration = 1;
-    axis.homing->travelLimit = 1;
-    append(layout::listed(axis.unit));
-    append(layout::listed(axis.motion));
-    append(layout::listed(axis.homing));
-    append(layout::listed(axis.analog));
-    append(layout::listed(axis.io));
-    append(layout::listed(axis.parameters));
-    ASSERT_GT(fields.size(), 35U);
-    for (const layout::ListedField& field : fields) {
-        const QString key = QString::fromStdString(field.key);
-        EXPECT_NE(texts::machineField(key), key) << field.key;
-    }
+    axis.homing->travelLimit = axis.homing->timeLimit = 1;
+    axis.limitStop = {true, false, false, true, true, HomingRecipe::Stop::Smoothly};
+    axis.analog = {1.0, 1.0, "A"};
+    axis.io.emplace().fastPath = true;
+    axis.fastPath = true;
+    axis.parameters.emplace();
+    axis.accelerationTime = 1;
+    axis.outputNames[0] = axis.inputNames[0] = "Lamp";
+    std::size_t fields = 0;
+    for (const Difference& row : compare(file, {}, {}))
+        for (const FieldDifference& field : row.fields) {
+            const QString key = QString::fromStdString(field.key);
+            EXPECT_NE(texts::machineField(key), key) << field.key;
+            ++fields;
+        }
+    EXPECT_EQ(fields, 70U) << "13 of the machine and 57 of its axis";
     EXPECT_EQ(texts::machineField(u"group129"_s), u"Group 81"_s);
 }
 

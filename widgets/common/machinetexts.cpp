@@ -378,7 +378,7 @@ QString machineField(const QString& key, bool reversed) {
         {u"index_velocity"_s, QT_TRANSLATE_NOOP("Texts", "Index velocity")},
         {u"stop"_s, QT_TRANSLATE_NOOP("Texts", "Stop")},
         {u"travel_limit"_s, QT_TRANSLATE_NOOP("Texts", "Search distance")},
-        {u"time_limit_s"_s, QT_TRANSLATE_NOOP("Texts", "Time limit")},
+        {u"time_limit"_s, QT_TRANSLATE_NOOP("Texts", "Time limit")},
         {u"go_to_home"_s, QT_TRANSLATE_NOOP("Texts", "Go to home")},
         {u"make_zero"_s, QT_TRANSLATE_NOOP("Texts", "Set position to 0")},
         {u"per_count"_s, QT_TRANSLATE_NOOP("Texts", "Per A/D count")},

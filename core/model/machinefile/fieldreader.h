@@ -13,16 +13,11 @@
 
 #include "model/machinefile/jsontree.h"
 #include "model/machinefile/machinelayout.h"
+#include "model/recording/numbertext.h"
 
 namespace nmc::layout {
 
 inline constexpr std::size_t kMaxQuoted = 40;
-
-[[nodiscard]] inline std::string numberText(double number) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    return {digits.data(), end};
-}
 
 /// Not longer than a sentence can bear, and not cut within a character.
 [[nodiscard]] inline std::string quoted(const std::string& text) {
@@ -270,7 +265,7 @@ private:
             return true;
         refuse(key, value,
                {.kind = Kind::OutOfRange,
-                .found = numberText(value.number),
+                .found = textOf(value.number),
                 .min = bounds.min,
                 .max = bounds.max,
                 .ofModule = bounds.ofModule});

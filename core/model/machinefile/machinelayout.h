@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a machine file consists of, said once: the reader, the writer and the comparison are "forms" that are
-// led through it. For core/model/machine*.cpp only.
+// What a machine file consists of, said once: the reader and the writer are "forms" that are led through it.
+// Machines are compared by what the writer writes. For .cpp files of core/model only.
 //
 // The structured bindings name every member, so that a member that is added to a struct of
 // model/settings/machine.h and forgotten here does not compile.
