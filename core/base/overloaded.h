@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <variant>
 
 namespace nmc {
 
@@ -17,5 +18,26 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 /// The alternatives that one function takes, each by its name.
 template <typename T, typename... Named>
 concept AnyOf = (std::same_as<T, Named> || ...);
+
+template <typename T, typename Variant>
+inline constexpr bool kIsIn = false;
+template <typename T, typename... Alternatives>
+inline constexpr bool kIsIn<T, std::variant<Alternatives...>> = AnyOf<T, Alternatives...>;
+/// The alternatives that a variant lists.
+template <typename T, typename Variant>
+concept In = kIsIn<T, Variant>;
+
+template <typename... Variants>
+struct Joined;
+template <typename... T>
+struct Joined<std::variant<T...>> {
+    using Type = std::variant<T...>;
+};
+template <typename... T, typename... U, typename... Others>
+struct Joined<std::variant<T...>, std::variant<U...>, Others...>
+    : Joined<std::variant<T..., U...>, Others...> {};
+/// One variant of all their alternatives.
+template <typename... Variants>
+using Join = typename Joined<Variants...>::Type;
 
 }  // namespace nmc

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent/intent.h"
 
-#include "base/overloaded.h"
 #include "model/intent/directplan.h"
 #include "model/intent/gainsplan.h"
 #include "model/intent/homingplan.h"
@@ -150,7 +149,7 @@ struct Planner {
 
     /// It is for whoever keeps the module's state.
     Plan operator()(const intent::DeclarePosition&) const {
-        return allowed(IntentKind::DeclarePosition, module, [] { return Orders{}; });
+        return unless(whyNot(IntentKind::DeclarePosition, module));
     }
 
     Plan operator()(const intent::StopHere&) const {
@@ -190,37 +189,23 @@ struct Planner {
         });
     }
 
-    // Procedures have their own way (model/procedure/procedures.h); only why one is not possible is told
-    // here.
-    Plan operator()(const intent::Home& home) const {
-        const auto refusal = whyNotHome(home.recipe, module);
-        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
-    }
+    // Procedures have their own way (model/procedure/procedures.h): here is only why one is not possible.
+    Plan operator()(const intent::Home& home) const { return unless(whyNotHome(home.recipe, module)); }
     Plan operator()(const intent::MoveBy& moveBy) const {
         if (const auto refusal = lacking({{}, moveBy.velocity, moveBy.acceleration}))
             return tl::unexpected(*refusal);
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
-        return allowed(IntentKind::Move, module, [] { return Orders{}; });
+        return unless(whyNot(IntentKind::Move, module));
     }
-    Plan operator()(const AnyOf<intent::StepResponse, intent::StepSeries, intent::SquareWave,
-                                intent::FrequencyResponse> auto& test) const {
-        const auto refusal = whyNot(test, module);
-        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
-    }
-    Plan operator()(const intent::TryGains& wanted) const {
-        const auto refusal = whyNot(wanted, module);
-        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
-    }
-    Plan operator()(const intent::KeepGains&) const { return Orders{}; }
     Plan operator()(const intent::CheckDirection&) const {
-        return allowed(IntentKind::CheckDirection, module, [] { return Orders{}; });
+        return unless(whyNot(IntentKind::CheckDirection, module));
     }
-    Plan operator()(const intent::FollowPath& follow) const {
-        const auto refusal = whyNot(follow, module);
-        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
+    Plan operator()(const In<ServoProcedure> auto& wanted) const { return unless(whyNot(wanted, module)); }
+    Plan operator()(const intent::KeepGains&) const { return Orders{}; }
+    Plan operator()(const intent::SaveConfiguration&) const {
+        return unless(whyNot(IntentKind::ControlSc, module));
     }
-    Plan operator()(const intent::CancelProcedure&) const { return Orders{}; }
 
     Plan operator()(const intent::ArmLimitStop& arm) const {
         if (const auto refusal = whyNotArm(arm, module))
@@ -228,18 +213,16 @@ struct Planner {
         return stepsFor(module, limitStop(arm));
     }
 
-    // plan() has answered these for both chips.
-    Plan operator()(const AnyOf<intent::Direct, intent::ResetModule, intent::SaveConfiguration> auto&) const {
+    Plan operator()(const In<AnyModuleIntent> auto&) const {
         return Orders{};
-    }
-    Plan operator()(const AnyOf<stepperintent::SetParameters, stepperintent::SetOutputs, stepperintent::Move,
-                                stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::MoveBy,
-                                stepperintent::GoHome> auto&) const {
-        return tl::unexpected(Refusal::NotAStepper);
-    }
-    Plan operator()(const IoIntent auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
+    }  // planned for all chips alike
+    Plan operator()(const In<StepperIntent> auto&) const { return tl::unexpected(Refusal::NotAStepper); }
+    Plan operator()(const In<IoIntent> auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
 
 private:
+    [[nodiscard]] static Plan unless(std::optional<Refusal> refusal) {
+        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
+    }
     [[nodiscard]] static std::optional<Refusal> lacking(const intent::GoTo& goTo) {
         if (goTo.velocity.value() == 0)
             return Refusal::NoVelocity;
@@ -269,23 +252,8 @@ bool isStop(IntentKind kind) {
 
 bool isStop(const Intent& intent) {
     return std::visit(
-        Overloaded{
-            [](const AnyOf<intent::StopSmoothly, intent::StopAbruptly, intent::StopHere,
-                           intent::MotorOff> auto&) { return true; },
-            [](const AnyOf<intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome,
-                           intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
-                           intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
-                           intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::ControlSc,
-                           intent::SaveConfiguration, intent::Home, intent::MoveBy, intent::StepResponse,
-                           intent::StepSeries, intent::SquareWave, intent::FrequencyResponse,
-                           intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath,
-                           intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition,
-                           intent::Direct, intent::ResetModule, stepperintent::SetParameters,
-                           stepperintent::SetOutputs, stepperintent::Move, stepperintent::LoadMove,
-                           stepperintent::ChangeMotion, stepperintent::MoveBy, stepperintent::GoHome> auto&) {
-                return false;
-            },
-            [](const IoIntent auto&) { return false; },
+        []<typename T>(const T&) {
+            return AnyOf<T, intent::StopSmoothly, intent::StopAbruptly, intent::StopHere, intent::MotorOff>;
         },
         intent);
 }
@@ -300,11 +268,9 @@ tl::expected<Orders, Refusal> plan(const Intent& intent, const ModuleState& modu
             return tl::unexpected(*refusal);
         return Orders{{module.info.index, direct->command}};
     }
-    // The bus does these (bus/readdresstask.h).
+    // The bus does it (bus/readdresstask.h).
     if (std::holds_alternative<intent::ResetModule>(intent))
         return allowed(IntentKind::ResetModule, module, [] { return Orders{}; });
-    if (std::holds_alternative<intent::SaveConfiguration>(intent))
-        return allowed(IntentKind::ControlSc, module, [] { return Orders{}; });
     if (module.isIo())
         return planIo(intent, module);
     Plan orders = module.isStepper() ? planStep(intent, module) : std::visit(Planner{module}, intent);

@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/overloaded.h"
 #include "bus/types.h"
 #include "model/intent/iointent.h"
 #include "model/intent/responsetaken.h"
@@ -161,23 +162,33 @@ struct Direct {
 struct ResetModule {};
 }  // namespace intent
 
-using Intent = std::variant<
-    intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
-    intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
-    intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded, intent::StopHere,
-    intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::ControlSc, intent::SaveConfiguration,
-    intent::Home, intent::MoveBy, intent::StepResponse, intent::StepSeries, intent::SquareWave,
-    intent::FrequencyResponse, intent::TryGains, intent::KeepGains, intent::CheckDirection,
-    intent::FollowPath, intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition,
-    intent::Direct, intent::ResetModule, stepperintent::SetParameters, stepperintent::SetOutputs,
-    stepperintent::Move, stepperintent::LoadMove, stepperintent::ChangeMotion, stepperintent::MoveBy,
-    stepperintent::GoHome, iointent::SetDirection, iointent::SetOutput, iointent::SetPwm, iointent::SetTimer,
-    iointent::StoreOutputs, iointent::SynchOutput, iointent::SynchInput>;
+// Each intent stands in one of these lists, which say whom it is for and whether it moves the motor.
+using AnyModuleIntent =
+    std::variant<intent::AskAnew, intent::CancelProcedure, intent::Direct, intent::ResetModule>;
+/// Of either motor chip. Home is a procedure; StartLoaded moves as it was loaded.
+using MotorIntent = std::variant<intent::Enable, intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff,
+                                 intent::SetAmplifier, intent::ResetPosition, intent::SaveAsHome,
+                                 intent::DeclarePosition, intent::StartLoaded, intent::Home>;
+using ServoMotion =
+    std::variant<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::LoadMove, intent::DrivePwm>;
+using ServoSetting =
+    std::variant<intent::ApplyGains, intent::KeepGains, intent::ClearStickyBits, intent::StopHere,
+                 intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::ArmLimitStop>;
+using ServoProcedure =
+    std::variant<intent::MoveBy, intent::StepResponse, intent::StepSeries, intent::SquareWave,
+                 intent::FrequencyResponse, intent::TryGains, intent::CheckDirection, intent::FollowPath>;
+/// ChangeMotion and MoveBy are procedures.
+using StepperMotionIntent =
+    std::variant<stepperintent::Move, stepperintent::LoadMove, stepperintent::ChangeMotion,
+                 stepperintent::MoveBy, stepperintent::GoHome>;
+using StepperSetting = std::variant<stepperintent::SetParameters, stepperintent::SetOutputs>;
+using IoIntent =
+    std::variant<iointent::SetDirection, iointent::SetOutput, iointent::SetPwm, iointent::SetTimer,
+                 iointent::StoreOutputs, iointent::SynchOutput, iointent::SynchInput>;
 
-/// Of a PIC-I/O.
-template <typename T>
-concept IoIntent = AnyOf<T, iointent::SetDirection, iointent::SetOutput, iointent::SetPwm, iointent::SetTimer,
-                         iointent::StoreOutputs, iointent::SynchOutput, iointent::SynchInput>;
+using ServoIntent = Join<ServoMotion, ServoSetting, ServoProcedure>;
+using StepperIntent = Join<StepperMotionIntent, StepperSetting>;
+using Intent = Join<AnyModuleIntent, MotorIntent, ServoIntent, StepperIntent, IoIntent>;
 
 /// It stops a motor: it waits for nothing, and goes past everything.
 [[nodiscard]] bool isStop(const Intent& intent);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "base/overloaded.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/travel.h"
 #include "module/stepperspeed.h"
@@ -197,21 +196,11 @@ struct StepperPlanner {
     Plan operator()(const intent::Home& home) const {
         return allowed(whyNotHome(home.recipe, module), [] { return Orders{}; });
     }
-    Plan operator()(const intent::CancelProcedure&) const { return Orders{}; }
-    /// plan() has answered that for both chips.
-    Plan operator()(const AnyOf<intent::AskAnew, intent::Direct, intent::ResetModule> auto&) const {
+    Plan operator()(const In<AnyModuleIntent> auto&) const {
         return Orders{};
-    }
-    Plan operator()(
-        const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
-                    intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
-                    intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::MoveBy,
-                    intent::StepResponse, intent::StepSeries, intent::SquareWave, intent::FrequencyResponse,
-                    intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath,
-                    intent::ArmLimitStop> auto&) const {
-        return tl::unexpected(Refusal::NotAServo);
-    }
-    Plan operator()(const IoIntent auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
+    }  // planned for all chips alike
+    Plan operator()(const In<ServoIntent> auto&) const { return tl::unexpected(Refusal::NotAServo); }
+    Plan operator()(const In<IoIntent> auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
 
 private:
     [[nodiscard]] stepper::LoadTrajectory boundedLoad(const StepperMotion& motion) const {

@@ -91,18 +91,14 @@ struct CourseOf {
     std::optional<Course> operator()(const stepperintent::ChangeMotion& change) const {
         return of(change.motion);
     }
-    std::optional<Course> operator()(
-        const AnyOf<intent::AskAnew, intent::Enable, intent::StopSmoothly, intent::StopAbruptly,
-                    intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition,
-                    intent::SaveAsHome, intent::StartLoaded, intent::StopHere, intent::SetAmplifier,
-                    intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::StepSeries,
-                    intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath,
-                    intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
-                    intent::ResetModule, stepperintent::SetParameters, stepperintent::SetOutputs> auto&)
-        const {
-        return std::nullopt;
-    }
-    std::optional<Course> operator()(const IoIntent auto&) const { return std::nullopt; }
+    // Of the others, StartLoaded, Direct, StepSeries and CheckDirection are in travelProblem(), and the
+    // points of a path in planPath().
+    template <typename T>
+    requires In<T, AnyModuleIntent> || In<T, MotorIntent> || In<T, ServoSetting> || In<T, StepperSetting> ||
+        In<T, IoIntent> ||
+        AnyOf<T, intent::StepSeries, intent::TryGains, intent::CheckDirection, intent::FollowPath>
+            std::optional<Course>
+    operator()(const T&) const { return std::nullopt; }
 
 private:
     [[nodiscard]] std::optional<Course> about(std::int32_t counts) const {

@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "model/intent/backlash.h"
-#include "model/intent/homingplan.h"
 #include "model/intent/stepperplan.h"
 #include "model/procedure/approach.h"
 #include "model/procedure/changemotion.h"
@@ -23,64 +22,76 @@ namespace nmc {
 
 namespace {
 
+using Made = std::unique_ptr<Procedure>;
+
 /// A move that has to turn round on its way; null where it goes straight.
 template <typename Move>
-std::unique_ptr<Procedure> approachFor(const Move& move, std::optional<std::int64_t> goal,
-                                       const ModuleState& module) {
-    if (!goal || !plan(move, module) || !module.latest->position || module.moving())
+Made approachFor(const Move& move, std::optional<std::int64_t> goal, const ModuleState& module) {
+    if (!goal || !module.latest->position || module.moving())
         return nullptr;
     const auto turn = turningPoint(*module.latest->position, *goal, module);
     return turn ? std::make_unique<Approach>(move, static_cast<std::int32_t>(*turn), module) : nullptr;
 }
-std::unique_ptr<Procedure> approachFor(const intent::GoTo& goTo, const ModuleState& module) {
-    return approachFor(goTo, goTo.position.value(), module);
-}
-std::unique_ptr<Procedure> approachFor(const stepperintent::Move& move, const ModuleState& module) {
-    return approachFor(move, goalOf(move.motion, module), module);
-}
+
+/// The procedure of an intent whose preconditions are met; null for one that is an operation.
+struct ProcedureOf {
+    const ModuleState& module;
+
+    Made operator()(const intent::Home& home) const {
+        return std::make_unique<HomingRun>(home.recipe, home.tolerance, module);
+    }
+    Made operator()(const intent::GoTo& goTo) const {
+        return approachFor(goTo, goTo.position.value(), module);
+    }
+    Made operator()(const intent::GoHome& home) const {
+        return (*this)(intent::GoTo{Counts(module.home.place()->counts), home.velocity, home.acceleration});
+    }
+    Made operator()(const stepperintent::Move& move) const {
+        return approachFor(move, goalOf(move.motion, module), module);
+    }
+    Made operator()(const stepperintent::GoHome& home) const {
+        return (*this)(stepperintent::Move{*motionOf(home, module)});
+    }
+    Made operator()(const intent::MoveBy& moveBy) const {
+        return std::make_unique<MoveByRun>(moveBy, module);
+    }
+    Made operator()(const stepperintent::MoveBy& moveBy) const {
+        return std::make_unique<MoveByRun>(moveBy, module);
+    }
+    Made operator()(const intent::StepResponse& step) const {
+        return std::make_unique<StepResponseRun>(step, module);
+    }
+    Made operator()(const intent::StepSeries& series) const {
+        return std::make_unique<StepSeriesRun>(series, module);
+    }
+    Made operator()(const intent::SquareWave& wave) const {
+        return std::make_unique<SquareWaveRun>(wave, module);
+    }
+    Made operator()(const intent::FrequencyResponse& sines) const {
+        return std::make_unique<FrequencyRun>(sines, module);
+    }
+    Made operator()(const intent::TryGains& wanted) const {
+        return std::make_unique<TryGainsRun>(wanted, module);
+    }
+    Made operator()(const intent::CheckDirection& check) const {
+        return std::make_unique<DirectionCheck>(check, module);
+    }
+    Made operator()(const intent::FollowPath& follow) const {
+        return std::make_unique<PathRun>(follow, module);
+    }
+    template <typename T>
+    requires(!In<T, ServoProcedure>) Made operator()(const T&) const { return nullptr; }
+};
 
 }  // namespace
 
 std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState& module) {
-    if (const auto* home = std::get_if<intent::Home>(&intent))
-        return whyNotHome(home->recipe, module)
-                   ? nullptr
-                   : std::make_unique<HomingRun>(home->recipe, home->tolerance, module);
-    if (const auto* goTo = std::get_if<intent::GoTo>(&intent))
-        return approachFor(*goTo, module);
-    if (const auto* home = std::get_if<intent::GoHome>(&intent))
-        return plan(intent, module)
-                   ? approachFor({Counts(module.home.place()->counts), home->velocity, home->acceleration},
-                                 module)
-                   : nullptr;
-    if (const auto* move = std::get_if<stepperintent::Move>(&intent))
-        return approachFor(*move, module);
-    if (const auto* home = std::get_if<stepperintent::GoHome>(&intent))
-        return plan(intent, module) ? approachFor(stepperintent::Move{*motionOf(*home, module)}, module)
-                                    : nullptr;
-    if (const auto* moveBy = std::get_if<intent::MoveBy>(&intent))
-        return plan(intent, module) ? std::make_unique<MoveByRun>(*moveBy, module) : nullptr;
-    if (const auto* moveBy = std::get_if<stepperintent::MoveBy>(&intent))
-        return plan(intent, module) ? std::make_unique<MoveByRun>(*moveBy, module) : nullptr;
-    if (const auto* step = std::get_if<intent::StepResponse>(&intent))
-        return plan(intent, module) ? std::make_unique<StepResponseRun>(*step, module) : nullptr;
-    if (const auto* series = std::get_if<intent::StepSeries>(&intent))
-        return plan(intent, module) ? std::make_unique<StepSeriesRun>(*series, module) : nullptr;
-    if (const auto* wave = std::get_if<intent::SquareWave>(&intent))
-        return plan(intent, module) ? std::make_unique<SquareWaveRun>(*wave, module) : nullptr;
-    if (const auto* sines = std::get_if<intent::FrequencyResponse>(&intent))
-        return plan(intent, module) ? std::make_unique<FrequencyRun>(*sines, module) : nullptr;
-    if (const auto* wanted = std::get_if<intent::TryGains>(&intent))
-        return plan(intent, module) ? std::make_unique<TryGainsRun>(*wanted, module) : nullptr;
-    if (const auto* follow = std::get_if<intent::FollowPath>(&intent))
-        return plan(intent, module) ? std::make_unique<PathRun>(*follow, module) : nullptr;
-    if (const auto* check = std::get_if<intent::CheckDirection>(&intent))
-        return plan(intent, module) ? std::make_unique<DirectionCheck>(*check, module) : nullptr;
+    // As an operation it is refused: from this motion it takes more than one.
     if (const auto* change = std::get_if<stepperintent::ChangeMotion>(&intent))
         return whyNotFromStandstill(change->motion, module)
                    ? nullptr
                    : std::make_unique<ChangeMotion>(module.info.index, change->motion);
-    return nullptr;
+    return plan(intent, module) ? std::visit(ProcedureOf{module}, intent) : nullptr;
 }
 
 void keepWhatIsHarmless(std::vector<bus::Order>& orders) {
