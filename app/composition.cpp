@@ -115,7 +115,7 @@ void Composition::show(const Start& start) {
                            [this] { QTimer::singleShot(0, &m_window, [] { QCoreApplication::exit(0); }); });
         return;
     }
-    tellOfSessionsBefore();
+    reportSessionsBefore();
     checkSettings();
     m_machine.start();
     m_runs.open({}, m_machine.machine());
@@ -148,7 +148,7 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::portsRequested, this, [this] { m_window.showPorts(m_ports.ports()); });
     connect(&m_ports, &PortController::portsChanged, &m_window, &MainWindow::showPorts);
     connect(&m_ports, &PortController::ended, &m_window, &MainWindow::endMessage);
-    connect(&m_ports, &PortController::told, &m_window, &MainWindow::showMessage);
+    connect(&m_ports, &PortController::reported, &m_window, &MainWindow::showMessage);
     connect(&m_window, &MainWindow::connectRequested, this,
             [this](const QString& port, quint32 baud, bool readOnly) {
                 connectTo({port, baud, readOnly});
@@ -171,7 +171,7 @@ void Composition::wireWindow() {
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
     connect(&m_machine, &MachineController::machineChanged, this, [this] {
         m_store.setMachine(m_machine.machine());
-        tellStopOutputs();
+        sendStopOutputs();
     });
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
@@ -197,7 +197,7 @@ void Composition::keepMessages() {
     connect(&messages.list(), &MessageList::ended, this,
             [keep](const MessageEntry& entry) { keep(overLine(entry)); });
     connect(&m_log, &DayLog::failed, this, [this, &messages](const FileError& error) {
-        m_messages.tell(texts::messagesNotKept(error));
+        m_messages.report(texts::messagesNotKept(error));
         messages.showLogFile({});
     });
     messages.showLogFile(m_log.file(QDateTime::currentDateTime()));
@@ -209,7 +209,7 @@ void Composition::keepPositions() {
             [this] { m_positions.setMachine(m_machine.machine().name); });
     connect(&m_positions, &PositionKeeper::offered, this, [this](const PositionMemory::Offer& offer) {
         const ModuleState* module = m_store.module(offer.module);
-        m_messages.tell(
+        m_messages.report(
             texts::positionRemembered(offer, scaleOf(*module, m_machine.machine().axis(offer.module))));
     });
     connect(&m_positions, &PositionKeeper::over, this,
@@ -227,8 +227,8 @@ void Composition::takePosition(ModuleIndex module) {
     const ModuleState* state = m_store.module(module);
     if (state == nullptr)
         return;
-    if (const auto refusal = whyNotTold(IntentKind::SaveAsHome, *state))
-        m_messages.tellOf(texts::notPossible(module, texts::refusal(*refusal)));
+    if (const auto refusal = whyInaccessible(IntentKind::SaveAsHome, *state))
+        m_messages.reportOf(texts::notPossible(module, texts::refusal(*refusal)));
     else
         m_store.takeHome(module);
 }
@@ -241,14 +241,14 @@ void Composition::wireStore() {
         endLeft(m_motionMarker.update(m_store.link()));
         m_messages.look();
     });
-    connect(&m_messages, &MessageController::aboutToTell, this, [this] {
+    connect(&m_messages, &MessageController::aboutToReport, this, [this] {
         if (m_linkTimer.isActive())
             showLink();
     });
     m_sleep.follow(m_store);
     connect(&m_sleep, &SleepInhibitor::stopWanted, &m_worker, &BusWorker::stopAll);
     connect(&m_sleep, &SleepInhibitor::stopWanted, &m_commander, &Commander::endRuns);
-    connect(&m_store, &BusStore::happened, this, &Composition::tell);
+    connect(&m_store, &BusStore::happened, this, &Composition::take);
     connect(&m_commander, &Commander::refused, this, &Composition::refuse);
     connect(&m_commander, &Commander::sent, &m_machine, &MachineController::noteSent);
     connect(&m_commander, &Commander::aboutToMove, this,
@@ -317,7 +317,7 @@ void Composition::connectFully() {
 
 void Composition::lookFirst(const QString& key) {
     if (m_worker.isOpen())
-        return m_messages.tell(texts::openAlready());  // closing that one might stop the motors
+        return m_messages.report(texts::openAlready());  // closing that one might stop the motors
     for (const MotionMarker::Left& left : m_motionMarker.left())
         if (texts::key::endedWhileMoving(left.file) == key)
             m_window.choosePort(left.port, left.baud);
@@ -353,7 +353,7 @@ void Composition::act(const Message& message, MessageAction action) {
             connectOffered();
             break;
         case MessageAction::How:
-            m_messages.tell(texts::latencyCure(m_ports.latencyFile()));
+            m_messages.report(texts::latencyCure(m_ports.latencyFile()));
             break;
         case MessageAction::ConnectFully:
             connectFully();
@@ -427,7 +427,7 @@ void Composition::showFrame() {
 }
 
 /// What STOP ALL takes low is the bus thread's to know before somebody presses it.
-void Composition::tellStopOutputs() {
+void Composition::sendStopOutputs() {
     std::vector<bus::StopOutputs> outputs;
     for (const AxisSettings& axis : m_machine.machine().axes) {
         const PinSettings& pins = pinsOf(axis);
@@ -468,7 +468,7 @@ void Composition::showFrameSoon() {
         QTimer::singleShot(0, this, &Composition::showFrame);
 }
 
-void Composition::tellOfSessionsBefore() {
+void Composition::reportSessionsBefore() {
     std::map<QString, std::vector<ModuleIndex>> toldByGuardian;
     for (const GuardReport& report : takeGuardReports(guardFolder(m_settings).toStdString())) {
         std::vector<ModuleIndex> modules;
@@ -477,11 +477,11 @@ void Composition::tellOfSessionsBefore() {
         if (const MotionMarker::Left* left = m_motionMarker.lastOf(report.process))
             toldByGuardian[left->file] = std::move(modules);
         else
-            m_messages.tell(texts::guardianStoppedBefore(modules));
+            m_messages.report(texts::guardianStoppedBefore(modules));
     }
     for (const MotionMarker::Left& left : m_motionMarker.left()) {
         const auto told = toldByGuardian.find(left.file);
-        m_messages.tell(texts::endedWhileMoving(
+        m_messages.report(texts::endedWhileMoving(
             {left.modules.begin(), left.modules.end()}, left.port, left.file,
             told != toldByGuardian.end() ? std::optional(told->second) : std::nullopt));
     }
@@ -490,7 +490,7 @@ void Composition::tellOfSessionsBefore() {
 void Composition::checkSettings() {
     m_settings.sync();
     if (!m_settings.isWritable() || m_settings.status() == QSettings::AccessError)
-        m_messages.tell(texts::settingsNotSaved(m_settings.fileName()));
+        m_messages.report(texts::settingsNotSaved(m_settings.fileName()));
 }
 
 }  // namespace nmc

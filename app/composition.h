@@ -116,43 +116,43 @@ private:
     void showLink();
     void showFrame();
     void showFrameSoon();
-    void tellStopOutputs();
+    void sendStopOutputs();
 
-    void tell(const StoreEvent& event);
-    void told(const bus::ChainFound& found);
+    void take(const StoreEvent& event);
+    void on(const bus::ChainFound& found);
     /// A chain whose addresses have changed is to be found again.
     void noteAddresses();
     void noteChain(const bus::ChainFound& found);
-    void told(const bus::ConnectFailed& failed);
-    void told(const bus::OperationFinished& finished);
-    void told(const bus::StopFinished& finished);
-    void told(const bus::ModuleUnresponsive& silence);
-    void told(const bus::CommandRefused& refused);
-    void told(const bus::LinkLost& lost);
-    void told(const bus::EchoNoticed& noticed);
-    void told(const bus::HoldExpired& expired);
-    void told(const bus::HealthChanged& changed);
-    void told(const bus::ModuleRestarted&) {}  // the state tells
-    void told(const bus::Readdressed& readdressed);
-    void told(const bus::AddressChanged& changed);
-    void told(const bus::ReaddressFailed& failed);
-    void told(const bus::MotionSuspect& suspect);
-    void told(const bus::StoppedBeforeLimit& stopped);
-    void told(const bus::UnacknowledgedStopConfirmed& confirmed);
-    void told(const bus::ForeignTraffic& traffic);
-    void told(const bus::ForeignMotion& motion);
-    void told(const bus::GroupFinished& finished);
-    void told(const bus::RateChanged& changed);
-    void told(const bus::RateChangeFailed& failed);
-    void told(const PortClosed& closed);
-    void told(const SimulatorAnswered& answer);
-    void told(const PanelFroze& froze);
-    void told(const ComputerSlept& slept);
-    void told(const GuardianStopped& stopped);
-    void told(const GuardianMissing& missing);
+    void on(const bus::ConnectFailed& failed);
+    void on(const bus::OperationFinished& finished);
+    void on(const bus::StopFinished& finished);
+    void on(const bus::ModuleUnresponsive& silence);
+    void on(const bus::CommandRefused& refused);
+    void on(const bus::LinkLost& lost);
+    void on(const bus::EchoNoticed& noticed);
+    void on(const bus::HoldExpired& expired);
+    void on(const bus::HealthChanged& changed);
+    void on(const bus::ModuleRestarted&) {}  // the state tells
+    void on(const bus::Readdressed& readdressed);
+    void on(const bus::AddressChanged& changed);
+    void on(const bus::ReaddressFailed& failed);
+    void on(const bus::MotionSuspect& suspect);
+    void on(const bus::StoppedBeforeLimit& stopped);
+    void on(const bus::OwedStopConfirmed& confirmed);
+    void on(const bus::ForeignTraffic& traffic);
+    void on(const bus::ForeignMotion& motion);
+    void on(const bus::GroupFinished& finished);
+    void on(const bus::RateChanged& changed);
+    void on(const bus::RateChangeFailed& failed);
+    void on(const PortClosed& closed);
+    void on(const SimulatorAnswered& answer);
+    void on(const PanelFroze& froze);
+    void on(const ComputerSlept& slept);
+    void on(const GuardianStopped& stopped);
+    void on(const GuardianMissing& missing);
     void checkSettings();
     /// What panels before this one left moving, and what their guardians had to do about it.
-    void tellOfSessionsBefore();
+    void reportSessionsBefore();
 
     QSettings& m_settings;
     ProcessGuard m_guardian;

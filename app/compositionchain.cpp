@@ -48,7 +48,7 @@ void Composition::noteChain(const bus::ChainFound& found) {
     if (modules < expected) {
         const std::string last =
             m_machine.machine().axis(ModuleIndex(static_cast<std::uint8_t>(modules - 1))).name;
-        m_messages.tell(texts::fewerThanExpected(modules, expected, QString::fromStdString(last)));
+        m_messages.report(texts::fewerThanExpected(modules, expected, QString::fromStdString(last)));
     } else if (found.absent.empty() && !found.unaddressed && !m_store.link().simulated) {
         rememberChain(m_settings, m_target->port, found.modules);
     }
@@ -76,7 +76,7 @@ void Composition::acceptChain() {
     const bool forgets = there.size() < link.modules.size() && !link.simulated;
     // What was known goes only with the connection, whose end stops motors.
     if (forgets && !link.readOnly && m_store.movingMotors() > 0)
-        return m_messages.tell(texts::chainNotAccepted());
+        return m_messages.report(texts::chainNotAccepted());
     m_machine.acceptChain(expected);
     m_messages.end(texts::key::port());
     for (const ModuleState& module : link.modules)

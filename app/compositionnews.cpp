@@ -32,22 +32,22 @@ bool endsHold(const StoreEvent& event) {
 
 }  // namespace
 
-void Composition::tell(const StoreEvent& event) {
+void Composition::take(const StoreEvent& event) {
     m_messages.look();
     if (endsHold(event))
         m_window.endHold();
     if (const auto* operation = std::get_if<bus::OperationFinished>(&event))
         m_motionMarker.ended(operation->id, monotonicNow());
     if (!m_commander.take(event))
-        std::visit([this](const auto& news) { told(news); }, event);
+        std::visit([this](const auto& news) { on(news); }, event);
 }
 
-void Composition::told(const bus::UnacknowledgedStopConfirmed& confirmed) {
+void Composition::on(const bus::OwedStopConfirmed& confirmed) {
     endLeft(m_motionMarker.stopped({confirmed.module}));
     m_messages.stopConfirmed(confirmed);
 }
 
-void Composition::told(const bus::ChainFound& found) {
+void Composition::on(const bus::ChainFound& found) {
     m_messages.chainFound();
     m_motionMarker.found(monotonicNow());
     m_positions.found(found);
@@ -59,29 +59,29 @@ void Composition::told(const bus::ChainFound& found) {
     noteChain(found);
     m_watched.clear();
     m_stopOutputs.clear();
-    tellStopOutputs();
-    m_messages.tell(texts::connected(found, m_target->port));
+    sendStopOutputs();
+    m_messages.report(texts::connected(found, m_target->port));
     m_messages.end(texts::key::badLink());
     if (found.replyGap > Duration{})
-        m_messages.tellOfChain(texts::repliesInPieces(
+        m_messages.reportOfChain(texts::repliesInPieces(
             m_target->port, static_cast<int>(std::lround(1e3 * toSeconds(found.replyGap)))));
     // Where the module is known that has restarted, that is told of it.
     if (found.unaddressed && found.absent.empty())
-        m_messages.tellOfChain(texts::unaddressed());
+        m_messages.reportOfChain(texts::unaddressed());
 }
 
-void Composition::told(const bus::ConnectFailed& failed) {
-    m_messages.tell(texts::connectFailed(failed, m_target->port));
+void Composition::on(const bus::ConnectFailed& failed) {
+    m_messages.report(texts::connectFailed(failed, m_target->port));
 }
 
-void Composition::told(const bus::OperationFinished& finished) {
+void Composition::on(const bus::OperationFinished& finished) {
     if (finished.outcome == bus::Outcome::Done)
         m_messages.obeyed(finished.module);
     else
-        m_messages.tellOf(texts::operationFailed(finished));
+        m_messages.reportOf(texts::operationFailed(finished));
 }
 
-void Composition::told(const bus::StopFinished& finished) {
+void Composition::on(const bus::StopFinished& finished) {
     // A port without modules has been closed, for example: nobody asked for a stop, and nothing needed one.
     if (finished.unasked && finished.reachedNobody())
         return;
@@ -93,77 +93,77 @@ void Composition::told(const bus::StopFinished& finished) {
     m_window.showStopResult(finished);
 }
 
-void Composition::told(const bus::ModuleUnresponsive& silence) {
+void Composition::on(const bus::ModuleUnresponsive& silence) {
     if (!silence.silent)
         m_messages.end(texts::key::link());
 }
 
-void Composition::told(const bus::CommandRefused& refused) {
-    m_messages.tellOf(texts::refused(refused));
+void Composition::on(const bus::CommandRefused& refused) {
+    m_messages.reportOf(texts::refused(refused));
 }
 
-void Composition::told(const bus::LinkLost&) {
+void Composition::on(const bus::LinkLost&) {
     m_lostPort = m_target->port;
-    m_messages.tell(texts::withRecord(texts::linkLost(m_target->port, m_store.movingModules())));
+    m_messages.report(texts::withRecord(texts::linkLost(m_target->port, m_store.movingModules())));
 }
 
-void Composition::told(const bus::EchoNoticed&) {
-    m_messages.tellOfChain(texts::echoNoticed(m_target->port));
+void Composition::on(const bus::EchoNoticed&) {
+    m_messages.reportOfChain(texts::echoNoticed(m_target->port));
 }
 
-void Composition::told(const bus::HoldExpired& expired) {
+void Composition::on(const bus::HoldExpired& expired) {
     const Message message = texts::withRecord(texts::holdExpired(expired.module));
     m_messages.noteStop(message, bus::StopCause::HoldExpired, {expired.module});
-    m_messages.tellOf(message);
+    m_messages.reportOf(message);
 }
 
-void Composition::told(const bus::HealthChanged& changed) {
+void Composition::on(const bus::HealthChanged& changed) {
     if (changed.health == bus::LinkHealth::Good)
         return m_messages.end(texts::key::badLink());
     const Message message = texts::withRecord(texts::badLink(changed));
     if (changed.health == bus::LinkHealth::Lost && changed.module)
         m_messages.noteStop(message, bus::StopCause::LinkGivenUp, {*changed.module});
-    m_messages.tell(message);
+    m_messages.report(message);
 }
 
-void Composition::told(const bus::Readdressed& readdressed) {
+void Composition::on(const bus::Readdressed& readdressed) {
     m_positions.restarted(readdressed.module.index);
     m_messages.end(texts::key::unaddressed());
-    m_messages.tell(texts::readdressed(readdressed));
+    m_messages.report(texts::readdressed(readdressed));
 }
 
-void Composition::told(const bus::AddressChanged& changed) {
-    m_messages.tell(texts::addressChanged(changed));
+void Composition::on(const bus::AddressChanged& changed) {
+    m_messages.report(texts::addressChanged(changed));
     noteAddresses();
 }
 
-void Composition::told(const bus::ReaddressFailed& failed) {
-    m_messages.tellOfChain(texts::notReaddressed(failed));
+void Composition::on(const bus::ReaddressFailed& failed) {
+    m_messages.reportOfChain(texts::notReaddressed(failed));
 }
 
-void Composition::told(const bus::MotionSuspect& suspect) {
+void Composition::on(const bus::MotionSuspect& suspect) {
     const Message message = texts::withRecord(texts::motionSuspect(suspect));
     m_messages.noteStop(message, bus::StopCause::MotionSuspect, {suspect.module});
-    m_messages.tellOf(message);
+    m_messages.reportOf(message);
 }
 
-void Composition::told(const bus::StoppedBeforeLimit& stopped) {
+void Composition::on(const bus::StoppedBeforeLimit& stopped) {
     const Message message = texts::stoppedBeforeLimit(stopped.module);
     m_messages.noteStop(message, bus::StopCause::TravelLimit, {stopped.module});
-    m_messages.tellOf(message);
+    m_messages.reportOf(message);
 }
 
-void Composition::told(const bus::ForeignTraffic& traffic) {
+void Composition::on(const bus::ForeignTraffic& traffic) {
     const Message message = texts::withRecord(texts::foreignTraffic(traffic));
     m_messages.noteStop(message, bus::StopCause::ForeignTraffic, traffic.toldToStop);
-    m_messages.tellOfChain(message);
+    m_messages.reportOfChain(message);
 }
 
-void Composition::told(const bus::ForeignMotion& motion) {
-    m_messages.tellOfChain(texts::withRecord(texts::foreignMotion(motion)));
+void Composition::on(const bus::ForeignMotion& motion) {
+    m_messages.reportOfChain(texts::withRecord(texts::foreignMotion(motion)));
 }
 
-void Composition::told(const bus::GroupFinished& finished) {
+void Composition::on(const bus::GroupFinished& finished) {
     m_motionMarker.ended(finished.id, monotonicNow());
     std::vector<ModuleIndex> members;
     for (const bus::GroupMember& member : finished.members)
@@ -173,27 +173,27 @@ void Composition::told(const bus::GroupFinished& finished) {
             return;
         const Message news = texts::groupToldToStop(finished);
         m_messages.noteStop(news, bus::StopCause::GroupStop, members);
-        return m_messages.tell(news);
+        return m_messages.report(news);
     }
     Message message = texts::groupFailed(finished);
     if (finished.stopped) {
         message = texts::withRecord(std::move(message));
         m_messages.noteStop(message, bus::StopCause::GroupHalfStarted, members);
     }
-    m_messages.tellOfChain(message);
+    m_messages.reportOfChain(message);
 }
 
-void Composition::told(const bus::RateChanged& changed) {
+void Composition::on(const bus::RateChanged& changed) {
     if (!m_store.link().simulated)
         rememberRate(m_settings, m_target->port, changed.baud);
-    m_messages.tell(texts::rateChanged(changed));
+    m_messages.report(texts::rateChanged(changed));
 }
 
-void Composition::told(const bus::RateChangeFailed& failed) {
-    m_messages.tellOfChain(texts::rateNotChanged(failed));
+void Composition::on(const bus::RateChangeFailed& failed) {
+    m_messages.reportOfChain(texts::rateNotChanged(failed));
 }
 
-void Composition::told(const PortClosed& closed) {
+void Composition::on(const PortClosed& closed) {
     m_window.showPackets(m_worker.takeRecords());
     m_flight.keepAll();
     m_recordings.end();
@@ -209,37 +209,37 @@ void Composition::told(const PortClosed& closed) {
         error.port = m_target->port.toStdString();
         if (error.problem == PortProblem::Gone)
             m_lostPort = m_target->port;
-        m_messages.tell(texts::portProblem(error));
+        m_messages.report(texts::portProblem(error));
         m_ports.closed(error);
     } else
-        m_messages.tell(texts::disconnected(m_target->port));
+        m_messages.report(texts::disconnected(m_target->port));
     if (m_quitWhenClosed)
         quit();
     else if (m_openNext)
         openNow(*std::exchange(m_openNext, std::nullopt));
 }
 
-void Composition::told(const SimulatorAnswered& answer) {
+void Composition::on(const SimulatorAnswered& answer) {
     m_window.showSimulatorAnswer(QString::fromStdString(answer.line), QByteArray::fromStdString(answer.json));
 }
 
-void Composition::told(const PanelFroze& froze) {
+void Composition::on(const PanelFroze& froze) {
     // The store still has what moved before.
     if (froze.stopped || m_store.movingMotors() > 0)
-        m_messages.tell(texts::panelFroze(toSeconds(froze.length), froze.stopped));
+        m_messages.report(texts::panelFroze(toSeconds(froze.length), froze.stopped));
 }
 
-void Composition::told(const ComputerSlept& slept) {
-    m_messages.tell(texts::machineSlept(toSeconds(slept.length), slept.stopped));
+void Composition::on(const ComputerSlept& slept) {
+    m_messages.report(texts::machineSlept(toSeconds(slept.length), slept.stopped));
 }
 
-void Composition::told(const GuardianStopped&) {
-    m_messages.tell(texts::withRecord(texts::guardianStopped()));
+void Composition::on(const GuardianStopped&) {
+    m_messages.report(texts::withRecord(texts::guardianStopped()));
 }
 
-void Composition::told(const GuardianMissing& missing) {
+void Composition::on(const GuardianMissing& missing) {
     if (!std::exchange(m_guardianMissed, true))
-        m_messages.tell(texts::guardianMissing(missing.problem));
+        m_messages.report(texts::guardianMissing(missing.problem));
 }
 
 }  // namespace nmc

@@ -26,7 +26,7 @@ void Composition::carryOut(ModuleIndex module, const Intent& intent) {
 void Composition::refuse(ModuleIndex index, Refusal refusal, const Intent& intent) {
     const ModuleState& module = *m_store.module(index);
     const AxisScale scale = scaleOf(module, m_machine.machine().axis(index));
-    m_messages.tellOf(texts::notPossible(index, texts::refusal(refusal, intent, module, scale)));
+    m_messages.reportOf(texts::notPossible(index, texts::refusal(refusal, intent, module, scale)));
 }
 
 void Composition::hold(const bus::HoldToMove& hold) {
@@ -100,7 +100,7 @@ void Composition::showProcedure(const ProcedureReport& report) {
         return;
     const AxisScale scale = scaleOf(*module, m_machine.machine().axis(report.module));
     if (const auto message = texts::procedureEnded(report, scale))
-        m_messages.tellOf(*message);
+        m_messages.reportOf(*message);
 }
 
 }  // namespace nmc

@@ -31,7 +31,7 @@ void Composition::wireSequences() {
     connect(&sequences, &SequenceController::reported, this, &Composition::showSequence);
     connect(&sequences, &SequenceController::refused, this,
             [this](const std::vector<SequenceProblem>& problems) {
-                m_messages.tell(texts::sequenceNotBegun(problems.front()));
+                m_messages.report(texts::sequenceNotBegun(problems.front()));
             });
     PathsDock& paths = m_window.paths();
     connect(&paths, &PathsDock::openRequested, this,
@@ -57,7 +57,7 @@ void Composition::showSequence(const SequenceReport& report) {
     m_window.sequences().showRun(report);
     m_window.paths().showSequence(!report.over());
     if (const auto message = texts::sequenceOver(report))
-        m_messages.tell(*message);
+        m_messages.report(*message);
     if (report.over() && m_scanWhenIdle)
         scanAgain();
 }

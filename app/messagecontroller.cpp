@@ -34,11 +34,11 @@ void MessageController::look() {
     });
     for (const Message& message : all)
         if (m_standing.try_emplace(message.key, Standing{*message.module, link.connection}).second)
-            tell(message);
+            report(message);
 }
 
-void MessageController::tell(const Message& message) {
-    emit aboutToTell();
+void MessageController::report(const Message& message) {
+    emit aboutToReport();
     if (message.offers(MessageAction::ShowRecord)) {
         m_flight.note(message.key, message.headline, message.module, monotonicNow());
         m_recordings.note(message.headline);
@@ -46,31 +46,31 @@ void MessageController::tell(const Message& message) {
     m_window.showMessage(message);
 }
 
-void MessageController::tellOf(const Message& message) {
-    tell(message);
+void MessageController::reportOf(const Message& message) {
+    report(message);
     m_events[message.key] = message.module;
 }
 
-void MessageController::tellOfChain(const Message& message) {
-    tell(message);
+void MessageController::reportOfChain(const Message& message) {
+    report(message);
     m_events[message.key] = std::nullopt;
 }
 
 void MessageController::noteStop(const Message& message, bus::StopCause cause,
                                  const std::vector<ModuleIndex>& modules) {
     for (const ModuleIndex module : modules)
-        m_toldToStop[{cause, module}] = message.key;
+        m_stopping[{cause, module}] = message.key;
     m_stopMessages[message.key] = message;
 }
 
-void MessageController::stopConfirmed(const bus::UnacknowledgedStopConfirmed& confirmed) {
-    const auto told = m_toldToStop.find({confirmed.cause, confirmed.module});
-    if (told == m_toldToStop.end())
+void MessageController::stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
+    const auto told = m_stopping.find({confirmed.cause, confirmed.module});
+    if (told == m_stopping.end())
         return;
     Message& message = m_stopMessages[told->second];
     message.headline += u' ' + texts::stopConfirmed(confirmed);
     m_window.amendMessage(message);
-    m_toldToStop.erase(told);
+    m_stopping.erase(told);
 }
 
 void MessageController::obeyed(ModuleIndex module) {
@@ -78,7 +78,7 @@ void MessageController::obeyed(ModuleIndex module) {
 }
 
 void MessageController::chainFound() {
-    m_toldToStop.clear();
+    m_stopping.clear();
     endEvents(std::nullopt);
 }
 

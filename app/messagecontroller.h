@@ -29,15 +29,15 @@ public:
     void look();
 
     /// Whoever tells it ends it, too.
-    void tell(const Message& message);
+    void report(const Message& message);
     /// What its module did not do; over when it obeys again.
-    void tellOf(const Message& message);
+    void reportOf(const Message& message);
     /// Of the chain as it is in this connection.
-    void tellOfChain(const Message& message);
+    void reportOfChain(const Message& message);
     /// Of modules that were told to stop: the message says so when they are seen at rest.
     void noteStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
 
-    void stopConfirmed(const bus::UnacknowledgedStopConfirmed& confirmed);
+    void stopConfirmed(const bus::OwedStopConfirmed& confirmed);
     void obeyed(ModuleIndex module);
     /// The chain has been looked for anew: what still is the case is told again.
     void chainFound();
@@ -46,7 +46,7 @@ public:
 
 signals:
     /// What will be told now is told of what can be seen.
-    void aboutToTell();
+    void aboutToReport();
 
 private:
     void endEvents(std::optional<ModuleIndex> obeyed);
@@ -63,7 +63,7 @@ private:
     std::map<QString, Standing> m_standing;                  ///< what is the case, by key
     std::map<QString, std::optional<ModuleIndex>> m_events;  ///< empty: of the chain
     /// Which message tells of it, with its words, which grow.
-    std::map<std::pair<bus::StopCause, ModuleIndex>, QString> m_toldToStop;
+    std::map<std::pair<bus::StopCause, ModuleIndex>, QString> m_stopping;
     std::map<QString, Message> m_stopMessages;
 };
 

@@ -54,7 +54,7 @@ void PortController::noteRate(double exchangesPerSecond) {
         return;
     const auto ms =
         std::chrono::duration_cast<std::chrono::milliseconds>(*std::exchange(m_slow, std::nullopt));
-    emit told(
+    emit reported(
         texts::slowAdapter(static_cast<int>(std::lround(exchangesPerSecond)), static_cast<int>(ms.count())));
 }
 
@@ -73,7 +73,7 @@ void PortController::offer(const ConnectTarget& target, const Message& message) 
     m_offer = target;
     // In place of what was said about the port before, and not as a repeat of it.
     emit ended(message.key);
-    emit told(message);
+    emit reported(message);
 }
 
 }  // namespace nmc

@@ -52,7 +52,7 @@ public:
 
 signals:
     void portsChanged(const QList<nmc::PortEntry>& ports);
-    void told(const nmc::Message& message);
+    void reported(const nmc::Message& message);
     void ended(const QString& key);
 
 private:

@@ -124,10 +124,10 @@ void RunKeeper::keep() {
         [path = m_path, runs = std::move(runs), gone] {
             return writeResponses(together(runs, runsIn(path), gone));
         },
-        [this](const FileWriter::Result& result) { told(result); });
+        [this](const FileWriter::Result& result) { onWritten(result); });
 }
 
-void RunKeeper::told(const FileWriter::Result& result) {
+void RunKeeper::onWritten(const FileWriter::Result& result) {
     if (result)
         m_window.endMessage(texts::key::runsNotKept());
     else if (!m_failed)

@@ -44,7 +44,7 @@ private:
     [[nodiscard]] QString pathFor(const QString& machineFile) const;
     void loaded();
     void keep();
-    void told(const FileWriter::Result& result);
+    void onWritten(const FileWriter::Result& result);
 
     QString m_folder;
     MainWindow& m_window;

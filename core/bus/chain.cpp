@@ -34,7 +34,7 @@ void Chain::forgetStates() {
         module = Module(module.belief);
         module.belief.forgetItems();
         if (owed)
-            module.owed = UnacknowledgedStop{StopTarget(module.belief), owed->cause};
+            module.owed = OwedStop{StopTarget(module.belief), owed->cause};
     }
 }
 
@@ -88,7 +88,7 @@ std::size_t Chain::longestReply() const {
     return longest;
 }
 
-void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
+void Chain::noteSent(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
     Module& module = at(index);
     module.belief.onSent(command, latched);
     if (const auto* own = std::get_if<ServoCommand>(&command))
@@ -114,10 +114,10 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
     if (m_readOnly && cause != StopCause::StopAll)
         return;  // nobody asked
     const StopCause first = module.owed ? module.owed->cause : cause;
-    module.owed = UnacknowledgedStop{StopTarget(module.belief, manner), first};
+    module.owed = OwedStop{StopTarget(module.belief, manner), first};
 }
 
-void Chain::hurryUnacknowledged(ModuleIndex index, TimePoint now) {
+void Chain::hurryOwedStop(ModuleIndex index, TimePoint now) {
     if (auto& owed = at(index).owed)
         owed->due = now;
 }
@@ -196,7 +196,7 @@ std::optional<BusAddress> Chain::groupOf(const std::vector<Order>& stops) const 
     const auto same = [&](const Order& s) {
         return payloadOf(s.command) == payloadOf(stops.front().command);
     };
-    const auto told = [&](const Module& module) {
+    const auto isStopped = [&](const Module& module) {
         return std::any_of(stops.begin(), stops.end(),
                            [&](const Order& s) { return s.module == module.belief.info().index; });
     };
@@ -208,7 +208,7 @@ std::optional<BusAddress> Chain::groupOf(const std::vector<Order>& stops) const 
         if (!place || !other || (BusAddress(place->group) == kEverybody && !heard))
             return false;
         const bool member = other->group == place->group;
-        return member == told(module) && (!member || heard);
+        return member == isStopped(module) && (!member || heard);
     };
     if (!std::all_of(stops.begin(), stops.end(), same) ||
         !std::all_of(m_modules.begin(), m_modules.end(), fits))

@@ -21,8 +21,8 @@
 namespace nmc::bus {
 
 /// A stop that somebody owes to one module (the end of a hold, a motion that strays, a stop of all that was
-/// not confirmed): repeated while the port is open, ended by a confirmation only. UnacknowledgedStops sends.
-struct UnacknowledgedStop {
+/// not confirmed): repeated while the port is open, ended by a confirmation only. OwedStops sends.
+struct OwedStop {
     StopTarget target;
     StopCause cause;
     TimePoint due{};     ///< of the next question; at once at first
@@ -72,7 +72,7 @@ public:
         }
         Trust trust;
         Health health;
-        std::optional<UnacknowledgedStop> owed{};
+        std::optional<OwedStop> owed{};
         std::optional<Trial> trial{};
         /// Since then there is a command that nobody has answered, and it may have been carried out.
         std::optional<TimePoint> unanswered{};
@@ -130,14 +130,14 @@ public:
     [[nodiscard]] std::size_t longestReply() const;
 
     /// The command goes out, and will be latched then: all that watch the module must reckon with it.
-    void tell(ModuleIndex module, const ModuleCommand& command, TimePoint latched);
+    void noteSent(ModuleIndex module, const ModuleCommand& command, TimePoint latched);
 
     /// Owes the module a stop, from now on. The cause of one that is owed already stays. On a read-only
     /// connection only what is left of a stop of all.
     void owe(ModuleIndex module, StopCause cause, StopManner manner = StopManner::Abruptly);
 
     /// The module was heard of after a silence: what is owed to it is due at once.
-    void hurryUnacknowledged(ModuleIndex module, TimePoint now);
+    void hurryOwedStop(ModuleIndex module, TimePoint now);
 
     /// The module has its address again after a restart: nothing that was known of it holds.
     void welcome(ModuleIndex module, TimePoint now);

@@ -102,7 +102,7 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
     EngineConfig config = m_config;
     config.known = knownModules();
     m_search.begin(config, start);
-    m_unacknowledged.setBlind(true);
+    m_owedStops.setBlind(true);
     proceed(now);
 }
 
@@ -180,7 +180,7 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
         finished.members.push_back({info.index, MemberOutcome::Done});
     }
     haltAxes(members, StopCause::GroupStop, manner);
-    m_unacknowledged.tellTogether(std::move(members));
+    m_owedStops.sendTogether(std::move(members));
     if (finished.members.empty())
         finished.outcome = Outcome::Forbidden;
     return finished;
@@ -188,7 +188,7 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
 
 void Engine::changeRate(std::uint32_t baud, TimePoint now) {
     m_rate.begin(baud, !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() ||
-                           m_unacknowledged.due());
+                           m_owedStops.due());
     proceed(now);
 }
 
@@ -323,7 +323,7 @@ std::optional<TimePoint> Engine::nextDeadline() const {
     consider(m_hold.expiry());
     consider(m_path.foreseeAt());
     if (m_line.idle()) {
-        consider(m_unacknowledged.due());
+        consider(m_owedStops.due());
         consider(m_wellAgain.due());
         if (m_connected) {
             consider(m_trials.due());
@@ -350,7 +350,7 @@ void Engine::proceed(TimePoint now) {
     m_path.foresee(now);
     stopPath();
     // A stop that is owed does not wait for a quarantine.
-    if (m_recovery.resyncing() && m_unacknowledged.untold())
+    if (m_recovery.resyncing() && m_owedStops.anyUnsent())
         interrupt(now);
     do
         takeEnds(now);
@@ -361,7 +361,7 @@ void Engine::proceed(TimePoint now) {
 bool Engine::dispatch(TimePoint now) {
     if (m_line.idle())
         m_recovery.onFree();
-    m_stopAsked = m_stopAsked && (m_stop.active() || m_unacknowledged.due());
+    m_stopAsked = m_stopAsked && (m_stop.active() || m_owedStops.due());
     if (m_config.readOnly && m_stopAsked)
         m_line.permit(Line::Permit::QuestionsAndStops, m_chain.outputStops());
     else if (m_config.readOnly)
@@ -374,14 +374,14 @@ bool Engine::dispatch(TimePoint now) {
     };
     Turn taken = turn(m_wayBack);
     // A servo that swings is not seen at rest before it has its gains back.
-    if (taken == Turn::Nobody && m_stop.told() && m_connected)
+    if (taken == Turn::Nobody && m_stop.allSent() && m_connected)
         taken = turn(m_trials);
     if (taken == Turn::Nobody)
         taken = turn(m_stop);
     if (taken == Turn::Nobody)
         taken = repeat(true, now);
     if (taken == Turn::Nobody)
-        taken = turn(m_unacknowledged);
+        taken = turn(m_owedStops);
     if (taken == Turn::Nobody && live)
         taken = turn(m_recovery, m_restartSearch);
     if (taken == Turn::Nobody)
@@ -437,7 +437,7 @@ void Engine::send(Work work, TimePoint now) {
     if (ask.module && ask.command) {
         const TimePoint latched = m_line.latchTime(ask.request.payload.data.size() + 4, now);
         work.before = m_chain.at(*ask.module);
-        m_chain.tell(*ask.module, *ask.command, latched);
+        m_chain.noteSent(*ask.module, *ask.command, latched);
     }
     if (ask.retry)
         ++m_line.statistics().retries;
@@ -472,7 +472,7 @@ void Engine::takeFindings(TimePoint now) {
         goQuiet(now);
     if (m_wellAgain.takeWell())
         m_connected ? reinstate(now) : begin(Discovery::Start::Look, now);
-    if (m_connected && m_line.echoes() && !std::exchange(m_echoTold, true))
+    if (m_connected && m_line.echoes() && !std::exchange(m_echoReported, true))
         m_events.emplace_back(EchoNoticed{});
     if (m_line.takeForeign(now) && m_connected && !m_search.active())
         onForeignTraffic();
@@ -481,7 +481,7 @@ void Engine::takeFindings(TimePoint now) {
 }
 
 void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
-    m_unacknowledged.setBlind(false);
+    m_owedStops.setBlind(false);
     if (const auto* found = std::get_if<ChainFound>(&ended.result)) {
         adopt(*found, ended.discovery, now);
     } else {
@@ -637,7 +637,7 @@ void Engine::reinstate(TimePoint now) {
             continue;
         module.health = {};
         m_chain.schedule().recover(index, now);
-        m_chain.hurryUnacknowledged(index, now);
+        m_chain.hurryOwedStop(index, now);
         m_events.emplace_back(HealthChanged{LinkHealth::Good, 0, 0, index});
         m_events.emplace_back(ModuleUnresponsive{index, false});
     }
@@ -913,7 +913,7 @@ void Engine::stopPath() {
     dropWorkOf(m_path);
     for (const ModuleIndex module : stops.modules)
         m_chain.owe(module, StopCause::PathEnded, stops.manner);
-    m_unacknowledged.tellTogether(std::move(stops.modules));
+    m_owedStops.sendTogether(std::move(stops.modules));
 }
 
 }  // namespace nmc::bus

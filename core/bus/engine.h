@@ -15,6 +15,7 @@
 #include "bus/holdtask.h"
 #include "bus/line.h"
 #include "bus/operationtask.h"
+#include "bus/owedstops.h"
 #include "bus/pathtask.h"
 #include "bus/polltask.h"
 #include "bus/ratetask.h"
@@ -25,7 +26,6 @@
 #include "bus/stoptask.h"
 #include "bus/trialtask.h"
 #include "bus/types.h"
-#include "bus/unacknowledgedstops.h"
 #include "bus/wellagain.h"
 
 namespace nmc::bus {
@@ -66,7 +66,7 @@ public:
     /// The same for groups; ends in exactly one GroupFinished. A command to a group is sent once, and what
     /// came of it is what each member shows; only if all groups are known.
     /// A stop of a group goes past all that waits: what was asked for of its members is cancelled, a hold of
-    /// one of them ends, and they are owed the stop until each has confirmed (UnacknowledgedStopConfirmed).
+    /// one of them ends, and they are owed the stop until each has confirmed (OwedStopConfirmed).
     void submit(const GroupOperation& operation, TimePoint now);
 
     /// Takes the chain to another rate that the chips can make (findBrd); positions, gains and loads stay.
@@ -232,15 +232,15 @@ private:
     /// The chain that was found is asked and told. Not before a search, while it lasts, when it has failed;
     /// nor once the link has been given up: then only stops go out.
     bool m_connected = false;
-    bool m_stopAsked = false;  ///< from stopAll() until no module owes a confirmation
-    bool m_echoTold = false;   ///< once true, stays so: EchoNoticed comes once
+    bool m_stopAsked = false;     ///< from stopAll() until no module owes a confirmation
+    bool m_echoReported = false;  ///< once true, stays so: EchoNoticed comes once
     std::vector<ModuleIndex> m_watched;
     std::vector<StopOutputs> m_stopOutputs;
     std::deque<Work> m_works;  ///< on the wire, oldest first: at most one, and one that only settles
 
     Recovery m_recovery{m_chain, m_line, m_events};
     StopTask m_stop{m_chain, m_recovery, m_line, m_events};
-    UnacknowledgedStops m_unacknowledged{m_chain, m_recovery, m_line, m_events};
+    OwedStops m_owedStops{m_chain, m_recovery, m_line, m_events};
     RestartSearch m_restartSearch{m_chain, m_recovery, m_line, m_events};
     SearchTask m_search{m_events};
     RateTask m_rate{m_config, m_chain, m_events};

@@ -172,7 +172,7 @@ std::optional<MemberOutcome> GroupRun::shows(const Member& member, const StatusR
 std::optional<MemberOutcome> GroupRun::putOut(const Member& member, const StatusReport& report) const {
     const IoOutputs& outputs = member.before.outputs();
     const unsigned changed =
-        outputs.stored() && outputs.told() ? unsigned{outputs.stored()->outputs} ^ *outputs.told() : 0U;
+        outputs.stored() && outputs.levels() ? unsigned{outputs.stored()->outputs} ^ *outputs.levels() : 0U;
     if (m_command.action != GroupCommand::Action::StartMotion || changed == 0)
         return member.looks >= kVotes ? std::optional(MemberOutcome::Unknown) : std::nullopt;
     if (!report.pins)

@@ -136,7 +136,7 @@ Next GroupWork::send(const GroupCommand& command, TimePoint now) {
     for (const Belief& member : members) {
         const ModuleIndex index = member.info().index;
         if (index != leader)
-            m_chain.tell(index, commandFor(command.action, member.info().identity.type), latched);
+            m_chain.noteSent(index, commandFor(command.action, member.info().identity.type), latched);
     }
     if (!leader)
         return Line::Script{Line::Packet{packet}, Line::Spacer{}};
@@ -181,7 +181,7 @@ bool GroupWork::onEnd(const Ask& ask, const ReplyEnd& end) {
     return true;
 }
 
-void GroupWork::tellUnknown() {
+void GroupWork::reportUnknown() {
     if (m_commands.group() == nullptr || !m_commands.planned())
         return;
     const ModuleIndex module = m_commands.order().module;

@@ -30,7 +30,7 @@ public:
     /// False when that exchange was not its own.
     [[nodiscard]] bool onEnd(const Ask& ask, const ReplyEnd& end);
     /// The change of a group was not answered.
-    void tellUnknown();
+    void reportUnknown();
 
 private:
     struct Judged {

@@ -14,8 +14,8 @@ void HoldLane::hold(const HoldToMove& hold, TimePoint now) {
     if (over(hold.press))
         return;
     m_wanted = hold;
-    if (m_told)
-        m_told->press = hold.press;  // the same motion need not be told twice
+    if (m_sent)
+        m_sent->press = hold.press;  // the same motion need not be told twice
     m_until = now + m_timeout;
 }
 
@@ -23,7 +23,7 @@ std::optional<HoldToMove> HoldLane::release() {
     if (m_wanted)
         end(m_wanted->press);
     m_wanted.reset();
-    return std::exchange(m_told, std::nullopt);
+    return std::exchange(m_sent, std::nullopt);
 }
 
 void HoldLane::clear() {
@@ -35,7 +35,7 @@ std::optional<TimePoint> HoldLane::deadline() const {
 }
 
 std::optional<Order> HoldLane::start() const {
-    if (!m_wanted || m_wanted == m_told)
+    if (!m_wanted || m_wanted == m_sent)
         return std::nullopt;
     const std::optional<Counts> goal = m_wanted->goal ? std::optional<Counts>(*m_wanted->goal) : std::nullopt;
     if (m_wanted->pace) {

@@ -33,17 +33,17 @@ public:
     [[nodiscard]] std::optional<Order> start() const;
     [[nodiscard]] Order startLoaded() const;
 
-    void onStartSent() { m_told = m_wanted; }
+    void onStartSent() { m_sent = m_wanted; }
     /// The start was certainly not carried out.
-    void onStartRefused(const std::optional<HoldToMove>& before) { m_told = before; }
-    [[nodiscard]] const std::optional<HoldToMove>& told() const { return m_told; }
+    void onStartRefused(const std::optional<HoldToMove>& before) { m_sent = before; }
+    [[nodiscard]] const std::optional<HoldToMove>& sent() const { return m_sent; }
 
 private:
     void end(std::uint32_t press);
 
     Duration m_timeout;
     std::optional<HoldToMove> m_wanted;
-    std::optional<HoldToMove> m_told;  ///< sent, whatever came of it
+    std::optional<HoldToMove> m_sent;  ///< sent, whatever came of it
     TimePoint m_until;
     std::optional<std::uint32_t> m_over;  ///< the last press that has ended
 };

@@ -44,7 +44,7 @@ bool HoldTask::expire(TimePoint now) {
     if (!m_lane.expired(now))
         return false;
     // Nothing had been started if there is nothing to stop.
-    if (m_lane.told())
+    if (m_lane.sent())
         m_events.emplace_back(HoldExpired{m_lane.wanted()->module});
     end(StopCause::HoldExpired);
     return true;
@@ -66,17 +66,17 @@ Next HoldTask::next(TimePoint /*now*/) {
         return m_chain.look(Purpose::Hold, start.module);
     const auto& owed = m_chain.at(start.module).owed;
     // First it has to be told, or for other reasons than the end of a hold to be seen at rest.
-    if (owed && (!ofOperator(owed->cause) || owed->target.stopUnacknowledged()))
+    if (owed && (!ofOperator(owed->cause) || owed->target.needsStop()))
         return Idle{};
     // Load Trajectory would switch a servo on: that is never the hold's business. And what has been begun
     // with a goal does not go on with another, or without.
-    if (!module.on() || (m_lane.told() && m_lane.told()->goal != m_lane.wanted()->goal)) {
+    if (!module.on() || (m_lane.sent() && m_lane.sent()->goal != m_lane.wanted()->goal)) {
         giveUp();
         return Again{};
     }
     if (const auto& goal = m_lane.wanted()->goal)
         return nextTowards(*goal, start);
-    return tell(start);
+    return sendOrder(start);
 }
 
 Next HoldTask::nextTowards(std::int32_t goal, const Order& load) {
@@ -84,7 +84,7 @@ Next HoldTask::nextTowards(std::int32_t goal, const Order& load) {
     const Belief& module = m_chain.belief(index);
     if (m_chain.at(index).owed)
         return Idle{};  // until it is seen at rest
-    if (module.mayMove() && !m_lane.told()) {
+    if (module.mayMove() && !m_lane.sent()) {
         m_chain.owe(index, StopCause::HoldReleased, mannerFor(*m_lane.wanted()));
         return Again{};
     }
@@ -92,7 +92,7 @@ Next HoldTask::nextTowards(std::int32_t goal, const Order& load) {
         giveUp();
         return Again{};
     }
-    return tell(hasLoaded(module, load.command) ? m_lane.startLoaded() : load);
+    return sendOrder(hasLoaded(module, load.command) ? m_lane.startLoaded() : load);
 }
 
 bool HoldTask::leadsTo(std::int32_t goal, const Belief& module) const {
@@ -102,13 +102,13 @@ bool HoldTask::leadsTo(std::int32_t goal, const Belief& module) const {
     return m_lane.wanted()->reverse ? distance < -kStillCounts : distance > kStillCounts;
 }
 
-Next HoldTask::tell(const Order& order) {
+Next HoldTask::sendOrder(const Order& order) {
     if (judge(m_chain.belief(order.module), order.command) != Permission::Allowed) {
         giveUp();
         return Again{};
     }
     m_chain.at(order.module).owed.reset();  // the operator wants it to move again
-    m_toldBefore = m_lane.told();
+    m_sentBefore = m_lane.sent();
     Ask ask = m_chain.command(Purpose::Hold, order);
     if (mayStartMotion(order.command))
         m_lane.onStartSent();
@@ -137,7 +137,7 @@ Line::Script HoldTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*no
         return {};
     }
     if (end.result == ReplyResult::Refused) {
-        m_lane.onStartRefused(m_toldBefore);
+        m_lane.onStartRefused(m_sentBefore);
         if (++m_refusals < kAttempts)
             return {};
     }

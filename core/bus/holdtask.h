@@ -49,13 +49,13 @@ private:
     [[nodiscard]] bool leadsTo(std::int32_t goal, const Belief& module) const;
     /// Of a hold with a goal: its load, then its start.
     [[nodiscard]] Next nextTowards(std::int32_t goal, const Order& load);
-    [[nodiscard]] Next tell(const Order& order);
+    [[nodiscard]] Next sendOrder(const Order& order);
 
     Chain& m_chain;
     std::vector<Event>& m_events;
     HoldLane m_lane;
     std::optional<HoldToMove>
-        m_toldBefore;         ///< what it was told before, to go back to when the start is refused
+        m_sentBefore;         ///< what it was told before, to go back to when the start is refused
     unsigned m_refusals = 0;  ///< in a row
 };
 

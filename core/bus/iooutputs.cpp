@@ -12,7 +12,7 @@ void IoOutputs::onReset() {
 void IoOutputs::forget() {
     m_mayBeHigh = io::kAllPins;
     m_pwmMayRun = {true, true};
-    m_told.attached();
+    m_answered.attached();
 }
 
 void IoOutputs::onSent(const io::SetPwm& set) {
@@ -20,29 +20,29 @@ void IoOutputs::onSent(const io::SetPwm& set) {
 }
 
 void IoOutputs::onSent(const io::SynchOutput& /*synch*/) {
-    const io::SetSynchOutput stored = m_told.stored.value_or(io::SetSynchOutput{io::kAllPins, 255, 255});
+    const io::SetSynchOutput stored = m_answered.stored.value_or(io::SetSynchOutput{io::kAllPins, 255, 255});
     onSent(io::SetOutput{stored.outputs});
     onSent(io::SetPwm{stored.pwm1, stored.pwm2});
 }
 
 void IoOutputs::onExecuted(const IoCommand& command) {
-    m_told.apply(command);
+    m_answered.apply(command);
     const bool synch = std::holds_alternative<io::SynchOutput>(command);
     // What Synch Output may have put out that another host has stored was noted when it was sent.
-    if ((synch || std::holds_alternative<io::SetOutput>(command)) && m_told.outputs)
-        m_mayBeHigh = *m_told.outputs;
-    if ((synch || std::holds_alternative<io::SetPwm>(command)) && m_told.pwm)
-        m_pwmMayRun = {(*m_told.pwm)[0] != 0, (*m_told.pwm)[1] != 0};
+    if ((synch || std::holds_alternative<io::SetOutput>(command)) && m_answered.outputs)
+        m_mayBeHigh = *m_answered.outputs;
+    if ((synch || std::holds_alternative<io::SetPwm>(command)) && m_answered.pwm)
+        m_pwmMayRun = {(*m_answered.pwm)[0] != 0, (*m_answered.pwm)[1] != 0};
 }
 
 std::optional<IoCommand> IoOutputs::stop() const {
-    const std::optional<std::uint16_t> levels = m_told.outputs ? m_told.outputs : m_pins;
+    const std::optional<std::uint16_t> levels = m_answered.outputs ? m_answered.outputs : m_pins;
     if ((m_mayBeHigh & m_off.pins) != 0 && levels)
         return io::SetOutput{static_cast<std::uint16_t>(*levels & ~unsigned{m_off.pins})};
     const std::array<bool, 2> off{(m_off.pwm & 1U) != 0, (m_off.pwm & 2U) != 0};
     if ((off[0] && m_pwmMayRun[0]) || (off[1] && m_pwmMayRun[1])) {
         // One whose value nobody knows goes with the other: the chip takes both at once and tells neither.
-        const std::array<std::uint8_t, 2> values = m_told.pwm.value_or(std::array<std::uint8_t, 2>{});
+        const std::array<std::uint8_t, 2> values = m_answered.pwm.value_or(std::array<std::uint8_t, 2>{});
         return io::SetPwm{off[0] ? std::uint8_t{0} : values[0], off[1] ? std::uint8_t{0} : values[1]};
     }
     return std::nullopt;

@@ -32,9 +32,9 @@ public:
     void onPins(std::uint16_t pins) { m_pins = pins; }
 
     /// What waits for Synch Output; empty: nothing that was stored in this connection.
-    [[nodiscard]] const std::optional<io::SetSynchOutput>& stored() const { return m_told.stored; }
+    [[nodiscard]] const std::optional<io::SetSynchOutput>& stored() const { return m_answered.stored; }
     /// As answered; empty: not known.
-    [[nodiscard]] std::optional<std::uint16_t> told() const { return m_told.outputs; }
+    [[nodiscard]] std::optional<std::uint16_t> levels() const { return m_answered.outputs; }
 
     void setStopOutputs(const StopOutputs& off) { m_off = off; }
     [[nodiscard]] const StopOutputs& stopOutputs() const { return m_off; }
@@ -46,7 +46,7 @@ private:
     StopOutputs m_off;
     std::uint16_t m_mayBeHigh = 0;
     std::array<bool, 2> m_pwmMayRun{};
-    IoRegisters m_told;  ///< as answered
+    IoRegisters m_answered;  ///< as answered
     std::optional<std::uint16_t> m_pins;
 };
 

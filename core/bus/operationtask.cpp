@@ -82,7 +82,7 @@ Next OperationTask::send() {
     auto& owed = m_chain.at(order.module).owed;
     if (owed && mayStartMotion(order.command)) {
         // A motion that strayed has to be seen at rest first.
-        if (!ofOperator(owed->cause) || owed->target.stopUnacknowledged()) {
+        if (!ofOperator(owed->cause) || owed->target.needsStop()) {
             m_events.emplace_back(m_commands.failed(Outcome::Forbidden));
             return Again{};
         }
@@ -171,7 +171,7 @@ void OperationTask::fail(const ReplyEnd& end) {
     const bool refused = end.result == ReplyResult::Refused;
     if (m_commands.group() == nullptr)
         m_chain.takeUnanswered(m_commands.order().module, end.latched);
-    m_group.tellUnknown();
+    m_group.reportUnknown();
     m_events.emplace_back(m_commands.failed(refused ? Outcome::Refused : Outcome::NoAnswer));
 }
 

@@ -33,7 +33,7 @@ void PathBuffer::start(TimePoint latched) {
     m_from = m_by = latched;
 }
 
-void PathBuffer::onTold(std::size_t left, TimePoint from, TimePoint by) {
+void PathBuffer::onReported(std::size_t left, TimePoint from, TimePoint by) {
     m_taken = m_sent - std::min(left, m_sent);
     m_from = from;
     m_by = by;

@@ -33,7 +33,7 @@ public:
     void start(TimePoint latched);
 
     /// It says that so many are left, latched between these.
-    void onTold(std::size_t left, TimePoint from, TimePoint by);
+    void onReported(std::size_t left, TimePoint from, TimePoint by);
     [[nodiscard]] TimePoint toldAt() const { return m_by; }
     /// Points that have left it for sure.
     [[nodiscard]] std::size_t taken(TimePoint now) const;

@@ -67,7 +67,7 @@ bool PathTask::begin(const Operation& operation) {
     m_id = operation.id;
     m_axes.clear();
     m_touched = m_runsDry = false;
-    m_toldAt.reset();
+    m_reportedAt.reset();
     m_least.reset();
     m_stops = {};
     if (!possible()) {
@@ -274,7 +274,7 @@ Next PathTask::start(TimePoint now) {
         if (!m_plan->group || (place && place->leader))
             answers = axis.module();
         else
-            m_chain.tell(axis.module(), go, m_started);
+            m_chain.noteSent(axis.module(), go, m_started);
     }
     enter(Phase::Confirming);
     if (!answers)
@@ -365,7 +365,7 @@ void PathTask::onReport(ModuleIndex module, const ReplyEnd& end) {
     ++axis->looks;
     if (axis->doubt > 0)
         return settle(*axis, end);
-    axis->buffer.onTold(axis->left, end.latched, end.latchedBy);
+    axis->buffer.onReported(axis->left, end.latched, end.latchedBy);
     switch (m_phase) {
         case Phase::Looking:
         case Phase::Readying:
@@ -405,7 +405,7 @@ void PathTask::settle(Axis& axis, const ReplyEnd& end) {
         axis.buffer.onSent(axis.doubt);
     axis.doubt = 0;
     axis.looks = axis.agree = 0;
-    axis.buffer.onTold(axis.left, end.latched, end.latchedBy);
+    axis.buffer.onReported(axis.left, end.latched, end.latchedBy);
 }
 
 void PathTask::confirmStart(Axis& axis, const ReplyEnd& end) {
@@ -445,7 +445,7 @@ void PathTask::watch(Axis& axis, const ReplyEnd& end) {
     if (!active())
         return;
     m_runsDry = m_runsDry && end.latched >= dangerAt(dryAt(), m_line.timing());
-    tell(end.latched);
+    reportProgress(end.latched);
 }
 
 namespace {
@@ -505,14 +505,14 @@ void PathTask::foresee(TimePoint now) {
     if (!at || now < *at)
         return;
     m_runsDry = true;
-    m_toldAt.reset();
-    tell(now);
+    m_reportedAt.reset();
+    reportProgress(now);
 }
 
-void PathTask::tell(TimePoint now) {
-    if (m_toldAt && now - *m_toldAt < kNews)
+void PathTask::reportProgress(TimePoint now) {
+    if (m_reportedAt && now - *m_reportedAt < kNews)
         return;
-    m_toldAt = now;
+    m_reportedAt = now;
     m_events.emplace_back(progress(now));
 }
 
@@ -536,7 +536,7 @@ PathProgress PathTask::progress(TimePoint now) const {
 }
 
 void PathTask::end(PathEnd how, std::optional<ModuleIndex> by, const std::vector<ModuleIndex>& stopped) {
-    PathProgress last = progress(m_toldAt.value_or(TimePoint{}));
+    PathProgress last = progress(m_reportedAt.value_or(TimePoint{}));
     last.end = how;
     last.endedBy = by;
     if (how == PathEnd::Done)

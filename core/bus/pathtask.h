@@ -116,7 +116,7 @@ private:
 
     [[nodiscard]] PathProgress progress(TimePoint now) const;
     [[nodiscard]] TimePoint dryAt() const;
-    void tell(TimePoint now);
+    void reportProgress(TimePoint now);
     void end(PathEnd how, std::optional<ModuleIndex> by = {}, const std::vector<ModuleIndex>& stopped = {});
 
     Chain& m_chain;
@@ -128,7 +128,7 @@ private:
     Phase m_phase = Phase::Looking;
     bool m_touched = false;  ///< something of it may be in a buffer
     TimePoint m_started;     ///< latched
-    std::optional<TimePoint> m_toldAt;
+    std::optional<TimePoint> m_reportedAt;
     std::optional<std::size_t> m_least;
     bool m_runsDry = false;  ///< and told
     Stops m_stops;

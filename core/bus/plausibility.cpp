@@ -32,7 +32,7 @@ constexpr double kSwings = 8.0;
 }
 
 /// A reply without the item that a rule looks at neither breaks it nor shows that it holds.
-[[nodiscard]] bool tellsOf(Rejection rule, const StatusReport& report) {
+[[nodiscard]] bool carries(Rejection rule, const StatusReport& report) {
     using enum Rejection;
     if (rule == HomeChanged)
         return report.home.has_value();
@@ -100,7 +100,7 @@ struct Plausibility::Sent {
 };
 
 void Plausibility::jerk(TimePoint at, double reach) {
-    m_told = at;
+    m_commandedAt = at;
     m_jerk = Jerk{at, jerked(at) ? std::max(m_jerk->reach, reach) : reach};
 }
 
@@ -110,8 +110,8 @@ bool Plausibility::jerked(TimePoint at) const {
 }
 
 /// It stood in the last reply, and nobody has told it anything since.
-bool Plausibility::restsUntold(const Known& known, TimePoint at) const {
-    return known.velocity == 0 && known.spread < 1 && known.swing < 1 && !m_told && !jerked(at) &&
+bool Plausibility::restsUncommanded(const Known& known, TimePoint at) const {
+    return known.velocity == 0 && known.spread < 1 && known.swing < 1 && !m_commandedAt && !jerked(at) &&
            m_divisor == 1;
 }
 
@@ -174,12 +174,12 @@ std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
         m_jumped = m_jumped || (*contradiction == Rejection::PositionJump && !m_explained) ||
                    *contradiction == Rejection::MovedWhileStopped;
     }
-    if (tellsOf(m_contradiction, end.report))
+    if (carries(m_contradiction, end.report))
         m_candidate.reset();
     take(m_known, end);
-    if (m_told && end.latched > *m_told + kTakesEffect && end.report.velocity == 0 &&
+    if (m_commandedAt && end.latched > *m_commandedAt + kTakesEffect && end.report.velocity == 0 &&
         end.report.servoStatus().moveDone())
-        m_told.reset();
+        m_commandedAt.reset();
     m_homing.onReply(end.latched);
     if (end.report.home)
         m_home.onReply(end.latched);
@@ -197,7 +197,7 @@ std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
 
 std::optional<Rejection> Plausibility::structure(const ReplyEnd& end) const {
     const StatusReport& report = end.report;
-    if (uniform({end.bytes.data(), end.bytes.size()}) && !nothingToTell(report))
+    if (uniform({end.bytes.data(), end.bytes.size()}) && !repeatsZeros(report))
         return Rejection::Uniform;
     if (report.identity && *report.identity != m_identity)
         return Rejection::Identity;
@@ -265,7 +265,7 @@ std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEn
 std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd& end) const {
     switch (m_identity.type) {
         case ModuleType::Servo:
-            return servoMotion(known, end, restsUntold(known, end.latched));
+            return servoMotion(known, end, restsUncommanded(known, end.latched));
         case ModuleType::Stepper:
             return stepperMotion(known, end);
         case ModuleType::Adc:
@@ -277,7 +277,7 @@ std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd
 
 /// A PIC-STEP at rest at 0 without motor power, a PIC-I/O whose inputs are all low: zeros are what it last
 /// said.
-bool Plausibility::nothingToTell(const StatusReport& report) const {
+bool Plausibility::repeatsZeros(const StatusReport& report) const {
     if (m_identity.type == ModuleType::Io)
         return report.status == 0 && m_known.status == 0 && m_known.allLow;
     return m_identity.type == ModuleType::Stepper && report.status == 0 && m_known.status == 0 &&

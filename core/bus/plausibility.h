@@ -79,7 +79,7 @@ private:
     [[nodiscard]] std::optional<Rejection> servoStructure(const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> stepperStructure(const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> against(const Known& known, const ReplyEnd& end) const;
-    [[nodiscard]] bool nothingToTell(const StatusReport& report) const;
+    [[nodiscard]] bool repeatsZeros(const StatusReport& report) const;
     [[nodiscard]] bool onWithoutPower(const ReplyEnd& end) const;
     [[nodiscard]] bool stickyCleared(const Known& known, const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> motion(const Known& known, const ReplyEnd& end) const;
@@ -90,7 +90,7 @@ private:
     void jerk(TimePoint at, double reach);
     [[nodiscard]] double reachOf(const ServoRegisters& sent) const;
     [[nodiscard]] bool jerked(TimePoint at) const;
-    [[nodiscard]] bool restsUntold(const Known& known, TimePoint at) const;
+    [[nodiscard]] bool restsUncommanded(const Known& known, TimePoint at) const;
     [[nodiscard]] bool holds(const Known& known, const StatusReport& report) const;
     [[nodiscard]] double bend(TimePoint at, double most) const;
     [[nodiscard]] static double unexplained(const Known& known, const ReplyEnd& end);
@@ -114,7 +114,7 @@ private:
     };
     std::optional<Jerk> m_jerk;
     /// The last command that may move the motor, until a reply from behind it shows that it stands.
-    std::optional<TimePoint> m_told;
+    std::optional<TimePoint> m_commandedAt;
     std::optional<std::uint16_t> m_errorLimit;  ///< EL as sent last
     bool m_mayRun = true;  ///< slower than its velocity item shows, until a stop or a move is sent
     std::optional<TimePoint> m_mayEnable;  ///< the last command that may have switched the servo on

@@ -32,7 +32,7 @@ Line::Script PollTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
         return {};
     if (end.result == ReplyResult::Accepted) {
         m_recovery.onHeardAgain(*ask.module);
-        m_chain.hurryUnacknowledged(*ask.module, now);
+        m_chain.hurryOwedStop(*ask.module, now);
         return {};
     }
     m_chain.schedule().onTimeout(*ask.module, now);

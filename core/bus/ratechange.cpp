@@ -23,7 +23,7 @@ RateChange::Next RateChange::next() {
     switch (m_phase) {
         case Phase::Change: {
             enter(Phase::Verify);
-            Line::Script script = tellAll(m_to);
+            Line::Script script = sendToAll(m_to);
             script.insert(script.end(), {SetHostBaud{m_to}, DiscardInput{}});
             return script;
         }
@@ -80,7 +80,7 @@ void RateChange::onAll() {
 Line::Script RateChange::goBack() const {
     // Even where the port is there already: a module may have heard half of something.
     Line::Script script = Line::toRate(m_to);
-    for (const Line::Script& more : {tellAll(m_from), Line::toRate(m_from)})
+    for (const Line::Script& more : {sendToAll(m_from), Line::toRate(m_from)})
         script.insert(script.end(), more.begin(), more.end());
     return script;
 }
@@ -93,7 +93,7 @@ void RateChange::interrupt() {
 }
 
 /// Nobody answers: there is no leader.
-Line::Script RateChange::tellAll(std::uint32_t rate) const {
+Line::Script RateChange::sendToAll(std::uint32_t rate) const {
     const Payload payload = encode(SetBaud{findBrd(rate).value_or(kPowerUpBrd)});
     Line::Script script{Line::Gap{}};
     for (const BusAddress group : m_groups) {

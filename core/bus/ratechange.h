@@ -62,7 +62,7 @@ private:
         Settle,  ///< are all of them there again?
         Ended
     };
-    [[nodiscard]] Line::Script tellAll(std::uint32_t rate) const;
+    [[nodiscard]] Line::Script sendToAll(std::uint32_t rate) const;
     [[nodiscard]] Ask ask() const;
     void onAll();
     void enter(Phase phase);

@@ -203,7 +203,7 @@ void Recovery::passed(ModuleIndex module, TimePoint now) {
     if (m_chain.answers(module))
         return;
     m_chain.schedule().recover(module, now);
-    m_chain.hurryUnacknowledged(module, now);
+    m_chain.hurryOwedStop(module, now);
     m_lost = false;
     m_events.emplace_back(ModuleUnresponsive{module, false});
 }

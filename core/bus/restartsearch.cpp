@@ -105,15 +105,15 @@ void RestartSearch::name() {
     if (restarted == modules.end() || restarted->belief.info().identity != identity)
         return;
     m_quiet = m_chain.rate() != kPowerUpBaud;
-    tell(restarted->belief.info().index, m_quiet);
+    report(restarted->belief.info().index, m_quiet);
 }
 
 void RestartSearch::setRestarted(ModuleIndex module, TimePoint now) {
     m_chain.schedule().lose(module, now);
-    tell(module, false);
+    report(module, false);
 }
 
-void RestartSearch::tell(ModuleIndex index, bool quiet) {
+void RestartSearch::report(ModuleIndex index, bool quiet) {
     Chain::Module& module = m_chain.at(index);
     module.belief.setRestarted();
     module.owed.reset();  // its motor is off

@@ -43,7 +43,7 @@ private:
     };
     void onUnaddressed(const ReplyEnd& end);
     void name();
-    void tell(ModuleIndex module, bool quiet);
+    void report(ModuleIndex module, bool quiet);
 
     Chain& m_chain;
     Recovery& m_recovery;

@@ -17,11 +17,11 @@ void SearchTask::interrupted() {
 }
 
 Next SearchTask::next(TimePoint /*now*/) {
-    tellProgress();
+    reportProgress();
     const bool gaveAddresses = m_discovery->givesAddresses();
     Discovery::Next next = m_discovery->next();
     m_givesAddresses = m_givesAddresses || (!gaveAddresses && m_discovery->givesAddresses());
-    tellProgress();
+    reportProgress();
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
     if (auto* ask = std::get_if<Ask>(&next))
@@ -39,7 +39,7 @@ Line::Script SearchTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimePoin
     return {};
 }
 
-void SearchTask::tellProgress() {
+void SearchTask::reportProgress() {
     if (const auto progress = m_discovery->takeProgress())
         m_events.emplace_back(*progress);
 }

@@ -41,7 +41,7 @@ public:
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:
-    void tellProgress();
+    void reportProgress();
     void end(Result result);
 
     std::vector<Event>& m_events;

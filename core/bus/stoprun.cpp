@@ -9,7 +9,7 @@ namespace nmc::bus {
 StopRun::StopRun(const Chain& chain, TimePoint now) : m_began(now) {
     restart(chain);
     for (const Target& target : m_targets)
-        if (!target.stop.stopUnacknowledged() && !target.stop.unknown())
+        if (!target.stop.needsStop() && !target.stop.unknown())
             m_wereOff.push_back(target.stop.module());
 }
 
@@ -44,7 +44,7 @@ StopTarget* StopRun::next(TimePoint now) {
         return nullptr;
     Target* first = nullptr;
     const auto rank = [](const Target& t) {
-        return std::tuple(t.stop.silences(), !t.stop.unknown(), !t.stop.stopUnacknowledged(), t.asks);
+        return std::tuple(t.stop.silences(), !t.stop.unknown(), !t.stop.needsStop(), t.asks);
     };
     for (Target& target : m_targets)
         if (target.open() && (first == nullptr || rank(target) < rank(*first)))
@@ -55,9 +55,9 @@ StopTarget* StopRun::next(TimePoint now) {
     return &first->stop;
 }
 
-bool StopRun::told() const {
+bool StopRun::allSent() const {
     return std::none_of(m_targets.begin(), m_targets.end(), [](const Target& target) {
-        return target.open() && (target.stop.stopUnacknowledged() || target.stop.unknown());
+        return target.open() && (target.stop.needsStop() || target.stop.unknown());
     });
 }
 

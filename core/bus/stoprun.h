@@ -30,7 +30,7 @@ public:
     /// Whom to ask now; nothing when the run is over.
     [[nodiscard]] StopTarget* next(TimePoint now);
     /// Nobody is left who would have to be told, or might.
-    [[nodiscard]] bool told() const;
+    [[nodiscard]] bool allSent() const;
     /// The module that was asked did not answer, or did.
     void onReply(StopTarget& asked, const ReplyEnd& end, const Belief& belief, TimePoint now);
     /// Nothing for a module that is not in it: one that restarted is off, and has no address; one of an

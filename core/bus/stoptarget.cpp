@@ -106,12 +106,12 @@ StopTarget::StopTarget(const Belief& belief, StopManner manner)
     : m_module(belief.info().index),
       m_type(belief.info().identity.type),
       m_manner(manner),
-      m_stopUnacknowledged(stopFor(belief, manner).has_value()),
-      m_unknown(!belief.statusTime() && !m_stopUnacknowledged) {}
+      m_needsStop(stopFor(belief, manner).has_value()),
+      m_unknown(!belief.statusTime() && !m_needsStop) {}
 
 StopTarget::Question StopTarget::next(const Belief& belief) {
-    const auto toTell = m_stopUnacknowledged ? stop(belief) : std::nullopt;
-    m_asksStop = m_stopUnacknowledged = toTell.has_value();
+    const auto toTell = m_needsStop ? stop(belief) : std::nullopt;
+    m_asksStop = m_needsStop = toTell.has_value();
     if (m_asksStop)
         return {toTell, {}};
     m_second = !m_second;
@@ -124,7 +124,7 @@ void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint no
         m_confirmed = 0;
         // Its stop may not have arrived either. But one that only does not hear stops still says how it is.
         m_inVain = m_asksStop ? m_inVain + 1 : 0;
-        m_stopUnacknowledged = stop(belief) && m_inVain < kStopsInVain;
+        m_needsStop = stop(belief) && m_inVain < kStopsInVain;
         return;
     }
     m_heard = true;
@@ -134,7 +134,7 @@ void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint no
     if (!m_asksStop)
         return onLook(end.report, belief, now);
     // A PIC-I/O has its pins to take low, and then its PWM outputs.
-    m_stopUnacknowledged = m_type == ModuleType::Io && stop(belief);
+    m_needsStop = m_type == ModuleType::Io && stop(belief);
     m_lastStop = now;
 }
 
@@ -149,13 +149,13 @@ void StopTarget::onLook(const StatusReport& report, const Belief& belief, TimePo
     const bool movesOn = !still && (!m_lastStop || now - *m_lastStop >= patience);
     // After blind stops, and when it moves on: told again, if it is still on now.
     if (stop(belief) && (neverTold || movesOn)) {
-        m_stopUnacknowledged = true;
+        m_needsStop = true;
         m_confirmed = 0;
     }
 }
 
 void StopTarget::onBlindSent(std::optional<Blind> certain) {
-    m_stopUnacknowledged = false;
+    m_needsStop = false;
     m_blind = std::move(certain);
 }
 

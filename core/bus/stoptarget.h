@@ -43,7 +43,7 @@ public:
     /// nothing is known, and that does not say, is told to switch off: that ends whatever it does, and never
     /// switches anything on.
     [[nodiscard]] std::optional<ModuleCommand> stop(const Belief& belief) const;
-    [[nodiscard]] bool stopUnacknowledged() const { return m_stopUnacknowledged; }
+    [[nodiscard]] bool needsStop() const { return m_needsStop; }
     /// Nobody knows yet whether it has to be told.
     [[nodiscard]] bool unknown() const { return m_unknown; }
     /// It was seen at rest, twice.
@@ -81,12 +81,12 @@ private:
     ModuleIndex m_module;
     ModuleType m_type;
     StopManner m_manner;
-    bool m_stopUnacknowledged;  ///< it is told before it is looked at
-    bool m_unknown;             ///< no status of it was ever believed
-    bool m_asksStop = false;    ///< the question under way
-    bool m_second = false;      ///< layouts take turns
-    unsigned m_inVain = 0;      ///< stops in a row that were not answered
-    bool m_heard = false;       ///< once true, stays so
+    bool m_needsStop;         ///< it is told before it is looked at
+    bool m_unknown;           ///< no status of it was ever believed
+    bool m_asksStop = false;  ///< the question under way
+    bool m_second = false;    ///< layouts take turns
+    unsigned m_inVain = 0;    ///< stops in a row that were not answered
+    bool m_heard = false;     ///< once true, stays so
     unsigned m_silences = 0;
     unsigned m_confirmed = 0;
     std::optional<std::int32_t> m_position;

@@ -36,8 +36,8 @@ void StopTask::onSearchOver(TimePoint now) {
     m_blindDue = false;
 }
 
-bool StopTask::told() const {
-    return m_run && !m_blindDue && m_run->told();
+bool StopTask::allSent() const {
+    return m_run && !m_blindDue && m_run->allSent();
 }
 
 std::vector<Order> StopTask::blindStops() const {
@@ -99,7 +99,7 @@ void StopTask::noteBlindStops() {
     const std::vector<TimePoint>& latches = m_line.scriptLatches();
     for (std::size_t i = 0; i < orders.size() && !latches.empty(); ++i) {
         const TimePoint latched = latches[std::min(i, latches.size() - 1)];
-        m_chain.tell(orders[i].module, orders[i].command, latched);
+        m_chain.noteSent(orders[i].module, orders[i].command, latched);
         m_chain.noteUnanswered(orders[i].module, latched);
         if (StopTarget* target = m_run->find(orders[i].module))
             target->onBlindSent(m_blindHeard ? std::optional(StopTarget::Blind{orders[i].command, latched})
@@ -133,7 +133,7 @@ void StopTask::finish(TimePoint now) {
     m_asked = nullptr;
     for (const ModuleIndex module : event.stopped)
         if (const auto owed = std::exchange(m_chain.at(module).owed, std::nullopt))
-            m_events.emplace_back(UnacknowledgedStopConfirmed{module, owed->cause});
+            m_events.emplace_back(OwedStopConfirmed{module, owed->cause});
     for (const auto* open : {&event.unreached, &event.unconfirmed})
         for (const ModuleIndex module : *open)
             m_chain.owe(module, StopCause::StopAll);

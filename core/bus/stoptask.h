@@ -32,7 +32,7 @@ public:
     [[nodiscard]] bool running() const { return m_run.has_value(); }
     [[nodiscard]] bool waits() const { return m_waiting; }
     /// Each module has been told; what is left is to see them at rest.
-    [[nodiscard]] bool told() const;
+    [[nodiscard]] bool allSent() const;
 
     /// The stops to send blindly, for somebody who sends them himself, and that he did.
     [[nodiscard]] std::vector<Order> blindStops() const;

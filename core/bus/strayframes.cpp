@@ -40,10 +40,10 @@ bool StrayFrames::takeForeign(TimePoint now) {
     const auto frames = static_cast<std::size_t>(
         std::count_if(m_bursts.begin(), m_bursts.end(), [](const Burst& run) { return run.frame; }));
     if (frames == 0)
-        m_told = false;
-    if (m_told || frames < kEnough || m_bursts.size() > frames * kRunsPerFrame)
+        m_reported = false;
+    if (m_reported || frames < kEnough || m_bursts.size() > frames * kRunsPerFrame)
         return false;
-    m_told = true;
+    m_reported = true;
     return true;
 }
 

@@ -55,7 +55,7 @@ private:
     TimePoint m_over;  ///< a byte after that begins another run
     std::deque<TimePoint> m_missed;
     std::deque<Burst> m_bursts;
-    bool m_told = false;  ///< until none was heard for kWithin
+    bool m_reported = false;  ///< until none was heard for kWithin
 };
 
 }  // namespace nmc::bus

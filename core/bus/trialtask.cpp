@@ -34,7 +34,7 @@ void TrialTask::keep(ModuleIndex module) {
     if (!trial || trial->phase != Trial::Phase::Watching)
         return;
     trial->end = TrialEnd::Kept;
-    tell(module, Outcome::Done);
+    report(module, Outcome::Done);
     trial.reset();
 }
 
@@ -52,7 +52,7 @@ void TrialTask::leaveAll() {
 void TrialTask::forget(ModuleIndex module) {
     if (!m_chain.has(module) || !m_chain.at(module).trial)
         return;
-    tell(module, Outcome::Cancelled);
+    report(module, Outcome::Cancelled);
     m_chain.at(module).trial.reset();
 }
 
@@ -150,7 +150,7 @@ Line::Script TrialTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now
             trial->outcome = end.result == ReplyResult::Refused ? Outcome::Refused : Outcome::NoAnswer;
         }
     } else if (trial->phase == Trial::Phase::Returning && sentBack) {
-        tell(*ask.module, accepted ? trial->outcome : Outcome::NoAnswer);
+        report(*ask.module, accepted ? trial->outcome : Outcome::NoAnswer);
         if (accepted)
             trial.reset();
         else
@@ -160,7 +160,7 @@ Line::Script TrialTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now
 }
 
 /// Once.
-void TrialTask::tell(ModuleIndex module, Outcome outcome) {
+void TrialTask::report(ModuleIndex module, Outcome outcome) {
     Trial& trial = *m_chain.at(module).trial;
     if (std::exchange(trial.told, true))
         return;

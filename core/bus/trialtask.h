@@ -46,7 +46,7 @@ public:
 
 private:
     void goBack(Trial& trial, std::optional<TrialEnd> why);
-    void tell(ModuleIndex module, Outcome outcome);
+    void report(ModuleIndex module, Outcome outcome);
 
     Chain& m_chain;
     std::vector<Event>& m_events;

@@ -102,7 +102,7 @@ struct GroupCommand {
         ClearStickyBits,  ///< PIC-SERVO only
         StopSmoothly,     ///< stops: past all that waits, and never withheld from a member that is known;
         StopAbruptly,     ///< who is off stays off. Done: each member is owed its stop, and
-        MotorOff,         ///< UnacknowledgedStopConfirmed follows for each
+        MotorOff,         ///< OwedStopConfirmed follows for each
     };
     std::uint8_t group = 0xFF;
     Action action = Action::StartMotion;
@@ -344,7 +344,7 @@ enum class StopCause : std::uint8_t {
 
 /// A stop that the engine owed to one module is confirmed: the module was seen at rest, twice. Until then it
 /// has been told to stop, and no more than that is known.
-struct UnacknowledgedStopConfirmed {
+struct OwedStopConfirmed {
     ModuleIndex module;
     StopCause cause = StopCause::HoldReleased;
 };
@@ -452,8 +452,8 @@ using Event =
     std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
                  StopFinished, ModuleUnresponsive, CommandRefused, LinkLost, HoldExpired, HealthChanged,
                  ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
-                 UnacknowledgedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic,
-                 ForeignMotion, AddressChanged, PathProgress, StoppedBeforeLimit>;
+                 OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion,
+                 AddressChanged, PathProgress, StoppedBeforeLimit>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {

@@ -152,7 +152,7 @@ TEST(Attach, StopsOneMotorAtOnceWhileItsChainIsLookedForAgain) {
             EXPECT_EQ(bus.count<ChainFound>(), 1U) << "still";
             EXPECT_EQ(bus.servo(0).servoOn, !off);
             EXPECT_TRUE(off || left.commandVelocity() < 1.0) << "it slows down, or stands";
-            ASSERT_TRUE(bus.runUntil([&] { return bus.count<UnacknowledgedStopConfirmed>() > 0; }, 20s));
+            ASSERT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() > 0; }, 20s));
             EXPECT_EQ(bus.servo(0).servoOn, !off) << "as it was asked for, after the search, too";
             EXPECT_NE(bus.servo(0).position, -5'000) << "the place was old by then";
         }

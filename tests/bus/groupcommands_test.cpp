@@ -36,7 +36,7 @@ protected:
     /// How many of the group have confirmed that they rest.
     [[nodiscard]] std::size_t confirmed() const {
         std::size_t n = 0;
-        for (const auto& stop : bus.all<UnacknowledgedStopConfirmed>())
+        for (const auto& stop : bus.all<OwedStopConfirmed>())
             n += stop.cause == StopCause::GroupStop ? 1U : 0U;
         return n;
     }
@@ -216,7 +216,7 @@ TEST(GroupStops, ServosAndSteppersEachInItsOwnWords) {
     ASSERT_TRUE(bus.lastSample(1)->report.stepperStatus().moving());
     EXPECT_EQ(bus.finish(bus.submitGroup(GroupCommand{0x85, GroupCommand::Action::StopSmoothly})).outcome,
               Outcome::Done);
-    EXPECT_TRUE(bus.runUntil([&] { return bus.count<UnacknowledgedStopConfirmed>() == 2; }, 5s));
+    EXPECT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 2; }, 5s));
     EXPECT_FALSE(bus.lastSample(1)->report.stepperStatus().moving());
     EXPECT_NEAR(bus.servo(0).commandVelocity, 0.0, 0.01);
     EXPECT_EQ(bus.finish(bus.submitGroup(GroupCommand{0x85, GroupCommand::Action::ClearStickyBits})).outcome,

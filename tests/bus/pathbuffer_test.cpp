@@ -57,7 +57,7 @@ TEST(PathBuffer, HasRoomWhenSoManyHaveLeft) {
     EXPECT_EQ(buffer.roomAt(), at(5 * kPeriod + kServoTick));
     EXPECT_EQ(buffer.taken(at(5 * kPeriod)), 4U) << "its tick may be a tick later than ours";
     EXPECT_EQ(buffer.taken(at(5 * kPeriod + kServoTick)), 5U);
-    buffer.onTold(119, at(60ms), at(61ms));
+    buffer.onReported(119, at(60ms), at(61ms));
     EXPECT_EQ(buffer.taken(at(61ms)), 7U);
     EXPECT_EQ(buffer.roomAt(), TimePoint::min());
     EXPECT_EQ(buffer.dryAt(), at(60ms + 119 * kPeriod));
@@ -69,7 +69,7 @@ TEST(PathBuffer, TellsAFrameThatWasCarriedOutFromOneThatWasLost) {
     EXPECT_EQ(buffer.carriedOut(2, 128, at(0ms), at(0ms)), true);
     EXPECT_EQ(buffer.carriedOut(2, 127, at(0ms), at(0ms)), std::nullopt);
     buffer.start(at(0ms));
-    buffer.onTold(120, at(60ms), at(60ms));
+    buffer.onReported(120, at(60ms), at(60ms));
     // 200 ms later 20 have left, or one more or less.
     for (const std::size_t left : {99U, 100U, 101U})
         EXPECT_EQ(buffer.carriedOut(7, left, at(260ms), at(260ms)), false) << left;

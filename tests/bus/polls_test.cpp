@@ -180,7 +180,7 @@ TEST(Silence, OfAllIsALostLinkThatComesBackByItself) {
     bus.runFor(3s);
     EXPECT_EQ(bus.count<ModuleUnresponsive>(), 6U);
     EXPECT_EQ(bus.count<LinkLost>(), 1U);
-    EXPECT_EQ(bus.count<UnacknowledgedStopConfirmed>(), 1U);
+    EXPECT_EQ(bus.count<OwedStopConfirmed>(), 1U);
     // Only that stop and questions: nothing that moves, enables or sets gains.
     for (std::size_t i = then; i < bus.sent.size(); ++i)
         if (bus.sent[i].bytes[0] == 0xAA) {

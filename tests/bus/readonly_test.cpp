@@ -398,7 +398,7 @@ TEST(ReadOnly, OwesAStopThatWasNotConfirmed) {
     bus.runFor(3s);
     EXPECT_NEAR(looker.commandVelocity(), 1.0, 0.01);
     bus.onCommand = {};
-    ASSERT_TRUE(bus.runUntil([&] { return bus.count<UnacknowledgedStopConfirmed>() == 3; }, 5s));
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 3; }, 5s));
     EXPECT_DOUBLE_EQ(looker.commandVelocity(), 0);
     looker.expectOnlyLookedAt({CommandCode::StopMotor});
     const std::uint64_t stops = looker.executed(CommandCode::StopMotor);

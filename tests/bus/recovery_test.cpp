@@ -174,10 +174,10 @@ TEST(Recovery, StopsEverythingAndOnlyAsksWhoIsThereOnceTheLinkIsLost) {
     EXPECT_GE(line.bus.sends("AA 01 17 05 1D", at), 1U) << "abrupt, amplifier kept";
     EXPECT_GE(line.bus.sends("AA 02 17 05 1E", at), 1U);
     // The stops are owed until the motors are seen at rest.
-    EXPECT_EQ(line.bus.count<UnacknowledgedStopConfirmed>(), 0U);
+    EXPECT_EQ(line.bus.count<OwedStopConfirmed>(), 0U);
     line.isBad = false;
     line.bus.status = 0x09;  // move_done
-    ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<UnacknowledgedStopConfirmed>() == 2; }, 2s));
+    ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<OwedStopConfirmed>() == 2; }, 2s));
     line.isBad = true;
     const std::size_t after = line.bus.sent.size();
     const std::size_t events = line.bus.events.size();

@@ -350,7 +350,7 @@ TEST(StopRun, NeverCallsAModuleStoppedThatItCannotTell) {
     EXPECT_THAT(finished.unreached, IsEmpty());
     EXPECT_THAT(finished.unconfirmed, IsEmpty());
     bus.runFor(5s);
-    EXPECT_EQ(bus.count<UnacknowledgedStopConfirmed>(), 0U);
+    EXPECT_EQ(bus.count<OwedStopConfirmed>(), 0U);
     for (std::size_t i = from; i < bus.sent.size(); ++i)
         EXPECT_FALSE(has(bus.sent[i].hex, "AA 02 17")) << "what it takes a stop for is unknown";
 }

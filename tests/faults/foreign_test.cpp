@@ -53,7 +53,7 @@ TEST_F(F45_ForeignMotion, IsToldAndNotStopped) {
     bus.runFor(3s);
     EXPECT_EQ(motions(1), 1U) << "once";
     EXPECT_LE(std::abs(bus.servo(1).position - 4'000), 3) << "it was left alone";
-    EXPECT_EQ(bus.count<UnacknowledgedStopConfirmed>(), 0U);
+    EXPECT_EQ(bus.count<OwedStopConfirmed>(), 0U);
     // The next one is another one.
     sends(loadMove(1, 0));
     sends(start(1));

@@ -68,7 +68,7 @@ TEST_F(LinkHealthOfOneModule, StopsItOnceLostAndThenOnlyAsksWhetherItIsWellAgain
         toTheOther += bus.sent[i].hex.starts_with("AA 01") ? 1U : 0U;
     }
     // Two looks at it: it is told of as stopped only then.
-    EXPECT_EQ(bus.count<UnacknowledgedStopConfirmed>(), 1U);
+    EXPECT_EQ(bus.count<OwedStopConfirmed>(), 1U);
     EXPECT_LE(toIt, bus.sends("AA 02 17 05 1E", from) + 4) << "nothing but its stop and the looks at it";
     const std::size_t later = bus.sent.size();
     bus.runFor(5s);

@@ -113,8 +113,8 @@ TEST(LinkState, AChainThatIsOnlyLookedForHasNoFault) {
     EXPECT_FALSE(isLive(link, link.modules[0])) << "what it said last gets older";
     const ModuleState shown = asShown(link).modules[0];
     EXPECT_NE(shown.activity(), Activity::Unresponsive);
-    EXPECT_EQ(whyNotTold(IntentKind::Move, shown), Refusal::Looking);
-    EXPECT_NE(whyNotTold(IntentKind::StopMotion, shown), Refusal::Looking);
+    EXPECT_EQ(whyInaccessible(IntentKind::Move, shown), Refusal::Looking);
+    EXPECT_NE(whyInaccessible(IntentKind::StopMotion, shown), Refusal::Looking);
     const auto chain = diagnose(machineExpecting({kServo}), asShown(link));
     EXPECT_EQ(chain.finding, Finding::Looking);
     EXPECT_EQ(chain.places[0].state, ChainPlace::State::Fine);

@@ -41,7 +41,7 @@ READ_ONLY = (
     )),
     Mutant("read-only-forgets-a-stop-that-is-owed", "a stop that was asked for goes on until it is confirmed", (
         Edit("core/bus/engine.cpp",
-             "m_stopAsked && (m_stop.active() || m_unacknowledged.due())", "m_stopAsked && m_stop.active()"),
+             "m_stopAsked && (m_stop.active() || m_owedStops.due())", "m_stopAsked && m_stop.active()"),
     )),
     Mutant("read-only-guesses-how-long-an-answer-is", "the answer to a stop has what others wanted in it", (
         Edit("core/bus/chain.cpp", "        ask.request.framing = Framing::Open;", "        static_cast<void>(0);"),

@@ -132,7 +132,7 @@ REPORTING = (
 # A stop of one module, until it is confirmed.
 OWING = (
     Mutant("owed-stop-dropped-after-four-tries", "issue 13, 3: never", (
-        Edit("core/bus/unacknowledgedstops.cpp",
+        Edit("core/bus/owedstops.cpp",
              "    const bool looked = ",
              "    if (owed->target.silences() > kAtOnce) {\n"
              "        owed.reset();\n"
@@ -141,7 +141,7 @@ OWING = (
              "    const bool looked = "),
     )),
     Mutant("owed-stop-dropped-when-its-module-is-silent", "issue 13, 3: sent again, blindly", (
-        Edit("core/bus/unacknowledgedstops.cpp",
+        Edit("core/bus/owedstops.cpp",
              "        module.owed->due = now + kBlindEvery;\n",
              "        if (!m_chain.answers(index)) {\n"
              "            module.owed.reset();\n"
@@ -158,8 +158,8 @@ OWING = (
     )),
     Mutant("owed-stop-dropped-by-a-connect", "issue 13, 3: it goes on while a chain is looked for", (
         Edit("core/bus/engine.cpp",
-             "    m_unacknowledged.setBlind(true);\n",
-             "    m_unacknowledged.setBlind(true);\n"
+             "    m_owedStops.setBlind(true);\n",
+             "    m_owedStops.setBlind(true);\n"
              "    for (Chain::Module& module : m_chain.modules())\n"
              "        module.owed.reset();\n"),
     )),
@@ -169,12 +169,12 @@ OWING = (
              "            if (false && module.owed && info.address == module"),
     )),
     Mutant("owed-stop-over-when-answered", "issue 13, 3: ended by a confirmation only", (
-        Edit("core/bus/unacknowledgedstops.cpp",
+        Edit("core/bus/owedstops.cpp",
              "    if (owed->target.stopped()) {", "    if (end.result == ReplyResult::Accepted) {"),
     )),
     Mutant("owed-stop-behind-the-quarantine", "link.md 2.6: it does not wait for late answers", (
         Edit("core/bus/engine.cpp",
-             "    if (m_recovery.resyncing() && m_unacknowledged.untold())\n        interrupt(now);\n", ""),
+             "    if (m_recovery.resyncing() && m_owedStops.anyUnsent())\n        interrupt(now);\n", ""),
     )),
     Mutant("hold-without-an-end", "link.md 2.7: hold to move ends when the evidence stops coming", (
         Edit("core/bus/holdlane.cpp", "m_until = now + m_timeout;", "m_until = now + 1000 * m_timeout;"),

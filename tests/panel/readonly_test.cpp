@@ -158,7 +158,7 @@ TEST_F(H02_ReadOnly, NoRuleLetsAnythingThroughButTheQuestion) {
         }
         EXPECT_TRUE(plan(intent::AskAnew{}, *module));
     }
-    EXPECT_EQ(whyNotTold(panel.composition().store().link()), Refusal::ReadOnly);
+    EXPECT_EQ(whyInaccessible(panel.composition().store().link()), Refusal::ReadOnly);
     EXPECT_EQ(whyNotFromStandstill(run, stepper()), Refusal::ReadOnly);
     Machine machine;
     machine.groups.push_back({0x81, "gantry", {ModuleIndex(0)}, {}});

@@ -46,7 +46,7 @@ constexpr unsigned kStartNow = 0x80;  // of Load Trajectory's control byte (DS-V
 }  // namespace
 
 /// Nothing is owed for a hold that the engine has not carried out.
-void UnacknowledgedStopOath::onHoldEnded(const HoldToMove& hold, std::size_t wireFrom, TimePoint due) {
+void OwedStopOath::onHoldEnded(const HoldToMove& hold, std::size_t wireFrom, TimePoint due) {
     const auto& wire = m_rig->wire;
     const std::size_t index = hold.module.value();
     if (!m_rig->known || index >= m_rig->known->modules.size())
@@ -57,7 +57,7 @@ void UnacknowledgedStopOath::onHoldEnded(const HoldToMove& hold, std::size_t wir
         owe(hold.module, due);
 }
 
-void UnacknowledgedStopOath::owe(ModuleIndex module, TimePoint due) {
+void OwedStopOath::owe(ModuleIndex module, TimePoint due) {
     const std::size_t index = module.value();
     if (!m_rig->known || index >= m_rig->known->modules.size())
         return;
@@ -66,19 +66,19 @@ void UnacknowledgedStopOath::owe(ModuleIndex module, TimePoint due) {
         m_debts.push_back({index, m.place, m.address, due});
 }
 
-void UnacknowledgedStopOath::onEvent(const Event& event) {
+void OwedStopOath::onEvent(const Event& event) {
     if (const auto* suspect = std::get_if<MotionSuspect>(&event)) {
         owe(suspect->module, m_rig->bus.now);
     } else if (const auto* group = std::get_if<GroupFinished>(&event)) {
         for (const GroupMember& member : group->members)
             if (group->stopped)
                 owe(member.module, m_rig->bus.now);
-    } else if (const auto* confirmed = std::get_if<UnacknowledgedStopConfirmed>(&event)) {
+    } else if (const auto* confirmed = std::get_if<OwedStopConfirmed>(&event)) {
         checkConfirmed(*confirmed);
     }
 }
 
-void UnacknowledgedStopOath::checkConfirmed(const UnacknowledgedStopConfirmed& event) {
+void OwedStopOath::checkConfirmed(const OwedStopConfirmed& event) {
     const std::size_t index = event.module.value();
     if (!m_rig->known || index >= m_rig->known->modules.size())
         return m_rig->complain("owed: module " + std::to_string(index) + " is not of the chain");
@@ -90,14 +90,14 @@ void UnacknowledgedStopOath::checkConfirmed(const UnacknowledgedStopConfirmed& e
 }
 
 /// The operator's, from before; or his again. That nobody else starts it is another oath's.
-void UnacknowledgedStopOath::onSent(const WireItem& item) {
+void OwedStopOath::onSent(const WireItem& item) {
     if (startsMotion(item))
         std::erase_if(m_debts, [&](const Debt& debt) {
             return item.address() == debt.address || item.address() >= kFirstGroup;
         });
 }
 
-void UnacknowledgedStopOath::onTime() {
+void OwedStopOath::onTime() {
     const TimePoint now = m_rig->bus.now;
     if (now < m_nextLook || !m_rig->known)
         return;

@@ -14,13 +14,13 @@ class Rig;
 /// What must be true of the stops that the engine owes (issue 13, "What must be true afterwards", 3): a motor
 /// whose hold has ended, whose motion strays, or whose group has started in part only, is at rest kSoon after
 /// its module hears, unless somebody starts it again; and it is not called confirmed before.
-class UnacknowledgedStopOath {
+class OwedStopOath {
 public:
     /// A silent module is asked at least once a second (faults.md F-10); behind that, and the time it takes
     /// to slow down, nothing is an excuse.
     static constexpr Duration kSoon = std::chrono::milliseconds(1'500);
 
-    explicit UnacknowledgedStopOath(Rig& rig) : m_rig(&rig) {}
+    explicit OwedStopOath(Rig& rig) : m_rig(&rig) {}
 
     /// The button of a held motion is up, or nobody will say any more that it is down; at `due` the engine
     /// has to know. `wireFrom`: when it went down.
@@ -40,7 +40,7 @@ private:
     };
 
     void owe(ModuleIndex module, TimePoint due);
-    void checkConfirmed(const bus::UnacknowledgedStopConfirmed& event);
+    void checkConfirmed(const bus::OwedStopConfirmed& event);
 
     Rig* m_rig;
     std::vector<Debt> m_debts;

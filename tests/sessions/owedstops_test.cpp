@@ -18,7 +18,7 @@ using namespace bus;
 using namespace std::chrono_literals;
 using testing::IsEmpty;
 
-constexpr Duration kSoon = UnacknowledgedStopOath::kSoon;
+constexpr Duration kSoon = OwedStopOath::kSoon;
 
 enum class Deaf : std::uint8_t { Module, WholeBus };
 
@@ -60,9 +60,9 @@ struct SilenceCase {
 }
 
 /// Connected, servos on; the first module is the one that is to be stopped.
-class UnacknowledgedStop {
+class OwedStop {
 public:
-    UnacknowledgedStop(std::uint32_t baud, std::size_t modules) : rig(servosAt(baud, modules)) {}
+    OwedStop(std::uint32_t baud, std::size_t modules) : rig(servosAt(baud, modules)) {}
 
     /// From its first stop on neither the module nor, where that is wanted, any other hears or is heard; the
     /// stop itself gets lost.
@@ -104,9 +104,9 @@ public:
         }
         return rig.runUntil([&] { return deafSince.has_value(); }, 5s);
     }
-    [[nodiscard]] std::vector<UnacknowledgedStopConfirmed> confirmed() const {
-        std::vector<UnacknowledgedStopConfirmed> found;
-        for (const auto& event : rig.bus.all<UnacknowledgedStopConfirmed>())
+    [[nodiscard]] std::vector<OwedStopConfirmed> confirmed() const {
+        std::vector<OwedStopConfirmed> found;
+        for (const auto& event : rig.bus.all<OwedStopConfirmed>())
             if (event.module == ModuleIndex(0))
                 found.push_back(event);
         return found;
@@ -147,7 +147,7 @@ class OwedStopAfterSilence : public testing::TestWithParam<SilenceCase> {};
 
 TEST_P(OwedStopAfterSilence, ReachesTheModuleAsSoonAsItHears) {
     const SilenceCase& c = GetParam();
-    UnacknowledgedStop owed(c.baud, c.modules);
+    OwedStop owed(c.baud, c.modules);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(c.deaf, c.silence);
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Causes, OwedStopAfterSilence, testing::ValuesIn(silence
 TEST(OwedStopOnALineThatIsNotHeard, ReachesTheModule) {
     for (const std::uint32_t baud : {19'200U, 115'200U}) {
         SCOPED_TRACE(baud);
-        UnacknowledgedStop owed(baud, 2);
+        OwedStop owed(baud, 2);
         Rig& rig = owed.rig;
         ASSERT_TRUE(setRunning(rig, 0));
         owed.deafFromItsStopOn(Deaf::WholeBus, 7s);
@@ -188,10 +188,10 @@ TEST(OwedStopOnALineThatIsNotHeard, ReachesTheModule) {
 }
 
 /// Today begin() forgets what is owed.
-class UnacknowledgedStopAcross : public testing::TestWithParam<std::uint32_t> {};
+class OwedStopAcross : public testing::TestWithParam<std::uint32_t> {};
 
-TEST_P(UnacknowledgedStopAcross, ASearchThatFindsTheChain) {
-    UnacknowledgedStop owed(GetParam(), 2);
+TEST_P(OwedStopAcross, ASearchThatFindsTheChain) {
+    OwedStop owed(GetParam(), 2);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(Deaf::Module, 400ms);
@@ -206,8 +206,8 @@ TEST_P(UnacknowledgedStopAcross, ASearchThatFindsTheChain) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-TEST_P(UnacknowledgedStopAcross, ASearchThatFindsNobody) {
-    UnacknowledgedStop owed(GetParam(), 2);
+TEST_P(OwedStopAcross, ASearchThatFindsNobody) {
+    OwedStop owed(GetParam(), 2);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(Deaf::WholeBus, 15s);
@@ -221,8 +221,8 @@ TEST_P(UnacknowledgedStopAcross, ASearchThatFindsNobody) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-TEST_P(UnacknowledgedStopAcross, AChangeOfDistrust) {
-    UnacknowledgedStop owed(GetParam(), 2);
+TEST_P(OwedStopAcross, AChangeOfDistrust) {
+    OwedStop owed(GetParam(), 2);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(Deaf::Module, 400ms);
@@ -236,11 +236,11 @@ TEST_P(UnacknowledgedStopAcross, AChangeOfDistrust) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Rates, UnacknowledgedStopAcross, testing::Values(19'200U, 115'200U));
+INSTANTIATE_TEST_SUITE_P(Rates, OwedStopAcross, testing::Values(19'200U, 115'200U));
 
 /// A stop of all is answered for by StopFinished; what was owed before is part of it.
 TEST(OwedStopUnderAStopOfAll, IsNotConfirmedBesideIt) {
-    UnacknowledgedStop owed(115'200, 2);
+    OwedStop owed(115'200, 2);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(Deaf::Module, 300ms);
@@ -256,7 +256,7 @@ TEST(OwedStopUnderAStopOfAll, IsNotConfirmedBesideIt) {
 
 /// "Unless the operator started it again."
 TEST(OwedStopOfAMotorThatIsHeldAgain, IsOwedNoMore) {
-    UnacknowledgedStop owed(115'200, 2);
+    OwedStop owed(115'200, 2);
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(Deaf::Module, 300ms);

@@ -56,7 +56,7 @@ Rig::Rig(const World& w)
       bus(w.chain, configOf(w), optionsOf(w)),
       everOn(w.chain.size()),
       m_oath(*this),
-      m_unacknowledged(*this),
+      m_owedStops(*this),
       m_look(*this),
       m_deafUntil(w.chain.size()),
       m_driven(w.chain.size()) {
@@ -140,7 +140,7 @@ void Rig::moveHand() {
     } else {
         const Hand ended = *std::exchange(m_hand, std::nullopt);
         const Duration later = ended.lapses ? EngineConfig{}.holdTimeout : Duration{};
-        m_unacknowledged.onHoldEnded(ended.hold, ended.wireFrom, bus.now + later);
+        m_owedStops.onHoldEnded(ended.hold, ended.wireFrom, bus.now + later);
         if (ended.lapses)
             return;
         bus.engine.release(bus.now);
@@ -154,7 +154,7 @@ void Rig::stopAll() {
     situations.insert(situation());
     m_oath.asked();
     m_look.stopAsked();
-    m_unacknowledged.forget();
+    m_owedStops.forget();
     bus.engine.stopAll(bus.now);
     settle();
     observe();
@@ -187,7 +187,7 @@ void Rig::replaceEngine(std::uint32_t baud, bool readOnly) {
     known.reset();
     m_hand.reset();
     m_oath.reset();
-    m_unacknowledged.forget();
+    m_owedStops.forget();
     m_searching = false;
     m_operations.clear();
     m_groupOperations.clear();
@@ -200,7 +200,7 @@ void Rig::replaceEngine(std::uint32_t baud, bool readOnly) {
 void Rig::powerCycle(std::uint8_t place) {
     m_powerCycled = true;
     m_oath.forget();
-    m_unacknowledged.forget();
+    m_owedStops.forget();
     m_look.onPowerCycle(place);
     m_deafUntil[place] = std::max(m_deafUntil[place], bus.now + kRestarting);
     faultsUntil = std::max(faultsUntil, bus.now + kRestarting);
@@ -335,7 +335,7 @@ void Rig::note(ByteSpan bytes) {
             item.places |= meant ? 1U << place : 0U;
         }
         m_oath.onSent(item);
-        m_unacknowledged.onSent(item);
+        m_owedStops.onSent(item);
         if (world.readOnly)
             m_look.onSent(item);
         wire.push_back(std::move(item));
@@ -346,7 +346,7 @@ void Rig::observe() {
     for (; m_seen < bus.events.size(); ++m_seen)
         handle(bus.events[m_seen]);
     m_oath.onTime();
-    m_unacknowledged.onTime();
+    m_owedStops.onTime();
 }
 
 void Rig::handle(const Event& event) {
@@ -377,7 +377,7 @@ void Rig::handle(const Event& event) {
     } else if (const auto* finished = std::get_if<StopFinished>(&event)) {
         m_oath.onFinished(*finished);
     }
-    m_unacknowledged.onEvent(event);
+    m_owedStops.onEvent(event);
     if (world.readOnly)
         m_look.onEvent(event);
 }

@@ -151,7 +151,7 @@ private:
     void note(ByteSpan bytes);
 
     StopOath m_oath;
-    UnacknowledgedStopOath m_unacknowledged;
+    OwedStopOath m_owedStops;
     LookOath m_look;
     std::optional<Hand> m_hand;
     std::uint32_t m_presses = 0;

@@ -21,14 +21,14 @@ TEST(StepsToFindAMotorFrom, AreNeverTooLong) {
 }
 
 TEST(StepsToFindAMotorFrom, TellMuchBothWaysInTwoSizes) {
-    EXPECT_FALSE(tellMuch({}));
-    EXPECT_FALSE(tellMuch(Distances{100}));
-    EXPECT_FALSE(tellMuch(Distances{100, 200})) << "one way";
-    EXPECT_FALSE(tellMuch(Distances{-100, -200}));
-    EXPECT_FALSE(tellMuch(Distances{100, -100})) << "one size";
-    EXPECT_FALSE(tellMuch(Distances{100, -110})) << "hardly two";
-    EXPECT_TRUE(tellMuch(Distances{100, -200}));
-    EXPECT_TRUE(tellMuch(stepSeries(7)));
+    EXPECT_FALSE(informative({}));
+    EXPECT_FALSE(informative(Distances{100}));
+    EXPECT_FALSE(informative(Distances{100, 200})) << "one way";
+    EXPECT_FALSE(informative(Distances{-100, -200}));
+    EXPECT_FALSE(informative(Distances{100, -100})) << "one size";
+    EXPECT_FALSE(informative(Distances{100, -110})) << "hardly two";
+    EXPECT_TRUE(informative(Distances{100, -200}));
+    EXPECT_TRUE(informative(stepSeries(7)));
 }
 
 TEST(StepsToFindAMotorFrom, GoOnBackAndThenByTheOtherSize) {

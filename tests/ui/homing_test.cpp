@@ -276,7 +276,7 @@ TEST(StepperHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     sample.report.position = 0;
     sample.report.aux = std::uint8_t{0};
     module.apply(sample);
-    const ModuleState untold = module;
+    const ModuleState anyUnsent = module;
     stepper::SetParameters parameters;
     parameters.speedMode = stepper::SpeedMode::X2;
     module.apply(bus::CommandExecuted{module.info.index, sample.time, StepperCommand(parameters)});
@@ -306,7 +306,7 @@ TEST(StepperHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     const auto recipe = std::get<intent::Home>(intents.at(0).at(0).value<Intent>()).recipe;
     EXPECT_TRUE(recipe.onHomeSwitch);
     EXPECT_EQ(recipe.velocity, 50.0);
-    PanelView other{untold, settings};
+    PanelView other{anyUnsent, settings};
     other.connected = true;
     context.show(other);
     EXPECT_EQ(home->toolTip(), texts::refusal(Refusal::ParametersUnknown));

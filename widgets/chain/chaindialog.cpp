@@ -65,7 +65,7 @@ void ChainDialog::openAt(Page page) {
 }
 
 void ChainDialog::showChain(const Machine& machine, const LinkState& link) {
-    m_doctor->showChain(diagnose(machine, link), whyNotTold(link), whyNotEdited(link.rights));
+    m_doctor->showChain(diagnose(machine, link), whyInaccessible(link), whyNotEdited(link.rights));
     m_groups->showLink(link, machine.groups);
     m_rate->showLink(link);
 }

@@ -53,7 +53,7 @@ void ChainMenu::addTo(QMenu& menu) {
 
 void ChainMenu::refresh() {
     m_scan->setEnabled(m_link.phase == LinkPhase::Connected || m_link.phase == LinkPhase::Lost);
-    const auto refusal = whyNotTold(m_link);
+    const auto refusal = whyInaccessible(m_link);
     m_restart->setEnabled(!refusal);
     m_restart->setToolTip(refusal ? texts::refusal(*refusal)
                                   : tr("Resets every module and assigns new addresses. Asks first."));

@@ -165,7 +165,7 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
     if (!refusal && (module.silent || module.hasRestarted))
         refusal = Refusal::Unresponsive;
     if (!refusal)
-        refusal = whyNotTold(m_link);
+        refusal = whyInaccessible(m_link);
     const QString reason = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(row.group, reason,
                       tr("The group that this module listens to. Sent at once; nothing moves."));
@@ -278,7 +278,7 @@ void GroupsPage::refreshCommands() {
     const bool any = m_group->count() > 0 && !noChain;
     const QString none = noChain == Refusal::Looking ? texts::refusal(*noChain)
                                                      : tr("No groups yet. Add modules to a group first.");
-    const auto refusal = whyNotTold(m_link);
+    const auto refusal = whyInaccessible(m_link);
     const QString notTold = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(
         m_start, any ? whyNotAll(IntentKind::StartLoaded) : none,

@@ -91,7 +91,7 @@ std::optional<quint32> RatePage::wanted() const {
 QString RatePage::whyNot() const {
     if (const auto refusal = whyNoChain(m_link))
         return texts::refusal(*refusal);
-    if (const auto refusal = whyNotTold(m_link))
+    if (const auto refusal = whyInaccessible(m_link))
         return texts::refusal(*refusal);
     const auto those = [this](auto unfit) {
         std::vector<ModuleIndex> modules;

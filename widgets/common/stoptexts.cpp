@@ -83,7 +83,7 @@ QString stopReach(int reachable, int modules) {
     return Texts::tr("reaches %1 of %2").arg(reachable).arg(modules);
 }
 
-QString stopConfirmed(const bus::UnacknowledgedStopConfirmed& confirmed) {
+QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
     // These messages are about several.
     return confirmed.cause == bus::StopCause::GroupHalfStarted ||
                    confirmed.cause == bus::StopCause::GroupStop ||

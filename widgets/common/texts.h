@@ -148,7 +148,7 @@ namespace texts {
 /// There were modules, and each is known to have stopped.
 [[nodiscard]] bool allStopped(const bus::StopFinished& finished);
 /// Goes behind the headline of the message that told of the stop: "It has stopped."
-[[nodiscard]] QString stopConfirmed(const bus::UnacknowledgedStopConfirmed& confirmed);
+[[nodiscard]] QString stopConfirmed(const bus::OwedStopConfirmed& confirmed);
 /// "reaches 5 of 5"
 [[nodiscard]] QString stopReach(int reachable, int modules);
 [[nodiscard]] QString closing(int movingMotors);

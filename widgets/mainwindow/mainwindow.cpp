@@ -216,7 +216,7 @@ void MainWindow::connectParts() {
 /// The mode, or the axis that it is for.
 void MainWindow::showPendant() {
     const ModuleState* module = selectedState();
-    auto refusal = whyNotTold(m_session.link());
+    auto refusal = whyInaccessible(m_session.link());
     if (!refusal || refusal == Refusal::OperatorMode)
         refusal = whyNoChain(m_session.link());
     m_pendant->showModule(refusal ? texts::refusal(*refusal)

@@ -52,7 +52,7 @@ void MainWindow::reviewQuestions() {
 }
 
 void MainWindow::askBeforeRestart() {
-    if (whyNotTold(m_session.link()))
+    if (whyInaccessible(m_session.link()))
         return;
     AskDialog::ask({.name = u"restartDialog"_s,
                     .title = tr("Restart the network"),

@@ -148,7 +148,7 @@ std::vector<std::int32_t> ModelBox::nextSteps() const {
         made.push_back(kept->run.taken.goal - kept->run.taken.from);
     const Found* found = this->found();
     const bool unsure = found != nullptr && found->motor && !found->motor->motor.isSure();
-    if (unsure && tellMuch(made) && mine.back()->number == found->from)
+    if (unsure && informative(made) && mine.back()->number == found->from)
         return {nextStep(made)};
     return stepSeries(m_form.distance().value_or(0));
 }

@@ -27,7 +27,7 @@ bool ProcedureController::begin(std::unique_ptr<Procedure> procedure) {
         return false;
     Run& run = m_runs[module];
     run.procedure = std::move(procedure);
-    tell(run);
+    publish(run);
     m_timer.start();
     advance();
     return true;
@@ -73,13 +73,13 @@ void ProcedureController::overtakeAll() {
 
 void ProcedureController::end(Run& run) {
     run.procedure->cancel();
-    tell(run);
-    if (run.overtaken || run.told->over())
+    publish(run);
+    if (run.overtaken || run.reported->over())
         return;
     run.overtaken = true;
-    run.told = run.procedure->report();
-    run.told->stage = ProcedureStage::Cancelled;
-    emit reported(*run.told);
+    run.reported = run.procedure->report();
+    run.reported->stage = ProcedureStage::Cancelled;
+    emit reported(*run.reported);
 }
 
 void ProcedureController::stopAll() {
@@ -132,16 +132,16 @@ void ProcedureController::ask(Run& run, const ModuleState& module, TimePoint now
             run.operation = m_submit(std::move(*send));
     }
     over = std::holds_alternative<Procedure::End>(next);
-    tell(run);
+    publish(run);
 }
 
-void ProcedureController::tell(Run& run) {
+void ProcedureController::publish(Run& run) {
     const ProcedureReport report = run.procedure->report();
-    if (run.overtaken || run.told == report)
+    if (run.overtaken || run.reported == report)
         return;
-    if (report.kind == ProcedureKind::Homing && report.home && !(run.told && run.told->home))
+    if (report.kind == ProcedureKind::Homing && report.home && !(run.reported && run.reported->home))
         m_store.noteHome(report.module, *report.home);
-    run.told = report;
+    run.reported = report;
     emit reported(report);
 }
 
@@ -195,9 +195,9 @@ bool ProcedureController::take(const StoreEvent& event) {
             [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, PortClosed> auto&) { forget(); },
             // What these concern ends a procedure's operation, shows in the module, or is no motor's.
             [](const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::HoldExpired, bus::GroupFinished,
-                           bus::RateChanged, bus::RateChangeFailed, bus::UnacknowledgedStopConfirmed,
-                           bus::Readdressed, bus::ReaddressFailed, bus::AddressChanged, bus::EchoNoticed,
-                           SimulatorAnswered, GuardianMissing> auto&) {},
+                           bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
+                           bus::ReaddressFailed, bus::AddressChanged, bus::EchoNoticed, SimulatorAnswered,
+                           GuardianMissing> auto&) {},
         },
         event);
     return true;

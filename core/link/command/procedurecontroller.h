@@ -57,14 +57,14 @@ private:
     struct Run {
         std::unique_ptr<Procedure> procedure;
         std::optional<bus::OperationId> operation;
-        std::optional<ProcedureReport> told;
+        std::optional<ProcedureReport> reported;
         bool overtaken = false;
     };
 
     void look();
     void advance();
     void ask(Run& run, const ModuleState& module, TimePoint now, bool& over);
-    void tell(Run& run);
+    void publish(Run& run);
     void end(Run& run);
     void suspect(std::optional<ModuleIndex> module);
     bool finished(const bus::OperationFinished& finished);

@@ -67,7 +67,7 @@ void SequenceController::begin(Machine machine, const std::string& sequence, std
     }
     m_operations.clear();
     m_run.emplace(make());
-    m_told.reset();
+    m_reported.reset();
     m_timer.start();
     advance();
 }
@@ -123,7 +123,7 @@ void SequenceController::advance() {
             m_operations.push_back(m_submit(std::move(orders)));
     if (const auto* ask = std::get_if<SequenceRun::Ask>(&next))
         obey(*ask);
-    tell();
+    publish();
     if (!running())
         m_timer.stop();
 }
@@ -139,11 +139,11 @@ void SequenceController::obey(const SequenceRun::Ask& ask) {
         m_run->onNotBegun(ask.module, refusal ? Refusal::Moving : refusal.error());
 }
 
-void SequenceController::tell() {
-    if (m_told == m_run->report())
+void SequenceController::publish() {
+    if (m_reported == m_run->report())
         return;
-    m_told = m_run->report();
-    emit reported(*m_told);
+    m_reported = m_run->report();
+    emit reported(*m_reported);
 }
 
 bool SequenceController::take(const StoreEvent& event) {

@@ -66,14 +66,14 @@ private:
     void look();
     void advance();
     void obey(const SequenceRun::Ask& ask);
-    void tell();
+    void publish();
 
     BusStore& m_store;
     ProcedureController& m_procedures;
     Submit m_submit;
     QTimer m_timer;
     std::optional<SequenceRun> m_run;
-    std::optional<SequenceReport> m_told;
+    std::optional<SequenceReport> m_reported;
     std::vector<bus::OperationId> m_operations;
     BackgroundJob m_foresight;
     std::shared_ptr<DryRun> m_foreseen;  ///< shared with the job

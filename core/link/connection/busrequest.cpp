@@ -36,7 +36,7 @@ struct Ends {
                                 bus::ConnectFailed, bus::StopFinished, bus::ModuleUnresponsive,
                                 bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
                                 bus::ModuleRestarted, bus::MotionSuspect, bus::StoppedBeforeLimit,
-                                bus::GroupChanged, bus::UnacknowledgedStopConfirmed, bus::EchoNoticed,
+                                bus::GroupChanged, bus::OwedStopConfirmed, bus::EchoNoticed,
                                 bus::ForeignTraffic, bus::ForeignMotion, bus::PathProgress> auto&) const {
         return false;
     }

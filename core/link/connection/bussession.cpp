@@ -64,7 +64,7 @@ std::optional<PortError> BusSession::converse() {
         watchOver(now);
         if (const auto deadline = m_engine.nextDeadline(); deadline && *deadline <= now)
             m_engine.onDeadline(now);
-        tellGuards();
+        informGuards();
         if (const auto performed = perform(m_engine.takeOutput()); !performed)
             return performed.error();
         publishEvents();
@@ -193,7 +193,7 @@ tl::expected<void, PortError> BusSession::hearGuards(TimePoint now) {
     return m_transport.setBaud(m_portBaud);
 }
 
-void BusSession::tellGuards() {
+void BusSession::informGuards() {
     Guarded news = m_guarded;
     if (auto burst = m_engine.changedStopBurst())
         news.burst = std::move(*burst);

@@ -50,7 +50,7 @@ private:
     void watchOver(TimePoint now);
     /// What the guards have to tell.
     tl::expected<void, PortError> hearGuards(TimePoint now);
-    void tellGuards();
+    void informGuards();
     tl::expected<void, PortError> perform(const std::vector<bus::Output>& outputs);
     void publishEvents();
     void publishStatistics(TimePoint now, std::optional<TimePoint> next);

@@ -140,7 +140,7 @@ void BusStore::take(const bus::Event& event) {
                                bus::ModuleUnresponsive, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
                                bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect,
                                bus::StoppedBeforeLimit, bus::GroupFinished, bus::RateChanged,
-                               bus::RateChangeFailed, bus::UnacknowledgedStopConfirmed, bus::Readdressed,
+                               bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
                                bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic,
                                bus::ForeignMotion, bus::AddressChanged> auto& news) {
                 note(news);
@@ -261,7 +261,7 @@ void BusStore::setRights(const std::optional<OperatorRights>& rights) {
     emit linkChanged();
 }
 
-void BusStore::note(const bus::UnacknowledgedStopConfirmed& confirmed) {
+void BusStore::note(const bus::OwedStopConfirmed& confirmed) {
     if (known(confirmed.module))
         m_link.modules[confirmed.module.value()].confirmedAtRest();
 }

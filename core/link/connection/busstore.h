@@ -19,10 +19,10 @@ using StoreEvent =
     std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
                  bus::ModuleUnresponsive, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
                  bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::StoppedBeforeLimit,
-                 bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed,
-                 bus::UnacknowledgedStopConfirmed, bus::Readdressed, bus::ReaddressFailed, bus::EchoNoticed,
-                 bus::ForeignTraffic, bus::ForeignMotion, bus::AddressChanged, PortClosed, SimulatorAnswered,
-                 PanelFroze, ComputerSlept, GuardianStopped, GuardianMissing>;
+                 bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed,
+                 bus::Readdressed, bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic,
+                 bus::ForeignMotion, bus::AddressChanged, PortClosed, SimulatorAnswered, PanelFroze,
+                 ComputerSlept, GuardianStopped, GuardianMissing>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.
@@ -102,7 +102,7 @@ private:
     void note(const bus::RateChanged& changed) { m_link.baud = changed.baud; }
     void note(const AnyOf<bus::ConnectFailed, bus::LinkLost> auto&) { m_link.phase = LinkPhase::Lost; }
     void note(const bus::StopFinished& stopped);
-    void note(const bus::UnacknowledgedStopConfirmed& confirmed);
+    void note(const bus::OwedStopConfirmed& confirmed);
     void note(const bus::ForeignMotion& motion);
     void note(const bus::GroupFinished& finished);
     void note(const bus::ForeignTraffic& traffic);

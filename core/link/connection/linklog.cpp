@@ -102,7 +102,7 @@ struct EventLine {
                list(finished.unreached) + ", not confirmed " + list(finished.unconfirmed) +
                ", no stop known for " + list(finished.noStopKnown) + ", " + ms(finished.took);
     }
-    std::string operator()(const bus::UnacknowledgedStopConfirmed& confirmed) const {
+    std::string operator()(const bus::OwedStopConfirmed& confirmed) const {
         return name(confirmed.module) + " stands: the stop owed for cause " + number(confirmed.cause);
     }
     std::string operator()(const bus::ModuleUnresponsive& silence) const {

@@ -17,7 +17,7 @@ struct WhyNot {
 
     std::optional<Refusal> operator()(const servo::LoadTrajectory& load) const {
         if (!load.startNow)
-            return whyNotTold(IntentKind::Load, module);
+            return whyInaccessible(IntentKind::Load, module);
         if (!load.servo)
             return whyNot(IntentKind::DrivePwm, module);
         if (load.profile == servo::ProfileMode::Trapezoidal)
@@ -47,7 +47,7 @@ struct WhyNot {
         const bool stops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
         if (stops && module.info.identity.version < servo::kAutoStopVersion)
             return Refusal::VersionLacksIt;
-        return whyNotTold(IntentKind::Home, module);
+        return whyInaccessible(IntentKind::Home, module);
     }
     std::optional<Refusal> operator()(const servo::SetGain&) const {
         return whyNot(IntentKind::ApplyGains, module);
@@ -80,7 +80,7 @@ struct WhyNot {
         return whyNot(enables ? IntentKind::Enable : IntentKind::StopMotion, module);
     }
     std::optional<Refusal> operator()(const stepper::SetHoming&) const {
-        return whyNotTold(IntentKind::Home, module);
+        return whyInaccessible(IntentKind::Home, module);
     }
     std::optional<Refusal> operator()(const stepper::SetParameters& parameters) const {
         return whyNotSet(parameters, module);
@@ -113,7 +113,7 @@ struct WhyNot {
     /// Addresses, rate, reset and the items of a status belong to the bus.
     std::optional<Refusal> operator()(
         const AnyOf<SetAddress, DefineStatus, ReadStatus, SetBaud, Nop, HardReset> auto&) const {
-        return whyNotTold(IntentKind::StopMotion, module);
+        return whyInaccessible(IntentKind::StopMotion, module);
     }
 };
 

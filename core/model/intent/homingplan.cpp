@@ -36,7 +36,7 @@ namespace {
 }  // namespace
 
 std::optional<Refusal> whyNotHome(const ModuleState& module) {
-    if (const auto refusal = whyNotTold(IntentKind::Home, module))
+    if (const auto refusal = whyInaccessible(IntentKind::Home, module))
         return refusal;
     if (module.hasRestarted)
         return Refusal::Unresponsive;

@@ -291,7 +291,7 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
         return whyNotHome(module);
     if (!module.isServo())
         return Refusal::NotAServo;
-    if (const auto refusal = whyNotTold(kind, module))
+    if (const auto refusal = whyInaccessible(kind, module))
         return refusal;
 
     switch (kind) {
@@ -383,7 +383,7 @@ std::optional<Refusal> whyNotDeclare(const ModuleState& module) {
     return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
 }
 
-std::optional<Refusal> whyNotTold(IntentKind kind, const ModuleState& module) {
+std::optional<Refusal> whyInaccessible(IntentKind kind, const ModuleState& module) {
     if (module.readOnly)
         return Refusal::ReadOnly;
     if (module.rights && !allows(*module.rights, kind))
@@ -394,7 +394,7 @@ std::optional<Refusal> whyNotTold(IntentKind kind, const ModuleState& module) {
     return heard || kind == IntentKind::MotorOff ? std::nullopt : std::optional(Refusal::Unresponsive);
 }
 
-std::optional<Refusal> whyNotTold(const LinkState& link) {
+std::optional<Refusal> whyInaccessible(const LinkState& link) {
     if (link.phase == LinkPhase::Disconnected)
         return Refusal::NotConnected;
     if (link.readOnly)

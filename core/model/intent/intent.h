@@ -289,9 +289,9 @@ enum class IntentKind : std::uint8_t {
 
 /// Why nothing at all can be told to this module, whoever asks for what: every rule asks this one first.
 /// MotorOff is worth trying whatever is believed of it.
-[[nodiscard]] std::optional<Refusal> whyNotTold(IntentKind kind, const ModuleState& module);
+[[nodiscard]] std::optional<Refusal> whyInaccessible(IntentKind kind, const ModuleState& module);
 /// The same of the chain as a whole: its rate, its groups, its restart.
-[[nodiscard]] std::optional<Refusal> whyNotTold(const LinkState& link);
+[[nodiscard]] std::optional<Refusal> whyInaccessible(const LinkState& link);
 /// Why there is no chain now that could be asked for anything.
 [[nodiscard]] std::optional<Refusal> whyNoChain(const LinkState& link);
 

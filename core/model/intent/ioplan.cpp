@@ -78,9 +78,9 @@ std::optional<Refusal> whyNotIo(IntentKind kind, const ModuleState& module) {
         case IntentKind::SetOutputs:
         case IntentKind::ControlIo:
         case IntentKind::ResetModule:
-            return whyNotTold(kind, module);
+            return whyInaccessible(kind, module);
         case IntentKind::StartLoaded:  // of its group: Synch Output
-            if (const auto refusal = whyNotTold(kind, module))
+            if (const auto refusal = whyInaccessible(kind, module))
                 return refusal;
             return module.pins.stored ? std::nullopt : std::optional(Refusal::NothingLoaded);
         case IntentKind::Enable:

@@ -42,7 +42,7 @@ struct GoalOf {
 /// What keeps it from moving at all, whatever is asked for.
 [[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module, IntentKind as) {
     const StepperState& stepper = module.stepper;
-    if (const auto refusal = whyNotTold(as, module))
+    if (const auto refusal = whyInaccessible(as, module))
         return refusal;
     if (!stepper.powered())
         return Refusal::NoPower;
@@ -278,7 +278,7 @@ Plan planStep(const Intent& intent, const ModuleState& module) {
 }
 
 std::optional<Refusal> whyNotStep(IntentKind kind, const ModuleState& module) {
-    if (const auto refusal = whyNotTold(kind, module))
+    if (const auto refusal = whyInaccessible(kind, module))
         return refusal;
     switch (kind) {
         case IntentKind::Enable:

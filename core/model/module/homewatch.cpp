@@ -4,7 +4,7 @@
 namespace nmc {
 
 template <typename SetHoming>
-void HomeWatch::told(const SetHoming& homing, TimePoint time, bool watches) {
+void HomeWatch::onSetHoming(const SetHoming& homing, TimePoint time, bool watches) {
     *this = HomeWatch{};
     if (!watches)
         return;
@@ -20,7 +20,7 @@ void HomeWatch::apply(const bus::CommandExecuted& executed) {
     if (const auto* chip = std::get_if<ServoCommand>(&executed.command)) {
         if (const auto* homing = std::get_if<servo::SetHoming>(chip)) {
             const bool inputs = homing->onLimit1Change || homing->onLimit2Change || homing->onIndexChange;
-            told(*homing, executed.time, inputs || homing->onPositionError || homing->onCurrentLimit);
+            onSetHoming(*homing, executed.time, inputs || homing->onPositionError || homing->onCurrentLimit);
             m_positionError = homing->onPositionError;
             m_currentLimit = homing->onCurrentLimit;
             // The position error does so by itself.
@@ -28,8 +28,8 @@ void HomeWatch::apply(const bus::CommandExecuted& executed) {
         }
     } else if (const auto* step = std::get_if<StepperCommand>(&executed.command)) {
         if (const auto* homing = std::get_if<stepper::SetHoming>(step))
-            told(*homing, executed.time,
-                 homing->onLimit1Change || homing->onLimit2Change || homing->onHomeSwitchChange);
+            onSetHoming(*homing, executed.time,
+                        homing->onLimit1Change || homing->onLimit2Change || homing->onHomeSwitchChange);
     }
 }
 

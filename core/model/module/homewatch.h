@@ -36,7 +36,7 @@ public:
 
 private:
     template <typename SetHoming>
-    void told(const SetHoming& homing, TimePoint time, bool watches);
+    void onSetHoming(const SetHoming& homing, TimePoint time, bool watches);
 
     State m_state = State::Idle;
     TimePoint m_since;

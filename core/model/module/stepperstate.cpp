@@ -8,12 +8,12 @@
 namespace nmc {
 
 void StepperState::attached() {
-    m_told.outputs.reset();
+    m_registers.outputs.reset();
 }
 
 void StepperState::restarted() {
     *this = StepperState{};
-    m_told.outputs.reset();
+    m_registers.outputs.reset();
 }
 
 // ---- What the module says ----
@@ -87,16 +87,16 @@ void StepperState::watchMotion(bool wasMoving, bool homeFound) {
 }
 
 bool StepperState::estopActs() const {
-    return m_inputs.estop() && !(m_told.parameters && m_told.parameters->ignoreEstop);
+    return m_inputs.estop() && !(m_registers.parameters && m_registers.parameters->ignoreEstop);
 }
 
 bool StepperState::limitActs(bool reverse) const {
     const bool active = reverse ? m_inputs.limit2() : m_inputs.limit1();
-    return active && !(m_told.parameters && m_told.parameters->ignoreLimits);
+    return active && !(m_registers.parameters && m_registers.parameters->ignoreLimits);
 }
 
 bool StepperState::tooHot() const {
-    return m_told.parameters && m_analog && *m_analog < m_told.parameters->thermalLimit;
+    return m_registers.parameters && m_analog && *m_analog < m_registers.parameters->thermalLimit;
 }
 
 bus::StepperMode StepperState::mode() const {
@@ -141,8 +141,8 @@ struct StepperState::Executed {
             s.started(load, time);
     }
     void operator()(const StartMotion&) const {
-        if (s.m_told.waiting)
-            s.started(*s.m_told.waiting, time);
+        if (s.m_registers.waiting)
+            s.started(*s.m_registers.waiting, time);
     }
     void operator()(const stepper::StopMotor& stop) const { s.stopped(stop, time); }
     void operator()(const stepper::SetHoming& homing) const { s.m_homingSwitchesOff = homing.motorOff; }
@@ -151,7 +151,7 @@ struct StepperState::Executed {
 
 void StepperState::apply(const StepperCommand& executed, TimePoint time) {
     std::visit(Executed{*this, time}, executed);
-    m_told.apply(executed);
+    m_registers.apply(executed);
 }
 
 void StepperState::started(const stepper::LoadTrajectory& load, TimePoint time) {

@@ -27,14 +27,18 @@ public:
 
     /// Empty: not set in this connection, so nothing may move.
     [[nodiscard]] const std::optional<stepper::SetParameters>& parameters() const {
-        return m_told.parameters;
+        return m_registers.parameters;
     }
     /// OUT1..OUT5 as bits 0..4; empty: unknown.
-    [[nodiscard]] std::optional<std::uint8_t> outputs() const { return m_told.outputs; }
+    [[nodiscard]] std::optional<std::uint8_t> outputs() const { return m_registers.outputs; }
     /// Of the ramp that the next smooth stop would take; empty: unknown.
-    [[nodiscard]] std::optional<std::uint8_t> accelerationTime() const { return m_told.accelerationTime; }
+    [[nodiscard]] std::optional<std::uint8_t> accelerationTime() const {
+        return m_registers.accelerationTime;
+    }
     /// A load that was confirmed and waits for a start.
-    [[nodiscard]] const std::optional<stepper::LoadTrajectory>& waiting() const { return m_told.waiting; }
+    [[nodiscard]] const std::optional<stepper::LoadTrajectory>& waiting() const {
+        return m_registers.waiting;
+    }
 
     [[nodiscard]] bool amplifierOn() const { return m_on; }
     /// It switched its amplifier off without being told to, as two answers in a row say, and has not been on
@@ -77,7 +81,7 @@ private:
     std::optional<std::int32_t> m_position;
     std::optional<std::uint16_t> m_timer;
 
-    StepperRegisters m_told;
+    StepperRegisters m_registers;
     std::optional<bus::StepperMode> m_goalMode;
     std::optional<std::int32_t> m_goal;
     std::optional<bool> m_reverse;

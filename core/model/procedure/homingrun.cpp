@@ -75,7 +75,7 @@ HomingRun::Next HomingRun::proceed(const ModuleState& module, TimePoint now) {
         return Wait{};
     if (m_sent != Sent::Nothing && m_sent != Sent::FirstRead && m_sent != Sent::SecondRead) {
         m_sent = Sent::Nothing;
-        m_toldAt = now;
+        m_endedAt = now;
         m_standstill.reset();
     }
     if (m_report.stage == ProcedureStage::Reading) {
@@ -85,7 +85,7 @@ HomingRun::Next HomingRun::proceed(const ModuleState& module, TimePoint now) {
             m_report.home = module.latest->home;
         return read(*seen, now);
     }
-    return seen->time > m_toldAt ? decide(*seen, now) : Next(Wait{});
+    return seen->time > m_endedAt ? decide(*seen, now) : Next(Wait{});
 }
 
 HomingRun::Next HomingRun::decide(const HomingLook& seen, TimePoint now) {
@@ -172,7 +172,7 @@ HomingRun::Next HomingRun::getUpToSpeed(const HomingLook& seen, TimePoint now) {
 HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
     if (!seen.on)
         return fail(ProcedureFailure::WentOff);
-    if (m_told) {  // to stop
+    if (m_stepSent) {  // to stop
         if (tooLong(now))
             return fail(ProcedureFailure::SwitchActive);
         return stands(seen) ? beginSearch(seen, now) : Next(Wait{});
@@ -180,7 +180,7 @@ HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
     if (beyondTravel(seen))
         return fail(ProcedureFailure::SoftLimit);
     if (!anyActive(seen)) {
-        m_told = true;
+        m_stepSent = true;
         return tell(m_chip.stop(Stop::Smoothly));
     }
     // Stopped by the chip, a limit of the other side say, or gone far enough: it stays active.
@@ -250,10 +250,10 @@ HomingRun::Next HomingRun::read(const HomingLook& seen, TimePoint now) {
 
 HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
     if (!seen.on)
-        return now - m_toldAt > kTakesEffect ? fail(ProcedureFailure::WentOff) : Next(Wait{});
+        return now - m_endedAt > kTakesEffect ? fail(ProcedureFailure::WentOff) : Next(Wait{});
     const std::int32_t home = *m_report.home;
-    if (!m_told) {
-        m_told = true;
+    if (!m_stepSent) {
+        m_stepSent = true;
         if (seen.position != home) {
             HomingChip::Motion slowly = motion();
             slowly.velocity = m_recipe.velocity;
@@ -279,7 +279,7 @@ HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
 HomingRun::Next HomingRun::makeZero(const HomingLook& seen, TimePoint now) {
     if (samePlace(0, seen.position))
         return disarm();
-    return now - m_toldAt > kTakesEffect ? fail(ProcedureFailure::Refused) : Next(Wait{});
+    return now - m_endedAt > kTakesEffect ? fail(ProcedureFailure::Refused) : Next(Wait{});
 }
 
 /// What a later safety stop, or a hand on the switch, does must not look like home.
@@ -306,8 +306,8 @@ HomingRun::Next HomingRun::tell(HomingChip::Orders orders, Sent what) {
 
 HomingRun::Next HomingRun::enter(ProcedureStage stage, TimePoint now, HomingChip::Orders orders) {
     m_report.stage = stage;
-    m_told = false;
-    m_began = m_toldAt = now;
+    m_stepSent = false;
+    m_began = m_endedAt = now;
     m_standstill.reset();
     m_offSince.reset();
     return orders.empty() ? Next(Wait{}) : tell(std::move(orders));

@@ -66,10 +66,10 @@ private:
     bool m_goesOff = false;  ///< finding home switches the motor off
     unsigned m_round = 1;    ///< 2: the index, where it comes second
     bool m_prepared = false;
-    bool m_told = false;  ///< within its stage: the stop, the move, the reset
+    bool m_stepSent = false;  ///< within its stage: the stop, the move, the reset
     bool m_backedOff = false;
     bool m_watching = false;  ///< the chip has been told what to look for
-    TimePoint m_toldAt;       ///< when the last operation had ended; older statuses tell nothing about it
+    TimePoint m_endedAt;      ///< when the last operation had ended; older statuses tell nothing about it
     TimePoint m_began;        ///< of a stage's time limit
     std::int32_t m_from = 0;  ///< of a search's travel limit
     std::optional<std::int32_t> m_firstReading;

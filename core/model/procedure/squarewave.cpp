@@ -54,7 +54,7 @@ SquareWaveRun::Next SquareWaveRun::edge(const ModuleState& module) {
         sent = orders({m_taken.gains});
     }
     m_taken = {{}, m_taken.goal, goal, m_wanted.period / 2, m_wanted.method, m_taken.gains};
-    m_told = false;
+    m_reported = false;
     ++m_edges;
     m_report.round = (m_edges + 1) / 2;
     for (bus::Order& step : jump(module, goal, m_wanted.method))
@@ -64,7 +64,7 @@ SquareWaveRun::Next SquareWaveRun::edge(const ModuleState& module) {
 }
 
 SquareWaveRun::Next SquareWaveRun::goOn(const ModuleState& module, TimePoint now) {
-    if (!std::exchange(m_told, true)) {
+    if (!std::exchange(m_reported, true)) {
         m_taken.at = module.motionCommandedAt;
         if (m_edges > 1)
             m_report.step = m_taken;

@@ -26,9 +26,9 @@ private:
     [[nodiscard]] std::int32_t span() const override { return m_wanted.counts; }
 
     intent::SquareWave m_wanted;
-    unsigned m_edges = 0;   ///< those that were commanded
-    ResponseTaken m_taken;  ///< the last of them
-    bool m_told = false;    ///< in the report
+    unsigned m_edges = 0;     ///< those that were commanded
+    ResponseTaken m_taken;    ///< the last of them
+    bool m_reported = false;  ///< in the report
     std::optional<servo::SetGain> m_next;
 };
 

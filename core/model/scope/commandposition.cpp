@@ -35,8 +35,8 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
         return;
     countTicks(executed.time, executed.late, executed.early);
     m_verified = std::exchange(m_unsettled, false);
-    const auto gainsBefore = m_told.gains;
-    m_told.apply(*command);
+    const auto gainsBefore = m_registers.gains;
+    m_registers.apply(*command);
     std::visit(Overloaded{
                    [&](const servo::LoadTrajectory& load) {
                        if (load.startNow)
@@ -171,7 +171,7 @@ void CommandPosition::start(const bus::CommandExecuted& executed) {
 
 void CommandPosition::startAs(const bus::CommandExecuted& executed) {
     explain(executed);
-    const servo::LoadTrajectory load = m_told.trajectory();
+    const servo::LoadTrajectory load = m_registers.trajectory();
     const double velocity = load.velocity ? load.velocity->value() / 65'536.0 : 0.0;
     m_commanded = executed.time;
     m_repeated = executed.early > Duration{};
@@ -322,7 +322,7 @@ void CommandPosition::stopAtHome(const Moments& found, TimePoint shows) {
     const servo::StopManner manner = std::exchange(m_homing, std::nullopt)->manner;
     if (manner == servo::StopManner::MotorOff)
         return;  // the status says that it is off
-    m_told.stopped();
+    m_registers.stopped();
     m_effective = shows;
     if (manner == servo::StopManner::Smoothly)
         runAt(0.0, {found.earliest - m_tick / 2, found.likely - m_tick / 2, found.latest - m_tick / 2,

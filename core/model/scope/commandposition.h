@@ -47,7 +47,7 @@ public:
     [[nodiscard]] std::optional<CommandEstimate> at(TimePoint time, Duration late = {}) const;
     /// EL as set in this connection: the servo switches itself off beyond it. Counts.
     [[nodiscard]] std::optional<int> errorLimit() const {
-        return m_told.gains ? std::optional<int>(m_told.gains->el) : std::nullopt;
+        return m_registers.gains ? std::optional<int>(m_registers.gains->el) : std::nullopt;
     }
 
 private:
@@ -110,7 +110,7 @@ private:
     StandingError m_standing;
     TickClock m_ticks;
     bool m_lostCount = false;  ///< of its ticks, in this motion
-    ServoRegisters m_told;
+    ServoRegisters m_registers;
     bool m_servoOn = false;                ///< as commanded or reported, whichever is newer
     TimePoint m_commanded;                 ///< when the last command that changes the motion was carried out
     bool m_repeated = false;               ///< that one, perhaps: it may have been carried out before

@@ -16,17 +16,17 @@ double halfBand(const CommandEstimate& command) {
 
 void StandingError::leave(const CommandEstimate& command) {
     // Of a rest that was too short the doubt counts with what follows.
-    if (m_told)
+    if (m_reported)
         m_before = halfBand(command);
-    m_told = false;
+    m_reported = false;
     m_still.reset();
 }
 
 std::optional<CommandEstimate> StandingError::look(TimePoint time, std::int32_t position, bool moving,
                                                    const CommandEstimate& command) {
-    if (m_told || !m_still.look(time, position, moving))
+    if (m_reported || !m_still.look(time, position, moving))
         return std::nullopt;
-    m_told = true;
+    m_reported = true;
     const double low = command.low - position;
     const double high = command.high - position;
     const double reach = std::max(std::abs(low), std::abs(high));

@@ -27,7 +27,7 @@ public:
 
 private:
     Standstill m_still;
-    bool m_told = false;
+    bool m_reported = false;
     double m_before = 0;               ///< half the band where the last motions began
     double m_own = 0;                  ///< half the band that a motion has left at most
     double m_added = 0;                ///< by motions to half the band, since the shaft stood farthest off

@@ -211,7 +211,7 @@ private:
         const ModuleState* module = moduleAt(index, m_modules);
         if (module == nullptr)
             report(SequenceProblem::Kind::NoSuchModule, index);
-        else if (const auto refusal = whyNotTold(IntentKind::Move, *module)) {
+        else if (const auto refusal = whyInaccessible(IntentKind::Move, *module)) {
             refuse(index, *refusal);
             return nullptr;
         }

@@ -34,8 +34,8 @@ struct SequenceNews {
     void operator()(
         const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::OperationFinished,
                     bus::CommandRefused, bus::GroupChanged, bus::RateChanged, bus::RateChangeFailed,
-                    bus::UnacknowledgedStopConfirmed, bus::Readdressed, bus::AddressChanged,
-                    bus::ReaddressFailed, bus::EchoNoticed, bus::PathProgress> auto&) const {}
+                    bus::OwedStopConfirmed, bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed,
+                    bus::EchoNoticed, bus::PathProgress> auto&) const {}
 };
 
 }  // namespace nmc

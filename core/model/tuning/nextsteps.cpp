@@ -23,7 +23,7 @@ struct Sizes {
 
 }  // namespace
 
-bool tellMuch(std::span<const std::int32_t> made) {
+bool informative(std::span<const std::int32_t> made) {
     const auto goesBack = [](std::int32_t counts) { return counts < 0; };
     if (made.empty() || std::all_of(made.begin(), made.end(), goesBack) ||
         std::none_of(made.begin(), made.end(), goesBack))

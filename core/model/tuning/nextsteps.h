@@ -10,7 +10,7 @@
 namespace nmc {
 
 /// Both ways, and in two sizes.
-[[nodiscard]] bool tellMuch(std::span<const std::int32_t> made);
+[[nodiscard]] bool informative(std::span<const std::int32_t> made);
 
 /// There and back by that distance, then by twice as much; where that would be too long (kLongestStep), by
 /// the longest and by half of it. The motor ends where it was.

@@ -58,8 +58,7 @@ TEST_F(Chainwide, AGroupStopsAtOnceAndSoDoesTheStore) {
     ASSERT_EQ(carryOut(bus::GroupCommand{0xA0, bus::GroupCommand::Action::StartMotion}), bus::Outcome::Done);
     ASSERT_TRUE(connection.waitUntil([&] { return sim.state(2)[u"position"_s].toInt() > 100; }));
     ASSERT_EQ(carryOut(bus::GroupCommand{0xA0, bus::GroupCommand::Action::StopAbruptly}), bus::Outcome::Done);
-    EXPECT_TRUE(
-        connection.waitUntil([&] { return connection.count<bus::UnacknowledgedStopConfirmed>() == 2; }));
+    EXPECT_TRUE(connection.waitUntil([&] { return connection.count<bus::OwedStopConfirmed>() == 2; }));
     const int place = sim.state(2)[u"position"_s].toInt();
     EXPECT_TRUE(connection.waitUntil([&] { return !connection.module(1).moving(); }));
     EXPECT_NEAR(sim.state(2)[u"position"_s].toInt(), place, 5);

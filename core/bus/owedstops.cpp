@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bus/unacknowledgedstops.h"
+#include "bus/owedstops.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,14 +22,13 @@ constexpr Duration kBlindEvery = std::chrono::milliseconds(500);
 
 }  // namespace
 
-bool UnacknowledgedStops::untold() const {
+bool OwedStops::anyUnsent() const {
     return std::any_of(m_chain.modules().begin(), m_chain.modules().end(), [&](const Chain::Module& module) {
-        return module.owed && module.owed->target.stopUnacknowledged() &&
-               !blindly(module.belief.info().index);
+        return module.owed && module.owed->target.needsStop() && !blindly(module.belief.info().index);
     });
 }
 
-std::optional<TimePoint> UnacknowledgedStops::due() const {
+std::optional<TimePoint> OwedStops::due() const {
     std::optional<TimePoint> first;
     for (const Chain::Module& module : m_chain.modules())
         if (module.owed && (!first || module.owed->due < *first))
@@ -37,18 +36,18 @@ std::optional<TimePoint> UnacknowledgedStops::due() const {
     return first;
 }
 
-bool UnacknowledgedStops::wants(TimePoint now) const {
+bool OwedStops::wants(TimePoint now) const {
     const auto first = due();
     return first && *first <= now;
 }
 
-bool UnacknowledgedStops::blindly(ModuleIndex module) const {
+bool OwedStops::blindly(ModuleIndex module) const {
     // One that was given up for its errors is still asked: only that can confirm its stop.
     const bool silent = !m_chain.answers(module) && !m_chain.schedule().retired(module);
     return m_blind || m_line.baud() != m_chain.rate() || silent;
 }
 
-Next UnacknowledgedStops::next(TimePoint now) {
+Next OwedStops::next(TimePoint now) {
     if (Line::Script script = groupScript(now); !script.empty())
         return script;
     Chain::Module* asked = nullptr;
@@ -77,7 +76,7 @@ Next UnacknowledgedStops::next(TimePoint now) {
 }
 
 /// The leader's answer is dropped: each member answers for itself.
-Line::Script UnacknowledgedStops::groupScript(TimePoint now) {
+Line::Script OwedStops::groupScript(TimePoint now) {
     std::vector<Order> stops;
     for (const ModuleIndex module : std::exchange(m_together, {})) {
         const auto& owed = m_chain.at(module).owed;
@@ -91,7 +90,7 @@ Line::Script UnacknowledgedStops::groupScript(TimePoint now) {
     for (const Order& stop : stops) {
         const PacketBytes packet = toPacket({*group, payloadOf(stop.command)});
         const TimePoint latched = m_line.latchTime(packet.size(), now);
-        m_chain.tell(stop.module, stop.command, latched);
+        m_chain.noteSent(stop.module, stop.command, latched);
         m_chain.at(stop.module).owed->target.onBlindSent(StopTarget::Blind{stop.command, latched});
     }
     Line::Script script{Line::Gap{}};
@@ -102,7 +101,7 @@ Line::Script UnacknowledgedStops::groupScript(TimePoint now) {
 }
 
 /// All that are due, in one go, at the rate of the chain; the port then goes back to where it was.
-Next UnacknowledgedStops::blindScript(TimePoint now) {
+Next OwedStops::blindScript(TimePoint now) {
     std::vector<Order> stops;
     for (Chain::Module& module : m_chain.modules()) {
         const ModuleIndex index = module.belief.info().index;
@@ -115,7 +114,7 @@ Next UnacknowledgedStops::blindScript(TimePoint now) {
     if (stops.empty())
         return Again{};
     for (const Order& stop : stops)  // nothing is answered before the script is over
-        m_chain.tell(stop.module, stop.command, m_line.latchTime(0, now));
+        m_chain.noteSent(stop.module, stop.command, m_line.latchTime(0, now));
     const std::uint32_t here = m_line.baud();
     Line::Script script{Line::Gap{}};
     if (here != m_chain.rate())
@@ -132,7 +131,7 @@ Next UnacknowledgedStops::blindScript(TimePoint now) {
 }
 
 /// The first answer after a stop that went to the whole group.
-void UnacknowledgedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
+void OwedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
     auto& owed = m_chain.at(*ask.module).owed;
     if (const auto blind = owed ? owed->target.takeBlind() : std::nullopt)
         m_events.emplace_back(CommandExecuted{*ask.module,
@@ -142,18 +141,18 @@ void UnacknowledgedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
                                               m_chain.takeUnanswered(*ask.module, blind->latched)});
 }
 
-Line::Script UnacknowledgedStops::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {
+Line::Script OwedStops::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {
     auto& owed = m_chain.at(*ask.module).owed;
     if (!owed)
         return {};  // superseded while its question was on its way
     owed->target.onReply(end, m_chain.belief(*ask.module), now);
     if (owed->target.stopped()) {
-        m_events.emplace_back(UnacknowledgedStopConfirmed{*ask.module, owed->cause});
+        m_events.emplace_back(OwedStopConfirmed{*ask.module, owed->cause});
         owed.reset();
         return {};
     }
     const bool looked = !ask.reported && end.result == ReplyResult::Accepted;
-    const bool moves = looked && !owed->target.stopUnacknowledged() && !owed->target.almostStopped();
+    const bool moves = looked && !owed->target.needsStop() && !owed->target.almostStopped();
     owed->looks += moves ? 1U : 0U;
     owed->due = ask.handlesFailure && unanswered(end.result) ? now + kBlindEvery
                 : owed->target.silences() > kAtOnce          ? now + kAfterSilence

@@ -14,18 +14,18 @@ namespace nmc::bus {
 /// all, again while the module moves on, blindly and for ever while it does not answer, and at once when it
 /// is heard again. Only a confirmation ends one, or a start that the operator asks for after the end of a
 /// hold.
-class UnacknowledgedStops : public Task {
+class OwedStops : public Task {
 public:
-    UnacknowledgedStops(Chain& chain, Recovery& recovery, const Line& line, std::vector<Event>& events)
+    OwedStops(Chain& chain, Recovery& recovery, const Line& line, std::vector<Event>& events)
         : m_chain(chain), m_recovery(recovery), m_line(line), m_events(events) {}
 
     /// Somebody looks for the chain: questions would be in his way, so stops go out blindly.
     void setBlind(bool blind) { m_blind = blind; }
     /// These are owed their stops in the same tick: one packet to their group goes out first, where that is
     /// the same. Each is told and looked at by itself after that.
-    void tellTogether(std::vector<ModuleIndex> modules) { m_together = std::move(modules); }
+    void sendTogether(std::vector<ModuleIndex> modules) { m_together = std::move(modules); }
     /// A module that answers has not been told yet.
-    [[nodiscard]] bool untold() const;
+    [[nodiscard]] bool anyUnsent() const;
 
     [[nodiscard]] bool wants(TimePoint now) const override;
     [[nodiscard]] Next next(TimePoint now) override;
