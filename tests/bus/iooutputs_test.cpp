@@ -79,7 +79,7 @@ TEST(IoOutputs, WhatNobodyHereHasStoredMayBeAnything) {
     IoOutputs outputs = with(kPump);
     tell(outputs, io::SetOutput{0});
     tell(outputs, io::SynchOutput{});
-    EXPECT_EQ(outputs.told(), std::nullopt);
+    EXPECT_EQ(outputs.levels(), std::nullopt);
     EXPECT_EQ(outputs.stop(), std::nullopt) << "the lamp may be on or off";
     outputs.onPins(kPumpAndLamp);
     EXPECT_EQ(outputs.stop(), pins(0x0001)) << "outputs read back";

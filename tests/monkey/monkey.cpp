@@ -532,14 +532,14 @@ void Monkey::befall() {
     note(inWords(strike.line));
     m_oath->fault(virtualtime::now() + lasts);
     if (m_strikes % kFaultsAtOnce == 0)
-        m_chain.noteSent("fault clear");
+        m_chain.tell("fault clear");
     // On the simulator's page they may have been told to follow the travel.
     if (QLatin1StringView(strike.line).contains("limit"_L1))
-        m_chain.noteSent(inWords("set %1 limits manual"));
-    m_chain.noteSent(inWords(strike.line));
+        m_chain.tell(inWords("set %1 limits manual"));
+    m_chain.tell(inWords(strike.line));
     if (*strike.end != '\0') {
         wait(lasts);
-        m_chain.noteSent(inWords(strike.end));
+        m_chain.tell(inWords(strike.end));
     }
 }
 

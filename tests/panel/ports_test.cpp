@@ -169,7 +169,7 @@ TEST(SlowAdapter, AtOneMillisecondIsNotSlow) {
     PortController controller(machine.places());
     EXPECT_EQ(controller.adapterLatency(port), std::chrono::milliseconds(4)) << "never below";
     int told = 0;
-    QObject::connect(&controller, &PortController::told, [&told] { ++told; });
+    QObject::connect(&controller, &PortController::reported, [&told] { ++told; });
     controller.opening({port, 19'200});
     controller.noteRate(200);
     EXPECT_EQ(told, 0);
