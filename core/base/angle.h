@@ -5,7 +5,7 @@
 
 namespace nmc {
 
-/// In one radian.
+/// Degrees per radian.
 inline constexpr double kDegrees = 180 / std::numbers::pi;
 
 }  // namespace nmc

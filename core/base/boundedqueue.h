@@ -9,15 +9,15 @@
 
 namespace nmc {
 
-/// Hands values from one thread to another. When full, the oldest value makes room and is counted: the reader
-/// of a status stream wants the newest, and nothing may grow without bound (faults.md N8).
-/// All members may be called from any thread.
+/// Passes values from one thread to another. When the queue is full, the oldest value is discarded and
+/// counted: the reader of a status stream wants the newest, and nothing may grow without bound (faults.md
+/// N8). All members may be called from any thread.
 template <typename T>
 class BoundedQueue {
 public:
     explicit BoundedQueue(std::size_t capacity) : m_capacity(capacity) {}
 
-    /// Returns true when the queue was empty before, that is when the reader needs waking.
+    /// Returns true when the queue was empty before, that is, when the reader needs waking.
     bool push(T value) {
         const std::scoped_lock lock(m_mutex);
         const bool wasEmpty = m_values.empty();
@@ -29,7 +29,7 @@ public:
         return wasEmpty;
     }
 
-    /// Takes everything that is there, oldest first.
+    /// Removes and returns all values, oldest first.
     [[nodiscard]] std::vector<T> takeAll() {
         const std::scoped_lock lock(m_mutex);
         std::vector<T> values(std::make_move_iterator(m_values.begin()),

@@ -16,8 +16,8 @@ namespace nmc {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
-/// A byte string with a fixed capacity and no allocation. push_back beyond the capacity is a programming
-/// error.
+/// A byte string of fixed capacity that never allocates. Calling push_back beyond the capacity is a
+/// programming error.
 template <std::size_t Capacity>
 class ByteBuffer {
 public:
@@ -36,7 +36,7 @@ public:
         for (std::uint8_t b : bytes)
             push_back(b);
     }
-    /// Appends `value` least significant byte first, as everything on this bus is.
+    /// Appends `value` least significant byte first, the byte order of everything on this bus.
     template <std::integral T>
     constexpr void appendLittleEndian(T value) {
         auto rest = static_cast<std::make_unsigned_t<T>>(value);

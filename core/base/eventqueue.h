@@ -10,16 +10,16 @@
 
 namespace nmc {
 
-/// Hands values of two kinds from one thread to another, in one order. News, each of which says something
-/// that no other says, are all kept: they are as few as what happens. Samples come as fast as the wire
-/// carries, and the reader wants the newest: when `samples` of them wait, the oldest makes room and is
-/// counted (faults.md N8). All members may be called from any thread.
+/// Passes values of two kinds from one thread to another in a single order. News items are all kept, because
+/// each carries information that no other does; there are only as many as there are events. Samples arrive as
+/// fast as the line can carry them, and the reader wants the newest: when `samples` of them are waiting, the
+/// oldest is discarded and counted (faults.md N8). All members may be called from any thread.
 template <typename T>
 class EventQueue {
 public:
     explicit EventQueue(std::size_t samples) : m_capacity(samples) {}
 
-    /// Both return true when the queue was empty before, that is when the reader needs waking.
+    /// Both return true when the queue was empty before, that is, when the reader needs waking.
     bool pushNews(T value) {
         const std::scoped_lock lock(m_mutex);
         return push(m_news, std::move(value));
@@ -33,7 +33,7 @@ public:
         return push(m_samples, std::move(value));
     }
 
-    /// Takes everything that is there, oldest first.
+    /// Removes and returns all values, oldest first.
     [[nodiscard]] std::vector<T> takeAll() {
         const std::scoped_lock lock(m_mutex);
         std::vector<T> values;
@@ -48,7 +48,7 @@ public:
         return values;
     }
 
-    /// Samples that had to make room, so far.
+    /// The number of samples discarded so far.
     [[nodiscard]] std::size_t dropped() const {
         const std::scoped_lock lock(m_mutex);
         return m_dropped;

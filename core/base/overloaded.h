@@ -6,8 +6,8 @@
 
 namespace nmc {
 
-/// Takes a variant apart with std::visit, one function for each alternative: a new one is a compile error,
-/// and never falls into the branch of another.
+/// Builds a visitor for std::visit from one function per alternative: a new alternative is a compile error
+/// and never falls into another's branch.
 template <typename... Functions>
 struct Overloaded : Functions... {
     using Functions::operator()...;
@@ -15,7 +15,7 @@ struct Overloaded : Functions... {
 template <typename... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
-/// The alternatives that one function takes, each by its name.
+/// Constrains one function of a visitor to the alternatives listed by name.
 template <typename T, typename... Named>
 concept AnyOf = (std::same_as<T, Named> || ...);
 

@@ -6,7 +6,7 @@
 
 namespace nmc {
 
-/// A number with a meaning: two Strong types never mix by accident. Arithmetic is done on value().
+/// A number with a meaning: two Strong types cannot be mixed by accident. Arithmetic is done on value().
 template <typename Tag, typename Rep>
 class Strong {
 public:
@@ -19,15 +19,15 @@ private:
     Rep m_value{};
 };
 
-/// Place of a module in the order of addressing; 0 is the module farthest from the host (DS-V 4.1).
+/// Place of a module in the addressing order; 0 is the module farthest from the host (DS-V 4.1).
 using ModuleIndex = Strong<struct ModuleIndexTag, std::uint8_t>;
 
 /// The address byte of a packet: individual 0..255, or a group's 0x80..0xFF (DS-V 4.1).
 using BusAddress = Strong<struct BusAddressTag, std::uint8_t>;
 
-/// Position in encoder counts, or steps. 32 bits, as on the chips; wraps.
+/// Position in encoder counts or steps. It has 32 bits, as on the chips, and wraps.
 using Counts = Strong<struct CountsTag, std::int32_t>;
-/// From one position to another, the way that does not go through the wrap.
+/// The signed distance from one position to another, taken the short way round the 32-bit wrap.
 [[nodiscard]] constexpr std::int32_t countsBetween(std::int32_t from, std::int32_t to) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
 }

@@ -7,15 +7,15 @@
 
 namespace nmc {
 
-/// Without the blanks around it.
+/// Returns `text` without leading and trailing blanks.
 [[nodiscard]] inline std::string_view trimmed(std::string_view text, std::string_view blanks = " \t") {
     const auto first = text.find_first_not_of(blanks);
     return first == std::string_view::npos ? std::string_view()
                                            : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// Its first bytes as one line of a file, whatever a port or a module is called: '?' in place of line ends
-/// and other control characters.
+/// Returns the first `most` bytes of `text` as a single line of a file: line ends and other control
+/// characters, which the name of a port or a module may contain, become '?'.
 [[nodiscard]] inline std::string oneLine(std::string_view text, std::size_t most) {
     std::string line(text.substr(0, most));
     std::replace_if(

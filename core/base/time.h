@@ -6,8 +6,8 @@
 
 namespace nmc {
 
-/// The time base of bus and simulator. It has no now(): time is stamped at the transport (or by a test)
-/// and handed in, so that everything in core runs in virtual time as well.
+/// The time base of bus and simulator. It has no now(): the transport (or a test) takes the time stamps and
+/// passes them in, so that everything in core also runs in virtual time.
 struct BusClock {
     using rep = std::int64_t;
     using period = std::nano;
@@ -25,7 +25,8 @@ inline constexpr Duration kServoTick = std::chrono::microseconds(512);
 [[nodiscard]] constexpr double toSeconds(Duration d) {
     return static_cast<double>(d.count()) * 1e-9;
 }
-/// Servo ticks per second at a servo rate, SR, which stretches each tick (DS-V 4.3); 0 counts as 1.
+/// Servo ticks per second at servo rate SR, which multiplies the length of each tick (DS-V 4.3); 0 counts as
+/// 1.
 [[nodiscard]] constexpr double ticksPerSecond(int servoRate) {
     return 1.0 / (toSeconds(kServoTick) * (servoRate < 1 ? 1 : servoRate));
 }

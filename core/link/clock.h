@@ -10,17 +10,17 @@
 
 namespace nmc {
 
-/// The monotonic clock: the one place where time comes from.
+/// The monotonic clock: the only source of time.
 [[nodiscard]] TimePoint monotonicNow();
 
-/// How long this machine has been suspended since it was started.
+/// How long this machine has been suspended since boot.
 [[nodiscard]] Duration asleepSoFar();
 
-/// Asks for this thread's timers to fire when they are due instead of up to 50 us later.
+/// Makes this thread's timers fire when they are due instead of up to 50 us later.
 void wantFineTimers();
 
-/// poll(2) until a time point, to the nanosecond; without one, for ever. Returns what poll returns; an
-/// interrupting signal counts as nothing ready.
+/// poll(2) with a deadline of nanosecond resolution; without one it waits forever. Returns what poll returns;
+/// an interrupting signal counts as nothing ready.
 int pollUntil(std::span<pollfd> fds, std::optional<TimePoint> until);
 
 }  // namespace nmc

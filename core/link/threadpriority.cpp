@@ -11,10 +11,10 @@ namespace nmc {
 
 namespace {
 
-/// Enough to go before what a desktop runs; what a machine needs to live is at the lower ones.
+/// Enough to take precedence over desktop programs; what a machine needs to operate has lower values.
 constexpr int kWantedNice = -11;
 
-/// The least nice value this user may have (getrlimit(2): the limit is 20 minus that).
+/// The lowest nice value that this user may have (getrlimit(2): 20 minus the limit).
 [[nodiscard]] int allowedNice() {
     rlimit limit{};
     if (::getrlimit(RLIMIT_NICE, &limit) != 0)

@@ -5,17 +5,17 @@
 
 namespace nmc {
 
-/// How far the system went along.
+/// What the system has granted.
 enum class ThreadPreference : std::uint8_t {
-    RealTime,  ///< goes before every ordinary thread
-    Nice,      ///< gets more of the processor than those
-    None,      ///< this user may not
+    RealTime,  ///< precedes every ordinary thread
+    Nice,      ///< gets a larger share of the processor than ordinary threads
+    None,      ///< this user may have neither
 };
 
 /// A stop must not wait until the scheduler has served everybody else: the calling thread, which hardly ever
-/// computes, goes before the others as far as the user may have that (RLIMIT_RTPRIO, RLIMIT_NICE,
-/// CAP_SYS_NICE). Threads and processes that it starts do not inherit it. QThread's priorities do nothing
-/// here under Linux.
+/// computes, is given precedence as far as the user's limits allow (RLIMIT_RTPRIO, RLIMIT_NICE,
+/// CAP_SYS_NICE). Threads and processes that it starts do not inherit this. QThread's priorities have no
+/// effect under Linux.
 ThreadPreference preferThisThread();
 
 }  // namespace nmc

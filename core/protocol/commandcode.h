@@ -5,8 +5,8 @@
 
 namespace nmc {
 
-/// The low nibble of a command byte (DS-V 5.1, DS-S 5.1). Some mean different things to the chips; a
-/// PIC-I/O has neither 9, B nor D.
+/// The low nibble of a command byte (DS-V 5.1, DS-S 5.1). Some codes mean different things to different
+/// chips; a PIC-I/O has neither 9, B nor D.
 enum class CommandCode : std::uint8_t {
     ResetPosition = 0x0,  ///< PIC-I/O: Set Direction
     SetAddress = 0x1,

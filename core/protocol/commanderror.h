@@ -5,14 +5,14 @@
 
 namespace nmc {
 
-/// Why a payload is not the command that was asked for.
+/// Why a payload could not be decoded as the requested command.
 enum class CommandError : std::uint8_t {
     WrongCode,
-    Length,      ///< the control byte, or the command, announces another number of data bytes
+    Length,      ///< the control byte, or the command, calls for a different number of data bytes
     OutOfRange,  ///< a value outside the data sheet's range
 };
 
-/// An inclusive range of a data sheet.
+/// An inclusive range from a data sheet.
 struct ValueRange {
     std::int64_t min;
     std::int64_t max;

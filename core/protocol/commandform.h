@@ -14,10 +14,10 @@
 #include "protocol/moduletype.h"
 #include "protocol/status.h"
 
-/// A command says once what it is made of: kCode, and `fields(form, command)`, which shows each field to a
-/// form. PayloadWriter, PayloadReader and the describer of describe.cpp are such forms. Values come in the
-/// order in which they are sent, least significant byte first; bits all belong to one control byte, which is
-/// sent first, and may be shown in any order.
+/// A command defines its contents once: kCode, and `fields(form, command)`, which presents each field to a
+/// form. PayloadWriter, PayloadReader and the describer in describe.cpp are such forms. Values appear in the
+/// order in which they are sent, least significant byte first; all bits belong to one control byte, which is
+/// sent first, and may appear in any order.
 namespace nmc {
 
 inline constexpr ValueRange kAnyValue{std::numeric_limits<std::int64_t>::min(),
@@ -46,7 +46,7 @@ class PayloadWriter {
 public:
     static constexpr bool kReads = false;
     explicit PayloadWriter(CommandCode code) : m_code(code) {}
-    /// The module is of one of these versions, for what others ignore.
+    /// True when the module has one of these versions. Used for fields that other versions ignore.
     [[nodiscard]] bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) const {
         return true;
     }
@@ -67,20 +67,20 @@ public:
     void number(std::string_view /*name*/, T value, ValueRange /*range*/ = kAnyValue) {
         m_values.appendLittleEndian(rawValue(value));
     }
-    /// A value that a bit announces.
+    /// A value whose presence a control bit announces.
     template <typename T>
     void optional(unsigned number, std::string_view name, const std::optional<T>& value,
                   ValueRange range = kAnyValue) {
         bit(number, value.has_value());
         trailing(name, value, range);
     }
-    /// A value that is there when the command is longer.
+    /// A value that is present when the command is longer.
     template <typename T>
     void trailing(std::string_view name, const std::optional<T>& value, ValueRange range = kAnyValue) {
         if (value)
             this->number(name, *value, range);
     }
-    /// `count` inputs or outputs called name1, name2 and so on; bit 0 is the first.
+    /// `count` inputs or outputs named name1, name2 and so on; bit 0 is the first.
     template <typename T>
     void lines(std::string_view /*words*/, std::string_view /*name*/, unsigned count, T value) {
         number({}, static_cast<T>(value & ((1U << count) - 1U)));
@@ -182,14 +182,14 @@ public:
     void pathPoints(auto& words, Count& count) {
         for (count = 0; !m_rest.empty() && !m_short; ++count) {
             if (count == words.size()) {
-                m_short = true;  // rather too long
+                m_short = true;  // too long, in fact
                 return;
             }
             number({}, words[count]);
         }
     }
     void check(bool condition) { m_right = m_right && condition; }
-    /// Up to so many bytes that the chip takes and does not read.
+    /// Skips up to `most` bytes that the chip accepts but does not read.
     void ignoreRest(std::size_t most) {
         if (m_rest.size() <= most)
             m_rest = {};
@@ -222,8 +222,8 @@ private:
     bool m_right = true;
 };
 
-/// What Set Homing Mode does when home is found, the same on a PIC-SERVO and a PIC-STEP: at most one of the
-/// three.
+/// The actions of Set Homing Mode when home is found, the same on a PIC-SERVO and a PIC-STEP. At most one of
+/// the three may be set.
 void homingStopFields(auto& form, auto& c) {
     form.bit(2, c.motorOff, "motor off");
     form.bit(4, c.stopAbruptly, "stop abruptly");
@@ -244,10 +244,10 @@ template <HasFields Command>
     return writer.payload();
 }
 
-/// The last version of the first data sheet.
+/// The last version covered by the first data sheet.
 inline constexpr ModuleIdentity kFirstServo{ModuleType::Servo, 4};
 
-/// What a module of that version makes of the bytes; it ignores what only later versions read.
+/// Decodes the bytes as a module of that version does; fields that only later versions read are ignored.
 template <HasFields Command>
 [[nodiscard]] tl::expected<Command, CommandError> decode(const Payload& payload,
                                                          const ModuleIdentity& module = kFirstServo) {

@@ -5,7 +5,7 @@ namespace nmc {
 
 namespace {
 
-/// Tries the alternatives of a command set until one owns the code.
+/// Tries the alternatives of a command set in order until one has this code.
 template <typename Variant, std::size_t I = 0>
 tl::expected<Variant, CommandError> decodeAny(const Payload& payload, const ModuleIdentity& module) {
     if constexpr (I == std::variant_size_v<Variant>) {
@@ -27,7 +27,7 @@ tl::expected<ServoCommand, CommandError> decodeAs(const Payload& payload, const 
 
 }  // namespace
 
-/// The first of the commands with a code is the one that all versions know.
+/// Where several commands share a code, the first alternative is the one that all versions know.
 tl::expected<ServoCommand, CommandError> decodeServoCommand(const ModuleIdentity& module,
                                                             const Payload& payload) {
     if (!hasPathBuffer(module))

@@ -18,22 +18,22 @@
 
 namespace nmc {
 
-// Commands that mean the same to several chips (DS-V 5.2, DS-S 5.1). Each struct is the meaning of one
-// command, and says in fields() what it is made of (commandform.h).
+// Commands that mean the same on several chips (DS-V 5.2, DS-S 5.1). Each struct describes one command and
+// lists its contents in fields() (commandform.h).
 
-/// Position, and on a PIC-SERVO the command position, become 0. Not in a trapezoidal move; on a PIC-STEP not
-/// in motion.
+/// Sets the position to 0, and on a PIC-SERVO the command position as well. Not allowed during a trapezoidal
+/// move; on a PIC-STEP, not during any motion.
 struct ResetPosition {
     static constexpr CommandCode kCode = CommandCode::ResetPosition;
     static void fields(auto& form, auto& /*c*/) { form.ignoreRest(1); }
     bool operator==(const ResetPosition&) const = default;
 };
 
-/// New individual address and group; the first one after reset lowers ADDR_OUT.
+/// Sets a new individual address and group; the first one after a reset lowers ADDR_OUT.
 struct SetAddress {
     BusAddress address;
     BusAddress group{0xFF};  ///< 0x80..0xFF
-    bool leader = false;     ///< on the wire: bit 7 of the group byte cleared
+    bool leader = false;     ///< on the wire, bit 7 of the group byte is cleared
     static constexpr CommandCode kCode = CommandCode::SetAddress;
     static void fields(auto& form, auto& c) {
         form.number("address", c.address);
@@ -42,7 +42,7 @@ struct SetAddress {
     bool operator==(const SetAddress&) const = default;
 };
 
-/// Items of every reply from now on, this one included.
+/// Sets the items of every reply from now on, including the reply to this command.
 struct DefineStatus {
     StatusItems items;
     static constexpr CommandCode kCode = CommandCode::DefineStatus;
@@ -50,7 +50,7 @@ struct DefineStatus {
     bool operator==(const DefineStatus&) const = default;
 };
 
-/// Items of this one reply.
+/// Requests items for this one reply.
 struct ReadStatus {
     StatusItems items;
     static constexpr CommandCode kCode = CommandCode::ReadStatus;
@@ -58,14 +58,14 @@ struct ReadStatus {
     bool operator==(const ReadStatus&) const = default;
 };
 
-/// Runs the trajectory that was loaded last.
+/// Runs the trajectory loaded last.
 struct StartMotion {
     static constexpr CommandCode kCode = CommandCode::StartMotion;
     static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const StartMotion&) const = default;
 };
 
-/// To a group of all modules without a leader: a reply would come at the new rate.
+/// Sent to a group of all modules without a leader, because a reply would come at the new rate.
 struct SetBaud {
     std::uint8_t brd = 0;
     static constexpr CommandCode kCode = CommandCode::SetBaud;
@@ -73,28 +73,30 @@ struct SetBaud {
     bool operator==(const SetBaud&) const = default;
 };
 
-/// home := position.
+/// Sets home := position.
 struct SaveAsHome {
     static constexpr CommandCode kCode = CommandCode::SaveAsHome;
     static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const SaveAsHome&) const = default;
 };
 
-/// Only asks for a reply with the defined items.
+/// Does nothing but request a reply with the defined items.
 struct Nop {
     static constexpr CommandCode kCode = CommandCode::Nop;
     static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const Nop&) const = default;
 };
 
-/// Back to the power-up state; no reply. Chips without saved configuration ignore a control byte.
+/// Returns the module to its power-up state; there is no reply. Chips without a saved configuration ignore a
+/// control byte.
 struct HardReset {
     static constexpr CommandCode kCode = CommandCode::HardReset;
     static void fields(auto& form, auto& /*c*/) { form.ignoreRest(1); }
     bool operator==(const HardReset&) const = default;
 };
 
-/// What all versions of a PIC-SERVO have, then what only later ones know: takes() in unsupported.h tells.
+/// First the commands of all PIC-SERVO versions, then those that only later versions know; takes() in
+/// unsupported.h checks whether a module knows one.
 using ServoCommand =
     std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, servo::LoadTrajectory, StartMotion,
                  servo::SetGain, servo::StopMotor, servo::IoControl, servo::SetHoming, SetBaud,
@@ -110,8 +112,8 @@ using IoCommand = std::variant<io::SetDirection, SetAddress, DefineStatus, ReadS
                                io::SynchOutput, io::SetOutput, io::SetSynchOutput, io::SetTimerMode, SetBaud,
                                io::SynchInput, Nop, HardReset>;
 
-/// What the version makes of the bytes: it ignores what only later ones read. A version that is not known is
-/// taken for one of the first data sheet.
+/// Decode the bytes as that version does, ignoring fields that only later versions read. An unknown version
+/// is treated as one from the first data sheet.
 [[nodiscard]] tl::expected<ServoCommand, CommandError> decodeServoCommand(const ModuleIdentity& module,
                                                                           const Payload& payload);
 [[nodiscard]] tl::expected<StepperCommand, CommandError> decodeStepCommand(const Payload& payload);

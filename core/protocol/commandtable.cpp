@@ -7,7 +7,7 @@ namespace nmc {
 
 namespace {
 
-/// The rows of one chip; versions first to last.
+/// The rows of one chip, for versions `first` to `last`.
 struct Rows {
     ModuleType type;
     constexpr CommandRow operator()(int first, int last, CommandCode code, std::string_view key,
@@ -22,8 +22,8 @@ constexpr Rows kServo{ModuleType::Servo};
 constexpr Rows kStep{ModuleType::Stepper};
 constexpr Rows kIo{ModuleType::Io};
 
-// DS-V 5.1, DS-S 5.1, docs/family.md. A version ignores what only later ones read: the bytes of Reset
-// Position and Hard Reset, and those of Set Gain behind its own.
+// DS-V 5.1, DS-S 5.1, docs/family.md. A version ignores bytes that only later versions read: those of Reset
+// Position and Hard Reset, and those that follow its own bytes of Set Gain.
 constexpr std::array kCommands{
     kServo(1, 4, CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 1),
     kServo(5, 5, CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 1),
@@ -45,7 +45,7 @@ constexpr std::array kCommands{
     kServo(1, kAny, CommandCode::Nop, "nop", "No Operation", 0, 0),
     kServo(1, kAny, CommandCode::HardReset, "hard_reset", "Hard Reset", 0, 1),
 
-    // There is no Clear Sticky Bits.
+    // A PIC-STEP has no Clear Sticky Bits.
     kStep(1, kAny, CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 0),
     kStep(1, kAny, CommandCode::SetAddress, "set_address", "Set Address", 2, 2),
     kStep(1, kAny, CommandCode::DefineStatus, "define_status", "Define Status", 1, 1),

@@ -11,8 +11,8 @@
 
 namespace nmc {
 
-/// One command of one chip: the single place that says which versions have it, what it is called and how long
-/// it may be.
+/// One command of one chip. This is the single place that defines which versions have it, its name and its
+/// length.
 struct CommandRow {
     ModuleType type;
     std::uint8_t firstVersion;
@@ -24,10 +24,10 @@ struct CommandRow {
     std::uint8_t maxData;
 };
 
-/// All commands of a module in the order of their codes; empty for one that is not known (isKnown).
+/// All commands of a module in the order of their codes; empty for an unknown module (isKnown).
 [[nodiscard]] std::vector<CommandRow> commandTable(const ModuleIdentity& module);
 
-/// The row for a code, or nothing when the module has no such command or is not known.
+/// The row for a code, or nothing when the module is unknown or has no such command.
 [[nodiscard]] std::optional<CommandRow> findCommand(const ModuleIdentity& module, CommandCode code);
 
 }  // namespace nmc

@@ -25,7 +25,7 @@ std::string itemNames(Module module, StatusItems items) {
     Phrases phrases;
     for (const StatusItemRow& row : statusItemTable(module))
         phrases.addIf(items.has(row.bit), row.name);
-    // Bits that the chip has no item for are "clear to zero".
+    // The data sheets call bits for which the chip has no item "clear to zero".
     const auto beyond = static_cast<std::uint8_t>(items.mask() & ~allItems(module).mask());
     if (beyond != 0)
         phrases.add("undefined " + toHex(std::array{beyond}));
@@ -40,7 +40,8 @@ std::string fixedPoint(std::uint32_t value) {
     return {text.data(), end.ptr};
 }
 
-/// What follows the name of a command; empty when the name says it all. A form of commandform.h.
+/// The text that follows the name of a command; empty when the name says it all. This is a form of
+/// commandform.h.
 class Describer {
 public:
     static constexpr bool kReads = false;
@@ -93,7 +94,7 @@ public:
     void group(BusAddress group, bool leader) {
         m_phrases.add("group " + toHex(std::array{group.value()})).add(leader ? "leader" : "member");
     }
-    /// How long each lasts hangs on the fast path bit, which is not at hand; the speeds do not.
+    /// The duration of each point depends on the fast path bit, which is unknown here; the speeds do not.
     void pathPoints(const auto& words, std::size_t count) {
         if (count == 0)
             return say("start the path");
@@ -142,7 +143,7 @@ std::optional<std::string> sentenceOf(Module module, const Payload& payload) {
 }
 
 std::string describePayload(Module addressee, const Payload& payload) {
-    // A module that is not known is only ever sent what all have in common.
+    // An unknown module is only sent commands that all modules have in common.
     const ModuleIdentity module = isKnown(addressee) ? addressee : kFirstServo;
     const auto row = findCommand(module, payload.code);
     const std::string data = payload.data.empty() ? "no data" : toHex(payload.data);
@@ -153,7 +154,7 @@ std::string describePayload(Module addressee, const Payload& payload) {
     return text ? *text : std::string(row->name) + ", not as the data sheet has it: " + data;
 }
 
-/// Takes the packet that the bytes begin with, as far as it goes.
+/// Returns the packet that the bytes begin with, cut short if the bytes end first.
 ByteSpan firstPacket(ByteSpan bytes) {
     if (bytes.size() < 3)
         return bytes;
@@ -182,7 +183,7 @@ std::string describePacket(Module module, ByteSpan packet) {
 std::string describeCommand(const ModuleIdentity& module, ByteSpan bytes) {
     Phrases parts("; ");
     while (!bytes.empty()) {
-        // Whatever stands in front of a header is skipped by the modules.
+        // The modules skip any bytes in front of a header.
         const auto header = std::find(bytes.begin(), bytes.end(), kHeader);
         const auto before = static_cast<std::size_t>(header - bytes.begin());
         if (before > 0) {
@@ -201,7 +202,7 @@ std::string describeCommand(const ModuleIdentity& module, ByteSpan bytes) {
 }
 
 std::string describeCommand(const ServoCommand& command) {
-    // The SC has every command and every status item.
+    // The SC has every command and every status item, so it can describe any of them.
     return sentence({ModuleType::Servo, kScVersion}, command);
 }
 

@@ -8,26 +8,26 @@
 #include "protocol/moduletype.h"
 #include "protocol/status.h"
 
-/// What bytes on the wire say, in the data sheets' own words, which are not translated. For the packet
-/// monitor and its exports: whatever the bytes are, the answer is a line of text.
+/// Describes the bytes on the wire in the words of the data sheets, which are not translated. This is for the
+/// packet monitor and its exports: any bytes whatever yield a line of text.
 namespace nmc {
 
-/// What the host sent: nulls, one packet or several behind each other, or bytes that are none. `module` is
-/// the one it is for, because the chips share command codes; an unknown one counts as a PIC-SERVO of the
-/// first data sheet. Velocities in counts/tick and accelerations in counts/tick^2, with six digits. Empty for
-/// no bytes.
+/// Describes what the host sent: nulls, one or more packets back to back, or bytes that are no packet.
+/// `module` is the addressee, needed because the chips share command codes; an unknown one is treated as a
+/// PIC-SERVO of the first data sheet. Velocities are in counts/tick and accelerations in counts/tick^2, with
+/// six digits. The result is empty for no bytes.
 ///
 ///     Load Trajectory: position 2000, velocity 1.5, trapezoidal, start now
 ///     16 nulls
 [[nodiscard]] std::string describeCommand(const ModuleIdentity& module, ByteSpan bytes);
 
-/// What a command says, whose version is not at hand.
+/// Describes a command when the module's version is unknown.
 [[nodiscard]] std::string describeCommand(const ServoCommand& command);
 [[nodiscard]] std::string describeCommand(const StepperCommand& command);
 [[nodiscard]] std::string describeCommand(const IoCommand& command);
 
-/// What came back, taken for a reply with these items: items in the order of the wire, then the bits that are
-/// set in the status byte. Damage is told in front of, or instead of, what the bytes would say. Empty for no
+/// Describes a reply, assuming that it carries these items: the items in wire order, then the bits that are
+/// set in the status byte. Damage is reported before, or instead of, the contents. The result is empty for no
 /// bytes.
 ///
 ///     position 1234, velocity 2, move_done power_on

@@ -13,7 +13,8 @@ namespace {
 
 using BitNames = std::array<std::string_view, 8>;
 
-/// The names of the bits that are set. Those of a PIC-STEP have spaces in them, so a plus stands between.
+/// Returns the names of the bits that are set. The names of a PIC-STEP's bits contain spaces, so they are
+/// joined with plus signs.
 std::string bitNames(ModuleType type, const BitNames& names, std::uint8_t bits) {
     Phrases phrases(type == ModuleType::Stepper ? " + " : " ");
     for (unsigned i = 0; i < names.size(); ++i)
@@ -43,7 +44,7 @@ const BitNames& auxBitNames(const ModuleIdentity& module) {
     return hasPathBuffer(module) ? servo::kCmcAuxBitNames : servo::kAuxBitNames;
 }
 
-/// What has no bits with names of their own is a number.
+/// Items without named bits are shown as a number.
 std::string valueOf(const ModuleIdentity& module, const StatusReport& report, std::uint8_t item) {
     const bool io = module.type == ModuleType::Io;
     if (!io && item == StatusItems::Aux)
@@ -93,7 +94,7 @@ std::string describeReply(const ModuleIdentity& module, StatusItems items, ByteS
     std::vector<std::uint8_t> reply(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
     if (const std::uint8_t sum = sum8(ByteSpan(reply).first(length - 1)); sum != reply.back()) {
         phrases.add("sum " + toHex(std::array{reply.back()}) + " instead of " + toHex(std::array{sum}));
-        reply.back() = sum;  // what it would say
+        reply.back() = sum;  // so that the contents can still be shown
     }
     if (const auto report = decodeStatus(module, items, reply))
         phrases.add(describeReport(module, *report));

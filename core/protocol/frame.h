@@ -13,7 +13,7 @@ namespace nmc {
 
 /// First byte of every command packet (DS-V 4.1).
 inline constexpr std::uint8_t kHeader = 0xAA;
-/// A command byte announces 0..15 data bytes.
+/// Maximum number of data bytes, as announced in the command byte.
 inline constexpr std::size_t kMaxData = 15;
 /// Header, address, command, data, checksum.
 inline constexpr std::size_t kMaxPacket = kMaxData + 4;
@@ -21,7 +21,7 @@ inline constexpr std::size_t kMaxPacket = kMaxData + 4;
 using DataBytes = ByteBuffer<kMaxData>;
 using PacketBytes = ByteBuffer<kMaxPacket>;
 
-/// A command and its data bytes, whoever it is for.
+/// A command and its data bytes, regardless of the addressee.
 struct Payload {
     CommandCode code = CommandCode::Nop;
     DataBytes data;
@@ -31,7 +31,7 @@ struct Payload {
     bool operator==(const Payload&) const = default;
 };
 
-/// A payload and the address it is for: what a command packet says.
+/// A payload and its destination address: the contents of a command packet.
 struct Frame {
     BusAddress address;
     Payload payload;
@@ -40,7 +40,7 @@ struct Frame {
 
 enum class FrameError : std::uint8_t { TooShort, NoHeader, LengthMismatch, Checksum };
 
-/// `AA addr cmd data... sum`.
+/// Encodes a packet: `AA addr cmd data... sum`.
 [[nodiscard]] PacketBytes toPacket(const Frame& frame);
 
 /// Reads exactly one packet; the span must hold it and nothing else.

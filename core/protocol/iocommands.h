@@ -6,16 +6,17 @@
 #include "base/overloaded.h"
 #include "protocol/commandform.h"
 
-/// The commands that only a PIC-I/O has (docs/family.md). Of its twelve pins, bit 0 is IO1 and bit 11 IO12.
+/// The commands that only a PIC-I/O has (docs/family.md). In masks of its twelve pins, bit 0 is IO1 and bit
+/// 11 is IO12.
 namespace nmc::io {
 
 inline constexpr unsigned kPins = 12;
 inline constexpr int kAnalogInputs = 3;
 inline constexpr std::uint16_t kAllPins = 0x0FFF;
-/// The timer's clock before its prescaler.
+/// The timer's clock frequency before the prescaler.
 inline constexpr std::uint32_t kTimerHz = 5'000'000;
 
-/// After power-up all pins are inputs.
+/// Selects which pins are inputs; after power-up all of them are.
 struct SetDirection {
     std::uint16_t inputs = kAllPins;
     static constexpr CommandCode kCode = CommandCode::ResetPosition;
@@ -23,7 +24,7 @@ struct SetDirection {
     bool operator==(const SetDirection&) const = default;
 };
 
-/// 0..255 of 19.53 kHz, at once.
+/// Duty cycles, 0..255, of the 19.53 kHz PWM outputs; they take effect immediately.
 struct SetPwm {
     std::uint8_t pwm1 = 0;
     std::uint8_t pwm2 = 0;
@@ -35,14 +36,15 @@ struct SetPwm {
     bool operator==(const SetPwm&) const = default;
 };
 
-/// Puts out what Set Synch Output has stored, in all modules of a group at once. The code of Start Motion.
+/// Outputs the values stored by Set Synch Output, in all modules of a group at once. It has the code of Start
+/// Motion.
 struct SynchOutput {
     static constexpr CommandCode kCode = CommandCode::StartMotion;
     static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const SynchOutput&) const = default;
 };
 
-/// Bits of inputs are ignored.
+/// Sets the output pins; the bits of input pins are ignored.
 struct SetOutput {
     std::uint16_t outputs = 0;
     static constexpr CommandCode kCode = CommandCode::SetGain;
@@ -50,7 +52,7 @@ struct SetOutput {
     bool operator==(const SetOutput&) const = default;
 };
 
-/// Stored until Synch Output.
+/// Stores output values until Synch Output applies them.
 struct SetSynchOutput {
     std::uint16_t outputs = 0;
     std::uint8_t pwm1 = 0;
@@ -64,13 +66,13 @@ struct SetSynchOutput {
     bool operator==(const SetSynchOutput&) const = default;
 };
 
-/// Bits 5, 4 of the mode byte: counts every 1st, 2nd, 4th or 8th.
+/// Bits 5, 4 of the mode byte: every 1st, 2nd, 4th or 8th pulse is counted.
 enum class Prescaler : std::uint8_t { X1 = 0, X2 = 1, X4 = 2, X8 = 3 };
 [[nodiscard]] constexpr unsigned divisor(Prescaler prescaler) {
     return 1U << static_cast<unsigned>(prescaler);
 }
 
-/// Timer: counts kTimerHz. Counter: counts rising edges of IO10. The count starts at 0.
+/// A timer counts at kTimerHz; a counter counts rising edges of IO10. The count starts at 0.
 struct SetTimerMode {
     bool enable = false;
     bool counter = false;
@@ -89,14 +91,14 @@ struct SetTimerMode {
     bool operator==(const SetTimerMode&) const = default;
 };
 
-/// Latches inputs and counter, in all modules of a group at once. The code of Save as Home.
+/// Latches the inputs and the counter in all modules of a group at once. It has the code of Save as Home.
 struct SynchInput {
     static constexpr CommandCode kCode = CommandCode::SaveAsHome;
     static void fields(auto& /*form*/, auto& /*c*/) {}
     bool operator==(const SynchInput&) const = default;
 };
 
-/// A command that no other chip knows.
+/// A command that only a PIC-I/O knows.
 template <typename T>
 concept OwnCommand =
     AnyOf<T, SetDirection, SetPwm, SynchOutput, SetOutput, SetSynchOutput, SetTimerMode, SynchInput>;

@@ -11,20 +11,21 @@
 #include "protocol/commandform.h"
 #include "protocol/pathpoint.h"
 
-/// What PIC-SERVO CMC (version 5) and SC (version 10) have beyond the first data sheet (docs/family.md).
+/// Commands that the PIC-SERVO CMC (version 5) and SC (version 10) have beyond the first data sheet
+/// (docs/family.md).
 namespace nmc::servo {
 
 /// Goal and maximum velocity of CMC and SC, 16.16 counts per tick.
 inline constexpr ValueRange kLaterVelocityRange{0, 83'886'080};
 
-/// Reset Position relative to home: position := position - home. CMC and SC.
+/// Resets the position relative to home: position := position - home. CMC and SC only.
 struct ResetRelativeToHome {
     static constexpr CommandCode kCode = CommandCode::ResetPosition;
     static void fields(auto& form, auto& /*c*/) { form.constant(0x03, 0x01, "relative to home"); }
     bool operator==(const ResetRelativeToHome&) const = default;
 };
 
-/// Reset Position to a value; the command position follows. SC.
+/// Sets the position to a value; the command position follows. SC only.
 struct SetPosition {
     Counts position;
     static constexpr CommandCode kCode = CommandCode::ResetPosition;
@@ -35,12 +36,12 @@ struct SetPosition {
     bool operator==(const SetPosition&) const = default;
 };
 
-/// What a limit input does by itself: LIMIT1 stops forward, LIMIT2 reverse motion.
+/// The reaction of the module itself to a limit input: LIMIT1 stops forward motion, LIMIT2 reverse motion.
 enum class LimitStop : std::uint8_t { None, MotorOff, Abruptly };
 
-/// I/O Control of an SC: every bit is applied at each command. Some of them can destroy an amplifier.
+/// I/O Control of an SC. Every command applies every bit, and some of the bits can destroy an amplifier.
 struct ScIoControl {
-    LimitStop limitStop = LimitStop::None;  ///< None with step and direction
+    LimitStop limitStop = LimitStop::None;  ///< must be None with step and direction
     bool threePhase = false;
     bool antiphase = false;
     bool fastPath = false;  ///< path points at 60 and 120 Hz instead of 30 and 60
@@ -62,15 +63,15 @@ struct ScIoControl {
     bool operator==(const ScIoControl&) const = default;
 };
 
-/// Up to seven points into the path buffer; none: starts the path. CMC and SC.
+/// Adds up to seven points to the path buffer; a command without points starts the path. CMC and SC only.
 class AddPathPoints {
 public:
     static constexpr std::size_t kMaxPoints = 7;
     AddPathPoints() = default;
-    /// Nothing for too many points, or for one that cannot be sent (toPathWord).
+    /// Returns nothing for too many points, or if one of them cannot be sent (toPathWord).
     [[nodiscard]] static std::optional<AddPathPoints> of(std::span<const PathPoint> points, bool fastPath);
 
-    /// As on the wire; what they mean hangs on the fast path bit of I/O Control.
+    /// The words as sent; their meaning depends on the fast path bit of I/O Control.
     [[nodiscard]] std::span<const std::uint16_t> words() const { return {m_words.data(), m_count}; }
     [[nodiscard]] bool startsPath() const { return m_count == 0; }
 
@@ -83,16 +84,16 @@ private:
     std::uint8_t m_count = 0;
 };
 
-/// Hard Reset with a control byte, which an SC keeps with its addresses, velocity, acceleration and gains
-/// over a power cycle. SC.
+/// Hard Reset with a control byte, which an SC saves across a power cycle together with its addresses,
+/// velocity, acceleration and gains. SC only.
 struct HardReset {
     bool save = false;  ///< false: erases what was saved
     bool restoreAddresses = false;
-    bool amplifierOn = false;  ///< this and the next only with restored addresses
+    bool amplifierOn = false;  ///< this and the next one only with restored addresses
     bool servoOn = false;
     bool stepAndDirection = false;
     bool limitProtection = false;
-    bool threePhase = false;  ///< this and the next survive a soft reset, too
+    bool threePhase = false;  ///< this and the next one also survive a soft reset
     bool antiphase = false;
 
     static constexpr CommandCode kCode = CommandCode::HardReset;
@@ -110,7 +111,7 @@ struct HardReset {
     bool operator==(const HardReset&) const = default;
 };
 
-/// A command that only CMC or SC know.
+/// A command that only CMC or SC knows.
 template <typename T>
 concept LaterCommand = AnyOf<T, ResetRelativeToHome, SetPosition, ScIoControl, AddPathPoints, HardReset>;
 

@@ -5,23 +5,24 @@
 
 namespace nmc {
 
-/// The type byte of status item 5. Any other value is a module this program does not know.
+/// The type byte of status item 5. A module with any other value is unknown to this program.
 enum class ModuleType : std::uint8_t { Servo = 0, Adc = 1, Io = 2, Stepper = 3 };
 
-/// What a module says it is (status item 5).
+/// The type and version that a module reports (status item 5).
 struct ModuleIdentity {
     ModuleType type = ModuleType::Servo;
     std::uint8_t version = 0;
     bool operator==(const ModuleIdentity&) const = default;
 };
 
-/// Whether there is a command here that stops it. What others take the same bytes for, nobody knows.
+/// True for types that can be stopped with a command defined here. What other types do with the same bytes is
+/// unknown.
 [[nodiscard]] constexpr bool hasStop(ModuleType type) {
     return type == ModuleType::Servo || type == ModuleType::Stepper || type == ModuleType::Io;
 }
 
-/// Members of the family whose data sheet this program follows: PIC-SERVO v1 to v4, PIC-STEP v1. Others may
-/// take the same bytes for something else (protocol.md 5).
+/// True for members of the family whose data sheet this program follows: PIC-SERVO v1 to v4, PIC-STEP v1.
+/// Other modules may interpret the same bytes differently (protocol.md 5).
 [[nodiscard]] constexpr bool hasDataSheet(const ModuleIdentity& module) {
     switch (module.type) {
         case ModuleType::Servo:
@@ -40,8 +41,8 @@ inline constexpr std::uint8_t kPathVersion = 5;
 /// PIC-SERVO SC.
 inline constexpr std::uint8_t kScVersion = 10;
 
-/// Members whose commands and status items are described here: those with a data sheet, PIC-SERVO CMC and SC,
-/// PIC-I/O (docs/family.md).
+/// True for members whose commands and status items are defined here: those with a data sheet, PIC-SERVO CMC
+/// and SC, PIC-I/O (docs/family.md).
 [[nodiscard]] constexpr bool isKnown(const ModuleIdentity& module) {
     switch (module.type) {
         case ModuleType::Servo:
@@ -59,7 +60,7 @@ inline constexpr std::uint8_t kScVersion = 10;
 [[nodiscard]] constexpr bool isSc(const ModuleIdentity& module) {
     return module.type == ModuleType::Servo && module.version == kScVersion;
 }
-/// A PIC-SERVO with items 6 and 7 and Add Path Points: CMC or SC.
+/// True for a PIC-SERVO with items 6 and 7 and Add Path Points: CMC or SC.
 [[nodiscard]] constexpr bool hasPathBuffer(const ModuleIdentity& module) {
     return isSc(module) || (module.type == ModuleType::Servo && module.version == kPathVersion);
 }

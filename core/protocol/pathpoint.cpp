@@ -10,7 +10,7 @@ namespace {
 constexpr unsigned kReverse = 0x01;
 constexpr unsigned kLonger = 0x02;  ///< F
 
-/// The word is speed in 1/256 count per tick: counts x 256 / ticks.
+/// The word holds the speed in 1/256 count per tick: counts x 256 / ticks.
 unsigned scaleOf(PathRate rate) {
     return 256U / static_cast<unsigned>(ticksPerPoint(rate));
 }

@@ -7,7 +7,8 @@
 /// Points of Add Path Points, PIC-SERVO CMC and SC (docs/family.md, Path points).
 namespace nmc::servo {
 
-/// Nominal: a segment takes a whole number of servo ticks, so it is 30.5, 61.0 and 122.1 Hz really.
+/// Nominal rates: a segment takes a whole number of servo ticks, so the real rates are 30.5, 61.0 and 122.1
+/// Hz.
 enum class PathRate : std::uint8_t { Hz30, Hz60, Hz120 };
 
 /// Servo ticks from one point to the next.
@@ -23,29 +24,30 @@ enum class PathRate : std::uint8_t { Hz30, Hz60, Hz120 };
     return 0;
 }
 
-/// As it is called: 30, 60 or 120.
+/// The nominal rate: 30, 60 or 120.
 [[nodiscard]] constexpr int nominalHertz(PathRate rate) {
     return 1920 / ticksPerPoint(rate);
 }
 
-/// The longest segment, in counts either way: the magnitude has 14, 13 or 12 bits.
+/// The longest segment in counts, in either direction: the magnitude has 14, 13 or 12 bits.
 [[nodiscard]] constexpr std::int32_t maxPathCounts(PathRate rate) {
     return 256 * ticksPerPoint(rate) - 1;
 }
 
-/// One segment of a path: so many counts at constant speed.
+/// One segment of a path: a number of counts covered at constant speed.
 struct PathPoint {
     std::int32_t counts = 0;
     PathRate rate = PathRate::Hz60;
     bool operator==(const PathPoint&) const = default;
 };
 
-/// The word on the wire: bit 0 reverse, bit 1 F, above them the magnitude, left-justified. F means 30 Hz, or
-/// 60 Hz with fast path; its absence 60 or 120 Hz. Without those two bits it is the speed in 1/256 count per
-/// tick. Nothing when the rate does not exist with or without fast path, or the segment is too long.
+/// Returns the word as sent: bit 0 reverse, bit 1 F, above them the magnitude, left-justified. F set means 30
+/// Hz, or 60 Hz with fast path; F clear means 60 Hz, or 120 Hz with fast path. Without those two bits the
+/// word is the speed in 1/256 count per tick. Returns nothing when the rate is not available with this fast
+/// path setting, or the segment is too long.
 [[nodiscard]] std::optional<std::uint16_t> toPathWord(const PathPoint& point, bool fastPath);
 
-/// Nothing when a bit is set that its rate wants zero.
+/// Returns nothing when a bit is set that must be zero at the point's rate.
 [[nodiscard]] std::optional<PathPoint> fromPathWord(std::uint16_t word, bool fastPath);
 
 }  // namespace nmc::servo

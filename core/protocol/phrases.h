@@ -9,7 +9,7 @@
 
 namespace nmc::describe {
 
-/// Words with a separator between them.
+/// A list of phrases joined by a separator.
 class Phrases {
 public:
     explicit Phrases(std::string_view separator = ", ") : m_separator(separator) {}
@@ -29,12 +29,12 @@ private:
     std::string_view m_separator;
 };
 
-/// "1 null", "16 nulls"
+/// Returns "1 null" or "16 nulls", for example.
 [[nodiscard]] inline std::string counted(std::size_t count, std::string_view thing) {
     return std::to_string(count) + ' ' + std::string(thing) + (count == 1 ? "" : "s");
 }
 
-/// "IO1 IO12": the lines whose bits are set.
+/// Returns the names of the lines whose bits are set, for example "IO1 IO12".
 [[nodiscard]] inline std::string lineNames(std::string_view name, unsigned count, unsigned bits,
                                            std::string_view none) {
     Phrases phrases(" ");

@@ -21,14 +21,14 @@ inline constexpr ValueRange kServoRateRange{1, 0xFF};        ///< SR
 inline constexpr std::uint8_t kDeadbandVersion = 4;
 /// The first version that can stop by itself when home is found.
 inline constexpr std::uint8_t kAutoStopVersion = 3;
-/// The first version whose I/O Control means something else: ScIoControl.
+/// The first version whose I/O Control has a different layout, that of ScIoControl.
 inline constexpr std::uint8_t kOtherIoVersion = 10;
 /// The first version that has Stop Here.
 inline constexpr std::uint8_t kStopHereVersion = 2;
 
 enum class ProfileMode : std::uint8_t { Trapezoidal, Velocity };
 
-/// Load Trajectory. What is empty is not sent and keeps its value.
+/// Load Trajectory. Empty values are not sent and stay unchanged in the module.
 struct LoadTrajectory {
     std::optional<Counts> position;         ///< goal, trapezoidal mode only
     std::optional<CountsPerTick> velocity;  ///< goal or maximum velocity, a magnitude
@@ -38,8 +38,8 @@ struct LoadTrajectory {
     ProfileMode profile = ProfileMode::Trapezoidal;
     bool reverse = false;  ///< velocity and PWM modes
     bool startNow = false;
-    /// Trapezoidal mode of CMC and SC: position counts from the current command position. The same bit as
-    /// reverse, which older versions ignore in that mode.
+    /// Trapezoidal mode of CMC and SC: the position is relative to the current command position. This is the
+    /// same bit as reverse, which older versions ignore in that mode.
     bool relative = false;
 
     static constexpr CommandCode kCode = CommandCode::LoadTrajectory;
@@ -65,7 +65,8 @@ struct LoadTrajectory {
     bool operator==(const LoadTrajectory&) const = default;
 };
 
-/// Set Gain. 14 data bytes with a deadband (version 4), 13 without, 15 with a step rate multiplier (SC).
+/// Set Gain. It has 14 data bytes with a deadband (version 4), 13 without, and 15 with a step rate multiplier
+/// (SC).
 struct SetGain {
     std::uint16_t kp = 0;
     std::uint16_t kd = 0;
@@ -91,12 +92,12 @@ struct SetGain {
         form.trailing("DB", c.db);
         if (c.db && form.ofVersions(kScVersion))
             form.trailing("SM", c.sm);
-        form.ignoreRest(1);  // the others take the fifteenth byte and do not read it
+        form.ignoreRest(1);  // the other versions accept the fifteenth byte but do not read it
     }
     bool operator==(const SetGain&) const = default;
 };
 
-/// Only one of these at a time (DS-V 5.2 Stop Motor).
+/// Only one of these may be requested at a time (DS-V 5.2 Stop Motor).
 enum class StopManner : std::uint8_t {
     AmplifierOnly,  ///< no motion bit: only AMP_EN is set or cleared
     MotorOff,
@@ -106,10 +107,10 @@ enum class StopManner : std::uint8_t {
 };
 
 struct StopMotor {
-    bool amplifierEnable = false;  ///< AMP_EN is set or cleared whatever else
+    bool amplifierEnable = false;  ///< AMP_EN is set or cleared in any case
     StopManner manner = StopManner::AmplifierOnly;
     Counts here;                    ///< only for StopManner::Here
-    bool advancedFeatures = false;  ///< CMC only: switches them on
+    bool advancedFeatures = false;  ///< CMC only: switches the advanced features on
 
     static constexpr CommandCode kCode = CommandCode::StopMotor;
     static void fields(auto& form, auto& c) {
@@ -129,9 +130,9 @@ struct StopMotor {
     bool operator==(const StopMotor&) const = default;
 };
 
-/// Versions 1 to 5; that of an SC is ScIoControl.
+/// I/O Control of versions 1 to 5; an SC has ScIoControl.
 struct IoControl {
-    bool limit1Output = false;  ///< value when an output
+    bool limit1Output = false;  ///< value when configured as an output
     bool limit2Output = false;
     bool limit1IsInput = true;
     bool limit2IsInput = true;
@@ -151,7 +152,8 @@ struct IoControl {
     bool operator==(const IoControl&) const = default;
 };
 
-/// Set Homing Mode: captures the home position when any of the chosen conditions happens. All false: cancel.
+/// Set Homing Mode: captures the home position when any of the chosen conditions occurs. All false cancels
+/// homing.
 struct SetHoming {
     bool onLimit1Change = false;
     bool onLimit2Change = false;

@@ -5,7 +5,7 @@ namespace nmc {
 
 namespace {
 
-// The first six are all that versions 1 to 4 have.
+// Versions 1 to 4 have only the first six.
 constexpr std::array kServoItems{
     StatusItemRow{StatusItems::Position, "position", 4},
     StatusItemRow{StatusItems::Analog, "A/D value", 1},
@@ -47,7 +47,8 @@ void read(ByteSpan bytes, std::optional<T>& value) {
     value = readLittleEndian<T>(bytes);
 }
 
-/// DS-V 5.2: "the negative of the velocity". -(-32768) does not fit; the chip cannot get there.
+/// The chip sends "the negative of the velocity" (DS-V 5.2). -(-32768) does not fit, but the chip
+/// cannot reach that speed.
 std::int16_t negated(std::int16_t sent) {
     return sent == INT16_MIN ? INT16_MAX : static_cast<std::int16_t>(-sent);
 }
@@ -64,7 +65,7 @@ std::span<const StatusItemRow> statusItemTable(const ModuleIdentity& module) {
         case ModuleType::Adc:
             break;
     }
-    // A module of another type is only ever asked for type and version, which sits at the same bit in all.
+    // A module of another type is only asked for its type and version, which has the same bit in all modules.
     const std::span<const StatusItemRow> servo(kServoItems);
     return hasPathBuffer(module) ? servo : servo.first(kFirstServoItems);
 }

@@ -29,8 +29,8 @@ public:
     static constexpr std::uint8_t Home = 0x10;
     static constexpr std::uint8_t Identity = 0x20;       ///< the same on every chip
     static constexpr std::uint8_t PositionError = 0x40;  ///< PIC-SERVO CMC and SC
-    static constexpr std::uint8_t PathPoints = 0x80;     ///< PIC-SERVO CMC and SC: left in the buffer
-    /// What both data sheets define; bits 6 and 7 are "clear to zero".
+    static constexpr std::uint8_t PathPoints = 0x80;     ///< PIC-SERVO CMC and SC: points left in the buffer
+    /// All items defined by both data sheets; bits 6 and 7 are "clear to zero".
     static constexpr std::uint8_t All = 0x3F;
 
     // PIC-I/O
@@ -62,7 +62,7 @@ struct StatusItemRow {
 /// Every item of the module.
 [[nodiscard]] StatusItems allItems(const ModuleIdentity& module);
 
-/// Bytes of a whole reply: status byte, items, checksum. 2..19.
+/// Bytes in a whole reply, 2..19: status byte, items, checksum.
 [[nodiscard]] std::size_t replyLength(const ModuleIdentity& module, StatusItems items);
 inline constexpr std::size_t kMaxReply = 19;
 
@@ -95,7 +95,10 @@ struct AuxByte {
 /// Auxiliary status byte of a PIC-SERVO SC.
 struct ScAuxByte {
     std::uint8_t bits = 0;
-    [[nodiscard]] constexpr bool index() const { return (bits & 0x01U) != 0; }  ///< not its complement
+    [[nodiscard]] constexpr bool index() const {
+        return (bits & 0x01U) != 0;
+    }  ///< the pin itself, not its
+       ///< complement
     [[nodiscard]] constexpr bool positionWrap() const { return (bits & 0x02U) != 0; }
     [[nodiscard]] constexpr bool servoOn() const { return (bits & 0x04U) != 0; }
     [[nodiscard]] constexpr bool accelerating() const { return (bits & 0x08U) != 0; }
@@ -104,11 +107,11 @@ struct ScAuxByte {
     [[nodiscard]] constexpr bool pathMode() const { return (bits & 0x40U) != 0; }
     bool operator==(const ScAuxByte&) const = default;
 };
-/// The same in the terms of the first data sheet, so that nobody above the wire has to know the two: what an
-/// SC calls slew is the constant speed between acceleration and deceleration, and its index is the pin
+/// Converts the byte to the terms of the first data sheet, so that code above the wire need not know both: an
+/// SC's slew bit is set at constant speed between acceleration and deceleration, and its index bit is the pin
 /// itself.
 [[nodiscard]] AuxByte toAuxByte(ScAuxByte sc);
-/// The data sheet's names of the bits, bit 0 first; empty where undefined.
+/// The data sheet's bit names, bit 0 first; empty where undefined.
 inline constexpr std::array<std::string_view, 8> kStatusBitNames{
     "move_done", "cksum_error", "overcurrent", "power_on",
     "pos_error", "limit1",      "limit2",      "home_in_progress"};
@@ -167,37 +170,37 @@ struct StatusByte {
 inline constexpr std::array<std::string_view, 8> kStatusBitNames{"", "cksum_error", "", "", "", "", "", ""};
 }  // namespace io
 
-/// One decoded reply. An item that was not asked for is empty.
+/// One decoded reply. Items that were not requested are empty.
 struct StatusReport {
     StatusItems items;
     std::uint8_t status = 0;
-    std::optional<std::int32_t> position;     ///< counts or steps
-    std::optional<std::uint8_t> analog;       ///< A/D, 255 = 5 V
-    std::optional<std::int16_t> velocity;     ///< PIC-SERVO, counts/tick; up to v4 the wire has its negative
+    std::optional<std::int32_t> position;  ///< counts or steps
+    std::optional<std::uint8_t> analog;    ///< A/D, 255 = 5 V
+    std::optional<std::int16_t> velocity;  ///< PIC-SERVO, counts/tick; up to v4 the wire carries its negative
     std::optional<std::uint16_t> timerCount;  ///< PIC-STEP, current initial timer count
     std::optional<std::uint8_t> aux;          ///< PIC-SERVO auxiliary status or PIC-STEP inputs
     std::optional<std::int32_t> home;
     std::optional<ModuleIdentity> identity;
     std::optional<std::int16_t> positionError;  ///< CMC and SC, counts: command position - position
-    std::optional<std::uint8_t> pathPoints;     ///< CMC and SC: left in the path buffer
+    std::optional<std::uint8_t> pathPoints;     ///< CMC and SC: points left in the path buffer
 
     // PIC-I/O
     std::optional<std::uint16_t> pins;                   ///< bit 0 is IO1, bit 11 IO12
     std::array<std::optional<std::uint8_t>, 3> analogs;  ///< A/D 1 to 3, 255 = 5 V
     std::optional<std::uint32_t> counter;                ///< or timer
-    std::optional<std::uint16_t> latchedPins;            ///< by Synch Input
+    std::optional<std::uint16_t> latchedPins;            ///< latched by Synch Input
     std::optional<std::uint32_t> latchedCounter;
 
     [[nodiscard]] servo::StatusByte servoStatus() const { return {status}; }
     [[nodiscard]] stepper::StatusByte stepperStatus() const { return {status}; }
     [[nodiscard]] io::StatusByte ioStatus() const { return {status}; }
-    /// Bit 1 means the same on all chips: the command was refused and not carried out.
+    /// Bit 1 means the same on all chips: the module refused the command (NAK) and did not carry it out.
     [[nodiscard]] bool commandRefused() const { return (status & 0x02U) != 0; }
     bool operator==(const StatusReport&) const = default;
 };
 
-/// Calls `function` with the member that holds this item, of each of the reports: StatusReports, const or
-/// not. With those of statusItemTable() it knows every item.
+/// Calls `function` with the member of each report that holds this item. The reports are StatusReports, const
+/// or not. Every item in statusItemTable() is covered.
 template <typename Function, typename... Reports>
 void visitItem(const ModuleIdentity& module, std::uint8_t item, Function function, Reports&... reports) {
     if (item == StatusItems::Identity)
@@ -243,12 +246,13 @@ void visitItem(const ModuleIdentity& module, std::uint8_t item, Function functio
     }
 }
 
-/// Takes over every item that `from` carries; what it does not carry keeps its last value.
+/// Copies every item that `from` carries; items that it does not carry keep their last value.
 void merge(const ModuleIdentity& module, StatusReport& into, const StatusReport& from);
 
 enum class StatusError : std::uint8_t { Length, Checksum };
 
-/// Decodes a whole reply, whose layout the host must know beforehand: there is neither header nor length.
+/// Decodes a whole reply. The host must know the layout beforehand, because a reply has neither header nor
+/// length.
 [[nodiscard]] tl::expected<StatusReport, StatusError> decodeStatus(const ModuleIdentity& module,
                                                                    StatusItems items, ByteSpan reply);
 

@@ -12,18 +12,18 @@ namespace nmc::stepper {
 
 inline constexpr ValueRange kPositionRange{-0x7FFFFFFFLL, 0x7FFFFFFFLL};
 inline constexpr ValueRange kSpeedRange{1, 250};
-inline constexpr ValueRange kAccelerationTimeRange{1, 255};  ///< 0.25 ms per speed unit
+inline constexpr ValueRange kAccelerationTimeRange{1, 255};  ///< units of 0.25 ms per speed unit
 inline constexpr ValueRange kTimerCountRange{1, 65'452};
 inline constexpr ValueRange kByteRange{0, 0xFF};
 
-/// A timer count travels with its nearest integer speed, from which a later ramp starts.
+/// A timer count is sent together with the nearest integer speed, from which a later ramp starts.
 struct TimerCount {
     std::uint16_t count = 1;
     std::uint8_t nearestSpeed = 1;
     bool operator==(const TimerCount&) const = default;
 };
 
-/// Load Trajectory. What is loaded decides the mode (DS-S table 4).
+/// Load Trajectory. The values that are loaded determine the mode (DS-S table 4).
 struct LoadTrajectory {
     std::optional<Counts> position;                ///< steps
     std::optional<std::uint8_t> speed;             ///< 1..250
@@ -83,7 +83,8 @@ struct SetParameters {
     bool operator==(const SetParameters&) const = default;
 };
 
-/// One may replace the other in motion: the chip would ignore what differs otherwise (DS-S 5.1).
+/// True when one may replace the other in motion. The chip would ignore a change of these two parameters
+/// (DS-S 5.1).
 [[nodiscard]] constexpr bool sameInMotion(const SetParameters& a, const SetParameters& b) {
     return a.speedMode == b.speedMode && a.minimumProfileSpeed == b.minimumProfileSpeed;
 }
@@ -115,7 +116,7 @@ struct SetOutputs {
     bool operator==(const SetOutputs&) const = default;
 };
 
-/// All false: cancel. At most one of the three stops.
+/// All false cancels homing. At most one of the three stop actions may be set.
 struct SetHoming {
     bool onLimit1Change = false;
     bool onLimit2Change = false;

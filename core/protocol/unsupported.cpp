@@ -11,7 +11,8 @@ Reason reasonIf(bool condition, Unsupported reason) {
     return condition ? Reason(reason) : std::nullopt;
 }
 
-/// What a version lacks; ranges are the decoder's business, but for those that hang on the version.
+/// Checks a command for features that the version lacks. Ranges are left to the decoder, except those that
+/// depend on the version.
 struct Judge {
     const ModuleIdentity& module;
     [[nodiscard]] bool before(std::uint8_t version) const { return module.version < version; }
@@ -68,7 +69,7 @@ struct Judge {
     }
 };
 
-/// Whatever does not come out of its bytes as it went in is no command of the module's.
+/// A command that does not decode to itself after encoding is not valid for the module.
 template <typename Command, typename Decode>
 Reason judge(const ModuleIdentity& module, ModuleType chip, const Command& command, Decode decode) {
     if (!isKnown(module))

@@ -14,7 +14,7 @@ namespace nmc::sim {
 
 namespace {
 
-/// Modules that nobody asks are brought up to date at least this often, so that catching up never takes long.
+/// Idle modules are brought up to date at least this often, so that catching up never takes long.
 constexpr Duration kCatchUpEvery = std::chrono::milliseconds(100);
 
 constexpr std::string_view kFaultsOff = "faults are not enabled; start with --enable-faults";
@@ -55,9 +55,9 @@ TimePoint Chain::Private::nextEvent() const {
     return next;
 }
 
-/// Events at the same time: faults, modules in the order of addressing, then the host's byte. A byte that
-/// arrives with a tick's end belongs to the next tick, and one that arrives with a reply's byte does not cut
-/// that byte.
+/// Order of simultaneous events: faults, then modules in addressing order, then the host's byte. A byte that
+/// arrives at the end of a tick belongs to the next tick, and one that arrives together with a reply's byte
+/// does not cut that byte.
 void Chain::Private::runTo(TimePoint until) {
     for (;;) {
         const auto first = std::min_element(moduleEvents.begin(), moduleEvents.end());
@@ -85,10 +85,10 @@ void Chain::Private::catchUp() {
         return;
     m_nextCatchUp = now + kCatchUpEvery;
     for (const auto& module : modules) {
-        // A pending command is to find its module at its tick, not beyond.
+        // A pending command must find its module at the command's own tick, not beyond it.
         module->advanceTo(now);
     }
-    updateAddressLines();  // A servo fault in step and direction mode tells on them.
+    updateAddressLines();  // A servo fault in step and direction mode shows on them.
 }
 
 // ---- Modules ----
@@ -138,8 +138,8 @@ void Chain::Private::sendReplyByte(Module& module) {
         ++statistics.exchanges;
 }
 
-/// The line carries a 0 where any driver sends one. A byte that begins while another is on its way is not
-/// heard as a byte of its own.
+/// The line carries a 0 wherever any driver sends one. A byte that begins while another is being sent is not
+/// received as a separate byte.
 std::uint8_t Chain::Private::collide(Module& sender, std::uint8_t value) {
     for (std::size_t i = 0; i < modules.size(); ++i) {
         Module& other = *modules[i];
@@ -223,8 +223,8 @@ const Module* Chain::Private::busyModule() const {
     return nullptr;
 }
 
-/// DS-V 4.1: no new command before the answer. A Stop Motor that cuts a reply short is what the rule's
-/// exception is for. Nulls and garbage do not count: every host begins with them.
+/// DS-V 4.1: no new command before the answer. The rule makes an exception for a Stop Motor that cuts a reply
+/// short. Nulls and garbage do not count, because every host begins with them.
 void Chain::Private::watchForHaste(const LineByte& byte) {
     const bool complete = m_monitor.hears(byte.value, false);
     if (!complete && !m_monitor.inPacket()) {

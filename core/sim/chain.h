@@ -24,19 +24,20 @@
 namespace nmc::sim {
 
 struct ChainOptions {
-    /// How long a module is deaf after power-up or Hard Reset (protocol.md 1, a choice).
+    /// How long a module does not listen after power-up or Hard Reset (protocol.md 1, a choice).
     Duration resetDeadTime = std::chrono::milliseconds(8);
-    /// Replies take no wire time; for tests of other things.
+    /// Replies take no wire time; used by tests in which timing does not matter.
     bool unpaced = false;
-    /// Phase of the modules' ticks and the garbling of bytes at a wrong rate come from it.
+    /// Determines the phase of the modules' ticks and the garbling of bytes at a wrong rate.
     std::uint64_t seed = 1;
-    /// The sheets are silent on whether a module that was awake goes deaf when its ADDR_IN rises again.
+    /// The data sheets do not say whether a module that was awake stops listening when its ADDR_IN rises
+    /// again.
     bool deafWhenAddressInputRises = false;
     bool enableFaults = false;             ///< control lines may inject faults
-    double lineMargin = kCleanLineMargin;  ///< as garbleProbability()'s; less where edges are slow
-    MotorParameters motor{};               ///< of each PIC-SERVO
-    /// Told the ground truth in the very tick in which a module has carried out a command and latched the
-    /// status of its answer. Must not call the chain.
+    double lineMargin = kCleanLineMargin;  ///< margin for garbleProbability(); smaller where edges are slow
+    MotorParameters motor{};               ///< parameters of every PIC-SERVO's motor
+    /// Called with the ground truth in the very tick in which a module has executed a command and latched the
+    /// status for its answer. It must not call the chain.
     std::function<void(ModuleIndex, const ModuleSnapshot&)> onExecuted{};
 };
 
@@ -46,14 +47,15 @@ struct HostByte {
     std::uint8_t value = 0;
 };
 
-/// Most bytes that wait for takeHostBytes(); more are lost and counted.
+/// The maximum number of bytes that wait for takeHostBytes(); further bytes are lost and counted.
 inline constexpr std::size_t kMaxWaitingHostBytes = 65'536;
 
 /// A chain of modules and the line to the host: the other end of the wire.
 ///
-/// Pure: bytes and time points in, bytes with due times out; no thread, no clock. Time must not go back.
-/// The chain is powered up at TimePoint{}. One thread at a time. A time that lies before one already given is
-/// taken as that one. ModuleIndex arguments must be below moduleCount().
+/// It is pure: bytes and time points go in, bytes with due times come out; there is no thread and no clock.
+/// The chain is powered up at TimePoint{}. Time does not go back: a time earlier than one already given
+/// counts as that one. Only one thread may use the chain at a time. ModuleIndex arguments must be below
+/// moduleCount().
 class Chain {
 public:
     explicit Chain(const std::vector<ModuleIdentity>& modules, ChainOptions options = {});
@@ -61,22 +63,22 @@ public:
     Chain(Chain&&) noexcept;
     Chain& operator=(Chain&&) noexcept;
 
-    /// The rate the host's port is set to, from the next byte on. 19 200 at first.
+    /// Sets the rate of the host's port, from the next byte on. It is 19 200 initially.
     void setHostBaud(std::uint32_t baud);
-    /// Whether any module hears bytes of that rate rightly, mostly.
+    /// True when at least one module receives most bytes of that rate correctly.
     [[nodiscard]] bool understands(std::uint32_t baud) const;
 
-    /// The host's port takes `bytes` at `now`; they leave it back to back, behind what is still leaving. The
-    /// line holds 65 536 bytes; more are lost and counted. `readLate`: the host wrote them before `now`, but
-    /// nobody knows when; whether it waited for its answers (CommandInFlight, CommandOverwritten) is judged
-    /// again when bytes that are in time find the chain at rest.
+    /// The host's port takes `bytes` at `now` and sends them back to back, after any bytes still being sent.
+    /// The line holds 65 536 bytes; further bytes are lost and counted. `readLate`: the host wrote them at an
+    /// unknown time before `now`. Whether it waits for its answers (CommandInFlight, CommandOverwritten) is
+    /// then not checked until bytes that are in time find the chain idle.
     void hostSends(ByteSpan bytes, TimePoint now, bool readLate = false);
 
-    /// When the last of what hosts have sent has left, or had.
+    /// The time at which the last byte sent by any host leaves the line, or left it.
     [[nodiscard]] TimePoint hostLineFreeAt() const;
 
-    /// Another host on the same line sends `bytes`, behind what is leaving: they are carried out and answered
-    /// like this host's. A sentence when faults are not enabled.
+    /// Another host on the same line sends `bytes`, after any bytes still being sent; they are executed and
+    /// answered like this host's. Returns an error sentence when faults are not enabled.
     tl::expected<void, std::string> foreignSends(ByteSpan bytes, TimePoint now);
 
     /// Runs everything up to and including `now`.
@@ -85,37 +87,38 @@ public:
     /// The bytes that have reached the host since the last call, in the order of arrival.
     [[nodiscard]] std::vector<HostByte> takeHostBytes();
 
-    /// When the host's side can next see something happen; nothing while the line is idle. Motors move on
-    /// between events without being asked: advanceTo() catches up.
+    /// The time at which the host's side can next see something happen; nothing while the line is idle.
+    /// Motors keep moving between events; advanceTo() brings them up to date.
     [[nodiscard]] std::optional<TimePoint> nextEvent() const;
 
-    // What a test, a scope or `nmcsim`'s control lines want to know and change. `now` as in advanceTo().
+    // State that a test, a scope or `nmcsim`'s control lines read and change. `now` is as in advanceTo().
 
     [[nodiscard]] std::size_t moduleCount() const;
     [[nodiscard]] ModuleIdentity identity(ModuleIndex module) const;
-    /// Ground truth about a module after its last tick.
+    /// The ground truth about a module after its last tick.
     [[nodiscard]] ModuleSnapshot snapshot(ModuleIndex module, TimePoint now);
-    /// Sets an input or the load of a module; the value must be in the range that Input states.
-    /// `number`: which of several, from 1 (see Input).
+    /// Sets an input or the load of a module; the value must be in the range that Input states. `number`
+    /// selects one of several, from 1 (see Input).
     void set(ModuleIndex module, Input input, std::optional<double> value, TimePoint now,
              unsigned number = 0);
-    /// Switches the supply of the module's logic off and on: its chip starts anew, its motor's shaft stays.
+    /// Switches the supply of the module's logic off and on: the chip restarts, while the motor's shaft keeps
+    /// its state.
     void powerCycle(ModuleIndex module, TimePoint now);
-    /// Breaks or mends the ADDR line between the module and its neighbour towards the host. Without a
-    /// connection the neighbour's ADDR_IN is high.
+    /// Breaks or mends the ADDR line between the module and its neighbour towards the host. While it is
+    /// broken, the neighbour's ADDR_IN is high.
     void breakAddressLine(ModuleIndex module, TimePoint now);
     void mendAddressLine(ModuleIndex module, TimePoint now);
 
-    /// Injects a fault (simulator.md, Faults) and gives its number; a sentence when faults are not enabled or
-    /// it cannot be. Faults stay until they are over or cleared.
+    /// Injects a fault (simulator.md, Faults) and returns its number, or an error sentence when faults are
+    /// not enabled or this one is not possible. Faults remain until they are over or cleared.
     tl::expected<unsigned, std::string> inject(const FaultSpec& fault, TimePoint now);
     void clearFaults(TimePoint now);
-    /// All that have been injected since the last clearFaults(), in that order.
+    /// All faults injected since the last clearFaults(), in that order.
     [[nodiscard]] std::vector<FaultReport> faults() const;
 
     [[nodiscard]] ChainStatistics statistics() const;
     [[nodiscard]] const ViolationLog& violations() const;
-    /// Counts from 0 again, and forgets the violations.
+    /// Resets all counters to 0 and clears the violations.
     void clearStatistics(TimePoint now);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What goes wrong with a chain on purpose (simulator.md, Faults).
+// What is made to go wrong with a chain on purpose (simulator.md, Faults).
 #include <algorithm>
 
 #include "sim/chainprivate.h"
@@ -116,8 +116,8 @@ void Chain::Private::disturbModules(std::uint8_t value, bool error) {
         moduleHears(i, value, line.baud(), error, true);
 }
 
-/// A packet is struck when its header leaves, if the host has handed it over whole; from a host that sends
-/// byte by byte when its command byte leaves, because what it is and how long is not known before.
+/// A packet is struck when its header is sent if the host has handed it over whole. From a host that sends
+/// byte by byte, it is struck when its command byte is sent, because its type and length are unknown before.
 void Chain::Private::followPacket(const LineByte& byte, bool insidePacket) {
     if (!insidePacket) {
         m_underway.bytes.clear();

@@ -18,7 +18,7 @@ constexpr std::string_view kAllowed =
 struct ModuleWord {
     std::string_view name;
     ModuleType type;
-    std::uint8_t usualVersion;  ///< the one simulated when none is named
+    std::uint8_t usualVersion;  ///< the version simulated when none is given
 };
 constexpr std::array kKinds{ModuleWord{"servo", ModuleType::Servo, 4},
                             ModuleWord{"step", ModuleType::Stepper, 1}, ModuleWord{"io", ModuleType::Io, 1}};

@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using WordList = std::vector<std::string_view>;
 
-/// A line, to whom, when, and what its asker knows.
+/// A control line, the chain it is for, the time, and what the caller knows about the pace.
 struct Asked {
     Chain& chain;
     const WordList& words;
@@ -124,7 +124,7 @@ Json time(const Asked& asked) {
 
 // ---- modules ----
 
-/// Does something with the module that the second word names.
+/// Calls `act` with the module that the second word names.
 template <typename F>
 Json withModule(const Asked& asked, F act) {
     const auto module = moduleNumber(asked.chain, asked.words[1]);
@@ -190,7 +190,7 @@ Json inject(const Asked& asked) {
     return {{"ok", true}, {"fault", *number}};
 }
 
-/// Another host's bytes, in hexadecimal.
+/// Sends bytes given in hexadecimal as another host.
 Json foreign(const Asked& asked) {
     std::vector<std::uint8_t> bytes;
     for (const std::string_view word : std::span(asked.words).subspan(1)) {
@@ -296,7 +296,7 @@ Json answer(const Asked& asked) {
     return verb->answer(asked);
 }
 
-/// `text` and blanks up to `width`, two at least: a manual page is made of it.
+/// Pads `text` with blanks to `width`, at least two, because a manual page is made from this.
 std::string column(std::string_view text, std::size_t width) {
     return std::string(text) + std::string(text.size() + 2 < width ? width - text.size() : 2, ' ');
 }
@@ -321,7 +321,7 @@ std::string controlHelp() {
 
 std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now, const Pace& pace) {
     const WordList words = split(line);
-    // What comes in may be any bytes; what goes out is UTF-8.
+    // The input may contain any bytes; the output must be UTF-8.
     return answer({chain, words, now, pace}).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -18,13 +18,13 @@ using Words = std::span<const std::string_view>;
     return {name, input, chips, "0 or 1", 0, 1, true, {}, meaning};
 }
 
-/// What a PIC-SERVO's motor, amplifier and encoder are like.
+/// A parameter of a PIC-SERVO's motor, amplifier or encoder.
 [[nodiscard]] constexpr InputRow ofMotor(std::string_view name, Input input, std::string_view allowed,
                                          double min, double max, bool whole, std::string_view meaning) {
     return {name, input, Chips::Servo, allowed, min, max, whole, {}, meaning};
 }
 
-/// A place of the shaft.
+/// A shaft position.
 [[nodiscard]] constexpr InputRow place(std::string_view name, Input input, Chips chips,
                                        std::string_view meaning) {
     return {name,   input, chips, "-1e12 to 1e12 counts or none", -1e12, 1e12, true, {Word{"none", {}}},
@@ -39,7 +39,7 @@ using Words = std::span<const std::string_view>;
             meaning};
 }
 
-// Bounds that keep the plant's arithmetic sound; a motor of this class is far inside them.
+// These bounds keep the plant's arithmetic sound; a motor of this class is far inside them.
 constexpr std::array kInputs{
     pin("limit1", Input::Limit1, Chips::Servo, "pin LIMIT1, 1 is high, as in status bit 5"),
     pin("limit1", Input::Limit1, Chips::Stepper, "forward limit switch, 1 is high: no motion forward"),
@@ -136,19 +136,19 @@ constexpr std::array kInputs{
              3},
 };
 
-/// What a word on the line says; nothing when the row does not allow it.
+/// Parses a word of the line; returns nothing when the row does not allow it.
 std::optional<Word> valueOf(const InputRow& row, std::string_view text) {
     for (const Word& word : row.words)
         if (!text.empty() && word.text == text)
             return word;
     const auto value = number<double>(text);
-    // Written so that NaN is refused.
+    // This form of the comparison also refuses NaN.
     if (!value || !(*value >= row.min && *value <= row.max) || (row.whole && *value != std::floor(*value)))
         return std::nullopt;
     return Word{text, value};
 }
 
-/// What is around a module, of either kind.
+/// The surroundings of a module, servo or stepper.
 struct Surroundings {
     double shaft = 0;
     bool limitsAutomatic = false;
@@ -162,7 +162,7 @@ Surroundings surroundings(const ModuleSnapshot& s) {
     return {s.servo.shaftCounts, s.servo.limitsAutomatic, false};
 }
 
-/// What the module's present state forbids although the value is in range; empty when nothing does.
+/// The reason why the module's present state forbids a value that is in range; empty when nothing does.
 std::string conflict(const Surroundings& now, Input input, std::optional<double> value) {
     const auto shaft = [&now] { return "the shaft is at " + std::to_string(now.shaft) + " counts"; };
     if ((input == Input::Limit1 || input == Input::Limit2) && now.limitsAutomatic)
@@ -192,7 +192,7 @@ bool includes(Chips chips, const ModuleIdentity& module) {
     return false;
 }
 
-/// `words`: the value, with a number before it where there are several.
+/// `words`: the value, preceded by a number where there are several inputs of that name.
 Done setInput(Chain& chain, ModuleIndex module, const InputRow& row, Words words, TimePoint now) {
     const std::string name(row.name);
     if (words.size() != (row.count == 0 ? 1U : 2U))

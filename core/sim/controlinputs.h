@@ -13,12 +13,12 @@
 
 namespace nmc::sim {
 
-/// Which chips have an input of that name, in that sense; Both: servos and steppers.
+/// Which chips have an input of that name and meaning; Both means servos and steppers.
 enum class Chips : std::uint8_t { Both, Servo, Stepper, Sc, Io };
 
 /// What `set N NAME VALUE` can change.
 struct InputRow {
-    /// A word that stands for a value, or for none.
+    /// A word that stands for a value, or for no value.
     struct Word {
         std::string_view text;
         std::optional<double> value;
@@ -28,19 +28,19 @@ struct InputRow {
     Input input;
     Chips chips;
     std::string_view allowed;
-    double min;  ///< of numbers; none are allowed when max < min
+    double min;  ///< lower bound of numbers; no numbers are allowed when max < min
     double max;
     bool whole;
     std::array<Word, 2> words;
-    std::string_view meaning;  ///< with its polarity
-    unsigned count = 0;        ///< there are so many, and a number stands before the value
+    std::string_view meaning;  ///< including its polarity
+    unsigned count = 0;        ///< when not 0, there are this many, and a number precedes the value
 };
 
-/// All inputs of all chips; a name comes once for each chip that understands something else by it.
+/// All inputs of all chips; a name appears once for each meaning that it has on some chip.
 [[nodiscard]] std::span<const InputRow> inputTable();
 
-/// Sets an input; `words` are its name and value, with a number between them where there are several.
-/// Otherwise a sentence that says what is allowed.
+/// Sets an input; `words` are its name and value, with a number between them where there are several. The
+/// error is a sentence that says what is allowed.
 [[nodiscard]] tl::expected<void, std::string> setInput(Chain& chain, ModuleIndex module,
                                                        std::span<const std::string_view> words,
                                                        TimePoint now);

@@ -21,13 +21,13 @@ Json gainsJson(const Gains& g) {
             {"cl", g.cl}, {"el", g.el}, {"sr", g.sr}, {"db", g.db}};
 }
 
-/// A number, or null where there is none.
+/// The value, or null when there is none.
 template <typename T>
 Json orNull(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-/// The bits that Clear Sticky Bits clears, as the next status shows them (DS-V 5.3).
+/// The bits that Clear Sticky Bits clears, as the next status will show them (DS-V 5.3).
 Json stickyJson(const ModuleSnapshot& s) {
     return {{"overcurrent", (s.status & 0x04U) != 0},
             {"pos_error", (s.status & 0x10U) != 0},
@@ -35,7 +35,7 @@ Json stickyJson(const ModuleSnapshot& s) {
             {"servo_overrun", (s.pins & 0x20U) != 0}};
 }
 
-/// What the home search that is on still waits for; nothing when none is.
+/// The conditions that the current home search still waits for; empty when there is no search.
 Json homingConditions(const ModuleSnapshot& s) {
     struct Condition {
         std::uint8_t bit;
@@ -52,7 +52,8 @@ Json homingConditions(const ModuleSnapshot& s) {
     return names;
 }
 
-/// What it will do to the motor. Versions 1 and 2 of the PIC-SERVO leave that to the host (DS-V 5.2).
+/// What the home search will do to the motor. Versions 1 and 2 of the PIC-SERVO leave that to the host (DS-V
+/// 5.2).
 const char* homingStop(const ModuleSnapshot& s) {
     if (!s.homing.inProgress() || (!s.stepper && s.identity.version < 3))
         return "none";

@@ -7,7 +7,7 @@
 
 namespace nmc::sim {
 
-/// What `state N` answers about module `number`, which counts from 1.
+/// The answer to `state N` for module `number`, counted from 1.
 [[nodiscard]] nlohmann::ordered_json stateJson(const ModuleSnapshot& module, unsigned number);
 
 }  // namespace nmc::sim

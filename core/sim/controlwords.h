@@ -10,13 +10,13 @@
 
 namespace nmc::sim {
 
-/// The words of control and fault lines: how they are read, and shown in an error.
+/// Functions that parse the words of control and fault lines and show them in errors.
 
 [[nodiscard]] inline std::string quoted(std::string_view word) {
     return "'" + std::string(word) + "'";
 }
 
-/// The whole word as a number, or nothing.
+/// Parses the whole word as a number; returns nothing if it is not one.
 template <typename T>
 [[nodiscard]] std::optional<T> number(std::string_view word) {
     T value{};
@@ -26,7 +26,7 @@ template <typename T>
     return value;
 }
 
-/// Two hexadecimal digits, or nothing.
+/// Parses two hexadecimal digits; returns nothing for anything else.
 [[nodiscard]] inline std::optional<std::uint8_t> hexByte(std::string_view word) {
     std::uint8_t value{};
     const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value, 16);

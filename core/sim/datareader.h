@@ -5,7 +5,7 @@
 
 namespace nmc::sim {
 
-/// Takes the data bytes of a packet in their order, as far as the buffer goes.
+/// Reads the data bytes of a packet in order.
 class DataReader {
 public:
     explicit DataReader(const Packet& packet) : m_data(packet.data) {}
@@ -22,8 +22,8 @@ private:
     std::size_t m_at = 0;
 };
 
-/// Positions reach from -7FFFFFFF to 7FFFFFFF, and a goal is no farther than that from where the motor is
-/// (DS-V 5.2, DS-S 5.1: Load Trajectory).
+/// Positions range from -7FFFFFFF to 7FFFFFFF, and a goal may be no farther than that from the motor's
+/// position (DS-V 5.2, DS-S 5.1: Load Trajectory).
 [[nodiscard]] constexpr bool isGoal(std::int32_t goal, std::int32_t position) {
     constexpr std::int64_t kFarthest = 0x7FFF'FFFF;
     const std::int64_t distance = std::int64_t{goal} - position;

@@ -8,23 +8,23 @@ namespace nmc::sim {
 /// The PIC-ENC's 16-bit up/down counter and the servo chip's extension of it to 32 bits (DS-V 4.2).
 class Encoder {
 public:
-    /// Most edges the PIC-ENC can follow: 500 000 per second (DS-V 3.2), times 512 us.
+    /// The most edges that the PIC-ENC can follow: 500 000 per second (DS-V 3.2), times 512 us.
     static constexpr std::int64_t kMaxEdgesPerTick = 256;
-    /// CMC and SC count by themselves, as fast as their greatest velocity (docs/family.md).
+    /// CMC and SC have their own counter, which follows up to their maximum velocity (docs/family.md).
     static constexpr std::int64_t kLaterMaxEdgesPerTick = 1280;
     explicit Encoder(std::int64_t maxEdgesPerTick = kMaxEdgesPerTick) : m_maxEdges(maxEdgesPerTick) {}
 
-    /// Once per maximum-rate tick with the shaft's true position in counts. Edges that come too fast are
-    /// lost.
+    /// Called once per maximum-rate tick with the shaft's true position in counts. Edges that come too fast
+    /// are lost.
     void read(std::int64_t shaft);
-    /// Reset Position: the counter and its extension become this.
+    /// Reset Position: sets the counter and its extension to this value.
     void setPosition(std::int32_t position);
     void reset() { setPosition(0); }
 
     [[nodiscard]] std::int32_t position() const { return m_position; }
     [[nodiscard]] bool wrapped() const { return m_wrapped; }
     void clearWrapped() { m_wrapped = false; }
-    /// From now on it counts down when the shaft turns forwards.
+    /// While reversed, the encoder counts down when the shaft turns forwards.
     void setReversed(bool reversed) { m_reversed = reversed; }
 
 private:

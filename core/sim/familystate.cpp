@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// IO1 first.
+/// Lists the pins, IO1 first.
 Json pinList(std::uint16_t mask) {
     Json pins = Json::array();
     for (unsigned pin = 0; pin < 12; ++pin)

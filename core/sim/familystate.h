@@ -7,7 +7,7 @@
 
 namespace nmc::sim {
 
-/// What `state` tells of a PIC-I/O, and of CMC and SC beyond what every PIC-SERVO has.
+/// The parts of `state` that describe a PIC-I/O, and what CMC and SC have beyond every other PIC-SERVO.
 [[nodiscard]] nlohmann::ordered_json ioJson(const IoSnapshot& io);
 [[nodiscard]] nlohmann::ordered_json laterServoJson(const ModuleIdentity& module, const ServoSnapshot& servo);
 

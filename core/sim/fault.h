@@ -13,54 +13,54 @@ namespace nmc::sim {
 
 /// What can be made to go wrong (simulator.md, Faults). A *frame* is a command packet or a reply.
 enum class FaultKind : std::uint8_t {
-    // Damage to frames on their way.
+    // Damage to frames in transit.
     Drop,      ///< one byte is lost
-    Dup,       ///< one byte comes twice
+    Dup,       ///< one byte is doubled
     Flip,      ///< one bit is wrong
-    Collide,   ///< two bits are wrong and the sum is right
+    Collide,   ///< two bits are wrong but the sum is right
     Truncate,  ///< the rest is lost
     Garbage,   ///< every byte is a random one
-    Overrun,   ///< a module loses one byte of a packet and knows it
-    // What becomes of a whole command or reply.
-    Delay,   ///< the reply comes later: held up on the line (bus), or begun later (module)
-    Silent,  ///< the command is carried out and not answered
-    Cksum,   ///< a good packet is refused as damaged
-    Ignore,  ///< the command is not heard
-    Stuck,   ///< a reply that has the length of an earlier one is that earlier one
+    Overrun,   ///< a module loses one byte of a packet and detects it
+    // The fate of a whole command or reply.
+    Delay,   ///< the reply is late: held up on the line (bus), or begun later (module)
+    Silent,  ///< the command is executed but not answered
+    Cksum,   ///< a good packet is refused as damaged (NAK)
+    Ignore,  ///< the command is not received
+    Stuck,   ///< the module repeats an earlier reply of the same length
     // The line.
     Noise,    ///< random bytes
-    Break,    ///< held low: 00 instead of every byte
+    Break,    ///< the line is held low: 00 instead of every byte
     MuteRx,   ///< what modules send does not reach the host
     MuteTx,   ///< what the host sends does not reach modules
-    Echo,     ///< the host hears what it sends
+    Echo,     ///< the host receives what it sends
     Foreign,  ///< another host sends commands
     // The module.
     PowerCycle,
-    Stall,         ///< something holds the shaft
+    Stall,         ///< the shaft is held fast
     Reverse,       ///< the encoder counts the wrong way
-    SameAddress,   ///< the modules have the address of the first one
-    DefineStatus,  ///< the status items are others
+    SameAddress,   ///< the modules take the address of the first one
+    DefineStatus,  ///< the status items are changed
 };
 
-/// The directions that a fault strikes.
+/// The directions that a fault affects.
 struct FaultSides {
     bool command = true;
     bool status = true;
 };
 
-/// One `fault` line. What it may hold together with what is faultspec.cpp's table.
+/// One `fault` line. The table in faultspec.cpp defines which fields a kind may have.
 struct FaultSpec {
     FaultKind kind = FaultKind::Drop;
-    std::vector<std::uint8_t> modules;  ///< from 0; empty: the bus
+    std::vector<std::uint8_t> modules;  ///< counted from 0; empty: the bus
     FaultSides sides;
-    std::optional<CommandCode> command;   ///< only packets with it, and their replies
-    double probability = 1.0;             ///< of each frame
-    std::optional<std::uint64_t> count;   ///< strikes no more often
-    std::optional<Duration> least, most;  ///< delay, or time between two bytes or packets
-    std::optional<TimePoint> at;          ///< begins; nothing: at once
-    std::optional<Duration> lasts;        ///< nothing: until cleared
-    std::optional<unsigned> bit;          ///< of the frame, from bit 0 of its first byte
-    std::string text;                     ///< as it was given
+    std::optional<CommandCode> command;   ///< strikes only packets with this code, and their replies
+    double probability = 1.0;             ///< probability for each frame
+    std::optional<std::uint64_t> count;   ///< maximum number of strikes
+    std::optional<Duration> least, most;  ///< range of the delay, or of the time between two bytes or packets
+    std::optional<TimePoint> at;          ///< start; nothing: at once
+    std::optional<Duration> lasts;        ///< duration; nothing: until cleared
+    std::optional<unsigned> bit;          ///< bit of the frame, counted from bit 0 of its first byte
+    std::string text;                     ///< the line as given
 
     [[nodiscard]] bool onBus() const { return modules.empty(); }
 };
@@ -69,7 +69,7 @@ struct FaultSpec {
 struct FaultReport {
     unsigned number = 0;
     std::string text;
-    std::uint64_t struck = 0;  ///< frames, bytes or events
+    std::uint64_t struck = 0;  ///< number of frames, bytes or events struck
     bool active = false;       ///< begun and not yet over
 };
 

@@ -24,7 +24,7 @@ bool repeats(FaultKind kind) {
     return kind == FaultKind::Noise || kind == FaultKind::Foreign;
 }
 
-/// Acts at its beginning and at its end.
+/// A fault that acts at its beginning and at its end.
 bool isState(FaultKind kind) {
     return kind == FaultKind::Stall || kind == FaultKind::Reverse;
 }
@@ -142,7 +142,7 @@ FaultInjector::ReplyFate FaultInjector::strikeReply(std::uint8_t module, Command
             ++fault.struck;
             (fault.spec.onBus() ? fate.heldUp : fate.begunLater) += fault.between();
         } else if (damagesFrames(kind) && !bytes.empty() && fault.strikes(now)) {
-            // A reply shorter than what another fault has left of it cannot be damaged again.
+            // A reply that another fault has already cut shorter than this cannot be damaged again.
             if (bytes.size() < 2 || bytes.size() > kMaxPacket)
                 continue;
             if (const auto edit =
@@ -206,7 +206,7 @@ void FaultInjector::act(Fault& fault, std::vector<Act>& acts) {
     if (repeats(fault.spec.kind)) {
         if (!fault.isActive(when))
             return;
-        // At least a byte's time at the fastest rate, or time would stand still.
+        // The interval is at least one byte time at the fastest rate; otherwise time would stand still.
         constexpr Duration kMin = std::chrono::microseconds(80);
         fault.next = when + std::max(fault.between(), kMin);
     }
@@ -257,7 +257,7 @@ void FaultInjector::act(Fault& fault, std::vector<Act>& acts) {
         case FaultKind::MuteRx:
         case FaultKind::MuteTx:
         case FaultKind::Echo:
-            break;  // These wait for a frame.
+            break;  // these wait for a frame
     }
     ++fault.struck;
 }

@@ -20,14 +20,14 @@ enum Target : std::uint8_t { Bus = 1, Module = 2, Servo = 4, Several = 8 };
 enum Side : std::uint8_t { None = 0, Command = 1, Status = 2, Either = 3 };
 enum Option : std::uint8_t { On = 1, P = 2, N = 4, T = 8, For = 16, Bit = 32, NeedsT = 64, NeedsOn = 128 };
 
-/// What goes with what.
+/// The fields of a `fault` line that a kind may have.
 struct Row {
     std::string_view name;
     FaultKind kind;
     unsigned targets;
-    Side sides;        ///< that can be chosen
-    Side usual;        ///< when none is
-    unsigned options;  ///< `at` goes with everything
+    Side sides;        ///< the sides that can be chosen
+    Side usual;        ///< the side when none is chosen
+    unsigned options;  ///< `at` is allowed with every kind
 };
 
 constexpr unsigned kFrames = On | P | N | For;
@@ -56,7 +56,7 @@ constexpr std::array kRows{
     Row{"definestat", FaultKind::DefineStatus, Bus | Module, None, None, 0},
 };
 
-/// What another host may be heard to send: nothing that could move a motor.
+/// Commands that the other host may send: none that could move a motor.
 constexpr std::array kForeignCommands{CommandCode::Nop, CommandCode::ReadStatus, CommandCode::DefineStatus};
 
 std::string kindNames() {
@@ -66,7 +66,7 @@ std::string kindNames() {
     return names;
 }
 
-/// Up to a day, in seconds or with a unit.
+/// Parses a duration of up to a day, in seconds or with a unit.
 std::optional<Duration> duration(std::string_view word) {
     constexpr double kDay = 86'400.0;
     double unit = 1.0;
@@ -218,7 +218,8 @@ private:
     }
 
     Done command(std::string_view word) {
-        // A name may be another command's on another chip: only those of the chips that are meant count.
+        // The same key may belong to another command on another chip, so only the commands of the chips meant
+        // here count.
         std::string names;
         for (std::size_t i = 0; i < m_chain.size(); ++i) {
             const auto index = static_cast<std::uint8_t>(i);

@@ -12,12 +12,12 @@
 
 namespace nmc::sim {
 
-/// Reads the words behind `fault`:
+/// Parses the words that follow `fault`:
 ///
 ///     <bus|module K[,K...]> <kind> [cmd|status] [on=<command>] [p=PROB] [n=COUNT] [t=A..B] [at=TIME]
 ///     [for=DURATION] [bit=B]
 ///
-/// Times are seconds, or have a unit: 5ms, 300us, 2s. Modules count from 1. The error is one sentence that
+/// Times are in seconds, or have a unit: 5ms, 300us, 2s. Modules count from 1. The error is one sentence that
 /// says why a combination is not possible and what is.
 [[nodiscard]] tl::expected<FaultSpec, std::string> parseFault(std::span<const std::string_view> words,
                                                               std::span<const ModuleIdentity> chain);

@@ -13,8 +13,8 @@ std::uint8_t mask(unsigned bit) {
     return static_cast<std::uint8_t>(1U << bit);
 }
 
-/// Two wrong bits of the same weight leave the sum right when they go opposite ways, or when one of them is
-/// the sum's own and goes the same way; the carry of bit 7 is lost anyway.
+/// Two wrong bits of the same weight leave the sum right when they change in opposite directions, or when one
+/// of them belongs to the sum itself and changes in the same direction; the carry of bit 7 is lost anyway.
 std::optional<FrameEdit> collision(const FrameInSight& frame, Random& random) {
     struct Pair {
         std::size_t one, other;
@@ -74,7 +74,7 @@ std::optional<FrameEdit> makeEdit(FaultKind kind, const FrameInSight& frame, std
         for (std::size_t i = frame.first; i < frame.length; ++i)
             edit.at[i].flips = static_cast<std::uint8_t>(random.below(256));
     } else if (kind == FaultKind::Overrun) {
-        // The byte behind the lost one carries the news, so that one must be there.
+        // The byte after the lost one reports the overrun, so it must exist.
         const std::size_t from = std::max<std::size_t>(frame.first, 1);
         const std::size_t lost = from + random.below(frame.length - 1 - from);
         edit.at[lost].copies = 0;

@@ -9,11 +9,11 @@ namespace nmc::sim {
 struct HomeInputs {
     bool limit1 = false;
     bool limit2 = false;
-    bool index = false;  ///< a stepper's home switch
+    bool index = false;  ///< the home switch of a stepper
     bool operator==(const HomeInputs&) const = default;
 };
 
-/// What Set Homing Mode asks for, and whether it has come (DS-V 5.2, DS-S 5.1).
+/// The conditions that Set Homing Mode watches, and whether one has occurred (DS-V 5.2, DS-S 5.1).
 class Homing {
 public:
     enum class Stop : std::uint8_t { None, Off, Abrupt, Smooth };
@@ -27,16 +27,17 @@ public:
     static constexpr std::uint8_t kPositionError = 0x40;
     static constexpr std::uint8_t kCurrentLimit = 0x80;
 
-    /// A trigger is a change from the levels `now`. A control byte that watches nothing cancels the search.
+    /// A trigger is a change from the levels in `now`. A control byte that watches nothing cancels the
+    /// search.
     void begin(std::uint8_t control, HomeInputs now);
     [[nodiscard]] bool inProgress() const { return m_inProgress; }
     [[nodiscard]] bool waitsFor(std::uint8_t condition) const {
         return m_inProgress && (m_control & condition) != 0;
     }
-    /// Once per maximum-rate tick while in progress. True when the home position is to be captured; the
-    /// search is then over.
+    /// Called once per maximum-rate tick while in progress. Returns true when the home position must be
+    /// captured; the search is then over.
     bool triggered(HomeInputs now, bool positionErrorTrip, bool currentLimiting);
-    /// How the motor is to be stopped when home is found.
+    /// How to stop the motor when home is found.
     [[nodiscard]] Stop stop() const;
 
 private:

@@ -12,7 +12,7 @@ constexpr unsigned kCounterPin = 1U << 9U;  ///< IO10
 /// 5.0 MHz times 512 us.
 constexpr std::uint64_t kTimerClocksPerTick = 2560;
 
-/// IO1 to IO8, then IO9 to IO12 in the low nibble.
+/// Reads a pin mask: IO1 to IO8, then IO9 to IO12 in the low nibble.
 std::uint16_t pinsOf(DataReader& reader) {
     return reader.next<std::uint16_t>() & kAllPins;
 }
@@ -41,7 +41,7 @@ void IoModule::executeOwn(const Packet& packet) {
             m_chip.latchedPins = levels();
             m_chip.latchedCount = m_chip.timer.count();
             return;
-        case CommandCode::SetHoming:  // This and the next two not on this chip.
+        case CommandCode::SetHoming:  // this chip has neither this command nor the next two
         case CommandCode::ClearStickyBits:
         case CommandCode::AddPathPoints:
         case CommandCode::SetAddress:
@@ -50,11 +50,11 @@ void IoModule::executeOwn(const Packet& packet) {
         case CommandCode::SetBaud:
         case CommandCode::Nop:
         case CommandCode::HardReset:
-            return;  // Module's.
+            return;  // Module executes these
     }
 }
 
-/// Also starts the count anew.
+/// Sets the timer mode and restarts the count.
 void IoModule::setTimerMode(std::uint8_t mode) {
     m_chip.timer = {(mode & 0x01U) != 0, (mode & 0x02U) != 0, 1U << (mode >> 4U & 0x03U), 0};
 }

@@ -6,7 +6,7 @@
 namespace nmc::sim {
 
 /// A PIC-I/O, version 1: twelve pins, three A/D inputs, two PWM outputs and a timer or counter
-/// (docs/family.md). Of the masks bit 0 is IO1.
+/// (docs/family.md). In pin masks, bit 0 is IO1.
 class IoModule final : public Module {
 public:
     using Module::Module;
@@ -16,7 +16,7 @@ public:
 
 private:
     using Pwm = std::array<std::uint8_t, 2>;
-    /// Puts out by itself, or waits for Synch Output.
+    /// Output values, either in effect or stored until Synch Output.
     struct Outputs {
         std::uint16_t pins = 0;
         Pwm pwm{};
@@ -25,12 +25,12 @@ private:
         bool enabled = false;
         bool countsPin = false;
         unsigned prescaler = 1;
-        std::uint64_t events = 0;  ///< ticks of its clock, or edges
+        std::uint64_t events = 0;  ///< timer clock ticks, or edges
         [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(events / prescaler); }
     };
-    /// What the chip forgets when it starts anew.
+    /// The state that the chip loses when it restarts.
     struct Chip {
-        std::uint16_t directions = 0x0FFF;  ///< bits of the inputs
+        std::uint16_t directions = 0x0FFF;  ///< a set bit means input
         Outputs outputs;
         Outputs stored;
         Timer timer;
@@ -48,16 +48,16 @@ private:
     }
 
     void setTimerMode(std::uint8_t mode);
-    /// Bits of inputs do not count.
+    /// The bits of input pins are ignored.
     void setPins(std::uint16_t pins);
-    /// Whoever drives them.
+    /// The levels of all pins, whether driven by the module or from outside.
     [[nodiscard]] std::uint16_t levels() const;
-    /// Counts an edge that `change` makes at the counter's pin.
+    /// Counts the edge that `change` may cause at the counter's pin.
     template <typename Change>
     void watchingCounterPin(Change change);
 
     Chip m_chip;
-    // The world outside.
+    // The world outside the module.
     std::uint16_t m_pinsOutside = 0;
     std::array<std::uint8_t, 3> m_analog{};
 };

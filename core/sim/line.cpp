@@ -40,7 +40,7 @@ PacketBytes HostLine::packetBehind(std::uint8_t header) const {
     return packet;
 }
 
-// An SC's clock is twice as fast: with its nominal 230 400 Bd the nearest rate is the eleventh of 2 500 000.
+// An SC's clock is twice as fast; the nearest rate to its nominal 230 400 Bd is one eleventh of 2 500 000.
 double uartRate(const ModuleIdentity& module, std::uint8_t brd) {
     return isSc(module) && brd == kScFastestBrd ? 2'500'000.0 / 11 : realRate(brd);
 }

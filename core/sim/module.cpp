@@ -51,7 +51,7 @@ void Module::reset(TimePoint now, Restart restart) {
 void Module::setAddressInput(bool low, TimePoint now) {
     if (low == m_addressInputLow)
         return;
-    static_cast<void>(isAwake(now));  // What it has seen until now counts.
+    static_cast<void>(isAwake(now));  // The module may have woken up under the input's level until now.
     m_addressInputLow = low;
 }
 
@@ -178,7 +178,7 @@ void Module::setBaud(const Pending& command) {
         violates(ViolationKind::OutOfRange);
 }
 
-/// Up to 115 200 Bd (DS-V 3.1, DS-S 3.1).
+/// All chips but the SC support up to 115 200 Bd (DS-V 3.1, DS-S 3.1).
 bool Module::keepsUpWith(std::uint8_t brd) const {
     constexpr std::uint8_t kFastestBrd = 10;
     return brd >= kFastestBrd;

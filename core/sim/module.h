@@ -17,10 +17,10 @@
 
 namespace nmc::sim {
 
-/// A status packet: at most status, 17 item bytes and sum; and one byte that a fault may add.
+/// A status packet: at most status, 17 item bytes and sum, plus one byte that a fault may add.
 using ReplyBytes = ByteBuffer<20>;
 
-/// Writes the status items that a mask asks for, in the order of their bits.
+/// Writes the status items selected by a mask, in the order of their bits.
 class ItemWriter {
 public:
     ItemWriter(ReplyBytes& reply, std::uint8_t mask) : m_reply(reply), m_mask(mask) {}
@@ -37,23 +37,23 @@ private:
     unsigned m_mask;
 };
 
-/// Later than any event.
+/// A time later than any event.
 inline constexpr TimePoint kNever = TimePoint::max();
 
 struct ModuleOptions {
-    Duration tickPhase{};      ///< when its first tick ends, 0 <= phase < kServoTick
-    Duration resetDeadTime{};  ///< deaf for so long after power-up and Hard Reset
+    Duration tickPhase{};      ///< end of its first tick, 0 <= phase < kServoTick
+    Duration resetDeadTime{};  ///< time without listening after power-up and Hard Reset
     bool unpaced = false;      ///< replies take no wire time
     bool deafWhenAddressInputRises = false;
-    MotorParameters motor{};  ///< of a PIC-SERVO
-    std::uint64_t seed = 1;   ///< of the noise of its encoder, with its index
+    MotorParameters motor{};  ///< motor of a PIC-SERVO
+    std::uint64_t seed = 1;   ///< seed of its encoder's noise, together with its index
 };
 
-/// What every NMC chip has, whatever it drives: UART and receive buffer, address and group, the daisy-chained
-/// address pins, execution at the end of its tick, the reply (DS-V 4.1). A chip's own commands, status items
-/// and motion are in a derived class.
+/// What every NMC chip has, regardless of what it drives: UART and receive buffer, address and group, the
+/// daisy-chained address pins, execution at the end of its tick, and the reply (DS-V 4.1). The commands,
+/// status items and motion specific to a chip are in a derived class.
 ///
-/// A module is advanced only when something asks for it; between two events it runs its ticks in one go.
+/// A module is advanced only on demand; between two events it runs its ticks in one go.
 class Module {
 public:
     Module(ModuleIdentity identity, std::uint8_t index, const ModuleOptions& options,
@@ -63,45 +63,45 @@ public:
     Module& operator=(const Module&) = delete;
 
     // Addressing.
-    /// As after switching its supply off and on.
+    /// Puts the module into the state after switching its supply off and on.
     void powerUp(TimePoint now);
     void setAddressInput(bool low, TimePoint now);
     [[nodiscard]] bool addressOutputIsLow() const { return m_addressOutputLow && !raisesAddressOutput(); }
-    /// Whether its UART takes part in what happens on the line.
+    /// True when the module's UART takes part in the traffic on the line.
     [[nodiscard]] bool isAwake(TimePoint now);
 
     // The line.
-    /// A byte of the host, while awake. `framingError`: it was not what the host sent. `struck`: as in
-    /// Packet. `late`: nobody knows whether its host waited before it sent this.
+    /// Receives a byte of the host while awake. `framingError`: the byte is not what the host sent. `struck`:
+    /// as in Packet. `late`: it is unknown whether the host waited for its answer before it sent this byte.
     void hears(std::uint8_t byte, bool framingError, bool struck, bool late, TimePoint now);
     [[nodiscard]] bool inPacket() const { return m_receiver.inPacket(); }
-    /// When it next executes a command or has sent a byte; kNever while it only moves its motor.
+    /// The time at which it next executes a command or has sent a byte; kNever while it only moves its motor.
     [[nodiscard]] TimePoint nextEvent() const;
-    /// Has a command to carry out or a reply on its way, and no fault to thank for either.
+    /// True when it has a command to execute or a reply to send, and neither was caused by a fault.
     [[nodiscard]] bool owesAnswer() const {
         return m_pending ? !m_pending->packet.struck : isReplying() && !m_replyStruck;
     }
     [[nodiscard]] TimePoint executesAt() const { return m_pending ? m_pending->due : kNever; }
-    /// Runs up to the end of the tick and carries out the pending command.
+    /// Runs up to the end of the tick and executes the pending command.
     void execute();
-    /// Bits per second of its UART.
+    /// The rate of its UART in bits per second.
     [[nodiscard]] double baud() const { return uartRate(m_identity, m_brd); }
 
-    // The reply on its way. Only while isReplying().
+    // The reply being sent; valid only while isReplying().
     [[nodiscard]] bool isReplying() const { return m_sent < m_reply.size(); }
     [[nodiscard]] std::uint8_t replyByte() const { return m_reply[m_sent]; }
     [[nodiscard]] TimePoint replyByteStart() const { return m_replyStart + m_byteTime * m_sent; }
     [[nodiscard]] TimePoint replyByteDue() const { return m_replyStart + m_byteTime * (m_sent + 1); }
-    /// True when that was the last byte.
+    /// Returns true when that was the last byte.
     bool replyByteSent();
-    /// It would not be what, when or at which address it is without a fault, or without another host.
+    /// True when a fault or another host has changed the contents, the time or the address of the reply.
     [[nodiscard]] bool replyIsStruck() const { return m_replyStruck || m_addressIsFaults; }
     void replyCollided(TimePoint now);
-    /// A byte of the host has come: the rest of the reply is not sent.
+    /// Called when a byte of the host arrives: the rest of the reply is not sent.
     void dropReply();
 
-    // Faults (simulator.md, Faults): what goes wrong in the module or on its way to the host.
-    /// The packet that execute() will carry out; there must be one.
+    // Faults in the module or on its way to the host (simulator.md, Faults).
+    /// The packet that execute() will execute; there must be one.
     [[nodiscard]] const Packet& pendingPacket() const { return m_pending->packet; }
     void damagePending() { m_pending->packet.framingError = true; }
     void forgetPending() { m_pending.reset(); }
@@ -110,21 +110,21 @@ public:
     }
     [[nodiscard]] std::uint8_t address() const { return m_address; }
     void takeAddress(std::uint8_t address);
-    /// Unless the host has given it another one since.
+    /// Restores the own address, unless the host has set another one since.
     void giveAddressBack();
     void defineItems(std::uint8_t mask);
-    /// The command that the reply on its way answers.
+    /// The code of the command that the current reply answers.
     [[nodiscard]] CommandCode answeredCode() const { return static_cast<CommandCode>(m_answered[2] & 0x0FU); }
     [[nodiscard]] ByteSpan reply() const { return m_reply; }
-    /// Sends this instead, so much later; nothing when it is empty.
+    /// Sends `bytes` instead, delayed by `later`; sends nothing when `bytes` is empty.
     void replaceReply(ByteSpan bytes, Duration later);
     virtual void holdShaft(bool) {}
     virtual void reverseEncoder(bool) {}
 
-    // The world outside and the truth inside.
-    /// Runs all ticks that have ended.
+    // The world outside the module, and the truth inside it.
+    /// Runs all ticks that have ended by `now`.
     void advanceTo(TimePoint now);
-    /// `number`: which of several, from 1; 0 where there is one.
+    /// `number` selects one of several inputs, from 1; it is 0 where there is only one.
     virtual void set(Input input, std::optional<double> value, unsigned number) = 0;
     [[nodiscard]] virtual ModuleSnapshot snapshot(TimePoint now) const;
     [[nodiscard]] const ModuleStatistics& statistics() const { return m_statistics; }
@@ -133,11 +133,11 @@ public:
     [[nodiscard]] std::uint8_t index() const { return m_index; }
 
 protected:
-    /// Logs a violation by the command that is being executed, or a remark.
+    /// Log a violation, or a remark, about the command being executed.
     void violates(ViolationKind kind);
     void remarks(ViolationKind kind);
     [[nodiscard]] ModuleIdentity identity() const { return m_identity; }
-    /// Type and version, as item 5 has them.
+    /// Type and version in the format of item 5.
     [[nodiscard]] std::uint16_t identityItem() const {
         return static_cast<std::uint16_t>(m_identity.version << 8U | static_cast<unsigned>(m_identity.type));
     }
@@ -148,12 +148,12 @@ protected:
         bool leader = false;
     };
     [[nodiscard]] Place place() const { return {m_address, m_group, m_leader}; }
-    /// As after the Set Address that gave it this place.
+    /// Restores the state after the Set Address that assigned this place.
     void restorePlace(const Place& place);
 
     enum class Restart : std::uint8_t { PowerUp, HardReset };
 
-    /// Whether the chip keeps up with the rate of this divisor.
+    /// True when the chip can keep up with the rate of this divisor.
     [[nodiscard]] virtual bool keepsUpWith(std::uint8_t brd) const;
 
 private:
@@ -165,21 +165,22 @@ private:
         bool answers = false;
     };
 
-    /// Whether Hard Reset to address FF is obeyed in any group (DS-S 5.1).
+    /// True when the chip obeys a Hard Reset to address FF whatever its group (DS-S 5.1).
     [[nodiscard]] virtual bool obeysResetOfAll() const { return false; }
-    /// A fault that the chip tells on ADDR_OUT.
+    /// True while the chip signals a fault on ADDR_OUT.
     [[nodiscard]] virtual bool raisesAddressOutput() const { return false; }
-    /// Hard Reset with data, before it is carried out.
+    /// Handles a Hard Reset with data, before it is executed.
     virtual void configureReset(const Packet&) {}
-    /// Power-up state of everything that is the chip's own.
+    /// Resets everything specific to the chip to its power-up state.
     virtual void resetChip(Restart restart) = 0;
     virtual void addressed() {}
     virtual void runTicks(std::uint64_t ticks) = 0;
-    /// A command that is not common to all chips. Its length is within the command table's bounds, or logged.
+    /// Executes a command that is not common to all chips. Its length is within the bounds of the command
+    /// table, or a violation has been logged.
     virtual void executeOwn(const Packet& packet) = 0;
-    /// The bits of a command's first data byte that the data sheet wants cleared to zero.
+    /// The bits of a command's first data byte that the data sheet requires to be zero.
     [[nodiscard]] virtual std::uint8_t reservedBits(CommandCode code) const = 0;
-    /// Without the communication error bit.
+    /// The status byte without the communication error bit.
     [[nodiscard]] virtual std::uint8_t statusByte() const = 0;
     virtual void writeItems(ItemWriter writer) const = 0;
 
@@ -192,7 +193,7 @@ private:
     void reset(TimePoint now, Restart restart);
     void reply(TimePoint now, std::uint8_t items, bool communicationError);
     [[nodiscard]] TimePoint tickEnd(std::uint64_t tick) const;
-    /// Number of ticks that have ended at `now`.
+    /// The number of ticks that have ended at `now`.
     [[nodiscard]] std::uint64_t ticksAt(TimePoint now) const;
 
     ModuleIdentity m_identity;
@@ -203,7 +204,7 @@ private:
 
     Receiver m_receiver;
     std::optional<Pending> m_pending;
-    std::uint64_t m_ticks = 0;  ///< that have been run
+    std::uint64_t m_ticks = 0;  ///< ticks run so far
     TimePoint m_deafUntil;
     bool m_addressInputLow = false;
     bool m_awake = false;
@@ -213,14 +214,14 @@ private:
     bool m_leader = false;
     std::uint8_t m_brd = kPowerUpBrd;
     std::uint8_t m_items = 0;
-    std::optional<std::uint8_t> m_ownAddress;  ///< while a fault has given it another one
+    std::optional<std::uint8_t> m_ownAddress;  ///< set while a fault has assigned another one
     bool m_addressIsFaults = false;
     bool m_itemsAreFaults = false;
 
     ReplyBytes m_reply;
     std::uint8_t m_sent = 0;
     bool m_collided = false;
-    bool m_commandStruck = false;  ///< the command that is being executed
+    bool m_commandStruck = false;  ///< refers to the command being executed
     bool m_replyStruck = false;
     TimePoint m_replyStart;
     Duration m_byteTime{};

@@ -10,7 +10,7 @@ namespace nmc::sim {
 
 namespace {
 
-/// Order: current, speed, counts, voltage, torque. The last two are constant within a sub-step.
+/// Order of the state: current, speed, counts, voltage, torque. The last two are constant within a sub-step.
 constexpr std::size_t kOrder = 5;
 using Matrix = std::array<std::array<double, kOrder>, kOrder>;
 
@@ -23,13 +23,13 @@ Matrix product(const Matrix& a, const Matrix& b) {
     return c;
 }
 
-/// exp(m) by its series for m / 2^s, squared s times.
+/// exp(m): the series for m / 2^s, squared s times.
 Matrix exponential(Matrix m) {
     double norm = 0;
     for (const auto& row : m)
         for (double x : row)
             norm = std::max(norm, std::abs(x));
-    constexpr double kSmall = 1.0 / 32;  // below it twelve terms are more than a double holds
+    constexpr double kSmall = 1.0 / 32;  // below it, twelve terms exceed the precision of a double
     const int squarings = norm > kSmall ? std::ilogb(norm / kSmall) + 1 : 0;
     for (auto& row : m)
         for (double& x : row)
@@ -57,7 +57,7 @@ double signOf(double x) {
     return x < 0 ? -1.0 : 1.0;
 }
 
-/// Below this a current is none: a millionth of what the converter can see.
+/// A current below this counts as zero; it is a millionth of what the converter can resolve.
 constexpr double kNoAmperes = 1e-8;
 
 }  // namespace
@@ -138,7 +138,7 @@ void MotorPlant::twist() {
     m_loadNm = m_parameters.loadNm + m_elastic.stiffness * m_elastic.twist + m_elastic.damping * faster;
 }
 
-/// The second mass takes what the spring has given in this sub-step.
+/// Applies to the second mass the torque of the spring in this sub-step.
 void MotorPlant::swing() {
     constexpr double kNoRadPerSecond = 1e-6;
     const double second = m_parameters.elasticInertiaKgM2;
@@ -146,7 +146,8 @@ void MotorPlant::swing() {
         return;
     m_elastic.radPerSecond += (m_loadNm - m_parameters.loadNm) / second * kSubstepSeconds;
     m_elastic.twist += 0.5 * kSubstepSeconds * (m_state.radPerSecond - m_elastic.radPerSecond);
-    // By the energy of both, the spring's as the speed that it would give the mass.
+    // Compares the energy of both, with the spring's energy expressed as the speed that it would give the
+    // mass.
     const double energy = m_elastic.radPerSecond * m_elastic.radPerSecond +
                           m_elastic.stiffness / second * m_elastic.twist * m_elastic.twist;
     if (m_state.radPerSecond == 0.0 && energy < kNoRadPerSecond * kNoRadPerSecond)
@@ -175,14 +176,14 @@ void MotorPlant::substepClosed(double volts) {
     keepWithinTravel();
 }
 
-/// The shaft stands: dry friction takes whatever torque there is, up to its limit.
+/// The shaft is at rest: dry friction balances any torque up to its limit.
 void MotorPlant::substepAtRest(double nextAmperes, double volts) {
     const MotorParameters& p = m_parameters;
     const double torque = p.motorConstant * nextAmperes - m_loadNm;
     if (!m_held && std::abs(torque) > p.coulombNm && !isStopped(torque)) {
         const State next = solved(volts, -m_loadNm - p.coulombNm * signOf(torque));
-        // Within the sub-step in which it breaks away, friction may still have been the stronger on the
-        // whole.
+        // Averaged over the sub-step in which the shaft breaks away, friction may still have been the
+        // stronger.
         if (next.radPerSecond * torque > 0.0) {
             m_state = next;
             keepWithinTravel();
@@ -192,7 +193,8 @@ void MotorPlant::substepAtRest(double nextAmperes, double volts) {
     m_state.amperes = std::abs(nextAmperes) < kNoAmperes ? 0.0 : nextAmperes;
 }
 
-/// The speed crossed zero within the sub-step: friction turned round there, or holds the shaft from there on.
+/// The speed crossed zero within the sub-step: from there on, friction acts in the other direction or holds
+/// the shaft.
 void MotorPlant::reverse(double speedBefore, State& next) const {
     const MotorParameters& p = m_parameters;
     const double change = speedBefore - next.radPerSecond;
@@ -207,7 +209,7 @@ void MotorPlant::reverse(double speedBefore, State& next) const {
                   0.5 * m_countsPerRad * (speedBefore * share * kSubstepSeconds + next.radPerSecond * rest);
 }
 
-/// No current flows: the bridge is off, its diodes have emptied the inductance within a sub-step.
+/// No current flows: the bridge is off, and its diodes have emptied the inductance within a sub-step.
 void MotorPlant::substepOpen() {
     const MotorParameters& p = m_parameters;
     m_state.amperes = 0.0;

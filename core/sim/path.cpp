@@ -6,7 +6,7 @@ namespace nmc::sim {
 namespace {
 
 constexpr unsigned kReverse = 0x01;
-constexpr unsigned kLonger = 0x02;  ///< F: twice as long
+constexpr unsigned kLonger = 0x02;  ///< F: the segment is twice as long
 
 }  // namespace
 
@@ -31,7 +31,7 @@ std::optional<std::int64_t> Path::next(bool fastPath) {
         }
         const unsigned word = m_words.front();
         m_words.pop_front();
-        // Without its two low bits the word is the speed in 1/256 count per tick.
+        // Without its two low bits, the word is the speed in 1/256 count per tick.
         const std::int64_t speed = std::int64_t{word & ~(kReverse | kLonger)} * 256;
         m_velocity = (word & kReverse) != 0 ? -speed : speed;
         m_ticksLeft = ((word & kLonger) != 0 ? 64 : 32) / (fastPath ? 2 : 1);

@@ -5,7 +5,7 @@
 
 namespace nmc::sim {
 
-/// What Set Gain sets (DS-V 5.2).
+/// The parameters of Set Gain (DS-V 5.2).
 struct Gains {
     std::uint16_t kp = 0;  ///< 0..7FFF
     std::uint16_t kd = 0;  ///< 0..7FFF
@@ -19,14 +19,14 @@ struct Gains {
     std::uint8_t sm = 1;   ///< counts per step pulse, SC
 };
 
-/// The control filter of DS-V 4.3, in integers. The sheet prints a minus before Kd, which would drive instead
-/// of damp; here it is a plus (protocol.md 2, a choice).
+/// The control filter of DS-V 4.3 in integer arithmetic. The data sheet prints a minus before Kd, which would
+/// drive instead of damp; here it is a plus (protocol.md 2, a choice).
 class PidFilter {
 public:
-    /// The filter's output for the position error in counts; PWM counts times 256, signed. Once per servo
-    /// tick.
+    /// Returns the filter's output for a position error in counts: signed PWM counts times 256. Called once
+    /// per servo tick.
     std::int64_t output(const Gains& gains, std::int32_t error);
-    /// Forgets the running sum and the previous error.
+    /// Clears the running sum and the previous error.
     void reset() { *this = PidFilter{}; }
 
 private:

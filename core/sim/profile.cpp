@@ -20,8 +20,9 @@ std::int64_t fine(std::int32_t counts) {
 }  // namespace
 
 std::int64_t stoppingVelocity(std::int64_t distance, std::int64_t acceleration) {
-    // Stopping from v takes n+1 ticks that cover (n+1)v - a n(n+1)/2. The smallest n with
-    // distance <= a(n+1)(n+2)/2 makes the last of them at most a, so that the stop itself is allowed too.
+    // Stopping from v takes n+1 ticks, which cover (n+1)v - a n(n+1)/2. The smallest n with distance <=
+    // a(n+1)(n+2)/2 makes the last velocity at most a, so that the stop itself is also within the
+    // acceleration.
     const auto reach = [acceleration](std::int64_t n) { return acceleration * ((n + 1) * (n + 2) / 2); };
     const double ratio = static_cast<double>(distance) / static_cast<double>(acceleration);
     std::int64_t n = static_cast<std::int64_t>((std::sqrt(1.0 + 8.0 * ratio) - 3.0) * 0.5);
@@ -145,7 +146,8 @@ void Profile::stepperMode() {
 }
 
 std::int64_t Profile::approach(std::int64_t distance, std::int64_t wanted) const {
-    // Stopping from w takes at most w^2/2a + w/2 + a/8. Far from the goal that settles it without a root.
+    // Stopping from w takes at most w^2/2a + w/2 + a/8. Far from the goal, this test decides without a square
+    // root.
     const double w = static_cast<double>(wanted);
     const double enough = w * w * m_halfInverseAcceleration + w + static_cast<double>(m_acceleration);
     if (static_cast<double>(distance) > enough)
@@ -154,7 +156,7 @@ std::int64_t Profile::approach(std::int64_t distance, std::int64_t wanted) const
 }
 
 void Profile::stepTrapezoid() {
-    if (m_acceleration == 0) {  // No change of velocity: never starts, or never ends.
+    if (m_acceleration == 0) {  // without acceleration the move never starts, or never ends
         m_position = wrap48(m_position + m_velocity);
         return;
     }
@@ -165,7 +167,7 @@ void Profile::stepTrapezoid() {
 
     const std::int64_t wanted = std::max<std::int64_t>(0, std::min(speed + m_acceleration, m_goalVelocity));
     const std::int64_t target = approach(distance, wanted);
-    // From the wrong direction it takes some ticks to get there.
+    // From the wrong direction, it takes several ticks to reach the target velocity.
     const std::int64_t next = std::min(std::max(target, speed - m_acceleration), speed + m_acceleration);
 
     m_accelerationDone = m_accelerationDone || next < speed + m_acceleration || next >= m_goalVelocity;

@@ -7,8 +7,8 @@
 
 namespace nmc::sim {
 
-/// The simulator's only source of chance: SplitMix64. The standard's distributions differ between libraries,
-/// and one seed has to give one history everywhere.
+/// The simulator's only source of randomness: SplitMix64. The standard's distributions differ between
+/// libraries, and a seed must give the same history everywhere.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : m_state(seed) {}
@@ -27,7 +27,7 @@ public:
     /// 0 <= result < 1.
     double unit() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
 
-    /// Normally distributed about 0, standard deviation 1 (Box and Muller).
+    /// Normally distributed with mean 0 and standard deviation 1 (Box and Muller).
     double normal() {
         const double radius = std::sqrt(-2.0 * std::log(1.0 - unit()));
         return radius * std::cos(2.0 * std::numbers::pi * unit());

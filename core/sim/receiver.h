@@ -10,36 +10,36 @@
 
 namespace nmc::sim {
 
-/// A packet as the chip has it in its memory once the checksum byte is in.
+/// A packet as it is in the chip's memory once the checksum byte has arrived.
 struct Packet {
     std::uint8_t address = 0;
     std::uint8_t commandByte = 0;
-    /// As on the chip nothing clears it: behind the bytes of this packet stand those of earlier ones, and a
-    /// command that announces too few bytes is carried out with them.
+    /// Nothing clears it, as on the chip: the bytes of earlier packets remain after those of this one, and a
+    /// command that announces too few bytes is executed with them.
     std::array<std::uint8_t, 16> data{};
     std::uint8_t sum = 0;
     bool framingError = false;
-    bool struck = false;  ///< not as this host sent it: a fault has had a hand in it, or another host
+    bool struck = false;  ///< not as this host sent it, because of a fault or another host
 
     [[nodiscard]] CommandCode code() const { return static_cast<CommandCode>(commandByte & 0x0FU); }
-    /// Number of data bytes that were received.
+    /// Number of data bytes received.
     [[nodiscard]] std::size_t length() const { return commandByte >> 4U; }
     [[nodiscard]] bool sumIsRight() const;
     /// The whole packet, header first, for the log.
     [[nodiscard]] PacketBytes bytes() const;
 };
 
-/// Finds packets in what a UART hears (DS-V 4.1): waits for AA, takes address, command byte, as many data
-/// bytes as that announces, and the sum. It knows no time-out: after a lost byte the next packet becomes the
-/// tail.
+/// Finds packets in the bytes that a UART receives (DS-V 4.1): waits for AA, then takes address, command
+/// byte, the number of data bytes announced there, and the sum. It has no time-out: after a lost byte, the
+/// start of the next packet is taken for the missing end.
 class Receiver {
 public:
-    /// True when `byte` completed a packet, which packet() then shows until the next header.
+    /// Returns true when `byte` completed a packet, which packet() returns until the next header.
     bool hears(std::uint8_t byte, bool framingError, bool struck = false);
     [[nodiscard]] const Packet& packet() const { return m_packet; }
-    /// True from a header on until its packet is complete.
+    /// True from a header until its packet is complete.
     [[nodiscard]] bool inPacket() const { return m_expected != Expected::Header; }
-    /// Forgets what has been received so far.
+    /// Discards everything received so far.
     void reset() { *this = Receiver{}; }
 
 private:

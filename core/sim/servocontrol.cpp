@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What changes a servo loop from outside: the host's commands and the world around the motor.
+// What changes a servo loop from outside: the host's commands, and the world around the motor.
 #include "sim/servoloop.h"
 
 #include "base/strong.h"
@@ -25,7 +25,7 @@ void ServoLoop::reset() {
     fresh.m_plant = m_plant;
     fresh.m_noise = m_noise;
     fresh.m_encoderShaft = m_encoderShaft;
-    // The counter starts from 0 wherever the shaft stands.
+    // The counter restarts from 0 wherever the shaft is.
     fresh.m_encoder = m_encoder;
     fresh.m_encoder.reset();
     fresh.m_encoder.clearWrapped();
@@ -46,7 +46,7 @@ void ServoLoop::setPosition(std::int32_t position) {
     m_quiet = false;
 }
 
-/// The command keeps its distance: nothing moves.
+/// The command position keeps its distance from the position, so nothing moves.
 void ServoLoop::resetRelativeToHome() {
     const auto back = [home = m_home](std::int32_t position) {
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(position) -
@@ -67,7 +67,7 @@ void ServoLoop::setGains(const Gains& gains) {
 
 void ServoLoop::turnServoOn() {
     if (!m_servoOn) {
-        // At a low servo rate the command may be some ticks behind the motor.
+        // At a low servo rate the command position may lag some ticks behind the motor.
         m_profile.follow(m_encoder.position(), m_velocity);
         m_filter.reset();
         m_servoOn = true;
@@ -77,7 +77,8 @@ void ServoLoop::turnServoOn() {
     m_quiet = false;
 }
 
-/// Whatever ends servoing also makes the PWM value 0 (DS-V 4.5), the one waiting for Start Motion too.
+/// Whatever ends servoing also sets the PWM value to 0 (DS-V 4.5), including the one that waits for Start
+/// Motion.
 void ServoLoop::disableServo() {
     m_servoOn = false;
     m_path.end();
@@ -89,7 +90,7 @@ void ServoLoop::disableServo() {
     m_quiet = false;
 }
 
-/// As disableServo(), but nobody has asked for it.
+/// Disables the servo like disableServo(), but without a command from the host.
 void ServoLoop::fault() {
     disableServo();
     m_fault = true;
@@ -104,7 +105,7 @@ void ServoLoop::start() {
     m_path.end();
     turnServoOn();
     if (t.isTrapezoidal()) {
-        // CMC and SC let a move be changed under way.
+        // CMC and SC allow a move to be changed while it runs.
         m_profile.startTrapezoid(loadedGoal(), t.velocity, t.acceleration,
                                  isLater() ? Profile::Start::AtPresentVelocity : Profile::Start::AtZero);
         return;
@@ -119,7 +120,7 @@ void ServoLoop::startPwm() {
     const bool reverse = m_reverse;
     disableServo();
     m_loaded.pwm = t.pwm;
-    // CMC and SC keep the present output where no value is loaded.
+    // CMC and SC keep the present output when no value is loaded.
     if (isLater() && !t.has(Trajectory::kPwm))
         setOutput(undervoltage() ? 0 : present, reverse);
     else
@@ -193,8 +194,8 @@ void ServoLoop::turnOff() {
     driveMotor();
 }
 
-// "Current command velocity and goal velocity will be set to zero": it is the loaded parameter that becomes
-// 0, so that it has to be loaded again before the next move. CMC and SC keep it.
+// "Current command velocity and goal velocity will be set to zero": the loaded parameter becomes 0, so it
+// must be loaded again before the next move. CMC and SC keep it.
 void ServoLoop::stopAbruptly() {
     turnServoOn();
     m_path.end();
@@ -207,7 +208,7 @@ void ServoLoop::stopSmoothly() {
     turnServoOn();
     const bool onPath = m_path.running();
     m_path.end();
-    // A path has no acceleration of its own.
+    // A path has no acceleration of its own, so the loaded one is used.
     if (onPath)
         return m_profile.startVelocity(0, m_loaded.acceleration);
     if (!isLater())
@@ -280,13 +281,13 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::VoltSense:
             m_volts = value.value_or(kGoodVolts);
             return;
-        case Input::Pin:  // A PIC-I/O's.
+        case Input::Pin:  // PIC-I/O only
         case Input::Estop:
         case Input::In1:
         case Input::In2:
         case Input::HomeSwitch:
         case Input::HomeSwitchAt:
-            return;  // A stepper's.
+            return;  // PIC-STEP only
     }
 }
 

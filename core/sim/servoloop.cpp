@@ -86,7 +86,7 @@ bool ServoLoop::currentIsOver() const {
     return m_gains.cl % 2 == 1 ? analog() > m_gains.cl : analog() < m_gains.cl;
 }
 
-/// At the maximum rate whatever the servo rate is, and in PWM mode too (DS-V 4.3, 4.5).
+/// The limit acts at the maximum rate, whatever the servo rate, and in PWM mode too (DS-V 4.3, 4.5).
 void ServoLoop::limitCurrent() {
     m_limiting = currentIsOver();
     m_overcurrent = m_overcurrent || m_limiting;
@@ -95,7 +95,7 @@ void ServoLoop::limitCurrent() {
 
 void ServoLoop::driveMotor() {
     int magnitude = m_magnitude - m_adjustment;
-    // A raw PWM value goes to the amplifier as it is (DS-V 4.5).
+    // A raw PWM value reaches the amplifier unchanged (DS-V 4.5).
     if (magnitude > 0 && m_servoOn)
         magnitude = std::min(magnitude + m_gains.db * pwmSteps(), 255 * pwmSteps());
     m_pwm = m_reverse ? -magnitude : magnitude;
@@ -129,7 +129,7 @@ bool ServoLoop::limitPin(unsigned number) const {
     if (!m_limitsAutomatic)
         return m_limitInput[number];
     const auto shaft = static_cast<double>(m_plant.shaft());
-    // LIMIT1 of an SC is the forward one (docs/family.md).
+    // On an SC, LIMIT1 is the forward limit (docs/family.md).
     const bool atReverseEnd = (number == 0) != isSc();
     return atReverseEnd ? shaft <= motor().travelMinCounts : shaft >= motor().travelMaxCounts;
 }
@@ -162,7 +162,8 @@ std::uint8_t ServoLoop::statusByte() const {
 
 std::uint8_t ServoLoop::auxiliaryByte() const {
     unsigned bits = 0;
-    // Up to version 5 the complement of the index, and phases that are over; then the phase there is.
+    // Up to version 5: the complement of the index, and the phases that are over. On an SC: the index, and
+    // the current phase.
     bits |= indexPin() == isSc() ? 0x01U : 0U;
     bits |= m_encoder.wrapped() ? 0x02U : 0U;
     bits |= m_servoOn ? 0x04U : 0U;
@@ -187,7 +188,7 @@ ServoSnapshot ServoLoop::snapshot() const {
     s.analog = analog();
     s.analogInput = m_analogInput;
     s.servoOn = m_servoOn;
-    // An SC lowers its enable outputs while the voltage is out of range.
+    // An SC lowers its enable outputs while its supply voltage is out of range.
     s.ampEnabled = m_ampEnabled && (!isSc() || isPowered());
     s.power = isPowered();
     if (m_servoOn && m_stoppedHere)

@@ -15,7 +15,8 @@
 
 namespace nmc::sim {
 
-/// What Load Trajectory leaves in the chip's memory. A value that is not loaded keeps what it was.
+/// The parameters that Load Trajectory leaves in the chip's memory. A parameter that is not loaded keeps its
+/// value.
 struct Trajectory {
     static constexpr std::uint8_t kPwm = 0x08;
     static constexpr std::uint8_t kServo = 0x10;
@@ -40,13 +41,13 @@ struct ScControl {
     static constexpr std::uint8_t kLimitAbrupt = 0x08;
     static constexpr std::uint8_t kThreePhase = 0x10;
     static constexpr std::uint8_t kAntiphase = 0x20;
-    static constexpr std::uint8_t kFastPath = 0x40;  ///< of a CMC, too
+    static constexpr std::uint8_t kFastPath = 0x40;  ///< also on a CMC
     static constexpr std::uint8_t kStepAndDirection = 0x80;
 };
 
-/// The part of the PIC-SERVO that moves a motor, with the motor: encoder, profile, control filter, current
-/// limit, home search, power monitor (DS-V 4.2 - 4.5). Knows nothing of packets. Time comes as ticks of 512
-/// us.
+/// The part of the PIC-SERVO that moves a motor, together with the motor: encoder, profile, control filter,
+/// current limit, home search, power monitor (DS-V 4.2 - 4.5). It knows nothing of packets. Time advances in
+/// ticks of 512 us.
 class ServoLoop {
 public:
     explicit ServoLoop(std::uint8_t version)
@@ -54,9 +55,10 @@ public:
           m_encoder(version >= kLater ? Encoder::kLaterMaxEdgesPerTick : Encoder::kMaxEdgesPerTick),
           m_path(Path::capacityOf(version)) {}
 
-    /// Power-up state of the chip. The motor and its shaft do not know about it.
+    /// Restores the chip's power-up state. The motor and its shaft are not affected.
     void reset();
-    /// That many maximum-rate ticks: shaft, then encoder, then everything that is computed from it.
+    /// Runs this many maximum-rate ticks: first the shaft, then the encoder, then everything computed from
+    /// it.
     void run(std::uint64_t ticks);
 
     // Commands (DS-V 5.2).
@@ -67,7 +69,7 @@ public:
     [[nodiscard]] const Gains& gains() const { return m_gains; }
     void load(const Trajectory& trajectory) { m_loaded = trajectory; }
     [[nodiscard]] const Trajectory& loaded() const { return m_loaded; }
-    /// Nothing happens when limit protection forbids the motion.
+    /// Starts the loaded trajectory. Does nothing when limit protection forbids the motion.
     void start();
     void setAmplifier(bool enabled);
     void turnOff();
@@ -78,46 +80,46 @@ public:
     void setHoming(std::uint8_t control);
     void clearStickyBits();
     void saveAsHome() { m_home = m_encoder.position(); }
-    /// False when the path buffer is full.
+    /// Returns false when the path buffer is full.
     bool addPathPoint(std::uint16_t word) { return m_path.add(word); }
     void startPath();
     void endPath();
-    /// The servo holds the motor where it is.
+    /// Turns the servo on to hold the motor at its present position.
     void holdPosition();
 
     // Status items (DS-V 5.2 Define Status, 5.3).
-    /// Without the checksum bit, which is the receiver's.
+    /// The status byte without the checksum error bit, which belongs to the receiver.
     [[nodiscard]] std::uint8_t statusByte() const;
     [[nodiscard]] std::uint8_t auxiliaryByte() const;
     [[nodiscard]] std::int32_t position() const { return m_encoder.position(); }
     [[nodiscard]] std::int32_t home() const { return m_home; }
     [[nodiscard]] const Homing& homing() const { return m_homing; }
     [[nodiscard]] std::uint8_t analog() const;
-    /// Counts the motor moved in the last servo tick; forward is positive.
+    /// Counts that the motor moved in the last servo tick; forward is positive.
     [[nodiscard]] std::int32_t velocity() const { return m_velocity; }
-    /// Command position - position, counts.
+    /// Command position - position, in counts.
     [[nodiscard]] std::int32_t positionError() const {
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(m_profile.position()) -
                                          static_cast<std::uint32_t>(m_encoder.position()));
     }
     [[nodiscard]] std::size_t pathPoints() const { return m_path.points(); }
-    /// The servo has been switched off by an error or by its voltage, in step and direction mode.
+    /// True when an error or the supply voltage has switched the servo off in step and direction mode.
     [[nodiscard]] bool steppingFault() const { return m_fault && controls(ScControl::kStepAndDirection); }
 
-    /// In the middle of a trapezoidal move, when Reset Position and a new trapezoid are forbidden.
+    /// True during a trapezoidal move, when Reset Position and a new trapezoid are forbidden.
     [[nodiscard]] bool inTrapezoid() const;
     [[nodiscard]] std::int64_t commandVelocity() const { return m_profile.velocity(); }
 
     /// The value must be in the range that Input states.
     void set(Input input, std::optional<double> value);
-    /// In place of the usual one; `seed` is of its encoder's noise.
+    /// Replaces the default motor; `seed` is for its encoder's noise.
     void setMotor(const MotorParameters& motor, std::uint64_t seed = 1) {
         m_plant.setParameters(motor);
         m_noise = Random(seed);
     }
-    /// Something holds the shaft where it is.
+    /// Holds the shaft where it is, or releases it.
     void holdShaft(bool held);
-    /// The encoder's channels are exchanged.
+    /// Exchanges the encoder's channels, or restores them.
     void reverseEncoder(bool reversed);
     [[nodiscard]] const MotorParameters& motor() const { return m_plant.parameters(); }
     [[nodiscard]] ServoSnapshot snapshot() const;
@@ -127,7 +129,7 @@ private:
     static constexpr std::uint8_t kSc = 10;
     [[nodiscard]] bool isLater() const { return m_version >= kLater; }
     [[nodiscard]] bool isSc() const { return m_version >= kSc; }
-    /// Steps of the output for one PWM count: two more bits on an SC.
+    /// Output steps per PWM count: an SC has two more bits.
     [[nodiscard]] int pwmSteps() const { return isSc() ? 4 : 1; }
     [[nodiscard]] bool controls(std::uint8_t bit) const { return (m_control & bit) != 0; }
 
@@ -139,9 +141,9 @@ private:
     void startPwm();
     void protectLimits();
     [[nodiscard]] bool protectsLimits() const;
-    /// Limit protection forbids motion in this direction: 1 forward, -1 reverse.
+    /// True when limit protection forbids motion in this direction: 1 forward, -1 reverse.
     [[nodiscard]] bool isBlocked(int direction) const;
-    /// Where the loaded trajectory would go.
+    /// The direction in which the loaded trajectory would move.
     [[nodiscard]] int loadedDirection() const;
     [[nodiscard]] std::int32_t loadedGoal() const;
     void fault();
@@ -163,7 +165,7 @@ private:
 
     std::uint8_t m_version;
     MotorPlant m_plant;
-    std::int64_t m_encoderShaft = 0;  ///< counts, behind the shaft by at most the play
+    std::int64_t m_encoderShaft = 0;  ///< counts; lags the shaft by at most the play
     Random m_noise{1};
     Encoder m_encoder;
     Profile m_profile;
@@ -177,9 +179,9 @@ private:
     std::int32_t m_velocity = 0;
     std::int32_t m_home = 0;
     int m_ticksToServoTick = 1;
-    int m_magnitude = 0;  ///< PWM before current limiting, in pwmSteps() as the next two
+    int m_magnitude = 0;  ///< PWM before current limiting, in pwmSteps() like the next two
     int m_adjustment = 0;
-    int m_pwm = 0;  ///< what the amplifier gets
+    int m_pwm = 0;  ///< output to the amplifier
     bool m_reverse = false;
     bool m_servoOn = false;
     bool m_stoppedHere = false;
@@ -188,20 +190,20 @@ private:
     bool m_positionError = true;
     bool m_servoOverrun = false;
     bool m_tripped = false;   ///< the position error limit was exceeded in this tick
-    bool m_limiting = false;  ///< the current is over its limit in this tick
+    bool m_limiting = false;  ///< the current exceeds its limit in this tick
     bool m_quiet = false;     ///< another tick would change nothing
-    bool m_fault = false;     ///< an error or the voltage has switched the servo off
+    bool m_fault = false;     ///< an error or the supply voltage has switched the servo off
     std::uint8_t m_pinControl = kPinsAreInputs;
-    std::uint8_t m_control = 0;  ///< I/O Control: what of ScControl the version has
+    std::uint8_t m_control = 0;  ///< I/O Control: the bits of ScControl that the version has
 
     static constexpr std::uint8_t kPinsAreInputs = 0x0C;
-    // POWER_ON (docs/family.md).
+    // Voltage range of POWER_ON (docs/family.md).
     static constexpr double kMinVolts = 0.9;
     static constexpr double kMaxVolts = 4.5;
     static constexpr double kGoodVolts = 2.5;
-    // The world outside.
-    double m_volts = kGoodVolts;  ///< at VOLT_SENSE; older versions only know whether there is power
-    std::int64_t m_pulses = 0;    ///< pulses at the step input that are not yet in the command
+    // The world outside the chip.
+    double m_volts = kGoodVolts;  ///< at VOLT_SENSE; older versions only detect whether there is power
+    std::int64_t m_pulses = 0;    ///< pulses at the step input not yet added to the command position
     bool m_limitsAutomatic = false;
     bool m_limitInput[2] = {false, false};
     std::optional<std::uint8_t> m_analogInput;

@@ -11,7 +11,7 @@ namespace nmc::sim {
 namespace {
 
 constexpr std::uint32_t kMaxMotion = 0x7FFF'FFFF;
-/// Of CMC and SC: 1280 counts per tick.
+/// CMC and SC: 1280 counts per tick.
 constexpr std::uint32_t kLaterMaxVelocity = 83'886'080;
 
 std::uint16_t wordAt(const Packet& packet, std::size_t offset) {
@@ -48,7 +48,7 @@ void ServoModule::executeOwn(const Packet& packet) {
         case CommandCode::SetBaud:
         case CommandCode::Nop:
         case CommandCode::HardReset:
-            return;  // Module's.
+            return;  // Module executes these
     }
 }
 
@@ -56,7 +56,7 @@ void ServoModule::resetPosition(const Packet& packet) {
     constexpr unsigned kRelativeToHome = 0x01, kToValue = 0x02;
     if (!isSc() && m_loop.inTrapezoid())
         violates(ViolationKind::ResetInMotion);
-    // Versions 1 to 4 ignore a control byte, and 5 knows its first bit only.
+    // Versions 1 to 4 ignore a control byte, and version 5 knows only its first bit.
     const unsigned known = isSc() ? kRelativeToHome | kToValue : isLater() ? kRelativeToHome : 0U;
     const unsigned control = packet.length() == 0 ? 0U : packet.data[0] & known;
     if (std::popcount(control) > 1)
@@ -72,7 +72,7 @@ void ServoModule::resetPosition(const Packet& packet) {
 }
 
 void ServoModule::controlIo(std::uint8_t control) {
-    // One manner of stopping at a limit, and none with step and direction.
+    // Only one manner of stopping at a limit is allowed, and none with step and direction.
     constexpr unsigned kOneOf = ScControl::kLimitOff | ScControl::kLimitAbrupt | ScControl::kStepAndDirection;
     if (isSc() && std::popcount(control & kOneOf) > 1)
         violates(ViolationKind::OutOfRange);
@@ -175,8 +175,8 @@ void ServoModule::loadTrajectory(const Packet& packet) {
 }
 
 void ServoModule::startMotion() {
-    // DS-V 4.4: a trapezoid starts from standstill, and nothing about it changes while it runs. CMC and SC
-    // allow it.
+    // DS-V 4.4: a trapezoid starts from standstill, and none of its parameters may change while it runs. CMC
+    // and SC allow both.
     if (!isLater() && m_loop.loaded().isTrapezoidal() &&
         (m_loop.inTrapezoid() || m_loop.commandVelocity() != 0))
         violates(ViolationKind::TrapezoidInMotion);
@@ -214,7 +214,7 @@ void ServoModule::stopMotor(const Packet& packet) {
                        kAdvanced = 0x20;
     const unsigned control = packet.data[0];
     const bool here = (control & kHere) != 0;
-    // "If bit 1 is set, bits 2, 3 and 4 are ignored", though only one of them should be (DS-V 5.2).
+    // "If bit 1 is set, bits 2, 3 and 4 are ignored", although only one of them should be set (DS-V 5.2).
     if (std::popcount(control & (kOff | kAbrupt | kSmooth | kHere)) > 1) {
         if ((control & kOff) != 0)
             remarks(ViolationKind::StopBits);
@@ -236,7 +236,7 @@ void ServoModule::stopMotor(const Packet& packet) {
         violates(ViolationKind::Unsupported);
     else
         m_loop.endPath();
-    // Only a CMC has them to switch on; an SC ignores the bit.
+    // Only a CMC needs to have them switched on; an SC ignores the bit.
     m_advancedFeatures = m_advancedFeatures || (isLater() && !isSc() && (control & kAdvanced) != 0);
 }
 
@@ -252,7 +252,7 @@ void ServoModule::setHoming(std::uint8_t control) {
     m_loop.setHoming(control);
 }
 
-/// DS-V 5.2: "not used", "clear to zero"; later versions use some of them (docs/family.md).
+/// Bits that DS-V 5.2 calls "not used" or "clear to zero"; later versions use some of them (docs/family.md).
 std::uint8_t ServoModule::reservedBits(CommandCode code) const {
     if (code == CommandCode::DefineStatus || code == CommandCode::ReadStatus)
         return isLater() ? 0x00 : 0xC0;

@@ -6,7 +6,7 @@
 
 namespace nmc::sim {
 
-/// A PIC-SERVO with its PIC-ENC, amplifier and motor: its commands and status items; versions 1 to 4 (DS-V
+/// A PIC-SERVO with its PIC-ENC, amplifier and motor: its commands and status items. Versions 1 to 4 (DS-V
 /// 5), 5 and 10 (docs/family.md).
 class ServoModule final : public Module {
 public:
@@ -46,7 +46,7 @@ private:
     void stopMotor(const Packet& packet);
     void setHoming(std::uint8_t control);
 
-    /// What an SC keeps over a power cycle.
+    /// The configuration that an SC keeps across a power cycle.
     struct Saved {
         static constexpr std::uint8_t kSave = 0x01;
         static constexpr std::uint8_t kAddresses = 0x02;
@@ -64,14 +64,15 @@ private:
         Gains gains;
 
         [[nodiscard]] bool has(std::uint8_t bit) const { return (control & bit) != 0; }
-        /// As I/O Control; the two that a Hard Reset leaves alone, or all.
+        /// Returns the saved bits in the format of I/O Control: after a Hard Reset the two that survive it,
+        /// otherwise all.
         [[nodiscard]] std::uint8_t ioControl(Restart restart) const;
     };
 
     ServoLoop m_loop;
     std::optional<Saved> m_saved;
     bool m_switchesOnWhenAddressed = false;
-    bool m_advancedFeatures = false;  ///< of a CMC
+    bool m_advancedFeatures = false;  ///< CMC only
 };
 
 }  // namespace nmc::sim

@@ -26,11 +26,11 @@ struct LaterServoSnapshot {
     unsigned pathPoints = 0;
     bool pathMode = false;
     bool fastPath = false;
-    bool advancedFeatures = false;  ///< CMC only; an SC has them always
+    bool advancedFeatures = false;  ///< CMC only; an SC always has them
     // SC only.
     double voltSense = 0;  ///< volts at VOLT_SENSE
     std::uint8_t ioControl = 0;
-    bool limitStopsOff = false;  ///< a limit switches the motor off, or stops it abruptly
+    bool limitStopsOff = false;  ///< action at a limit: motor off, or an abrupt stop
     bool limitStopsAbruptly = false;
     bool threePhase = false;
     bool antiphase = false;
@@ -42,14 +42,14 @@ struct LaterServoSnapshot {
 struct ServoSnapshot {
     std::int32_t position = 0;   ///< the chip's counter
     double shaftCounts = 0;      ///< the shaft itself, since the simulation began
-    double commandPosition = 0;  ///< counts, with its fraction
+    double commandPosition = 0;  ///< counts, including the fraction
     double positionError = 0;    ///< command - position, counts
     double commandVelocity = 0;  ///< counts per servo tick
-    double velocity = 0;         ///< of the shaft, counts per maximum-rate tick; forward is positive
+    double velocity = 0;         ///< shaft velocity, counts per maximum-rate tick; forward is positive
     double amperes = 0;          ///< motor current
     int pwm = 0;                 ///< -255..255, the sign is the direction pin
     int currentLimitAdjustment = 0;
-    std::uint8_t analog = 0;                  ///< what the A/D converter reads
+    std::uint8_t analog = 0;                  ///< A/D converter reading
     std::optional<std::uint8_t> analogInput;  ///< set from outside; nothing: the motor's current
     bool servoOn = false;
     bool ampEnabled = false;
@@ -64,16 +64,16 @@ struct ServoSnapshot {
     std::optional<double> travelMin;  ///< hard stops, in shaft counts
     std::optional<double> travelMax;
     Gains gains;
-    std::optional<LaterServoSnapshot> later;  ///< of CMC and SC only
+    std::optional<LaterServoSnapshot> later;  ///< CMC and SC only
 };
 
 /// The starting and goal modes of the stepper's mode table (DS-S 5.1, Table 4).
 enum class StepperMode : std::uint8_t { Stopped, Trapezoidal, Velocity, UnprofiledWithStop, Unprofiled };
 
-/// "stopped", "trapezoidal", "velocity", "unprofiled" with a stop or without.
+/// "stopped", "trapezoidal", "velocity", or "unprofiled" with or without a stop.
 [[nodiscard]] std::string_view toText(StepperMode mode);
 
-/// Levels of a stepper's input pins. As shipped the switches are open and the driver has its power.
+/// Levels of a stepper's input pins. By default the switches are open and the driver has power.
 struct StepperPins {
     bool estop = false;
     bool in1 = false;
@@ -90,7 +90,7 @@ struct StepperSnapshot {
     std::int32_t position = 0;  ///< the chip's counter
     std::int64_t shaft = 0;     ///< the shaft itself, in steps since the simulation began
     double stepRate = 0;        ///< steps per second, negative in reverse
-    unsigned speed = 0;         ///< the profile's integer speed, the nearest one in the unprofiled modes
+    unsigned speed = 0;         ///< the profile's integer speed; the nearest one in the unprofiled modes
     std::uint16_t timerCount = 0;
     StepperMode mode = StepperMode::Stopped;
     bool reverse = false;  ///< DIR
@@ -98,28 +98,28 @@ struct StepperSnapshot {
     bool ampEnabled = false;
     bool homing = false;
     std::int32_t home = 0;
-    std::optional<StepperParameters> parameters;  ///< that are in force; nothing before Set Parameters
+    std::optional<StepperParameters> parameters;  ///< parameters in force; nothing before Set Parameters
     StepperPins inputs;
     bool limitsAutomatic = false;           ///< the limit pins follow the travel
     std::optional<std::int64_t> travelMin;  ///< hard stops, in steps of the shaft
     std::optional<std::int64_t> travelMax;
-    std::optional<std::int64_t> homeSwitchAt;  ///< where the shaft works the home switch
+    std::optional<std::int64_t> homeSwitchAt;  ///< shaft position of the home switch
     std::uint8_t outputs = 0;                  ///< bits 0 to 4: OUT1 to OUT5
     std::uint8_t currentLimit = 0;             ///< CUR_LIM, 255 is full current
 };
 
-/// Levels of PIC-I/O's twelve pins and of its A/D inputs, and what it does with them. Of the masks bit 0 is
-/// IO1, bit 11 IO12.
+/// Levels of a PIC-I/O's twelve pins and its A/D inputs, and the state of the chip. In pin masks, bit 0 is
+/// IO1 and bit 11 is IO12.
 struct IoSnapshot {
-    std::uint16_t directions = 0x0FFF;  ///< bits of the inputs
-    std::uint16_t levels = 0;           ///< of all pins, whoever drives them
-    std::uint16_t outputs = 0;          ///< what Set Output has set
+    std::uint16_t directions = 0x0FFF;  ///< a set bit means input
+    std::uint16_t levels = 0;           ///< all pins, driven by the module or from outside
+    std::uint16_t outputs = 0;          ///< set by Set Output
     std::array<std::uint8_t, 3> analog{};
     std::array<std::uint8_t, 2> pwm{};
-    std::uint16_t storedOutputs = 0;  ///< by Set Synch Output, as the next
+    std::uint16_t storedOutputs = 0;  ///< stored by Set Synch Output, like the next
     std::array<std::uint8_t, 2> storedPwm{};
     bool counting = false;   ///< timer or counter is enabled
-    bool countsPin = false;  ///< it counts IO10, not time
+    bool countsPin = false;  ///< counts edges of IO10 instead of time
     unsigned prescaler = 1;
     std::uint32_t count = 0;
     std::uint16_t latchedPins = 0;
@@ -133,52 +133,52 @@ struct ModuleSnapshot {
     std::uint8_t group = 0xFF;
     bool leader = false;
     std::uint8_t brd = 0;            ///< divisor of its UART
-    double baud = 0;                 ///< its rate with it, bits per second
+    double baud = 0;                 ///< UART rate at this divisor, bits per second
     bool listening = false;          ///< ADDR_IN has been low and the dead time is over
     bool addressLineBroken = false;  ///< between it and its neighbour towards the host
     TimePoint time;
-    std::uint64_t tick = 0;   ///< its own ticks since the simulation began
+    std::uint64_t tick = 0;   ///< own ticks of the module since the simulation began
     std::uint8_t status = 0;  ///< status byte, without the communication error bit
     std::uint8_t pins = 0;    ///< PIC-SERVO: auxiliary status; PIC-STEP: inputs
-    std::uint8_t items = 0;   ///< that Define Status has defined
+    std::uint8_t items = 0;   ///< items set by Define Status
     Homing homing;
-    ServoSnapshot servo;                     ///< of a servo module only
-    std::optional<StepperSnapshot> stepper;  ///< of a stepper module only
-    std::optional<IoSnapshot> io;            ///< of a PIC-I/O only
+    ServoSnapshot servo;                     ///< servo modules only
+    std::optional<StepperSnapshot> stepper;  ///< stepper modules only
+    std::optional<IoSnapshot> io;            ///< PIC-I/O only
 };
 
 /// What `set` can change from outside (simulator.md, Control).
 enum class Input : std::uint8_t {
     Limit1,    ///< 0 or 1
     Limit2,    ///< 0 or 1
-    Index,     ///< 0 or 1, until the shaft moves on
+    Index,     ///< 0 or 1, until the shaft moves
     Power,     ///< 0 or 1
     Analog,    ///< 0..255; nothing: the motor's current (servo only)
     Load,      ///< N·m
     Inertia,   ///< kg·m², > 0
     Friction,  ///< N·m, >= 0
-    // Only a servo has these and the three above. Only a servo's Analog may be nothing.
+    // Only a servo has the following inputs and the three above. Analog may be nothing only on a servo.
     Play,            ///< counts, >= 0
     CountsPerTurn,   ///< of the encoder, > 0
     Deadband,        ///< PWM counts of the amplifier, 0..254
-    Gain,            ///< counts per second for a PWM count, > 0
+    Gain,            ///< counts per second per PWM count, > 0
     EncoderNoise,    ///< counts rms, >= 0
     ElasticInertia,  ///< kg·m² of a second mass on a spring, >= 0
-    Resonance,       ///< Hz of shaft and second mass, > 0
-    TravelMin,       ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: none
-    TravelMax,       ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: none
-    Limits,          ///< 1: the limit pins follow travel_min and travel_max, 0: they are set
+    Resonance,       ///< Hz, oscillation of shaft and second mass, > 0
+    TravelMin,       ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: no hard stop
+    TravelMax,       ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: no hard stop
+    Limits,          ///< 1: the limit pins follow travel_min and travel_max; 0: they are set by hand
     ServoOverrun,    ///< 1: as if a tick had taken too long
-    // Of a stepper only. It has Limit1, Limit2, Power, Analog and the travel too, and none of the others.
+    // Steppers only. A stepper also has Limit1, Limit2, Power, Analog and the travel, but none of the others.
     Estop,         ///< 0 or 1
     In1,           ///< 0 or 1
     In2,           ///< 0 or 1
     HomeSwitch,    ///< 0 or 1
-    HomeSwitchAt,  ///< steps: the switch is closed from there on forward; nothing: it is set
-    // Of an SC only.
-    Pulses,     ///< so many step pulses since, negative in reverse: -32768..32767
+    HomeSwitchAt,  ///< steps: the switch is closed from there on forward; nothing: it is set by hand
+    // SC only.
+    Pulses,     ///< number of step pulses to add, negative in reverse: -32768..32767
     VoltSense,  ///< volts, 0..5
-    // Of a PIC-I/O only; it has Analog too, numbered from 1 to 3, and none of the others.
+    // PIC-I/O only; it also has Analog, numbered from 1 to 3, but none of the others.
     Pin,  ///< 0 or 1, numbered from 1 to 12
 };
 

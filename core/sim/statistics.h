@@ -11,15 +11,16 @@
 
 namespace nmc::sim {
 
-/// What one module has done since the chain was made or the statistics were cleared; a reset does not clear
-/// it.
+/// What one module has done since the chain was constructed or the statistics were cleared; a reset does not
+/// clear them.
 struct ModuleStatistics {
     ModuleIdentity identity;
     std::array<std::uint64_t, 16> executed{};  ///< by command code
-    std::uint64_t checksumErrors = 0;          ///< packets for it with a wrong sum or a framing error
-    std::uint64_t replies = 0;                 ///< sent to the last byte
-    std::uint64_t repliesDropped = 0;          ///< cut short by a byte of the host
-    std::uint64_t bytesGarbled = 0;  ///< heard wrong, or heard wrong by the host, at different rates
+    std::uint64_t checksumErrors = 0;          ///< packets to it with a wrong sum or a framing error
+    std::uint64_t replies = 0;                 ///< replies sent to the last byte
+    std::uint64_t repliesDropped = 0;          ///< replies cut short by a byte of the host
+    std::uint64_t bytesGarbled = 0;  ///< bytes garbled by different rates, received by the module or sent to
+                                     ///< the host
 
     [[nodiscard]] std::uint64_t executions(CommandCode code) const {
         return executed[static_cast<std::size_t>(code)];
@@ -28,11 +29,12 @@ struct ModuleStatistics {
 
 struct ChainStatistics {
     TimePoint time;
-    std::uint64_t exchanges = 0;     ///< commands that were answered, to the last byte
+    std::uint64_t exchanges = 0;     ///< commands answered to the last byte
     std::uint64_t bytesIn = 0;       ///< host to modules
     std::uint64_t bytesOut = 0;      ///< modules to host
-    std::uint64_t bytesUnheard = 0;  ///< of bytesIn, those that found no module listening
-    std::uint64_t bytesLost = 0;     ///< beyond what the line holds: see HostLine and Chain::takeHostBytes
+    std::uint64_t bytesUnheard = 0;  ///< those of bytesIn that no module listened to
+    std::uint64_t bytesLost = 0;     ///< exceeding the capacity of the line: see HostLine and
+                                     ///< Chain::takeHostBytes
     std::vector<ModuleStatistics> modules;
 };
 

@@ -47,7 +47,7 @@ void StepperControl::advance(Duration time) {
     if (m_motion.isMoving()) {
         const std::int64_t before = m_motion.stepsMade();
         rest = m_motion.advance(time);
-        // A disabled driver does not turn the motor, whatever comes out of STEP.
+        // A disabled driver does not turn the motor, whatever the STEP output does.
         if (m_ampEnabled)
             m_machine.turn(m_motion.stepsMade() - before);
         m_pins = m_machine.pins();
@@ -77,7 +77,7 @@ void StepperControl::setParameters(const StepperParameters& parameters) {
 void StepperControl::start(StepperMode goal) {
     const bool reverse = m_motion.wouldReverse(goal, m_loaded);
     if (driverFails() || estopActs() || limitActs(reverse)) {
-        // As if it had started and run into it.
+        // The effect is the same as if it had started and been stopped by the pin at once.
         if (driverFails() || m_parameters.has(StepperParameters::kMotorOff))
             turnOff();
         return;
@@ -95,7 +95,7 @@ void StepperControl::stopAbruptly() {
     m_motion.stopAbruptly();
 }
 
-/// "Stop Motor command will have set the goal velocity to zero": said of the smooth stop alone.
+/// "Stop Motor command will have set the goal velocity to zero": this is said of the smooth stop only.
 void StepperControl::stopSmoothly() {
     m_loaded.speed = 0;
     m_motion.stopSmoothly(m_loaded.accelerationTime);
@@ -141,7 +141,7 @@ void StepperControl::watchPins() {
     const bool motorOff = m_parameters.has(StepperParameters::kMotorOff);
     if (driverFails())
         turnOff();
-    // The E-stop input turns a resting motor off too, once: the host may enable it again.
+    // The E-stop input also turns off a resting motor, but only once: the host may enable it again.
     if (estopActs()) {
         m_motion.stopAbruptly();
         if (motorOff && !m_estopSeen)

@@ -14,11 +14,11 @@
 
 namespace nmc::sim {
 
-/// The stepper chip behind its commands: step generator, pins, and what the pins do to the motion (DS-S 4).
-/// Pins are looked at once per tick, or not at all while nothing can change them.
+/// The stepper chip without its command parser: step generator, pins, and the effect of the pins on the
+/// motion (DS-S 4). The pins are sampled once per tick, or not at all while nothing can change them.
 class StepperControl {
 public:
-    /// Power-up. The machine that the chip is wired to stays as it is.
+    /// Restores the power-up state. The machine that the chip is wired to stays as it is.
     void reset();
     void run(Duration time);
     void set(Input input, std::optional<double> value);
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] bool hasParameters() const { return m_hasParameters; }
     [[nodiscard]] const StepperTrajectory& loaded() const { return m_loaded; }
     void load(const StepperTrajectory& trajectory) { m_loaded = trajectory; }
-    /// Executes what is loaded, unless a pin forbids it. The transition must be an allowed one.
+    /// Executes what is loaded, unless a pin forbids it. The mode transition must be allowed.
     void start(StepperMode goal);
     [[nodiscard]] const StepperMotion& motion() const { return m_motion; }
     void setAmplifier(bool enabled);
@@ -55,15 +55,15 @@ private:
     void watchPins();
     void watchHome();
     void turnOff();
-    /// No driver power, or too hot a motor: no amplifier and no motion.
+    /// True without driver power or with an overheated motor: amplifier and motion are then off.
     [[nodiscard]] bool driverFails() const;
     [[nodiscard]] bool estopActs() const;
     [[nodiscard]] bool limitActs(bool reverse) const;
     [[nodiscard]] HomeInputs homePins() const;
 
     StepperMachine m_machine;
-    StepperPins m_pins;          ///< the machine's, as the chip sees them
-    bool m_pinsChanged = false;  ///< or what they mean
+    StepperPins m_pins;          ///< the machine's pins, as the chip last saw them
+    bool m_pinsChanged = false;  ///< the pins have changed, or their meaning has
     StepperMotion m_motion;
     StepperTrajectory m_loaded;
     StepperParameters m_parameters;

@@ -8,8 +8,8 @@
 
 namespace nmc::sim {
 
-/// What CUR_LIM asks of the driver: the running limit in motion and for a while after it, then the holding
-/// limit (DS-S 4.6).
+/// The current limit that CUR_LIM sets for the driver: the running limit in motion and for a while after it,
+/// then the holding limit (DS-S 4.6).
 class StepperCurrent {
 public:
     void setLimits(std::uint8_t running, std::uint8_t holding) {

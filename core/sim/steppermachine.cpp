@@ -62,7 +62,7 @@ void StepperMachine::set(Input input, std::optional<double> value) {
         case Input::Pulses:
         case Input::VoltSense:
         case Input::Pin:
-            return;  // A servo's.
+            return;  // servo and PIC-I/O only
     }
 }
 

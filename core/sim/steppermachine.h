@@ -9,20 +9,21 @@
 
 namespace nmc::sim {
 
-/// What a stepper chip is wired to: the levels on its pins, and the shaft that works some of the switches
-/// behind them. Neither Reset Position nor power changes it.
+/// What a stepper chip is wired to: the levels on its pins, and the shaft that operates some of the switches.
+/// Neither Reset Position nor power changes it.
 class StepperMachine {
 public:
     /// The value must be in the range that Input states.
     void set(Input input, std::optional<double> value);
-    /// The driver makes so many steps. Those that a hard stop is in the way of are lost.
+    /// The driver makes this many steps. Steps beyond a hard stop are lost.
     void turn(std::int64_t steps);
 
-    /// In steps since the simulation began.
+    /// Shaft position in steps since the simulation began.
     [[nodiscard]] std::int64_t shaft() const { return m_shaft; }
-    /// What the chip sees: the levels that were set, and those that the shaft's position makes.
+    /// The pins as the chip sees them: levels that were set, and levels that follow from the shaft's
+    /// position.
     [[nodiscard]] StepperPins pins() const;
-    /// Turning the shaft may change a pin.
+    /// True when turning the shaft may change a pin.
     [[nodiscard]] bool shaftMovesPins() const;
     [[nodiscard]] bool limitsAutomatic() const { return m_limitsAutomatic; }
     [[nodiscard]] std::optional<std::int64_t> travelMin() const;

@@ -27,7 +27,7 @@ void StepperModule::executeOwn(const Packet& packet) {
             return setHoming(packet.data[0]);
         case CommandCode::SaveAsHome:
             return m_control.saveAsHome();
-        case CommandCode::ClearStickyBits:  // This and the next not on this chip.
+        case CommandCode::ClearStickyBits:  // this chip has neither this command nor the next
         case CommandCode::AddPathPoints:
         case CommandCode::SetAddress:
         case CommandCode::DefineStatus:
@@ -35,7 +35,7 @@ void StepperModule::executeOwn(const Packet& packet) {
         case CommandCode::SetBaud:
         case CommandCode::Nop:
         case CommandCode::HardReset:
-            return;  // Module's.
+            return;  // Module executes these
     }
 }
 
@@ -86,7 +86,7 @@ bool StepperModule::startMotion() {
         return false;
     }
     if (!loaded.isLoaded)
-        return true;  // Nothing to execute.
+        return true;  // nothing to execute
     const auto goal = goalMode(motion.mode(), loaded.control);
     if (!goal) {
         violates(ViolationKind::ModeTransition);
@@ -96,7 +96,8 @@ bool StepperModule::startMotion() {
         violates(ViolationKind::DirectionChange);
         return false;
     }
-    // DS-S 5.1, Stop Motor: a smooth stop sets the goal velocity to zero, and the next load has to bring one.
+    // DS-S 5.1, Stop Motor: a smooth stop sets the goal velocity to zero, and the next load must set a new
+    // one.
     if ((*goal == StepperMode::Trapezoidal || *goal == StepperMode::Velocity) && loaded.speed == 0)
         violates(ViolationKind::VelocityNotLoaded);
     m_control.start(*goal);
@@ -135,7 +136,7 @@ void StepperModule::setHoming(std::uint8_t control) {
     m_control.setHoming(control);
 }
 
-/// DS-S 5.1: "not used", "clear to zero".
+/// Bits that DS-S 5.1 calls "not used" or "clear to zero".
 std::uint8_t StepperModule::reservedBits(CommandCode code) const {
     if (code == CommandCode::DefineStatus || code == CommandCode::ReadStatus ||
         code == CommandCode::SetHoming)

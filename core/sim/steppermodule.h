@@ -27,12 +27,12 @@ private:
 
     void resetPosition();
     void loadTrajectory(const Packet& packet);
-    /// False when the chip does not execute it.
+    /// Returns false when the chip does not execute the start.
     bool startMotion();
     void setParameters(const Packet& packet);
     void stopMotor(unsigned control);
     void setHoming(std::uint8_t control);
-    /// The value within its range; one outside is logged.
+    /// Returns the value clamped to its range; a value outside is logged as a violation.
     template <typename T>
     T inRange(T value, T min, T max);
 

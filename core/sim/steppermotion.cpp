@@ -7,7 +7,7 @@ namespace nmc::sim {
 
 namespace {
 
-/// DS-S 4.2: acceleration times count in units of 0.25 ms.
+/// DS-S 4.2: acceleration times are in units of 0.25 ms.
 constexpr std::int64_t kAccelerationUnit = 250'000;
 
 constexpr std::int64_t dividedUp(std::int64_t value, std::int64_t by) {
@@ -60,8 +60,8 @@ void StepperMotion::stopAbruptly() {
     m_phase = 0;
 }
 
-/// "Effectively setting the goal speed to zero": whatever it was, it is a velocity profile now, and leaves a
-/// trapezoid's goal alone.
+/// "Effectively setting the goal speed to zero": whatever the mode was, it is now a velocity profile, which
+/// ignores a trapezoid's goal.
 void StepperMotion::stopSmoothly(std::uint8_t accelerationTime) {
     if (!isMoving() || m_stopAtMinimum)
         return;
@@ -129,7 +129,7 @@ std::int64_t StepperMotion::phaseToGoal() const {
     return std::int64_t{steps} * m_rate.perStep - m_phase;
 }
 
-/// One acceleration time at each of the speeds below, as on the way up.
+/// One acceleration time at each of the lower speeds, as when ramping up.
 std::int64_t StepperMotion::phaseToSlowDown(std::int64_t speed) const {
     const std::int64_t minimum = m_minimum;
     return m_perSpeed * ((speed - minimum) * (speed - 1 + minimum) / 2);
@@ -171,7 +171,7 @@ void StepperMotion::setSpeed(unsigned speed) {
     setRate(rateOfSpeed(m_speedMode, speed));
 }
 
-/// The part of a step that has been made stays that part.
+/// Keeps the fraction of a step already made.
 void StepperMotion::setRate(StepperRate rate) {
     if (rate.perStep != m_rate.perStep)
         m_phase = m_phase * rate.perStep / m_rate.perStep;

@@ -10,10 +10,10 @@
 
 namespace nmc::sim {
 
-/// The step generator: what comes out of STEP and DIR, and the position counter (DS-S 4.1 to 4.3). It knows
-/// nothing of commands, switches and the amplifier.
+/// The step generator: the STEP and DIR outputs and the position counter (DS-S 4.1 to 4.3). It knows nothing
+/// of commands, switches and the amplifier.
 ///
-/// Between a change of speed, the beginning of a deceleration and the end of a move it is run in one go.
+/// It runs in one go between a change of speed, the beginning of a deceleration and the end of a move.
 class StepperMotion {
 public:
     /// Takes effect at the next start from standstill.
@@ -21,7 +21,7 @@ public:
     [[nodiscard]] SpeedMode speedMode() const { return m_speedMode; }
     void setMinimumSpeed(std::uint8_t speed) { m_minimum = speed; }
 
-    /// Enters `goal` with what is loaded. The transition must be an allowed one.
+    /// Enters mode `goal` with the loaded parameters. The transition must be allowed.
     void start(StepperMode goal, const StepperTrajectory& loaded);
     /// The direction that start() would take.
     [[nodiscard]] bool wouldReverse(StepperMode goal, const StepperTrajectory& loaded) const;
@@ -30,21 +30,21 @@ public:
     void stopSmoothly(std::uint8_t accelerationTime);
 
     void resetPosition();
-    /// Makes steps for so long; returns the part of it that was left when the motion ended.
+    /// Makes steps for this time; returns the rest of the time when the motion ends earlier.
     Duration advance(Duration time);
 
     [[nodiscard]] bool isMoving() const { return m_mode != StepperMode::Stopped; }
     [[nodiscard]] StepperMode mode() const { return m_mode; }
     [[nodiscard]] bool isReverse() const { return m_reverse; }
     [[nodiscard]] std::int32_t position() const { return static_cast<std::int32_t>(m_position); }
-    /// All steps since power-up, forward ones less reverse ones: Reset Position does not change it.
+    /// All steps since power-up, forward steps minus reverse steps; Reset Position does not change it.
     [[nodiscard]] std::int64_t stepsMade() const { return m_stepsMade; }
     [[nodiscard]] bool atCommandedSpeed() const;
-    /// The initial count in the step timer; what was last there when it stands still.
+    /// The initial count in the step timer; at standstill, the last count.
     [[nodiscard]] std::uint16_t timerCount() const { return m_count; }
-    /// Integer speed; the nearest one in the unprofiled modes.
+    /// The integer speed; in the unprofiled modes, the nearest one.
     [[nodiscard]] unsigned speed() const { return isMoving() ? m_speed : 0; }
-    /// Steps per second, negative in reverse.
+    /// The step rate in steps per second, negative in reverse.
     [[nodiscard]] double stepRate() const;
 
 private:
@@ -55,9 +55,9 @@ private:
         return m_mode == StepperMode::Trapezoidal || m_mode == StepperMode::UnprofiledWithStop;
     }
     [[nodiscard]] bool isRamping() const;
-    /// Phase from here to the goal.
+    /// Phase from the present position to the goal.
     [[nodiscard]] std::int64_t phaseToGoal() const;
-    /// Phase that slowing down from `speed` to the minimum speed takes.
+    /// Phase needed to slow down from `speed` to the minimum speed.
     [[nodiscard]] std::int64_t phaseToSlowDown(std::int64_t speed) const;
     [[nodiscard]] std::int64_t timeToNextEvent() const;
     void makeSteps(std::int64_t nanoseconds);
@@ -75,15 +75,15 @@ private:
     std::int64_t m_stepsMade = 0;
     std::uint32_t m_goal = 0;
     StepperRate m_rate;
-    std::int64_t m_phase = 0;  ///< since the last step
+    std::int64_t m_phase = 0;  ///< phase since the last step
     std::uint16_t m_count = 0;
 
     unsigned m_speed = 0;
     unsigned m_commanded = 0;      ///< the speed that a profile ramps to
-    bool m_slowingDown = false;    ///< a trapezoid on its way down
-    bool m_peaked = false;         ///< a trapezoid too short to get faster
-    bool m_stopAtMinimum = false;  ///< a smooth stop
-    std::int64_t m_perSpeed = 0;   ///< acceleration time
+    bool m_slowingDown = false;    ///< a trapezoid that is decelerating
+    bool m_peaked = false;         ///< a trapezoid too short to accelerate further
+    bool m_stopAtMinimum = false;  ///< a smooth stop is in progress
+    std::int64_t m_perSpeed = 0;   ///< acceleration time, ns per speed unit
     std::int64_t m_toNextSpeed = 0;
 };
 

@@ -5,10 +5,10 @@
 
 namespace nmc::sim {
 
-/// The clock of the step timer, as bits 1,0 of Set Parameters have it (DS-S 4.1, 5.1).
+/// The clock of the step timer, encoded as bits 1,0 of Set Parameters (DS-S 4.1, 5.1).
 enum class SpeedMode : std::uint8_t { X8 = 0, X4 = 1, X2 = 2, X1 = 3 };
 
-/// 1, 2, 4 or 8.
+/// The speed multiplier: 1, 2, 4 or 8.
 [[nodiscard]] constexpr unsigned multiplier(SpeedMode mode) {
     return 8U >> static_cast<unsigned>(mode);
 }
@@ -17,8 +17,8 @@ inline constexpr std::uint16_t kMinTimerCount = 1;
 inline constexpr std::uint16_t kMaxTimerCount = 65'452;
 inline constexpr std::uint8_t kMaxStepSpeed = 250;
 
-/// How fast steps come: each nanosecond adds `weight` to a phase, and `perStep` of phase is one step. Whole
-/// numbers, so that any stretch of time can be run in one go and no step is ever lost to rounding.
+/// The step rate: each nanosecond adds `weight` to a phase, and `perStep` of phase is one step. These are
+/// integers, so that any period can be run in one go and no step is ever lost to rounding.
 struct StepperRate {
     std::int64_t weight = 0;
     std::int64_t perStep = 1;
@@ -28,7 +28,7 @@ struct StepperRate {
     }
 };
 
-/// Phase of one step in the profiled modes: at speed 1 a nanosecond adds 1, and speed 1 is 25 steps per
+/// Phase of one step in the profiled modes: a nanosecond at speed 1 adds 1, and speed 1 is 25 steps per
 /// second at 1x (DS-S 4.2, Table 3).
 [[nodiscard]] constexpr std::int64_t profilePerStep(SpeedMode mode) {
     return 40'000'000 / multiplier(mode);
@@ -46,7 +46,7 @@ struct StepperRate {
     return {1, clocks * 1600 / m};  // 625 kHz is 1600 ns
 }
 
-/// The count that gives an integer speed, to the nearest.
+/// The count nearest to an integer speed.
 [[nodiscard]] constexpr std::uint16_t countOfSpeed(SpeedMode mode, unsigned speed) {
     const unsigned m = multiplier(mode);
     const unsigned clocks = (25'000 + speed / 2) / speed;  // f / (25 m) is 25 000 in every mode

@@ -14,15 +14,16 @@ struct Cell {
     StepperMode from;
     StepperMode goal;
     Load position;
-    Load profile;  ///< velocity and acceleration: always alike
+    Load profile;  ///< velocity and acceleration, which always have the same rule
     Load timer;
 };
 
 using enum Load;
 using enum StepperMode;
 
-// "Unprofiled with stop" in motion is told from "without" by the mode it is entered from, which the table
-// never leaves open; "velocity profile" out of a trapezoid is told from it by a velocity or acceleration.
+// In motion, "unprofiled with stop" is distinguished from "without" by the mode that it is entered from,
+// which the table always determines; entered from a trapezoid, a "velocity profile" is distinguished from it
+// by a loaded velocity or acceleration.
 constexpr std::array kTransitions{
     Cell{Stopped, Trapezoidal, Must, May, MustNot},
     Cell{Stopped, Velocity, MustNot, May, MustNot},

@@ -8,7 +8,7 @@
 
 namespace nmc::sim {
 
-/// What a Load Trajectory command has left in the chip: the values of all such commands so far, and the
+/// What Load Trajectory commands have left in the chip: the values of all such commands so far, and the
 /// control byte of the last.
 struct StepperTrajectory {
     static constexpr std::uint8_t kPosition = 0x01;
@@ -23,14 +23,14 @@ struct StepperTrajectory {
     std::uint8_t speed = 0;
     std::uint8_t accelerationTime = 1;  ///< units of 0.25 ms
     std::uint16_t timerCount = 1;
-    std::uint8_t nearestSpeed = 0;  ///< where ramps from `timerCount` begin
+    std::uint8_t nearestSpeed = 0;  ///< speed from which ramps start after `timerCount`
     bool isLoaded = false;
 
     [[nodiscard]] bool has(std::uint8_t bit) const { return (control & bit) != 0; }
 };
 
-/// The mode that what was loaded leads to from mode `from` (DS-S 5.1, Table 4); nothing when the table
-/// forbids it or a parameter was loaded that must not be, or was not that must.
+/// The mode that the loaded parameters lead to from mode `from` (DS-S 5.1, Table 4); nothing when the table
+/// forbids it, or when a parameter was loaded that must not be, or one that must be was not.
 [[nodiscard]] std::optional<StepperMode> goalMode(StepperMode from, std::uint8_t control);
 
 }  // namespace nmc::sim

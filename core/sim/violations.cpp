@@ -47,7 +47,7 @@ constexpr std::array kViolations{
         "(DS-S 5.1)"},
 };
 
-/// Each kind has its row, and the rows are in the order of the kinds.
+/// Each kind has a row, and the rows are in the order of the kinds.
 constexpr bool isInOrder() {
     for (std::size_t i = 0; i < kViolations.size(); ++i)
         if (kViolations[i].kind != static_cast<Kind>(i))

@@ -11,7 +11,7 @@
 
 namespace nmc::sim {
 
-/// What a host did that a real chip would not forgive, or that its data sheet forbids: see violationTable().
+/// What a host did that a real chip would not tolerate, or that its data sheet forbids: see violationTable().
 enum class ViolationKind : std::uint8_t {
     CommandInFlight,
     CommandOverwritten,
@@ -38,7 +38,7 @@ struct ViolationRow {
     std::string_view meaning;
 };
 
-/// All kinds in their order.
+/// All kinds, in order.
 [[nodiscard]] std::span<const ViolationRow> violationTable();
 
 /// The kind's name.
@@ -46,14 +46,14 @@ struct ViolationRow {
 
 struct Violation {
     TimePoint time;
-    std::uint8_t module = 0;  ///< from 0, in the order of addressing
+    std::uint8_t module = 0;  ///< from 0, in addressing order
     ViolationKind kind = ViolationKind::CommandInFlight;
-    PacketBytes bytes;  ///< the packet that did it
+    PacketBytes bytes;  ///< the packet that caused it
 };
 
-/// The violations in the order they happened, and beside them remarks: a sheet advises against them, but says
-/// itself what comes of them. Keeps the first kCapacity and counts the rest: the first is the one that
-/// explains the others.
+/// The violations in order of occurrence, and separately the remarks: a data sheet advises against these, but
+/// specifies the result. Only the first kCapacity entries are kept, because the first one explains the
+/// others; violations are counted beyond that.
 class ViolationLog {
 public:
     static constexpr std::size_t kCapacity = 10'000;
@@ -62,7 +62,7 @@ public:
     void remark(const Violation& violation);
     void clear() { *this = {}; }
     [[nodiscard]] const std::vector<Violation>& entries() const { return m_entries; }
-    /// Including those that found no room.
+    /// Includes violations beyond kCapacity.
     [[nodiscard]] std::uint64_t count() const { return m_count; }
     [[nodiscard]] const std::vector<Violation>& remarks() const { return m_remarks; }
 

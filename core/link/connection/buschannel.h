@@ -16,16 +16,17 @@
 
 namespace nmc {
 
-/// All that the GUI thread and the bus thread share: what is asked, what is told, what is counted, and
-/// whether the other one lives.
+/// Everything that the GUI thread and the bus thread share: requests, events, counters, and the heartbeat
+/// that shows whether the other thread is alive.
 class BusChannel {
 public:
-    /// What the GUI may fall behind before the oldest samples are dropped: a minute at the wire's limit.
+    /// How far the GUI may fall behind before the oldest samples are dropped: a minute at the limit of the
+    /// line.
     static constexpr std::size_t kSamples = 1U << 17U;
-    /// Half a minute of exchanges at the wire's limit.
+    /// Half a minute of exchanges at the limit of the line.
     static constexpr std::size_t kRecords = 1U << 14U;
 
-    /// `eventsReady`: events have something to take again. Called in the thread that tells it; must not wait.
+    /// `eventsReady`: called in the posting thread when the event queue is no longer empty; must not block.
     BusChannel(std::function<void()> eventsReady, std::size_t samples)
         : events(samples), records(kRecords), m_eventsReady(std::move(eventsReady)) {}
 
@@ -35,7 +36,7 @@ public:
     std::atomic<bool> recording{false};
     Heartbeat heartbeat;
 
-    /// Any thread.
+    /// Any thread may call this.
     void post(WorkerEvent event) {
         const bool sample = isSample(event);
         if (sample ? events.pushSample(std::move(event)) : events.pushNews(std::move(event)))

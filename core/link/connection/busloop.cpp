@@ -17,7 +17,8 @@ namespace nmc {
 
 namespace {
 
-/// A thread with its event dispatcher, a port and its lock file. Qt aborts when there is none left.
+/// Descriptors for a thread with its event dispatcher, a port and its lock file. Qt aborts when there are
+/// none left.
 constexpr std::size_t kDescriptorsNeeded = 8;
 
 bool descriptorsLeft() {
@@ -42,7 +43,7 @@ BusLoop::~BusLoop() {
 }
 
 void BusLoop::open(TransportFactory factory, bus::EngineConfig config) {
-    const unsigned closes = m_channel.requests.closes() + 1;  // with the one that follows
+    const unsigned closes = m_channel.requests.closes() + 1;  // including the close() below
     close();
     join();
     (void)m_channel.events.takeAll();

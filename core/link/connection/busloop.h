@@ -19,47 +19,47 @@
 
 namespace nmc {
 
-/// Runs one connection in a thread of its own: owns the transport and the engine there, for as long as it is
-/// open. The loop blocks in Transport::receive() only; requests reach it through a box and a wake-up, so who
-/// asks never waits for the bus, and a frozen asker never delays a stop. Without Qt; BusWorker is its Qt
-/// edge.
+/// Runs one connection in its own thread, which owns the transport and the engine while the connection is
+/// open. The loop blocks only in Transport::receive(); requests reach it through a box and a wake-up, so the
+/// requester never waits for the bus, and a frozen requester never delays a stop. This class is free of Qt;
+/// BusWorker connects it to Qt.
 ///
-/// All public members belong to one thread, the GUI's, but for stopAll() and close(), which may be called
-/// from any and from a signal handler. As long as a connection is open that thread must call beat() every
-/// Heartbeat::kInterval: motors that move are stopped when it has not for 2 s (link/connection/heartbeat.h).
-/// A read-only connection (EngineConfig::readOnly) stops them at stopAll() only: neither then nor when it is
-/// closed, nor through a guard.
+/// All public members belong to one thread, the GUI's, except stopAll() and close(), which may be called from
+/// any thread and from a signal handler. While a connection is open, the GUI thread must call beat() every
+/// Heartbeat::kInterval: moving motors are stopped when it has not done so for 2 s
+/// (link/connection/heartbeat.h). A read-only connection (EngineConfig::readOnly) stops motors only at
+/// stopAll(): not for a missing heartbeat, not when it is closed, and not through a guard.
 class BusLoop {
 public:
     using TransportFactory = std::function<std::unique_ptr<Transport>()>;
 
-    /// `eventsReady`: takeEvents() has something again; called from either thread, and must not wait. Of
-    /// `samples` the oldest go when more wait.
+    /// `eventsReady`: called from either thread when takeEvents() has something again; must not block. When
+    /// more than `samples` samples wait, the oldest are dropped.
     explicit BusLoop(std::function<void()> eventsReady, std::size_t samples = BusChannel::kSamples);
-    /// Stops the motors and closes the port, waiting for it.
+    /// Stops the motors, closes the port and waits until that is done.
     ~BusLoop();
     BusLoop(const BusLoop&) = delete;
     BusLoop& operator=(const BusLoop&) = delete;
 
-    /// Is told what stops the motors, beside the guard against crashes; borrowed, and called in the bus
-    /// thread. Before open().
+    /// Adds a guard that is kept informed of how to stop the motors, besides the guard against crashes. It is
+    /// borrowed and called in the bus thread. Call before open().
     void addGuard(LoopGuard& guard) { m_guards.push_back(&guard); }
-    /// How long the machine has been suspended so far, asked in the bus thread; for tests. Before open().
+    /// Replaces the clock of suspended time, which is read in the bus thread; for tests. Call before open().
     void setSleepClock(std::function<Duration()> clock) { m_asleepSoFar = std::move(clock); }
 
-    /// Opens a connection; `factory` runs in the bus thread. Ends in PortOpened or PortClosed. A connection
-    /// that is open is closed first, and what it had to tell and was not taken is dropped.
+    /// Opens a connection; `factory` runs in the bus thread. The result is PortOpened or PortClosed. A
+    /// connection that is already open is closed first, and its events not yet taken are dropped.
     void open(TransportFactory factory, bus::EngineConfig config);
-    /// Stops the motors, closes the port; PortClosed follows.
+    /// Stops the motors and closes the port; PortClosed follows.
     void close() { m_channel.requests.close(); }
-    /// Until PortClosed was taken.
+    /// True until PortClosed has been taken.
     [[nodiscard]] bool isOpen() const { return m_thread.joinable(); }
 
     void stopAll() { m_channel.requests.stopAll(); }
     void hold(const bus::HoldToMove& hold) { m_channel.requests.hold(hold); }
     void release() { m_channel.requests.release(); }
-    /// Each ends in its event (busrequest.h): in a refusal at once when too much waits already, or when
-    /// nothing is connected.
+    /// Every request ends in its event (busrequest.h): a refusal comes at once when too many requests are
+    /// waiting, or when nothing is connected.
     void ask(BusRequest request);
     void search(RequestBox::Search how) { m_channel.requests.search(how); }
     void watch(std::vector<ModuleIndex> modules) { m_channel.requests.watch(std::move(modules)); }
@@ -72,13 +72,13 @@ public:
         m_channel.requests.setTravelLimits(std::move(limits));
     }
     void setRecording(bool on) { m_channel.recording = on; }
-    /// The asking thread lives.
+    /// Reports that the GUI thread is alive.
     void beat();
 
-    /// Everything since the last call, oldest first; when too many samples wait, the oldest of them are gone.
-    /// PortClosed is the last thing that the bus thread tells of a connection.
+    /// Returns everything since the last call, oldest first; when too many samples wait, the oldest are
+    /// dropped. PortClosed is the last event of a connection.
     [[nodiscard]] std::vector<WorkerEvent> takeEvents();
-    /// Samples that are gone so far.
+    /// The number of samples dropped so far.
     [[nodiscard]] std::size_t droppedSamples() const { return m_channel.events.dropped(); }
     [[nodiscard]] bus::LinkStatistics statistics() const { return m_channel.statistics(); }
     [[nodiscard]] std::vector<bus::ExchangeRecord> takeRecords() { return m_channel.records.takeAll(); }

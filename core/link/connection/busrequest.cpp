@@ -13,7 +13,7 @@ namespace nmc {
 
 namespace {
 
-/// Whether that is the end of the request, which the engine has.
+/// True when an event ends this request, which the engine has taken on.
 struct Ends {
     const BusRequest& request;
 

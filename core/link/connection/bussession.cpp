@@ -15,11 +15,11 @@ namespace nmc {
 
 namespace {
 
-/// How often the counters are handed over while the bus is busy; they are shown once a second.
+/// How often the counters are published while the bus is busy; they are displayed once a second.
 constexpr Duration kStatisticsEvery = std::chrono::milliseconds(100);
 /// How long closing waits for the motors to confirm their stop.
 constexpr Duration kCloseTimeout = std::chrono::seconds(1);
-/// Where the chain is still being looked for, and has answered: no longer than a search takes.
+/// The limit when closing during a search that has found modules: the longest time that a search takes.
 constexpr Duration kCloseInSearchTimeout = std::chrono::seconds(5);
 
 }  // namespace
@@ -57,8 +57,8 @@ std::optional<PortError> BusSession::converse() {
             m_engine.stopUnasked(now);
         }
         takeRequests(now);
-        // Behind the requests: an answer sets off the next poll, which would go out before a stop that came
-        // with it.
+        // Bytes are handled after the requests: an answer triggers the next poll, which would otherwise be
+        // sent before a stop that arrived with it.
         if (!bytes.empty())
             m_engine.onBytes(bytes, now);
         watchOver(now);
@@ -140,7 +140,8 @@ void BusSession::take(BusRequest& request, TimePoint now) {
         request);
 }
 
-/// Before the modules are told: they would be out of reach at a rate that the port does not make.
+/// This is checked before the modules are sent the new rate: at a rate that the port cannot make, they would
+/// be out of reach.
 void BusSession::changeRate(const ChangeRate& change, TimePoint now) {
     if (m_engine.anythingMoves())
         return m_engine.changeRate(change.baud, now);  // which refuses
@@ -208,7 +209,7 @@ void BusSession::informGuards() {
 
 tl::expected<void, PortError> BusSession::perform(const std::vector<bus::Output>& outputs) {
     for (const bus::Output& output : outputs) {
-        // This process is dying in another thread, which has said the last word to the motors.
+        // This process is crashing in another thread, which has sent the final stop to the motors.
         while (crashburst::underWay())
             ::pause();
         tl::expected<void, PortError> done;
@@ -234,7 +235,7 @@ void BusSession::publishEvents() {
     }
 }
 
-/// When nothing is to happen for long, they would be old for as long.
+/// Counters are also published before a long wait, during which they would otherwise be stale.
 void BusSession::publishStatistics(TimePoint now, std::optional<TimePoint> next) {
     if (next && now - m_published < kStatisticsEvery && *next - now <= kStatisticsEvery)
         return;

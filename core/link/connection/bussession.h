@@ -18,22 +18,22 @@
 
 namespace nmc {
 
-/// One connection, from an open port to the end: turns what the channel asks for, what the port hears and
-/// what time it is into calls of the engine, and carries out what the engine wants. Bus thread.
+/// One connection, from an opened port to its end: turns requests from the channel, bytes from the port and
+/// the passing of time into calls of the engine, and carries out the engine's output. Bus thread.
 class BusSession {
 public:
-    /// Borrows all of them. `asleepSoFar`: as in link/clock.h.
+    /// All references are borrowed. `asleepSoFar`: see link/clock.h.
     BusSession(BusChannel& channel, Transport& transport, const bus::EngineConfig& config,
                std::vector<LoopGuard*> guards, std::function<Duration()> asleepSoFar);
 
-    /// Returns when it was told to close and the motors have confirmed their stop, or will not; otherwise
-    /// with what has ended it. Waits in Transport::receive() only.
+    /// Returns nothing after a requested close, once the motors have confirmed their stop or the wait for it
+    /// is over; otherwise the error that ended the connection. Blocks only in Transport::receive().
     [[nodiscard]] std::optional<PortError> run();
-    /// How the requests have ended that the engine had, and has not finished.
+    /// The final events of requests that the engine has taken on and not finished.
     [[nodiscard]] std::vector<WorkerEvent> abandon() { return m_open.abandon(); }
 
 private:
-    /// What the guards have been told.
+    /// The last information sent to the guards.
     struct Guarded {
         std::vector<std::uint8_t> burst;
         std::uint32_t baud = 0;
@@ -46,16 +46,16 @@ private:
     void take(BusRequest& request, TimePoint now);
     void changeRate(const ChangeRate& change, TimePoint now);
     void search(RequestBox::Search how, TimePoint now);
-    /// Stops the motors when nobody else can see to it, as the engine lets it (Engine::stopUnasked).
+    /// Stops the motors when nobody else can, as far as the engine allows it (Engine::stopUnasked).
     void watchOver(TimePoint now);
-    /// What the guards have to tell.
+    /// Handles news from the guards.
     tl::expected<void, PortError> hearGuards(TimePoint now);
     void informGuards();
     tl::expected<void, PortError> perform(const std::vector<bus::Output>& outputs);
     void publishEvents();
     void publishStatistics(TimePoint now, std::optional<TimePoint> next);
     void publishRecords();
-    /// When something is to be done even if nothing arrives.
+    /// The time at which there is something to do even if nothing arrives.
     [[nodiscard]] std::optional<TimePoint> nextTurn(TimePoint now) const;
 
     BusChannel& m_channel;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDrainIntervalMs = 16;
 
-/// Counters start anew with each chain that is found.
+/// The counters restart with each chain that is found.
 [[nodiscard]] bool beganAnew(const bus::LinkStatistics& before, const bus::LinkStatistics& now) {
     return now.exchanges < before.exchanges || now.answered < before.answered ||
            now.errors() < before.errors() || now.wireTime < before.wireTime ||
@@ -26,7 +26,8 @@ BusStore::BusStore(BusWorker& worker, QObject* parent) : QObject(parent), m_work
     m_drainTimer.setInterval(kDrainIntervalMs);
     m_drainTimer.setTimerType(Qt::PreciseTimer);
     connect(&m_drainTimer, &QTimer::timeout, this, &BusStore::drain);
-    // Between two drains the worker's queue is not empty, so it stays quiet: at most one wake-up a frame.
+    // Between two drains the worker's queue is not empty, so the worker emits nothing: at most one wake-up
+    // per frame.
     connect(&m_worker, &BusWorker::eventsReady, this, [this] {
         if (!m_drainTimer.isActive())
             m_drainTimer.start();
@@ -67,8 +68,8 @@ LinkFigures BusStore::pullFigures(TimePoint now) {
     if (seconds > 0.0 && m_lastPull != TimePoint{}) {
         const auto answered = static_cast<double>(statistics.answered - m_lastStatistics.answered);
         figures.exchangesPerSecond = answered / seconds;
-        // A perfect line is reckoned with the mean wait for a tick; who falls in step with the ticks waits
-        // less.
+        // The wire time assumes the mean wait for a tick; exchanges that fall in step with the ticks wait
+        // less, hence the limit of 1.
         figures.wireShare =
             std::min(1.0, toSeconds(statistics.wireTime - m_lastStatistics.wireTime) / seconds);
         figures.errorsPerSecond =
@@ -106,7 +107,7 @@ void BusStore::drain() {
 void BusStore::take(const WorkerEvent& event) {
     std::visit(Overloaded{
                    [this](const bus::Event& told) { take(told); },
-                   [](const PortOpened&) {},  // connecting since begin()
+                   [](const PortOpened&) {},  // the state has been Connecting since begin()
                    [this](const PortClosed& close) { closed(close); },
                    [this](const AnyOf<SimulatorAnswered, PanelFroze, ComputerSlept, GuardianStopped,
                                       GuardianMissing> auto& news) { emit happened(news); },
@@ -174,7 +175,7 @@ void BusStore::note(const bus::OperationFinished& finished) {
         m_records[finished.module.value()].feed.cancelled();
     if (finished.outcome == bus::Outcome::Cancelled && known(finished.module))
         m_records[finished.module.value()].open = true;
-    // It may have been carried out or not.
+    // Without an answer, it is unknown whether the command was executed.
     if (finished.outcome != bus::Outcome::NoAnswer || !known(finished.module))
         return;
     m_records[finished.module.value()].feed.doubt();
@@ -189,7 +190,7 @@ void BusStore::note(const bus::OperationFinished& finished) {
     }
 }
 
-/// The same of a group.
+/// A member whose answer to a group's Save as Home or Reset Position is missing has its home in doubt.
 void BusStore::note(const bus::GroupFinished& finished) {
     const auto* command = std::get_if<bus::GroupCommand>(&finished.what);
     using enum bus::GroupCommand::Action;
@@ -201,7 +202,7 @@ void BusStore::note(const bus::GroupFinished& finished) {
             m_link.modules[member.module.value()].home.forget();
 }
 
-/// Its counters may have been set from there, by so little that it looks like a motion.
+/// Another host may have reset the counters, by so little that it looks like a motion.
 void BusStore::note(const bus::ForeignTraffic& /*traffic*/) {
     for (ModuleState& module : m_link.modules)
         module.home.forget();
@@ -266,7 +267,7 @@ void BusStore::note(const bus::OwedStopConfirmed& confirmed) {
         m_link.modules[confirmed.module.value()].confirmedAtRest();
 }
 
-/// Where it was told to go, and how fast, is not known here.
+/// The goal and speed of another host's motion are unknown here.
 void BusStore::note(const bus::ForeignMotion& motion) {
     if (!known(motion.module))
         return;
@@ -279,7 +280,7 @@ void BusStore::note(const bus::HealthChanged& changed) {
         m_link.phase = LinkPhase::Lost;
 }
 
-/// Nothing that it said or was told before holds any more.
+/// Nothing that was reported by or sent to the module before is valid any more.
 void BusStore::note(const bus::Readdressed& readdressed) {
     if (!known(readdressed.module.index))
         return;
@@ -346,8 +347,9 @@ void BusStore::doubtGains(ModuleIndex module) {
         m_history.noteGains({module, m_history.end().value_or(last->time), std::nullopt});
 }
 
-/// A module that answers at its address has not restarted since it was seen last, and a look sends it nothing
-/// but questions: in one connection it is what it was, though whether a motion goes on has to be seen.
+/// A module that answers at its address has not restarted since it was last seen, and a search without a
+/// reset sends it nothing but queries. Within one connection its state is therefore kept, except that it is
+/// unknown whether a motion continues.
 void BusStore::note(const bus::ChainFound& chain) {
     const std::vector<ModuleState> before = std::move(m_link.modules);
     const std::vector<Record> recordsBefore = std::move(m_records);
@@ -383,8 +385,8 @@ void BusStore::note(const bus::ChainFound& chain) {
     beginHistory(chain);
 }
 
-/// The same chain at the same port goes on with its history, behind a gap: what led to the trouble is still
-/// there to be looked at.
+/// The history of the same chain at the same port continues after a gap, so that what led to the trouble can
+/// still be examined.
 void BusStore::beginHistory(const bus::ChainFound& chain) {
     std::vector<ModuleIdentity> identities;
     for (const bus::ModuleInfo& info : chain.modules)

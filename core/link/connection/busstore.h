@@ -14,7 +14,8 @@
 
 namespace nmc {
 
-/// What the user should hear of, and the state does not tell; samples and progress are state, not news.
+/// Events that the user should hear about and the state does not show; samples and progress are part of the
+/// state.
 using StoreEvent =
     std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
                  bus::ModuleUnresponsive, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
@@ -25,70 +26,72 @@ using StoreEvent =
                  ComputerSlept, GuardianStopped, GuardianMissing>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
-/// them into module states and histories. Everything else in the GUI reads it here.
+/// them into module states and histories. Everything else in the GUI reads them from here.
 class BusStore : public QObject {
     Q_OBJECT
 
 public:
     explicit BusStore(BusWorker& worker, QObject* parent = nullptr);
 
-    /// A connection is being opened.
+    /// Called when a connection is being opened.
     void begin(const QString& port, bool simulated, std::uint32_t baud, bool readOnly = false);
 
     [[nodiscard]] const LinkState& link() const { return m_link; }
     [[nodiscard]] const ModuleState* module(ModuleIndex index) const;
-    /// What the modules of this connection said, or of the last one: it stays until another chain is found.
+    /// The samples of this connection's modules, or of the last connection's: they are kept until a different
+    /// chain is found.
     [[nodiscard]] const History& history() const { return m_history; }
     [[nodiscard]] int movingMotors() const { return static_cast<int>(movingModules().size()); }
     [[nodiscard]] std::vector<ModuleIndex> movingModules() const;
 
-    /// Its end comes as OperationFinished.
+    /// Notes the operation whose end is awaited; OperationFinished clears it.
     void noteAsked(ModuleIndex module, bus::OperationId operation);
-    /// A search has found home there; shown with the next news.
+    /// Notes that a search has found home at `counts`; it is shown with the next update.
     void noteHome(ModuleIndex module, std::int32_t counts);
-    /// As Engine::focus(), until the next call.
+    /// Notes the argument of Engine::focus(); valid until the next call.
     void noteFocus(std::optional<ModuleIndex> module);
-    /// The user's word on a position: right, or in doubt.
+    /// Records the user's statement that a position is right, or in doubt.
     void declarePosition(ModuleIndex module, bool right);
-    /// How its axes may move, as the user has set it.
+    /// Sets the user's settings for how the axes may move.
     void setMachine(const Machine& machine);
-    /// Where its home is if what was remembered is true.
+    /// Offers the home position that follows from remembered data, if those are still true.
     void offerHome(ModuleIndex module, std::int32_t counts);
-    /// The user has taken that, or does not want it.
+    /// Called when the user accepts, or declines, the offered home.
     void takeHome(ModuleIndex module);
     void dropHome(ModuleIndex module);
-    /// The panel is locked for an operator, or not any more.
+    /// Called when the panel is locked for an operator, or unlocked (nothing).
     void setRights(const std::optional<OperatorRights>& rights);
 
-    /// Rates since the last call, from the worker's counters; for the status bar's 1 Hz pull.
+    /// Computes rates since the last call from the worker's counters, for the status bar's update once a
+    /// second.
     [[nodiscard]] LinkFigures pullFigures(TimePoint now);
 
-    /// Takes over what the worker has; usually called by the store's own timer.
+    /// Processes the worker's events; normally called by the store's own timer.
     void drain();
 
 signals:
     void linkChanged();
-    /// News for the user, in the order of the bus; linkChanged() follows.
+    /// Reports events for the user in bus order; linkChanged() follows.
     void happened(const nmc::StoreEvent& event);
 
 private:
     struct Record {
         ScopeFeed feed;
-        /// Since the last command that was answered an operation was cancelled, or all was stopped: what else
-        /// was carried out is not known.
+        /// An operation was cancelled or everything was stopped since the last answered command: it is
+        /// unknown what else was executed.
         bool open = false;
         std::uint64_t samples = 0;
-        std::uint64_t samplesPulled = 0;  ///< when the figures were pulled last
+        std::uint64_t samplesPulled = 0;  ///< value at the last pullFigures()
     };
 
     void take(const WorkerEvent& event);
     void take(const bus::Event& event);
     void take(const bus::Sample& sample);
     void noteGains(const bus::CommandExecuted& executed);
-    /// It may have other gains than those that it confirmed.
+    /// Marks the gains as unknown: the module may have other gains than those it confirmed.
     void doubtGains(ModuleIndex module);
     void executed(const bus::CommandExecuted& command);
-    /// What news change here, before they are told.
+    /// These overloads update the state from an event before it is reported.
     void note(const bus::ChainFound& chain);
     void note(const bus::ModuleUnresponsive& silence);
     void note(const bus::OperationFinished& finished);
@@ -108,7 +111,8 @@ private:
     void note(const bus::ForeignTraffic& traffic);
     void note(const AnyOf<bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect, bus::StoppedBeforeLimit,
                           bus::RateChangeFailed, bus::ReaddressFailed, bus::EchoNoticed> auto&) {}
-    /// What these were told has not been heard of: what moves them is for their positions to say.
+    /// It is unknown whether these modules received the last commands; from here on, only their positions
+    /// show whether they move.
     void doubtMotions(const std::vector<ModuleIndex>& modules);
     void closed(const PortClosed& closed);
     void pullRates(double seconds);
@@ -122,7 +126,7 @@ private:
     Machine m_machine;
     std::vector<Record> m_records;
     History m_history;
-    /// Whose history it is.
+    /// The port and the chain that the history belongs to.
     std::string m_historyPort;
     std::vector<ModuleIdentity> m_historyOf;
     bus::LinkStatistics m_lastStatistics;

@@ -14,11 +14,11 @@
 
 namespace nmc {
 
-/// The bus loop (link/connection/busloop.h) as an object of the GUI thread: says by a signal that there is
-/// something to take, and beats for as long as the event loop turns. All public members belong to the GUI
-/// thread but for stopAll() and close(), which may be called from any and from a signal handler. What is
-/// asked and told can be logged (link/connection/linklog.h). A read-only connection stops motors at stopAll()
-/// only.
+/// The bus loop (link/connection/busloop.h) as an object of the GUI thread: a signal reports that there are
+/// events to take, and the heartbeat runs as long as the event loop does. All public members belong to the
+/// GUI thread, except stopAll() and close(), which may be called from any thread and from a signal handler.
+/// Requests and events can be logged (link/connection/linklog.h). A read-only connection stops motors only at
+/// stopAll().
 class BusWorker : public QObject {
     Q_OBJECT
 
@@ -27,66 +27,68 @@ public:
 
     explicit BusWorker(QObject* parent = nullptr);
 
-    /// Is told what stops the motors (BusLoop::addGuard). Before open().
+    /// Adds a guard that is kept informed of how to stop the motors (BusLoop::addGuard). Call before open().
     void addGuard(LoopGuard& guard) { m_loop.addGuard(guard); }
 
-    /// Opens a connection; `factory` runs in the bus thread. Ends in PortOpened or PortClosed. A connection
-    /// that is open is closed first, and what it had to tell and was not taken is dropped.
+    /// Opens a connection; `factory` runs in the bus thread. The result is PortOpened or PortClosed. A
+    /// connection that is already open is closed first, and its events not yet taken are dropped.
     void open(TransportFactory factory, bus::EngineConfig config);
-    /// Stops the motors, closes the port; PortClosed follows.
+    /// Stops the motors and closes the port; PortClosed follows.
     void close() { m_loop.close(); }
     [[nodiscard]] bool isOpen() const { return m_loop.isOpen(); }
 
-    /// Finds the chain anew, as after open().
+    /// Searches for the chain again, as after open().
     void connectAgain();
-    /// Restarts the network: positions and gains are lost. Motors are stopped first.
+    /// Restarts the network, which loses positions and gains. Motors are stopped first.
     void restart();
-    /// Modules that somebody looks at are polled more often (Engine::watch).
+    /// Polls the modules on display more often (Engine::watch).
     void watch(std::vector<ModuleIndex> modules) { m_loop.watch(std::move(modules)); }
-    /// One module as fast as the wire carries, for 5 s at most; nothing: no longer (Engine::focus).
+    /// Polls one module as fast as the line allows, for at most 5 s; nothing ends it (Engine::focus).
     void focus(std::optional<ModuleIndex> module) { m_loop.focus(module); }
-    /// Gains that are being tried on it stay (Engine::keepTrial).
+    /// Keeps the gains being tried on a module (Engine::keepTrial).
     void keepTrial(ModuleIndex module) { m_loop.keepTrial(module); }
-    /// Which outputs of PIC-I/O modules a stop of all takes low, by module (Engine::setStopOutputs).
+    /// Sets, for each module, the PIC-I/O outputs that a stop of everything takes low
+    /// (Engine::setStopOutputs).
     void setStopOutputs(std::vector<bus::StopOutputs> outputs) { m_loop.setStopOutputs(std::move(outputs)); }
-    /// How far each axis may go, as its chip counts now (Engine::setTravelLimits).
+    /// Sets the travel limits of each axis in its chip's present counts (Engine::setTravelLimits).
     void setTravelLimits(std::vector<bus::TravelLimits> limits) { m_loop.setTravelLimits(std::move(limits)); }
-    /// Ends in exactly one bus::OperationFinished: Cancelled at once when too much waits already, or when
-    /// nothing is connected. So do the next three, each in its own event.
+    /// Ends in exactly one bus::OperationFinished: at once with Cancelled when too many requests are waiting,
+    /// or when nothing is connected.
     void submit(bus::Operation operation);
-    /// bus::GroupFinished follows.
+    /// Submits a group operation; bus::GroupFinished follows.
     void submit(bus::GroupOperation operation);
-    /// Gives a module that restarted its address back; bus::Readdressed or bus::ReaddressFailed follows.
+    /// Gives a restarted module its address back; bus::Readdressed or bus::ReaddressFailed follows.
     void readdress(ModuleIndex module);
-    /// Resets one module and gives it its address again; ends likewise.
+    /// Resets one module and restores its address; bus::Readdressed or bus::ReaddressFailed follows.
     void resetModule(ModuleIndex module, const std::optional<servo::HardReset>& configuration = {});
     /// Gives a module another address; bus::AddressChanged or bus::ReaddressFailed follows.
     void changeAddress(ModuleIndex module, BusAddress address);
-    /// Takes the chain to another rate; bus::RateChanged or bus::RateChangeFailed follows.
+    /// Switches the chain to another rate; bus::RateChanged or bus::RateChangeFailed follows.
     void changeRate(std::uint32_t baud);
-    /// A control line for the built-in simulator (sim/control.h); SimulatorAnswered follows. A real port
-    /// neither hears nor answers it.
+    /// Sends a control line to the built-in simulator (sim/control.h); SimulatorAnswered follows. A real port
+    /// ignores it.
     void control(std::string line);
     void hold(const bus::HoldToMove& hold);
     void release();
     void stopAll() { m_loop.stopAll(); }
-    /// Records every exchange from now on, of this connection and the next ones, for takeRecords(); off at
-    /// first.
+    /// Records every exchange from now on for takeRecords(), in this connection and later ones; initially
+    /// off.
     void setRecording(bool on) { m_loop.setRecording(on); }
 
-    /// Everything since the last call, oldest first; when too many samples wait, the oldest of them are gone.
-    /// PortClosed is the last thing that is told of a connection.
+    /// Returns everything since the last call, oldest first; when too many samples wait, the oldest are
+    /// dropped. PortClosed is the last event of a connection.
     [[nodiscard]] std::vector<WorkerEvent> takeEvents();
     [[nodiscard]] bus::LinkStatistics statistics() const { return m_loop.statistics(); }
-    /// The exchanges recorded since the last call, oldest first; when too many wait, the oldest are gone,
-    /// which shows in their numbers. Nothing announces them: whoever shows them asks at his own pace.
+    /// Returns the exchanges recorded since the last call, oldest first; when too many wait, the oldest are
+    /// dropped, which leaves a gap in their numbers. There is no notification: the display polls at its own
+    /// pace.
     [[nodiscard]] std::vector<bus::ExchangeRecord> takeRecords() { return m_loop.takeRecords(); }
 
-    /// For tests: tells how long the machine has been suspended so far, in the bus thread. Before open().
+    /// Replaces the clock of suspended time, which is read in the bus thread; for tests. Call before open().
     void setSleepClock(std::function<Duration()> clock) { m_loop.setSleepClock(std::move(clock)); }
 
 signals:
-    /// There is something to take; emitted from the bus thread, without data.
+    /// There are events to take; emitted from the bus thread, without data.
     void eventsReady();
 
 private:
@@ -94,7 +96,7 @@ private:
 
     BusLoop m_loop{[this] { emit eventsReady(); }};
     QTimer m_beatTimer;
-    std::size_t m_droppedSamples = 0;  ///< as logged
+    std::size_t m_droppedSamples = 0;  ///< last number logged
 };
 
 }  // namespace nmc

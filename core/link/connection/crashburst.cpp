@@ -17,33 +17,34 @@ struct Armed {
 };
 
 constexpr std::array kDeadly{SIGSEGV, SIGABRT, SIGBUS, SIGFPE};
-/// A port that takes no bytes any more must not keep a dead program from ending.
+/// A port that no longer accepts bytes must not keep a dead program from ending.
 constexpr unsigned kPatience = 3;  // s
 constexpr std::size_t kStackSize = 64 * 1'024;
 
-/// Two, so that the one a handler may be reading is never the one being written.
+/// Two, so that the burst that a handler may be reading is never the one being written.
 std::array<Armed, 2> g_bursts;
 std::atomic<const Armed*> g_armed{nullptr};
 std::atomic<bool> g_underWay{false};
 static_assert(std::atomic<const Armed*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-// ---- what runs in a handler: async-signal-safe calls only ----
+// ---- Handler code: async-signal-safe calls only ----
 
 void takeUsualCourse(int number) {
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
     ::sigaction(number, &usual, nullptr);
-    ::raise(number);  // held back until the handler returns
+    ::raise(number);  // delivered after the handler returns
 }
 
 void onDeadlySignal(int number) {
     if (g_underWay.exchange(true))
-        while (true)  // another thread was first, and ends the process
+        while (true)  // another thread came first and ends the process
             ::pause();
     ::signal(SIGALRM, SIG_DFL);
     ::alarm(kPatience);
     if (const Armed* armed = g_armed.load(std::memory_order_acquire)) {
-        // Twice: the bus thread may have been in the middle of handing a start to the port.
+        // The burst is sent twice, because the bus thread may have been in the middle of writing a start to
+        // the port.
         sendBurst(armed->fd, armed->burst);
         sendBurst(armed->fd, armed->burst);
     }

@@ -5,8 +5,8 @@
 
 namespace nmc {
 
-/// The guard against a crash of this process: its signal handlers write the burst (crashburst.h). One at a
-/// time.
+/// The guard against a crash of this process: its signal handlers write the burst (crashburst.h). Only one
+/// may exist at a time.
 class CrashGuard : public LoopGuard {
 public:
     void begin(int fd) override;

@@ -8,27 +8,29 @@
 
 namespace nmc {
 
-/// Whether the GUI thread still turns its event loop: a panel that is frozen cannot be told to stop, so the
-/// bus thread does it by itself (link.md 2.7). Without a clock; lock-free between the two threads.
+/// Checks that the GUI thread still runs its event loop: a frozen panel cannot accept a stop, so the bus
+/// thread then stops the motors itself (link.md 2.7). It has no clock of its own, and is lock-free between
+/// the two threads.
 class Heartbeat {
 public:
-    static constexpr Duration kInterval = std::chrono::milliseconds(100);  ///< of beat()
-    static constexpr Duration kNoted = std::chrono::seconds(1);            ///< longer gaps are told
-    static constexpr Duration kStopAfter = std::chrono::seconds(2);        ///< while something moves
+    static constexpr Duration kInterval = std::chrono::milliseconds(100);  ///< interval of beat()
+    static constexpr Duration kNoted = std::chrono::seconds(1);            ///< longer gaps are reported
+    static constexpr Duration kStopAfter = std::chrono::seconds(2);        ///< while a motor moves
 
-    /// The panel was frozen and is back.
+    /// A period during which the panel was frozen.
     struct Gap {
         Duration length{};
-        bool stopped = false;  ///< missed() said so meanwhile
+        bool stopped = false;  ///< missed() has returned true during the gap
     };
 
-    /// From now on beats are expected. While the bus thread does not run.
+    /// Starts expecting beats. Call while the bus thread does not run.
     void begin(TimePoint now);
-    /// The GUI thread lives. Tells of the gap before, when it was worth it. GUI thread.
+    /// Reports that the GUI thread is alive; returns the preceding gap if it is worth reporting. GUI thread.
     [[nodiscard]] std::optional<Gap> beat(TimePoint now);
-    /// The motors must be stopped: no beat for kStopAfter while something moves. Once a gap. Bus thread.
+    /// True when the motors must be stopped: no beat for kStopAfter while something moves. Once per gap. Bus
+    /// thread.
     [[nodiscard]] bool missed(TimePoint now, bool moving);
-    /// When to ask missed() again, at the latest. Bus thread.
+    /// The latest time at which missed() must be called again. Bus thread.
     [[nodiscard]] std::optional<TimePoint> deadline(bool moving) const;
 
 private:

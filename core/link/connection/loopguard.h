@@ -10,20 +10,20 @@
 
 namespace nmc {
 
-/// Stops the motors when the bus loop cannot any more, because its process has crashed, has been killed or
-/// hangs. The loop tells it all that takes beforehand. Bus thread; only begin() and end() may wait, and
-/// beat() when the guard has the line.
+/// Stops the motors when the bus loop no longer can, because its process has crashed, was killed, or hangs.
+/// The loop provides everything needed for that in advance. Bus thread; only begin() and end() may block, and
+/// beat() while the guard has the line.
 class LoopGuard {
 public:
-    /// How long the loop may wait between two beats while anything moves.
+    /// Maximum interval between two beats while anything moves.
     static constexpr Duration kBeatEvery = std::chrono::milliseconds(50);
 
-    /// What has become of a guard, or of what it guards, since the last beat.
+    /// Changes of the guard, or of what it guards, since the last beat.
     struct News {
-        /// The loop stood still, and the motors were told to stop without it: neither the port's rate nor
-        /// what is believed of the modules is sure any more.
+        /// The loop stood still, and a guard sent the stop to the motors: the port's rate and the assumed
+        /// state of the modules are no longer certain.
         bool stoppedMotors = false;
-        /// From now on nobody guards.
+        /// Set when the guard is missing or has failed: from now on there is no guard.
         std::optional<GuardianProblem> problem{};
     };
 
@@ -32,14 +32,15 @@ public:
     LoopGuard& operator=(const LoopGuard&) = delete;
     virtual ~LoopGuard() = default;
 
-    /// A port has been opened; -1: the simulator in this process, which ends with it.
+    /// Called when a port has been opened; -1 is the simulator in this process, which ends with it.
     virtual void begin(int fd) = 0;
-    /// From now on these bytes, nulls first, are what stops the motors, at this rate; empty: nothing is on.
-    /// After each change of the three, before the command that changes it leaves.
+    /// Sets the bytes that stop the motors, nulls first, and the rate to send them at; empty when there is
+    /// nothing to stop. Called after each change of the three arguments, before the command that causes the
+    /// change is sent.
     virtual void arm(ByteSpan burst, std::uint32_t baud, bool moving) = 0;
-    /// The loop lives. Each turn of it.
+    /// Reports that the loop is alive; called in each iteration.
     [[nodiscard]] virtual News beat(TimePoint now) = 0;
-    /// The loop has done what it could, and the port is about to be closed.
+    /// Called when the loop has done what it could and the port is about to be closed.
     virtual void end() = 0;
 };
 

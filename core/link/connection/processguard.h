@@ -8,8 +8,8 @@
 
 namespace nmc {
 
-/// The guard against the death and the standstill of this process: a guardian with each port
-/// (link/guardian/guardian.h). A connection that gets none, or loses it, says so once and goes on.
+/// The guard against the death and the standstill of this process: a guardian for each port
+/// (link/guardian/guardian.h). A connection that gets none, or loses it, reports this once and continues.
 class ProcessGuard : public LoopGuard {
 public:
     explicit ProcessGuard(GuardianPlace place) : m_place(std::move(place)) {}
@@ -20,12 +20,12 @@ public:
     void end() override;
 
 private:
-    /// Between two looks whether it still lives.
+    /// Interval between checks that the guardian still lives.
     static constexpr Duration kLookEvery = std::chrono::seconds(1);
 
     GuardianPlace m_place;
     std::optional<Guardian> m_guardian;
-    std::optional<GuardianProblem> m_problem;  ///< not yet told
+    std::optional<GuardianProblem> m_problem;  ///< not yet reported
     TimePoint m_looked;
 };
 

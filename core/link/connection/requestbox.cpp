@@ -83,7 +83,8 @@ std::vector<BusRequest> RequestBox::end() {
 }
 
 RequestBox::Taken RequestBox::take() {
-    // Before anything is read: what comes meanwhile wakes the next turn.
+    // The wake-up is reset before anything is read, so that a request arriving meanwhile wakes the next
+    // iteration.
     m_wakeup.reset();
     const bool stop = m_stop.exchange(false);
     const std::scoped_lock lock(m_mutex);

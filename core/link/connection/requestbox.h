@@ -16,19 +16,19 @@
 
 namespace nmc {
 
-/// The way from the GUI thread into the bus thread. Nothing is lost on it: what is wanted now, a stop or a
-/// motion that is held say, is state, whose newest word counts; what is answered one by one waits in a queue,
-/// and is refused when that is full.
+/// The path from the GUI thread to the bus thread. Nothing is lost on it: current wishes, such as a stop or a
+/// held motion, are state, of which the newest value counts; requests that are answered individually wait in
+/// a queue and are refused when it is full.
 class RequestBox {
 public:
     static constexpr std::size_t kCapacity = 1'024;
 
-    /// What is wanted of the chain as a whole.
+    /// Requests that concern the whole chain.
     enum class Search : std::uint8_t {
-        Again,   ///< find it anew
+        Again,   ///< search for it again
         Restart  ///< reset it
     };
-    /// In the order in which it is to be done: what stops comes first, what moves comes last.
+    /// In order of execution: stops come first, motions last.
     struct Taken {
         bool stop = false;
         bool released = false;
@@ -55,23 +55,23 @@ public:
     void setTravelLimits(std::vector<bus::TravelLimits> limits);
     void hold(const bus::HoldToMove& hold);
     void release();
-    /// False: it is not taken, because too many wait or because nobody is there to take them; `request` is
-    /// untouched.
+    /// Returns false when the request is not taken, because too many are waiting or no bus thread runs to
+    /// take them; `request` is then unchanged.
     [[nodiscard]] bool offer(BusRequest& request);
 
-    /// How many closes have been asked for so far, of this connection and those before.
+    /// The number of closes requested so far, for this connection and all earlier ones.
     [[nodiscard]] unsigned closes() const { return m_closes; }
-    /// From now on requests are taken; what was left of the connection before is forgotten. Nobody waits.
-    /// `closes`: of the connections before. One more, which a signal may have asked for while this one was
-    /// being opened, is for this one.
+    /// Starts taking requests; anything left from the previous connection is discarded. Does not wait.
+    /// `closes`: the number of closes requested for earlier connections. A further one, which a signal may
+    /// have requested while this connection was being opened, counts for this one.
     void begin(unsigned closes);
-    /// Bus thread: nothing is taken any more. What waits has to be refused by the caller.
+    /// Bus thread: stops taking requests and returns those still waiting, which the caller must refuse.
     [[nodiscard]] std::vector<BusRequest> end();
-    /// Bus thread: all there is.
+    /// Bus thread: takes everything that is waiting.
     [[nodiscard]] Taken take();
-    /// Bus thread; stays so until begin().
+    /// Bus thread; remains true until begin().
     [[nodiscard]] bool closeWanted() const { return m_closes != m_closesBefore; }
-    /// Readable when there is something to take.
+    /// Becomes readable when there is something to take.
     [[nodiscard]] int wakeFd() const { return m_wakeup.fd(); }
 
 private:

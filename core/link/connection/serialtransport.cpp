@@ -73,7 +73,7 @@ tl::expected<void, PortError> SerialTransport::setBaud(std::uint32_t baud) {
 
 tl::expected<void, PortError> SerialTransport::send(ByteSpan bytes) {
     const auto size = static_cast<qint64>(bytes.size());
-    // Without flush() nothing leaves: this thread has no event loop.
+    // Without flush() nothing is sent, because this thread has no event loop.
     if (m_port.write(reinterpret_cast<const char*>(bytes.data()), size) != size ||
         (m_port.bytesToWrite() > 0 && !m_port.flush() && m_port.error() != QSerialPort::NoError))
         return tl::unexpected(gone());
@@ -95,7 +95,7 @@ tl::expected<std::vector<std::uint8_t>, PortError> SerialTransport::receive(std:
         if (!bytes.isEmpty())
             return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
     }
-    // Readable without a byte, or hung up: the device is gone. Qt would report that for ever; once is enough.
+    // Readable without a byte, or hung up: the device is gone. Qt would report that forever; once is enough.
     if (fds[0].revents != 0)
         return tl::unexpected(gone());
     return std::vector<std::uint8_t>{};
@@ -110,7 +110,7 @@ PortError SerialTransport::openError() const {
             error.problem = PortProblem::NotFound;
             break;
         case QSerialPort::PermissionError:
-            // Qt reports a held lock file as a permission error, too.
+            // Qt reports a held lock file as a permission error as well.
             if (::faccessat(AT_FDCWD, path.constData(), R_OK | W_OK, AT_EACCESS) == 0) {
                 error = whyBusy(m_name);
                 error.detail = m_port.errorString().toStdString();

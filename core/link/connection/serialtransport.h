@@ -12,16 +12,16 @@
 
 namespace nmc {
 
-/// A serial port through QSerialPort, 8N1, no flow control. Nobody else may use the port meanwhile: besides
-/// Qt's lock file, which goes by name, the descriptor is locked with flock, which catches other names for it
-/// and root.
+/// A serial port through QSerialPort, 8N1, no flow control. The port is used exclusively: besides Qt's lock
+/// file, which is based on the name, the descriptor is locked with flock, which also covers other names of
+/// the port and root.
 class SerialTransport : public Transport {
 public:
-    /// Tells the rate that a descriptor really has, where it can.
+    /// Reads the rate that a descriptor actually has, where the driver reports it.
     using RateReader = std::function<std::optional<std::uint32_t>(int)>;
 
-    /// `baud`: the rate that will be wanted later. open() tries whether the adapter can make it, before a
-    /// byte has been sent.
+    /// `baud`: the rate that will be needed later. open() checks that the adapter can generate it before any
+    /// byte is sent.
     explicit SerialTransport(QString port, std::uint32_t baud = kPowerUpBaud, RateReader realRate = lineRate);
     ~SerialTransport() override;
 
@@ -41,8 +41,7 @@ private:
     QString m_name;
     std::uint32_t m_baud;
     RateReader m_realRate;
-    /// Never turned: it brings along the event dispatcher that a port insists on, in a thread that is not
-    /// Qt's.
+    /// Never run: it provides the event dispatcher that a port requires, in a thread not started by Qt.
     QEventLoop m_dispatcher;
     QSerialPort m_port;
 };

@@ -8,7 +8,7 @@
 
 namespace nmc {
 
-/// The built-in simulator instead of a port: a simulated chain paced in real time, in the bus thread.
+/// The built-in simulator in place of a port: a simulated chain paced in real time, in the bus thread.
 class SimulatorTransport : public Transport {
 public:
     explicit SimulatorTransport(std::vector<ModuleIdentity> modules, sim::ChainOptions options = {});

@@ -27,7 +27,7 @@ SleepInhibitor::~SleepInhibitor() {
 }
 
 void SleepInhibitor::follow(const BusStore& store) {
-    // What moves on a line that is only looked at is not for us to stop.
+    // On a read-only connection, the motors are not ours to stop.
     connect(&store, &BusStore::linkChanged, this,
             [this, &store] { setMoving(!store.link().readOnly && store.movingMotors() > 0); });
     connect(&store, &BusStore::happened, this, [this](const StoreEvent& event) {
@@ -42,8 +42,7 @@ void SleepInhibitor::setMoving(bool moving) {
     m_moving = moving;
     if (moving)
         take();
-    else if (!m_sleeping)  // otherwise a stop is under way, and what it has seen to stand is confirmed at its
-                           // end
+    else if (!m_sleeping)  // otherwise a stop is in progress, which releases the lock when it has finished
         m_lock = {};
 }
 

@@ -12,29 +12,29 @@ namespace nmc {
 
 class BusStore;
 
-/// Has the computer wait with its sleep until the motors stand, by a lock of logind
-/// (org.freedesktop.login1.Manager.Inhibit). It is taken while anything moves, and it is of the kind "delay":
-/// a lid that is shut goes past a "block", and a computer that stays awake in a bag helps nobody, but nothing
-/// goes past the delay before its time is up, 5 s usually, and that is enough to stop. Without logind or
-/// D-Bus, and on a read-only connection, all of this does nothing. GUI thread.
+/// Delays the computer's sleep until the motors have stopped, by means of a logind lock
+/// (org.freedesktop.login1.Manager.Inhibit). The lock is taken while anything moves, and its kind is "delay":
+/// closing the lid overrides a "block", and a computer that stays awake in a bag is no use, but nothing
+/// overrides a delay before its time is up, usually 5 s, which is enough to stop. Without logind or D-Bus,
+/// and on a read-only connection, this class does nothing. GUI thread.
 class SleepInhibitor : public QObject {
     Q_OBJECT
 
 public:
-    /// `busAddress`: of the bus that logind is on; empty: the system's. Nothing is asked of it before
-    /// something moves.
+    /// `busAddress`: the bus that logind is on; empty: the system bus. It is not contacted before something
+    /// moves.
     explicit SleepInhibitor(QString busAddress = {}, QObject* parent = nullptr);
     ~SleepInhibitor() override;
 
-    /// Is told by it what moves, and that a stop has run its course.
+    /// Follows the store, which reports what moves and when a stop has finished.
     void follow(const BusStore& store);
 
     void setMoving(bool moving);
-    /// A stop of all motors has run its course: no more can be done before the computer sleeps.
+    /// A stop of all motors has finished: nothing more can be done before the computer sleeps.
     void stopFinished();
 
 signals:
-    /// The computer is about to sleep, and motors move: stop them.
+    /// The computer is about to sleep while motors move: stop them.
     void stopWanted();
 
 private slots:
@@ -49,8 +49,8 @@ private:
     QDBusConnection m_bus{QString()};
     bool m_connected = false;
     bool m_moving = false;
-    bool m_sleeping = false;  ///< the computer is, or is about to
-    bool m_asked = false;     ///< for the lock, and not answered yet
+    bool m_sleeping = false;  ///< the computer sleeps, or is about to
+    bool m_asked = false;     ///< the lock has been requested and not yet granted
     QDBusUnixFileDescriptor m_lock;
 };
 

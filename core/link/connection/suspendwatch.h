@@ -7,15 +7,15 @@
 
 namespace nmc {
 
-/// Notices that the machine was suspended. Neither the monotonic clock nor a timer tells: both stood still.
-/// Pure; one thread.
+/// Detects that the machine was suspended. Neither the monotonic clock nor a timer shows it, because both
+/// stood still. Pure; one thread.
 class SuspendWatch {
 public:
-    /// Reading two clocks one after the other differs by microseconds; a suspended machine by seconds.
+    /// Two clocks read one after the other differ by microseconds; after a suspension they differ by seconds.
     static constexpr Duration kShortest = std::chrono::milliseconds(500);
 
-    /// `asleep`: all the time the machine has been suspended since it was started. How long it has just been
-    /// suspended, told once.
+    /// `asleep`: the total time that the machine has been suspended since boot. Returns the length of the
+    /// latest suspension, once.
     [[nodiscard]] std::optional<Duration> check(Duration asleep) {
         const Duration just = m_asleep ? asleep - *m_asleep : Duration{};
         if (m_asleep && just < kShortest)

@@ -15,9 +15,9 @@
 
 namespace nmc {
 
-/// The way to a chain: a serial port, or the simulator in this process. Lives wholly in the bus thread, which
-/// has no event loop: receive() is its only place to wait. An error is final; the transport is then thrown
-/// away.
+/// The connection to a chain: a serial port, or the simulator in this process. It lives entirely in the bus
+/// thread, which has no event loop: receive() is the only place to wait. An error is final; the transport is
+/// then discarded.
 class Transport {
 public:
     Transport() = default;
@@ -27,20 +27,20 @@ public:
 
     virtual tl::expected<void, PortError> open() = 0;
     virtual tl::expected<void, PortError> setBaud(std::uint32_t baud) = 0;
-    /// Hands the bytes to the port at once; does not wait for them to leave.
+    /// Passes the bytes to the port immediately; does not wait until they are sent.
     virtual tl::expected<void, PortError> send(ByteSpan bytes) = 0;
     virtual void discardInput() = 0;
 
-    /// Waits for bytes, for `until`, or for `wakeFd` to become readable (it is not read), whichever is first.
-    /// Empty when nothing arrived.
+    /// Waits for bytes, for `until`, or for `wakeFd` to become readable (it is not read), whichever comes
+    /// first. Returns an empty vector when nothing arrived.
     virtual tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
                                                                        int wakeFd) = 0;
 
-    /// What a signal handler may write to when the process dies; -1 where there is no such thing.
+    /// The descriptor that a signal handler may write to when the process crashes; -1 where there is none.
     [[nodiscard]] virtual int fd() const { return -1; }
 
-    /// Answers one control line of the simulator with one line of JSON (sim/control.h). Nothing for a port:
-    /// what is on the bench there is not for a program to change.
+    /// Answers one control line of the simulator with one line of JSON (sim/control.h). Returns nothing for a
+    /// port, because a program cannot change what is on the bench.
     virtual std::optional<std::string> control(std::string_view /*line*/) { return std::nullopt; }
 };
 

@@ -21,7 +21,7 @@ Wakeup::~Wakeup() {
 
 void Wakeup::wake() const {
     const std::uint64_t one = 1;
-    // It can only fail when 2^64 - 2 wakes are pending, and then the reader is awake already.
+    // write() fails only when 2^64 - 2 wakes are pending, and then the reader is awake already.
     [[maybe_unused]] const auto written = ::write(m_fd, &one, sizeof one);
 }
 

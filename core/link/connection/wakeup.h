@@ -3,7 +3,8 @@
 
 namespace nmc {
 
-/// Ends another thread's wait: an eventfd. wake() may be called from any thread and from a signal handler.
+/// An eventfd that ends another thread's wait. wake() may be called from any thread and from a signal
+/// handler.
 class Wakeup {
 public:
     Wakeup();
@@ -12,7 +13,7 @@ public:
     Wakeup& operator=(const Wakeup&) = delete;
 
     void wake() const;
-    /// Takes back all wake() calls so far; by the waiting thread.
+    /// Clears all wake() calls so far; called by the waiting thread.
     void reset() const;
     [[nodiscard]] int fd() const { return m_fd; }
 

@@ -9,38 +9,38 @@
 #include "link/guardian/guardianproblem.h"
 #include "link/ports/porterror.h"
 
-/// What the bus thread tells the GUI thread. Values; any thread.
+/// Events from the bus thread to the GUI thread. Plain values; any thread.
 namespace nmc {
 
 /// The port is open and discovery begins.
 struct PortOpened {};
-/// The connection is over: by close(), or for the reason given.
+/// The connection has ended, either through close() or for the given reason.
 struct PortClosed {
     std::optional<PortError> error;
 };
 
 /// The built-in simulator's answer to a control line.
 struct SimulatorAnswered {
-    std::string line;  ///< as it was given
+    std::string line;  ///< the line as given
     std::string json;
 };
 
-/// The GUI thread did not turn its event loop for so long.
+/// The GUI thread did not run its event loop for this time.
 struct PanelFroze {
     Duration length{};
     bool stopped = false;  ///< motors moved, so they were stopped after Heartbeat::kStopAfter
 };
 
-/// The computer was suspended and has woken.
+/// The computer was suspended and has woken up.
 struct ComputerSlept {
     Duration length{};
-    bool stopped = true;  ///< motors were told to stop; not by a read-only connection
+    bool stopped = true;  ///< the stop was sent to the motors; not on a read-only connection
 };
 
 /// The bus thread stood still while something moved, and the guardian stopped the motors.
 struct GuardianStopped {};
 
-/// Nobody stops the motors any more when this process is killed.
+/// From now on, nothing stops the motors when this process is killed.
 struct GuardianMissing {
     GuardianProblem problem = GuardianProblem::Missing;
 };
@@ -48,7 +48,8 @@ struct GuardianMissing {
 using WorkerEvent = std::variant<bus::Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze,
                                  ComputerSlept, GuardianStopped, GuardianMissing>;
 
-/// It tells how things stand, and the next one tells it better: one that is lost is not missed.
+/// True for events that report a current state and are superseded by the next one, so that losing one does no
+/// harm.
 [[nodiscard]] bool isSample(const WorkerEvent& event);
 
 }  // namespace nmc

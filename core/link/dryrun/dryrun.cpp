@@ -14,12 +14,12 @@ namespace nmc {
 
 namespace {
 
-/// As often as the sequence controller looks.
+/// The interval at which the sequence controller runs.
 constexpr Duration kTurn = std::chrono::milliseconds(20);
 constexpr Duration kSettling = std::chrono::milliseconds(200);
 constexpr Duration kPatience = std::chrono::seconds(20);
 
-/// Engine and simulated chain in virtual time.
+/// Engine and simulated chain, both in virtual time.
 class Bus {
 public:
     Bus(const std::vector<ModuleIdentity>& identities, std::uint32_t baud)
@@ -92,7 +92,7 @@ private:
     std::uint32_t m_lastId = 0;
 };
 
-/// A module without a data sheet here takes no part; something stands in its place in the chain.
+/// A module without a data sheet does not take part; a servo takes its place in the chain.
 std::vector<ModuleIdentity> identitiesOf(const std::vector<ModuleState>& modules) {
     std::vector<ModuleIdentity> identities;
     for (const ModuleState& module : modules)
@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    /// The copy counts from where the axis stands.
+    /// The position at which the axis starts, which is 0 in the copy.
     [[nodiscard]] std::int32_t origin(ModuleIndex index) const {
         const auto& latest = m_start.modules[index.value()].latest;
         return latest ? latest->position.value_or(0) : 0;
@@ -145,7 +145,7 @@ private:
         return machine;
     }
 
-    // ---- what the copy is told before the run ----
+    // ---- State transferred to the copy before the run ----
 
     bool setUp() {
         m_bus.connect();
@@ -209,7 +209,8 @@ private:
             if (const auto& value = real.analogs.at(i))
                 m_bus.simulated().set(index, sim::Input::Analog, *value, m_bus.now(), i + 1);
     }
-    /// And what its outputs were told. Unknown, they are as unknown to the copy.
+    /// Sets the pin directions and the output levels. If they are unknown, they are unknown to the copy as
+    /// well.
     void setDirections(const ModuleState& real) {
         if (!real.isIo() || !real.pins.inputs || !real.latest)
             return;
@@ -247,7 +248,7 @@ private:
         return sequence != nullptr && place.row < sequence->rows.size() ? &sequence->rows[place.row]
                                                                         : nullptr;
     }
-    /// What a row waits for comes at once.
+    /// Makes the input that a row waits for occur at once.
     void assumeWaited(const Action& row) {
         if (const auto* wait = std::get_if<action::WaitForInput>(&row)) {
             if (readPin(wait->pin, m_modules[wait->module.value()]) != wait->active)
@@ -266,13 +267,14 @@ private:
                               wait.active ? 1.0 : 0.0, m_bus.now(), pin ? *pin + 1 : 0);
         m_result.inputsAssumed = true;
     }
-    /// As far as the converter goes: one count beyond the level would do, but not at its end.
+    /// Sets the input to the end of the converter's range: one count beyond the level would be enough, but
+    /// does not exist at the end of the range.
     void assumeAnalog(const action::WaitForAnalog& wait) {
         m_bus.simulated().set(wait.module, sim::Input::Analog, wait.above ? 255.0 : 0.0, m_bus.now(),
                               wait.input);
         m_result.inputsAssumed = true;
     }
-    /// Where the switch is nobody knows; where home is, perhaps.
+    /// The position of the home switch is unknown; the position of home may be known.
     void assumeHome(const SequenceRun::Ask& ask) {
         const auto* home = std::get_if<intent::Home>(&ask.intent);
         ModuleState& module = m_modules[ask.module.value()];
@@ -299,7 +301,7 @@ private:
         m_run->onProcedure(report);
     }
 
-    // ---- what the copy says ----
+    // ---- Events from the copy ----
 
     void take(const std::vector<bus::Event>& events) {
         for (const bus::Event& event : events) {

@@ -15,7 +15,7 @@ struct BackgroundJob::Shared {
     Cancelled cancelled = false;
     std::mutex mutex;
     std::condition_variable changed;
-    // Under the mutex:
+    // Guarded by the mutex:
     BackgroundJob* owner;
     bool over = false;
 
@@ -23,7 +23,7 @@ struct BackgroundJob::Shared {
 
     void run() {
         work(cancelled);
-        work = nullptr;  // with what it shares
+        work = nullptr;  // releases what it shares
         const std::scoped_lock lock(mutex);
         over = true;
         changed.notify_all();
@@ -68,7 +68,7 @@ void BackgroundJob::cancel() {
 }
 
 void BackgroundJob::take() {
-    // One that was cancelled may have announced its end before.
+    // A cancelled job may have announced its end before.
     if (!m_shared || !m_shared->isOver())
         return;
     m_shared.reset();

@@ -9,28 +9,28 @@
 
 namespace nmc {
 
-/// Work that a disk may hold up for as long as it likes, in the background, one piece at a time. All members
-/// belong to the GUI thread.
+/// Runs work that a disk may delay indefinitely in the background, one job at a time. All members belong to
+/// the GUI thread.
 class BackgroundJob : public QObject {
     Q_OBJECT
 
 public:
     using Cancelled = std::atomic<bool>;
-    /// Runs in another thread: what it shares with the owner must belong to both, because it is left behind
-    /// when it does not end soon after the owner has.
+    /// Runs in another thread. Shared data must belong to both the thread and the owner, because a job that
+    /// does not end soon after its owner is left running.
     using Work = std::function<void(const Cancelled& cancelled)>;
 
     explicit BackgroundJob(QObject* parent = nullptr);
     ~BackgroundJob() override;
 
-    /// Not while isBusy(). ended() follows, unless it is cancelled.
+    /// Must not be called while isBusy(). ended() follows, unless the job is cancelled.
     void start(Work work);
-    /// Nobody wants to know any more. It may go on for as long as it takes to notice.
+    /// The result is no longer wanted. The job may keep running until it notices.
     void cancel();
     [[nodiscard]] bool isBusy() const { return m_shared != nullptr; }
 
 signals:
-    /// Never from within a call.
+    /// Never emitted from within a call.
     void ended();
 
 private:

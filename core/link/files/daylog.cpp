@@ -13,7 +13,7 @@ namespace nmc {
 
 namespace {
 
-/// Those of earlier days that are one too many. Their names are in the order of their days.
+/// Removes the oldest files beyond the limit. Their names sort by date.
 void removeOldest(const QDir& folder) {
     QStringList files = folder.entryList({QStringLiteral("messages-*-*-*.log")}, QDir::Files, QDir::Name);
     while (files.size() > DayLog::kMaxFiles) {
@@ -27,9 +27,9 @@ void removeOldest(const QDir& folder) {
 
 struct DayLog::Waiting {
     std::mutex mutex;
-    std::map<QString, std::string> lines;  ///< by file, under the mutex
+    std::map<QString, std::string> lines;  ///< by file; guarded by the mutex
 
-    /// Whoever comes to the disk next takes all of them.
+    /// The next thread to reach the disk takes all lines.
     std::string take(const QString& path) {
         const std::scoped_lock lock(mutex);
         return std::exchange(lines[path], {});

@@ -11,9 +11,9 @@ class QDateTime;
 
 namespace nmc {
 
-/// A text that outlives the session: one file for each day, "messages-2026-11-22.log", the last 30 of them.
-/// One that has grown too large is begun anew, and what was in it kept as ".old". Several programs may write
-/// to the same one. All members belong to one thread, which waits for no disk.
+/// A log that outlives the session: one file per day, "messages-2026-11-22.log", of which the last 30 are
+/// kept. A file that grows too large is started afresh, and its previous content is kept as ".old". Several
+/// programs may write to the same file. All members belong to one thread, which never waits for the disk.
 class DayLog : public QObject {
     Q_OBJECT
 
@@ -23,19 +23,19 @@ public:
     static constexpr int kMaxFiles = 30;
     static constexpr qint64 kMostBytes = 4'000'000;
 
-    /// `folder` need not be there. `append`: for tests, a disk that behaves otherwise.
+    /// `folder` need not exist. `append`: a disk with different behaviour, for tests.
     explicit DayLog(QString folder, Append append = appendToFile, QObject* parent = nullptr);
 
     [[nodiscard]] QString file(const QDateTime& now) const;
-    /// A line, without its end.
+    /// Writes a line, given without its line end.
     void write(const std::string& line, const QDateTime& now);
     bool finish() { return m_files.finish(); }
 
-    /// Makes the folder, and the room.
+    /// Creates the folder and makes room for the file.
     [[nodiscard]] static FileWriter::Result appendToFile(const QString& path, std::string_view lines);
 
 signals:
-    /// Once, until it works again: what was written is lost.
+    /// Emitted once, until writing works again: the lines were lost.
     void failed(const nmc::FileError& error);
 
 private:

@@ -14,7 +14,7 @@ namespace nmc {
 
 struct FileWriter::Files : std::enable_shared_from_this<Files> {
     struct Wanted {
-        Content content;  ///< none: the file goes
+        Content content;  ///< empty: the file is removed
         Told told;
     };
 
@@ -23,9 +23,10 @@ struct FileWriter::Files : std::enable_shared_from_this<Files> {
     const Disk disk;
     std::mutex mutex;
     std::condition_variable changed;
-    // Under the mutex:
+    // Guarded by the mutex:
     QObject* owner;
-    std::map<QString, std::optional<Wanted>> next;  ///< of those that a thread is at
+    std::map<QString, std::optional<Wanted>> next;  ///< files that a thread is working on, with the next
+                                                    ///< request for each
 
     void put(const QString& path, Wanted wanted) {
         std::unique_lock lock(mutex);

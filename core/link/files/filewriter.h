@@ -11,29 +11,29 @@
 
 namespace nmc {
 
-/// Writes and removes files while nobody waits for the disk. Of one file, things are done in the order that
-/// was asked for, and of what waits only the last; no file waits for another, which may be on a disk that
-/// does not answer. All members belong to one thread, and only finish() waits.
+/// Writes and removes files without making the caller wait for the disk. The operations on one file are
+/// carried out in order, and of those waiting only the last; no file waits for another, which may be on a
+/// disk that does not respond. All members belong to one thread, and only finish() waits.
 class FileWriter : public QObject {
     Q_OBJECT
 
 public:
     using Result = tl::expected<void, FileError>;
-    /// Called in another thread, as is the disk.
+    /// Called in another thread, like Disk.
     using Content = std::function<std::string()>;
-    /// All of it or nothing.
+    /// Writes all of the content or nothing.
     using Disk = std::function<Result(const QString& path, std::string_view content)>;
-    /// Never from within a call, nor of what gave way to something later.
+    /// Never called from within a call, nor for a request that was replaced by a later one.
     using Told = std::function<void(const Result& result)>;
 
-    /// `disk`: for tests, one that behaves otherwise.
+    /// `disk`: a disk with different behaviour, for tests.
     explicit FileWriter(Disk disk = writeFile);
-    /// As finish(); what the disk has not taken by then is left behind. Nobody is told any more.
+    /// Waits like finish(); what has not been written by then is left behind. No callbacks follow.
     ~FileWriter() override;
 
     void write(const QString& path, Content content, Told told = {});
     void remove(const QString& path);
-    /// Until everything is on the disk. False: not within that time.
+    /// Waits until everything has been written. Returns false when the time is up before.
     bool finish(std::chrono::milliseconds patience = kPatience);
 
 private:

@@ -5,11 +5,11 @@
 
 namespace nmc {
 
-/// Does what a disk may hold up, in a thread of its own that nobody waits for. Any thread.
+/// Runs work that a disk may delay in its own thread, which nobody waits for. Any thread.
 void inBackground(std::function<void()> work);
 
-/// For tests: from now on `background` does it instead. At once, in the thread that asks, where time is
-/// virtual, since a disk does not wait for a clock that stands still; or when the test says so.
+/// For tests: runs all work in `background` instead. Where time is virtual, the work must run at once in the
+/// calling thread, because a disk does not wait for a stopped clock; or it runs when the test says so.
 void setBackground(std::function<void(std::function<void()> work)> background);
 
 }  // namespace nmc

@@ -9,7 +9,7 @@ namespace nmc {
 
 namespace {
 
-/// From what the system and Qt say of an operation that has just failed.
+/// Builds the error from what the system and Qt report about an operation that has just failed.
 FileError errorOf(const QFileDevice& file, const QString& path, int number) {
     FileError error{FileErrorKind::Other, path, file.errorString()};
     if (number == ENOENT)

@@ -10,16 +10,16 @@
 
 namespace nmc {
 
-/// Why a file was not read or written.
+/// Why a file could not be read or written.
 enum class FileErrorKind : std::uint8_t {
     NotThere,
-    NoFolder,  ///< the folder it should be in is not there
-    NotAFile,  ///< a folder, a device
+    NoFolder,  ///< the folder of the file does not exist
+    NotAFile,  ///< a folder or a device
     NoPermission,
-    ReadOnly,  ///< the disk, for everybody
+    ReadOnly,  ///< the disk is read-only for everybody
     NoSpace,
     TooLarge,
-    Other,  ///< detail holds the system's own words
+    Other,  ///< detail holds the system's message
 };
 
 struct FileError {
@@ -28,15 +28,14 @@ struct FileError {
     QString detail{};
 };
 
-/// A plain file, open for reading: what is none may never end, or never begin. Any thread.
+/// Opens a plain file for reading; anything else might never end, or block when opened. Any thread.
 [[nodiscard]] tl::expected<std::unique_ptr<QFile>, FileError> openToRead(const QString& path);
 
-/// The whole file, if it has not more than `limit` bytes. Blocks as long as the disk does; any
-/// thread.
+/// Reads the whole file, if it has at most `limit` bytes. Blocks as long as the disk does; any thread.
 [[nodiscard]] tl::expected<std::string, FileError> readFile(const QString& path, std::size_t limit);
 
-/// All of it or nothing: a file that was there before is as it was when this fails. Blocks, too; any
-/// thread.
+/// Writes all of the content or nothing: if this fails, an existing file stays unchanged. Blocks as long as
+/// the disk does; any thread.
 [[nodiscard]] tl::expected<void, FileError> writeFile(const QString& path, std::string_view content);
 
 }  // namespace nmc

@@ -11,15 +11,15 @@ namespace {
 
 constexpr qint64 kPiece = 256 << 10;  ///< bytes
 constexpr int kProgressMs = 100;
-/// A recording may have rows of any module, whether its head tells of it or not.
+/// A recording may contain rows of any module, even if its header does not mention the module.
 constexpr std::size_t kModules = std::numeric_limits<std::uint8_t>::max();
 
-/// More than anybody sends: a file must not take memory without end.
+/// More than anyone sends; the limit keeps a file from using memory without bound.
 constexpr std::size_t kMaxGains = 10'000;
 
 }  // namespace
 
-/// What the thread fills.
+/// The data that the thread fills.
 struct RecordingLoader::Reading {
     LoadedRecording result;
     std::optional<FileError> error{};
@@ -87,7 +87,7 @@ void RecordingLoader::end() {
     if (reading->error)
         emit failed(*reading->error);
     else
-        // Goes when the last of both does.
+        // Deleted together with the last reference.
         emit loaded(std::shared_ptr<LoadedRecording>(reading, &reading->result));
 }
 

@@ -13,17 +13,17 @@
 
 namespace nmc {
 
-/// What could be read of a recording. The history takes no more memory than a live one: of a long file the
-/// old samples are there in a coarser form.
+/// The part of a recording that could be read. The history takes no more memory than a live one: the old
+/// samples of a long file are kept at lower resolution.
 struct LoadedRecording {
     QString path;
     RecordingHeader header;
     History history;
     std::uint64_t samples = 0;
-    std::optional<RecordingProblem> problem{};  ///< where reading ended
+    std::optional<RecordingProblem> problem{};  ///< the reason why reading ended early
 };
 
-/// Reads a recording of any size in a thread of its own. One at a time; GUI thread; signals never come from
+/// Reads a recording of any size in its own thread. One at a time; GUI thread; signals are never emitted from
 /// within a call.
 class RecordingLoader : public QObject {
     Q_OBJECT
@@ -31,14 +31,14 @@ class RecordingLoader : public QObject {
 public:
     explicit RecordingLoader(QObject* parent = nullptr);
 
-    /// loaded() or failed() follows, unless another is started or this one is cancelled.
+    /// loaded() or failed() follows, unless another load is started or this one is cancelled.
     void start(const QString& path);
     void cancel();
     [[nodiscard]] bool isBusy() const { return m_job.isBusy(); }
     [[nodiscard]] const QString& path() const { return m_path; }
 
 signals:
-    /// 0 to 1, a few times a second.
+    /// Progress from 0 to 1, a few times a second.
     void progressed(double share);
     void loaded(std::shared_ptr<nmc::LoadedRecording> recording);
     void failed(const nmc::FileError& error);

@@ -51,7 +51,7 @@ DiskProblem problemOf(int number) {
     return {RecordingProblemKind::Other, number};
 }
 
-/// They end the whole program by default; an error code is enough.
+/// Blocks SIGPIPE and SIGXFSZ, which terminate the program by default; the error code is enough.
 class WriteSignalsBlocked {
 public:
     WriteSignalsBlocked() {
@@ -74,9 +74,9 @@ private:
     sigset_t m_before{};
 };
 
-/// All of it onto the disk.
+/// Flushes all data to the disk.
 std::optional<DiskProblem> flushFile(int fd) {
-    // EINVAL: what is not a plain file has nothing to flush.
+    // EINVAL means that this is not a plain file, which has nothing to flush.
     if (fdatasync(fd) != 0 && errno != EINVAL)
         return problemOf(errno);
     struct stat status {};
@@ -87,8 +87,8 @@ std::optional<DiskProblem> flushFile(int fd) {
 
 }  // namespace
 
-/// One recording: what the GUI thread and the background share. In the background is one thread at a time,
-/// and none while nothing waits.
+/// One recording: the data shared by the GUI thread and the background. At most one background thread works
+/// on it at a time, and none while nothing is waiting.
 class RecordingWriter::Job : public std::enable_shared_from_this<Job> {
 public:
     Job(std::string path, std::size_t limit, RecordingWriter& owner)
@@ -98,11 +98,11 @@ public:
 
     /// Opens the file.
     void begin() { workOn(std::unique_lock(m_mutex)); }
-    /// False: too much waits for the disk already.
+    /// Returns false when too much is already waiting for the disk.
     bool push(std::string text) {
         std::unique_lock lock(m_mutex);
         if (m_ended)
-            return true;  // the owner is about to hear why
+            return true;  // the owner is about to be informed of the reason
         if (m_waiting + text.size() > m_limit)
             return false;
         m_waiting += text.size();
@@ -124,7 +124,7 @@ public:
         std::unique_lock lock(m_mutex);
         return m_atAnEnd.wait_for(lock, patience, [this] { return m_ended; });
     }
-    /// Nobody waits for the rest any more. It ends as soon as the disk lets it.
+    /// The rest is no longer waited for. The job ends as soon as the disk allows it.
     void abandon() {
         std::unique_lock lock(m_mutex);
         m_abandoned = true;
@@ -154,7 +154,7 @@ private:
 
     // ---- background ----
 
-    /// Until nothing waits, or the end.
+    /// Works until nothing is waiting, or the recording ends.
     void work();
     std::optional<DiskProblem> carryOut(const std::vector<std::string>& texts, bool flushing);
     std::optional<DiskProblem> write(std::string_view text);
@@ -165,9 +165,10 @@ private:
         m_waiting -= text.size();
         m_written += static_cast<qint64>(text.size());
     }
-    /// A row whose end the disk has not taken goes: what is left of a number would be another number.
+    /// Removes a row that the disk has accepted only in part: part of a number would be a different number.
     void dropPartOfLine() {
-        // Only this thread writes it; and the disk may take its time, for which nobody is to wait.
+        // The lock is not held here: only this thread writes m_wholeLines, and nobody should wait for a slow
+        // disk.
         if (ftruncate(m_file.get(), m_wholeLines) != 0)
             return;
         const std::scoped_lock lock(m_mutex);
@@ -180,15 +181,15 @@ private:
 
     const std::string m_path;
     const std::size_t m_limit;
-    // The background's own:
+    // Used only by the background thread:
     Descriptor m_file;
-    qint64 m_wholeLines = 0;  ///< of what is written
+    qint64 m_wholeLines = 0;  ///< bytes written up to the last complete line
     mutable std::mutex m_mutex;
     std::condition_variable m_atAnEnd;
-    // All below: under the mutex.
+    // Everything below is guarded by the mutex.
     RecordingWriter* m_owner;
     std::vector<std::string> m_queue;
-    std::size_t m_waiting = 0;  ///< bytes that are not written yet, queued or not
+    std::size_t m_waiting = 0;  ///< bytes not yet written, queued or in progress
     qint64 m_written = 0;
     bool m_busy = false;
     bool m_flushing = false;
@@ -229,7 +230,7 @@ void RecordingWriter::Job::work() {
 std::optional<DiskProblem> RecordingWriter::Job::carryOut(const std::vector<std::string>& texts,
                                                           bool flushing) {
     if (!m_file.valid()) {
-        // Without O_NONBLOCK a FIFO that nobody reads would never open.
+        // Without O_NONBLOCK, opening a FIFO without a reader would block forever.
         m_file = Descriptor(
             ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666));
         if (!m_file.valid())
@@ -253,7 +254,7 @@ std::optional<DiskProblem> RecordingWriter::Job::write(std::string_view text) {
             text.remove_prefix(static_cast<std::size_t>(count));
         } else if (errno == EAGAIN) {
             pollfd room{m_file.get(), POLLOUT, 0};
-            constexpr int kLookAgainMs = 100;  // whether somebody still waits for it
+            constexpr int kLookAgainMs = 100;  // interval of checks whether the job was abandoned
             ::poll(&room, 1, kLookAgainMs);
         } else if (errno != EINTR) {
             return problemOf(errno);
@@ -312,7 +313,7 @@ void RecordingWriter::stop() {
 }
 
 void RecordingWriter::take() {
-    // A job that was given up may have announced its end before.
+    // An abandoned job may have announced its end before.
     if (!m_job || !m_job->ended())
         return;
     m_patience.stop();

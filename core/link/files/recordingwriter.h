@@ -12,28 +12,28 @@
 
 namespace nmc {
 
-/// Why a recording ended before it was told to.
+/// Why a recording ended before stop() was called.
 enum class RecordingProblemKind : std::uint8_t {
-    NoFolder,  ///< the folder it should be in is not there
-    NotAFile,  ///< a folder, or a pipe that nobody reads
+    NoFolder,  ///< the folder of the file does not exist
+    NotAFile,  ///< a folder, or a pipe without a reader
     NoPermission,
-    ReadOnly,  ///< the disk, for everybody
+    ReadOnly,  ///< the disk is read-only for everybody
     NoSpace,
-    FileTooLarge,  ///< for the file system, as 4 GiB are on a USB stick
-    Removed,       ///< somebody has deleted it meanwhile
-    TooSlow,       ///< the disk does not take data as fast as they come
-    Other,         ///< detail holds the system's own words
+    FileTooLarge,  ///< exceeds the limit of the file system, such as 4 GiB on a USB stick
+    Removed,       ///< deleted by somebody during the recording
+    TooSlow,       ///< the disk does not accept data as fast as it arrives
+    Other,         ///< detail holds the system's message
 };
 
 struct RecordingFailure {
     RecordingProblemKind trouble = RecordingProblemKind::Other;
-    QString detail{};  ///< the system's own words
-    qint64 bytes = 0;  ///< written before; they stay in the file
+    QString detail{};  ///< the system's message
+    qint64 bytes = 0;  ///< number of bytes written before the failure; they stay in the file
 };
 
-/// Writes text to a file as it comes, in the background: no disk, however slow, full or gone, makes the
-/// GUI thread wait. What has come is with the operating system at once and on the disk within a second or
-/// two. One recording at a time. All members belong to the GUI thread, and signals come there, never from
+/// Writes text to a file as it arrives, in the background: no disk, however slow, full or gone, makes the GUI
+/// thread wait. The text reaches the operating system immediately and the disk within a second or two. One
+/// recording at a time. All members belong to the GUI thread; signals are emitted there, and never from
 /// within a call.
 class RecordingWriter : public QObject {
     Q_OBJECT
@@ -41,31 +41,31 @@ class RecordingWriter : public QObject {
 public:
     struct Limits {
         std::size_t queue = 32U << 20U;              ///< bytes that may wait for the disk
-        std::chrono::milliseconds toFlush{1'000};    ///< what has come onto the disk
-        std::chrono::milliseconds toFinish{30'000};  ///< after stop()
-        std::chrono::milliseconds toClose{3'000};    ///< in the destructor
+        std::chrono::milliseconds toFlush{1'000};    ///< time until new text is flushed to the disk
+        std::chrono::milliseconds toFinish{30'000};  ///< limit after stop()
+        std::chrono::milliseconds toClose{3'000};    ///< limit in the destructor
     };
 
     explicit RecordingWriter(QObject* parent = nullptr) : RecordingWriter(Limits(), parent) {}
     explicit RecordingWriter(Limits limits, QObject* parent = nullptr);
-    /// Ends the recording, waiting a little for the disk to take what is still in the queue.
+    /// Ends the recording, waiting a short time for the disk to accept what is still in the queue.
     ~RecordingWriter() override;
 
-    /// Replaces the file that may be there. Not while isBusy(). failed() or finished() follows, once.
+    /// Replaces an existing file. Must not be called while isBusy(). failed() or finished() follows, once.
     void start(const QString& path);
-    /// More text. Passed over when nothing is being recorded.
+    /// Appends text; ignored when no recording is in progress.
     void append(std::string text);
-    /// Writes what waits, and finishes.
+    /// Writes what is waiting and ends the recording.
     void stop();
 
-    /// Takes text: from start() to stop() or failed().
+    /// True while text is accepted: from start() to stop() or failed().
     [[nodiscard]] bool isRecording() const { return m_job != nullptr && !m_finishing; }
-    /// From start() to finished() or failed().
+    /// True from start() to finished() or failed().
     [[nodiscard]] bool isBusy() const { return m_job != nullptr; }
     [[nodiscard]] const QString& path() const { return m_path; }
 
 signals:
-    /// After stop(): all of it is on the disk. `seconds`: from start() to stop().
+    /// Emitted after stop(), when everything is on the disk. `seconds`: from start() to stop().
     void finished(qint64 bytes, double seconds);
     void failed(const nmc::RecordingFailure& failure);
 
@@ -77,7 +77,7 @@ private:
 
     Limits m_limits;
     QString m_path;
-    std::shared_ptr<Job> m_job;  ///< shared with the background, where it may have to be left behind
+    std::shared_ptr<Job> m_job;  ///< shared with the background, where it may be left behind
     QTimer m_patience;
     QTimer m_flush;
     bool m_finishing = false;

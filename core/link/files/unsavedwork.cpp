@@ -9,9 +9,9 @@
 namespace nmc {
 
 namespace {
-/// As many programs at once as anybody will run.
+/// The maximum number of programs that keep unsaved work at the same time.
 constexpr int kSlots = 20;
-/// A machine, and the name of its file above it.
+/// The size of a machine file, preceded by its file name.
 constexpr std::size_t kMaxKept = 1'100'000;
 }  // namespace
 
@@ -39,7 +39,7 @@ std::optional<UnsavedWork::Slot> UnsavedWork::takeSlot(Wanted wanted) const {
         if (QFile::exists(slot.path) != (wanted == Wanted::Used))
             continue;
         slot.lock = std::make_unique<QLockFile>(slot.path + QStringLiteral(".lock"));
-        // Not old age, only the end of its program makes a lock void.
+        // A lock becomes void only when its program has ended, not with age.
         slot.lock->setStaleLockTime(0);
         if (slot.lock->tryLock(0) && QFile::exists(slot.path) == (wanted == Wanted::Used))
             return slot;
@@ -54,7 +54,7 @@ void UnsavedWork::dropLeft() {
 }
 
 void UnsavedWork::keep(const QString& file, const std::string& content, FileWriter::Told told) {
-    // Where there is no place for it, writing says why.
+    // Without a slot, the write fails and reports the reason.
     const QString path = m_own ? m_own->path : m_folder;
     m_files.write(
         path,

@@ -12,33 +12,33 @@ class QLockFile;
 
 namespace nmc {
 
-/// Work that is not saved yet, kept in a file of its own, so that neither a crash nor a careless close loses
-/// it. Each running program has its own; what a program that is gone has left is found by the next one. Only
-/// the start and the end wait for the disk. GUI thread.
+/// Keeps unsaved work in a separate file, so that neither a crash nor a careless close loses it. Each running
+/// program has its own file; the next program finds what an ended one has left. Only construction and
+/// destruction wait for the disk. GUI thread.
 class UnsavedWork {
 public:
     struct Left {
-        QString file;  ///< what it was to be saved as; may be empty
+        QString file;  ///< the file it was to be saved to; may be empty
         std::string content;
     };
 
-    /// `folder` need not be there; it is made.
+    /// `folder` is created if it does not exist.
     explicit UnsavedWork(const QString& folder, FileWriter::Disk disk = writeFile);
     ~UnsavedWork();
     UnsavedWork(const UnsavedWork&) = delete;
     UnsavedWork& operator=(const UnsavedWork&) = delete;
 
-    /// What another session has left; it stays there until it is dropped.
+    /// Work left by another session; it is kept until dropLeft().
     [[nodiscard]] const std::optional<Left>& left() const { return m_left; }
     void dropLeft();
 
-    /// Replaces what this session kept before. `told`: as FileWriter's.
+    /// Replaces what this session kept before. `told`: as in FileWriter.
     void keep(const QString& file, const std::string& content, FileWriter::Told told);
-    /// Everything is saved, or not wanted any more.
+    /// Called when everything is saved, or no longer wanted.
     void forget();
 
 private:
-    /// A file that only one program at a time may use.
+    /// A file that only one program may use at a time.
     struct Slot {
         QString path;
         std::unique_ptr<QLockFile> lock;
@@ -50,7 +50,7 @@ private:
     std::optional<Slot> m_leftSlot;
     std::optional<Left> m_left;
     std::optional<Slot> m_own;
-    FileWriter m_files;  ///< ends before the locks do
+    FileWriter m_files;  ///< destroyed before the locks
 };
 
 }  // namespace nmc

@@ -7,34 +7,36 @@
 
 namespace nmc {
 
-/// What the panel's bus loop says of itself each time it turns.
+/// The panel's bus loop reports this each time it runs.
 struct Beat {
-    TimePoint at;  ///< of the monotonic clock, which stands still while the machine is suspended
+    TimePoint at;  ///< monotonic clock, which stands still while the machine is suspended
     bool moving = false;
     bool operator==(const Beat&) const = default;
 };
 
-/// Whether a panel that still exists has left its motors alone. Without a clock; one thread.
+/// Decides whether a panel that still exists has abandoned its motors. It has no clock of its own; one
+/// thread.
 ///
-/// A beat that is too old has one of two causes: the loop is stuck, or this machine lets nobody have his
-/// turn. Whoever judges is his own measure of that: a judge who comes late himself lets one more period pass
-/// before he believes what he sees.
+/// A beat that is too old has one of two causes: the loop hangs, or the machine does not schedule any
+/// process. The observer's own delay distinguishes the two: an observer that is itself late waits for one
+/// more period before it trusts what it sees.
 class BeatJudge {
 public:
-    /// The oldest that a beat may be while anything moves.
+    /// The maximum age of a beat while anything moves.
     static constexpr Duration kLongest = std::chrono::milliseconds(150);
-    /// From here on a look is late.
+    /// A check later than this counts as late.
     static constexpr Duration kLate = std::chrono::milliseconds(20);
 
-    /// When to call expired() again, at the latest; nothing while nothing moves.
+    /// The latest time at which expired() must be called again; nothing while nothing moves.
     [[nodiscard]] std::optional<TimePoint> lookBy(const Beat& beat) const;
-    /// The motors must be stopped. Once a beat: it takes a new one before this says so again.
+    /// Returns true when the motors must be stopped, once per beat: it returns true again only after a new
+    /// beat.
     [[nodiscard]] bool expired(const Beat& beat, TimePoint now);
 
 private:
-    std::optional<TimePoint> m_stale;  ///< the beat that was last found too old
-    bool m_said = false;               ///< and said to be
-    TimePoint m_lookAgain;             ///< at that one
+    std::optional<TimePoint> m_stale;  ///< the beat last found too old
+    bool m_said = false;               ///< expired() has returned true for it
+    TimePoint m_lookAgain;             ///< time of the next check of that beat
 };
 
 }  // namespace nmc

@@ -7,7 +7,7 @@
 
 namespace nmc {
 
-/// A file descriptor that is closed by whoever has it last.
+/// Owns a file descriptor and closes it when destroyed.
 class Descriptor {
 public:
     Descriptor() = default;

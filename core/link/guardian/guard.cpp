@@ -25,27 +25,28 @@ namespace {
 
 using Fds = GuardDescriptors;
 
-/// A packet that was cut short is complete by the nulls of the first burst at the latest; whatever of the
-/// second one that noise has damaged is repeated.
+/// The nulls of the first burst at the latest complete a packet that was cut short; whatever noise damages in
+/// the second burst is repeated by the third.
 constexpr int kTimes = 3;
-/// After a packet, and before the next: a servo tick (DS-V 4.1), and time for an adapter to hand it over.
+/// After a packet, and before the next: one servo tick (DS-V 4.1), plus time for an adapter to pass it on.
 constexpr Duration kPause = std::chrono::milliseconds(2);
 constexpr Duration kQuiet = std::chrono::milliseconds(3);
-/// A line that is never quiet must not put the stop off for longer: the modules give way to a command.
+/// A line that is never quiet must not delay the stop longer than this: a command interrupts the modules'
+/// replies.
 constexpr Duration kQuietLimit = std::chrono::milliseconds(60);
 
 void pause(Duration time) {
     pollUntil({}, monotonicNow() + time);
 }
 
-/// True when this open file description holds the port's lock, or has just got it back; false when another
-/// one does. It is the panel's own description: the lock outlives the panel in it.
+/// True when this open file description holds the port's lock, or has just reacquired it; false when another
+/// description holds it. The description is the one shared with the panel, so the lock outlives the panel.
 bool lockIsOurs() {
     return ::flock(Fds::kPort, LOCK_EX | LOCK_NB) == 0;
 }
 
-/// Until nothing has come in and nothing was left to go out for a while. What then is still queued would only
-/// be in the way.
+/// Waits until nothing has been received and nothing was left to send for a while. Output that is then still
+/// queued would only be in the way, so it is flushed.
 void waitForQuiet() {
     const TimePoint limit = monotonicNow() + kQuietLimit;
     std::pair<int, int> before{-1, -1};
@@ -88,14 +89,14 @@ public:
                 return GuardEnd::Outlived;
             }
             if (closed)
-                m_channelFd = -1;  // it is dying: its end itself is what counts
+                m_channelFd = -1;  // the panel is dying; only the end of its process counts
             if (const Beat beat = m_memory.beat(); m_judge.expired(beat, monotonicNow()))
                 standIn(beat);
         }
     }
 
 private:
-    /// False at the end of the channel.
+    /// Returns false at the end of the channel.
     [[nodiscard]] static bool takeWakes() {
         std::array<char, 64> wakes{};
         ssize_t got = 0;
@@ -104,15 +105,15 @@ private:
         return got < 0;
     }
 
-    /// The panel is no more. Until our copy of its lock is gone, too, nobody else is on this port.
+    /// The panel no longer exists. While our copy of its lock remains, nobody else can use this port.
     void outlive() {
         stopMotors(std::nullopt);
-        // As a close by the panel would have left it.
+        // Leaves the port as a close by the panel would.
         ::ioctl(Fds::kPort, TIOCNXCL);
     }
 
-    /// The panel is there, and does nothing. It may come back at any instant: from the moment that it sees us
-    /// speak it waits, and if it came back before, its beat is a new one and the line is its own.
+    /// The panel exists but does nothing. It may resume at any instant: once it sees that the guardian has
+    /// the line, it waits; if it resumed earlier, its beat is new and the line belongs to it.
     void standIn(const Beat& stale) {
         m_memory.setGuardianSpeaks(true);
         if (stopMotors(stale))
@@ -153,7 +154,7 @@ GuardEnd runGuard(const std::string& reportFile) {
     const std::uint32_t version = GuardMemory::kVersion;
     if (!memory || ::send(Fds::kChannel, &version, sizeof version, MSG_NOSIGNAL) != sizeof version)
         return GuardEnd::NotStarted;
-    // Both are good to have and no condition: neither is granted to everybody.
+    // Both are useful but not required, as not every user may have them.
     ::mlockall(MCL_CURRENT | MCL_FUTURE);
     preferThisThread();
     return Guard(std::move(*memory), reportFile).run();

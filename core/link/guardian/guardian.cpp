@@ -22,15 +22,15 @@ namespace {
 
 constexpr Duration kStartPatience = std::chrono::seconds(5);
 constexpr Duration kEndPatience = std::chrono::seconds(1);
-/// Three bursts of the greatest size at the lowest rate are over by then.
+/// Three bursts of the maximum size at the lowest rate are finished by then.
 constexpr Duration kSpeechPatience = std::chrono::seconds(10);
 
-/// A copy that is none of the numbers that the guardian wants.
+/// Duplicates a descriptor to a number above those that the guardian uses.
 Descriptor copyAbove(int fd) {
     return Descriptor(::fcntl(fd, F_DUPFD_CLOEXEC, int{GuardDescriptors::kCount}));
 }
 
-/// What the child is to have of us: posix_spawn wants both filled in, and freed.
+/// What the child inherits: posix_spawn needs both structures initialized and freed.
 struct Birth {
     Birth() {
         ::posix_spawn_file_actions_init(&actions);
@@ -43,7 +43,7 @@ struct Birth {
         ::posix_spawnattr_setsigmask(&attributes, &none);
         ::posix_spawnattr_setflags(&attributes,
                                    POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSID);
-        // Whoever waits for the end of the panel's output does not wait for the guardian.
+        // A program that waits for the end of the panel's output must not wait for the guardian.
         for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
             ::posix_spawn_file_actions_addopen(&actions, standard, "/dev/null", O_RDWR, 0);
         ::posix_spawn_file_actions_addchdir_np(&actions, "/");
@@ -77,7 +77,8 @@ GuardianProblem problemOf(int error) {
 }
 
 tl::expected<pid_t, GuardianProblem> spawn(const GuardianPlace& place, int port, int memory, int channel) {
-    // None on an old kernel. The C library's own pidfd_open(2) cannot be linked from C++ before its 2.37.
+    // Not available on an old kernel. The C library's own pidfd_open(2) cannot be linked from C++ before
+    // version 2.37.
     const Descriptor panel(static_cast<int>(::syscall(SYS_pidfd_open, ::getpid(), 0)));
     const std::array gifts{copyAbove(port), copyAbove(memory), copyAbove(channel),
                            panel.valid() ? copyAbove(panel.get()) : Descriptor()};

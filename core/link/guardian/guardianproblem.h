@@ -7,11 +7,11 @@ namespace nmc {
 
 /// Why no guardian stops the motors when the panel cannot.
 enum class GuardianProblem : std::uint8_t {
-    Missing,       ///< there is no such program
-    NotPermitted,  ///< the system lets this user not start it
-    WrongVersion,  ///< it is of another version, or no guardian at all
-    Failed,        ///< the system has no memory or descriptor left
-    Ended,         ///< it was there, and is no more
+    Missing,       ///< the program does not exist
+    NotPermitted,  ///< this user may not start it
+    WrongVersion,  ///< it has another version, or is not a guardian
+    Failed,        ///< the system is out of memory or descriptors
+    Ended,         ///< it was running and has ended
 };
 
 }  // namespace nmc

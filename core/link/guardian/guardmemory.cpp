@@ -21,20 +21,21 @@ using Words = std::array<std::uint64_t, kWords>;
 
 }  // namespace
 
-/// Atomic word by word, so that reading while it is being written is a wrong value and no undefined
+/// Accesses are atomic word by word, so that a read during a write yields a wrong value but no undefined
 /// behaviour.
 struct GuardMemory::Layout {
     std::uint32_t magic = kMagic;
     std::uint32_t version = kVersion;
     std::uint32_t size = sizeof(Layout);
     std::atomic<std::uint32_t> ended{0};
-    std::atomic<std::int64_t> beat{0};  ///< ns, doubled, and 1 more while anything moves
+    std::atomic<std::int64_t> beat{0};  ///< ns, doubled; plus 1 while anything moves
     std::atomic<std::uint32_t> guardianSpeaks{0};
     std::atomic<std::uint32_t> stops{0};
-    std::atomic<std::uint64_t> sequence{0};  ///< of the burst that is whole; its lowest bit says which it is
+    std::atomic<std::uint64_t> sequence{0};  ///< sequence number of the complete burst; its lowest bit is the
+                                             ///< index in `bursts`
     std::array<std::array<std::atomic<std::uint64_t>, kWords>, 2> bursts{};
 };
-// Between processes a lock in the library would be none.
+// A lock inside the library would not work between processes.
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free &&
               std::atomic<std::int64_t>::is_always_lock_free);
 
@@ -51,7 +52,7 @@ std::optional<GuardMemory> GuardMemory::create() {
 
 std::optional<GuardMemory> GuardMemory::attach(int fd) {
     struct stat info {};
-    // One that could still shrink would be a SIGBUS later.
+    // A memory that could still shrink would later cause a SIGBUS.
     if (::fstat(fd, &info) != 0 || info.st_size != sizeof(Layout) ||
         (::fcntl(fd, F_GET_SEALS) & kSeals) != kSeals)
         return std::nullopt;
@@ -85,8 +86,8 @@ GuardMemory::~GuardMemory() {
 
 // ---- the burst ----
 //
-// Whoever reads a word of burst n + 2, which goes where n was, has by that acquired sequence n + 1, which was
-// stored before it: he sees that the sequence has changed, and reads again.
+// A reader that reads a word of burst n + 2, which takes the place of burst n, has thereby acquired sequence
+// n + 1, which was stored before it: the reader sees that the sequence has changed, and reads again.
 
 void GuardMemory::arm(const StopBurst& burst) {
     const auto words = std::bit_cast<Words>(burst);

@@ -10,21 +10,21 @@
 
 namespace nmc {
 
-/// The memory that a panel and its guardian share: the stop burst, the beat of the bus loop, and who has the
-/// line. Lock-free both ways, and never torn: the burst lies in two places under a sequence number, so that a
-/// panel which is killed in the middle of writing one leaves the one before, and the command that the new one
-/// was for has not left yet.
+/// The memory that a panel and its guardian share: the stop burst, the beat of the bus loop, and the owner of
+/// the line. It is lock-free in both directions and never torn: the burst has two places under a sequence
+/// number, so that a panel killed in the middle of writing a burst leaves the previous one, and the command
+/// that needed the new burst has not been sent yet.
 ///
-/// One writing thread on each side.
+/// Each side has one writing thread.
 class GuardMemory {
 public:
-    /// Both sides must be of this version; anything else is not looked at.
+    /// Both sides must have this version; anything else is ignored.
     static constexpr std::uint32_t kVersion = 1;
 
-    /// A new one, whose size nobody can change any more. Nothing when the system gives none.
+    /// Creates a memory whose size can no longer be changed. Returns nothing when the system provides none.
     [[nodiscard]] static std::optional<GuardMemory> create();
-    /// The one that somebody else made. Nothing when it is not what this version of the program makes: size,
-    /// seals, magic number, version.
+    /// Attaches to a memory created by another process. Returns nothing when its size, seals, magic number or
+    /// version differ from what this version of the program creates.
     [[nodiscard]] static std::optional<GuardMemory> attach(int fd);
     GuardMemory(GuardMemory&& other) noexcept;
     GuardMemory& operator=(GuardMemory&& other) noexcept;
@@ -34,16 +34,16 @@ public:
     [[nodiscard]] int fd() const { return m_fd.get(); }
     void arm(const StopBurst& burst);
     void setBeat(const Beat& beat);
-    /// From now on the panel's end is none to worry about.
+    /// From now on the guardian must ignore the end of the panel.
     void end();
-    /// The guardian has the line. Asked after setBeat(): either the panel sees that it must wait, or the
-    /// guardian sees the beat and keeps silent.
+    /// True while the guardian has the line. Call after setBeat(): either the panel sees that it must wait,
+    /// or the guardian sees the beat and does not send.
     [[nodiscard]] bool guardianSpeaks() const;
-    /// How many times it has stopped the motors.
+    /// The number of times that the guardian has stopped the motors.
     [[nodiscard]] std::uint32_t stops() const;
 
     // ---- the guardian's side ----
-    /// Empty when none was armed, and when what is there cannot be one.
+    /// Empty when none is armed, or when the content cannot be a burst.
     [[nodiscard]] StopBurst burst() const;
     [[nodiscard]] Beat beat() const;
     [[nodiscard]] bool ended() const;

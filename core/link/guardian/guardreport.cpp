@@ -37,7 +37,7 @@ std::vector<std::uint8_t> addressesIn(ByteSpan burst) {
     return addresses;
 }
 
-/// Nothing: that is no name of ours.
+/// Returns nothing when the name is not that of a report.
 std::optional<long> processIn(std::string_view name) {
     if (!name.starts_with(kNameBegins) || !name.ends_with(kNameEnds))
         return std::nullopt;
@@ -72,7 +72,8 @@ bool writeGuardReport(const std::string& file, const StopBurst& burst) {
     text += '\n';
     const std::string unfinished = file + ".new";
     Descriptor fd(::open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600));
-    // Not synchronised with the disk: what this outlives is a process, and the panel may be waiting for us.
+    // The file is not synchronized with the disk: it only needs to outlive a process, and the panel may be
+    // waiting for us.
     return fd.valid() && ::write(fd.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
            ::rename(unfinished.c_str(), file.c_str()) == 0;
 }
@@ -84,7 +85,7 @@ std::vector<GuardReport> takeGuardReports(const std::string& folder) {
         const std::string file = entry->path().string();
         const auto process = processIn(entry->path().filename().string());
         const auto report = process ? read(file, *process) : std::nullopt;
-        // Of two panels that start at once one has removed it, and tells it.
+        // When two panels start at the same time, the one that removes the file reports it.
         if (report && ::unlink(file.c_str()) == 0)
             reports.push_back(*report);
     }

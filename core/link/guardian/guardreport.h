@@ -9,21 +9,21 @@
 
 namespace nmc {
 
-/// What a guardian leaves behind for the next start of the panel: that it has told motors to stop, and which.
+/// A guardian's report for the next start of the panel: it has sent the stop to motors, and to which.
 struct GuardReport {
-    long process = 0;  ///< the panel whose guardian it was
-    /// Addresses of the modules that were told, in order; those of groups are not among them.
+    long process = 0;  ///< process number of the panel it guarded
+    /// Addresses of the modules that were sent the stop, in order; group addresses are not included.
     std::vector<std::uint8_t> modules;
 };
 
-/// Writes the report on this burst, in one piece or not at all.
+/// Writes the report on this burst atomically: the file appears complete or not at all.
 bool writeGuardReport(const std::string& file, const StopBurst& burst);
 
-/// The reports that lie in a folder, each to exactly one caller: they are gone afterwards. What is no report
-/// of ours is neither read nor removed.
+/// Returns the reports in a folder and removes them, so that each report reaches exactly one caller. Files
+/// that are not reports are neither read nor removed.
 [[nodiscard]] std::vector<GuardReport> takeGuardReports(const std::string& folder);
 
-/// Where the guardian of the calling process is to write its own.
+/// The file to which the calling process's guardian must write its report.
 [[nodiscard]] std::string guardReportFile(const std::string& folder);
 
 }  // namespace nmc

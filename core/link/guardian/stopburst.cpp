@@ -16,7 +16,7 @@ namespace nmc {
 
 namespace {
 
-/// A port that takes no bytes any more must not keep whoever writes the last ones.
+/// A port that no longer accepts bytes must not block the process that writes the last ones.
 constexpr Duration kPatience = std::chrono::seconds(1);
 constexpr int kPatienceMs = 1'000;
 
@@ -69,7 +69,7 @@ bool sendBurst(int fd, const StopBurst& burst) {
     }
     if (!writeAll(fd, burst.span()))
         return false;
-    // A driver's queue is empty before the adapter's own is, so the time that the bytes take counts as well.
+    // A driver's queue is empty before that of the adapter, so the transmission time of the bytes is added.
     pollUntil({}, monotonicNow() + byteTimeAtBaud(std::max(baud, kBaudRows.front().nominal)) * burst.size);
     return waitUntilSent(fd, kPatience);
 }

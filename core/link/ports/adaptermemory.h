@@ -9,14 +9,16 @@
 
 namespace nmc {
 
-/// Knows the adapters of this session apart, whatever names the system gives them: /dev/ttyUSB0 is whichever
-/// was plugged in first. By vendor, product and serial number; ports that have none are not told apart. Pure.
+/// Distinguishes the adapters of this session regardless of their names: /dev/ttyUSB0 is whichever was
+/// plugged in first. The criteria are vendor, product and serial number; ports that have none are not
+/// distinguished. Pure.
 class AdapterMemory {
 public:
-    /// The adapter that was lost is there again.
+    /// The adapter that was lost has returned.
     struct Back {
         QString port;
-        bool sameSerial = false;  ///< the very one; otherwise one of the same kind, which have no number
+        bool sameSerial = false;  ///< the same adapter; otherwise one of the same kind, without a serial
+                                  ///< number
         bool operator==(const Back&) const = default;
     };
 
@@ -24,9 +26,9 @@ public:
     void opened(const QString& port, const QList<PortEntry>& ports);
     /// The adapter at this port was unplugged.
     void lost(const QString& port);
-    /// Asked whenever ports have come or gone; tells once.
+    /// Called whenever ports have appeared or disappeared; returns each return once.
     [[nodiscard]] std::optional<Back> back(const QList<PortEntry>& ports);
-    /// Another adapter than the one that was connected under this name in this session.
+    /// True when this is not the adapter that was connected under this name in this session.
     [[nodiscard]] bool differs(const QString& port, const QList<PortEntry>& ports) const;
 
 private:

@@ -7,7 +7,7 @@
 namespace nmc {
 
 QString latencyTimerFile(const QString& port, const QString& root) {
-    // A name below /dev/serial/by-id leads to the one that the driver knows.
+    // A name below /dev/serial/by-id is resolved to the name that the driver uses.
     const QString path = QFileInfo(port).canonicalFilePath();
     return root + QStringLiteral("/bus/usb-serial/devices/") +
            QFileInfo(path.isEmpty() ? port : path).fileName() + QStringLiteral("/latency_timer");

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "link/ports/linerate.h"
 
-// The kernel's own header: termios.h of the C library knows only rates by name, and cannot be had beside it.
+// This is the kernel's header: termios.h of the C library has named rates only, and the two cannot be
+// included together.
 #include <asm/termbits.h>
 #include <sys/ioctl.h>
 

@@ -9,10 +9,10 @@ namespace nmc {
 
 /// One entry of the port list.
 struct PortEntry {
-    QString name;              ///< what is opened: "/dev/ttyUSB0", or kSimulatorPort
+    QString name;              ///< name to open: "/dev/ttyUSB0", or kSimulatorPort
     QString description;       ///< "USB Serial Converter", may be empty
-    QString serialNumber{};    ///< of a USB adapter, where it has one
-    std::uint16_t vendor = 0;  ///< of a USB adapter, otherwise 0
+    QString serialNumber{};    ///< serial number of a USB adapter, where it has one
+    std::uint16_t vendor = 0;  ///< vendor ID of a USB adapter, otherwise 0
     std::uint16_t product = 0;
     bool operator==(const PortEntry&) const = default;
 };

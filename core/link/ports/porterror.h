@@ -9,31 +9,31 @@
 
 namespace nmc {
 
-/// Why a port cannot be used, or is no longer.
+/// Why a port cannot be used, or no longer can.
 enum class PortProblem : std::uint8_t {
     NotFound,
     NoPermission,
     InUse,
-    StaleLock,     ///< a program that is gone has left its lock file, and it is another user's
-    NoLockFolder,  ///< no lock file can be made, and the serial port library insists on one
+    StaleLock,     ///< lock file of a program that has ended, owned by another user
+    NoLockFolder,  ///< no lock file can be created, but the serial port library insists on one
     NotASerialPort,
     RateNotPossible,
-    TooManyFiles,  ///< this program has no file descriptor left
-    Gone,          ///< it was open: unplugged, or the other end closed
-    Other,         ///< detail holds the system's own words
+    TooManyFiles,  ///< this program has no file descriptors left
+    Gone,          ///< the port was open, but was unplugged or closed at the other end
+    Other,         ///< detail holds the system's message
 };
 
-/// A value without Qt, since the bus thread has none; its texts are UTF-8.
+/// A value without Qt, because the bus thread has none; its texts are UTF-8.
 struct PortError {
     PortProblem problem = PortProblem::Other;
     std::string port;
-    std::string group;   ///< NoPermission: the group that may use the port, where it is known
-    std::string user;    ///< NoPermission: the present user; StaleLock: the owner of the lock file
-    std::string detail;  ///< the system's own words
-    std::vector<ModuleIndex> moving{};  ///< Gone: those that were moving at the last word
-    std::string program{};              ///< InUse: who uses it, where that can be known
-    std::int64_t pid = 0;               ///< InUse: the same; 0 where it cannot be known
-    std::string lockFile{};  ///< StaleLock: to be removed; NoLockFolder: the folder it should be in
+    std::string group;   ///< NoPermission: the group that may use the port, if known
+    std::string user;    ///< NoPermission: the current user; StaleLock: the owner of the lock file
+    std::string detail;  ///< the system's message
+    std::vector<ModuleIndex> moving{};  ///< Gone: modules that were moving when last heard
+    std::string program{};              ///< InUse: the program that uses the port, if known
+    std::int64_t pid = 0;               ///< InUse: its process number; 0 if unknown
+    std::string lockFile{};  ///< StaleLock: the file to remove; NoLockFolder: the folder it should be in
 };
 
 }  // namespace nmc

@@ -7,7 +7,8 @@
 
 namespace nmc {
 
-/// The serial ports of this machine with their descriptions, the most likely ones (USB adapters) first. 3 ms.
+/// The serial ports of this machine with their descriptions, the most likely ones (USB adapters) first. Takes
+/// 3 ms.
 [[nodiscard]] QList<PortEntry> serialPorts();
 
 }  // namespace nmc

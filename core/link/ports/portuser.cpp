@@ -26,8 +26,8 @@ QString firstLine(const QString& path) {
                                           : QString();
 }
 
-/// A lock file goes by the name that a program was given for the port; the number of the process is what all
-/// of them begin with.
+/// A lock file is named after the name under which a program opened the port; all of them begin with the
+/// process number.
 std::optional<LockFile> lockFileOf(const QString& path, const PortUserPlaces& places) {
     for (QString name : {path, QFileInfo(path).canonicalFilePath()}) {
         if (name.startsWith(QLatin1String("/dev/")))
@@ -50,12 +50,13 @@ QString programOf(qint64 pid, const PortUserPlaces& places) {
     return firstLine(places.proc + QStringLiteral("/%1/comm").arg(pid));
 }
 
-/// Has the terminal open, and is not the one that serves it from the other end.
+/// True when the process has the terminal open and is not the one that serves it from the other end.
 bool uses(const QString& process, dev_t device) {
     bool found = false;
     const QDir files(process + QStringLiteral("/fd"));
     for (const QString& name : files.entryList(QDir::Files | QDir::System | QDir::Hidden)) {
-        // Asked before it is followed: what lies on a dead network drive would not answer.
+        // The link target is read before the link is followed: a file on a dead network drive would not
+        // respond.
         const QString target = QFile::symLinkTarget(files.filePath(name));
         if (target == QLatin1String("/dev/ptmx") || target == QLatin1String("/dev/pts/ptmx"))
             return false;

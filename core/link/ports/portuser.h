@@ -8,9 +8,10 @@
 
 namespace nmc {
 
-/// Where this machine says who uses a port; tests bring their own.
+/// Where this machine shows who uses a port; tests substitute their own places.
 struct PortUserPlaces {
-    /// Where QSerialPort looks for a folder of lock files, in its order; it takes the first it may write to.
+    /// The folders in which QSerialPort tries to create lock files, in its order; it uses the first that is
+    /// writable.
     QStringList lockFolders{
         QStringLiteral("/var/lock"),         QStringLiteral("/etc/locks"), QStringLiteral("/var/spool/locks"),
         QStringLiteral("/var/spool/uucp"),   QStringLiteral("/tmp"),       QStringLiteral("/var/tmp"),
@@ -18,12 +19,12 @@ struct PortUserPlaces {
     QString proc = QStringLiteral("/proc");
 };
 
-/// The file of a port that is named as QSerialPortInfo does, or by its path.
+/// The device file of a port named by QSerialPortInfo or by its path.
 [[nodiscard]] QString devicePath(const QString& port);
 
-/// Why a port that exists, and that this user may use, is not to be had: by its lock file, and by the open
-/// files of those processes that this user may look into. InUse, with the program where it can be known,
-/// StaleLock, or NoLockFolder. Tens of milliseconds on a busy machine.
+/// Finds out why a port that exists, and that this user may use, cannot be opened, from its lock file and
+/// from the open files of those processes that this user may inspect. The result is InUse, with the program
+/// if known, StaleLock, or NoLockFolder. Takes tens of milliseconds on a busy machine.
 [[nodiscard]] PortError whyBusy(const QString& port, const PortUserPlaces& places = {});
 
 }  // namespace nmc

@@ -9,7 +9,8 @@ PortWatcher::PortWatcher(List list, const QString& folder, QObject* parent)
     m_settle.setInterval(kSettleMs);
     connect(&m_settle, &QTimer::timeout, this, &PortWatcher::look);
     m_watcher.addPath(folder);
-    // Not started anew by each of many changes: a folder that is never quiet must not put it off for ever.
+    // The timer is not restarted by further changes: a folder that is never quiet must not postpone the check
+    // forever.
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, [this] {
         if (!m_settle.isActive())
             m_settle.start();

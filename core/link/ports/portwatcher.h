@@ -10,8 +10,8 @@
 
 namespace nmc {
 
-/// Notices that serial ports come and go. Qt has no signal for it, and asking takes 3 ms, so it asks only
-/// 300 ms after something has changed among the device files. GUI thread.
+/// Detects that serial ports appear and disappear. Qt has no signal for this, and a query takes 3 ms, so it
+/// queries only 300 ms after a change among the device files. GUI thread.
 class PortWatcher : public QObject {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
 
     PortWatcher(List list, const QString& folder, QObject* parent = nullptr);
 
-    /// Asked anew; tells of no change.
+    /// Queries the ports; emits no signal.
     [[nodiscard]] QList<PortEntry> ports();
 
 signals:

@@ -11,7 +11,7 @@ namespace nmc {
 
 namespace {
 
-/// Whether inotify has told anything since the last call.
+/// True when inotify has reported anything since the last call.
 bool tookEvents(const Descriptor& inotify) {
     bool any = false;
     for (std::array<char, 4096> events{}; ::read(inotify.get(), events.data(), events.size()) > 0;)
@@ -42,7 +42,7 @@ FirstAct FirstActWatch::take() const {
         return FirstAct::Unknown;
     std::array<epoll_event, 2> acts{};
     const int count = ::epoll_wait(m_order.get(), acts.data(), static_cast<int>(acts.size()), 0);
-    // A write is told only while no earlier one waits to be read.
+    // A write is reported only while no earlier write is waiting to be read.
     tookEvents(m_writes);
     return count > 0 ? static_cast<FirstAct>(acts[0].data.u32) : FirstAct::Unknown;
 }

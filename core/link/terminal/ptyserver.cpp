@@ -23,9 +23,9 @@ std::string systemError(const std::string& what) {
     return what + ": " + std::strerror(errno);
 }
 
-/// No echo, no line editing, no translation, reads return at once; at the modules' power-up rate, so that a
-/// host that never sets one is understood, and any that it does set is its choice. EXTPROC only makes packet
-/// mode tell of settings.
+/// No echo, no line editing, no translation; reads return at once. The rate is the modules' power-up rate, so
+/// that a host that never sets a rate is understood, while any rate that it does set is its own choice.
+/// EXTPROC only makes packet mode report settings.
 bool makeRaw(int fd) {
     termios2 settings{};
     if (::ioctl(fd, TCGETS2, &settings) != 0)
@@ -100,7 +100,7 @@ HostActs PtyServer::takeActs() {
     termios2 settings{};
     if (::ioctl(m_master, TCGETS2, &settings) == 0 && settings.c_ospeed != 0)
         acts.baud = settings.c_ospeed;
-    // A host that builds its settings from nothing has taken EXTPROC away, and is told of only that once. And
+    // A host that builds its settings from scratch has removed EXTPROC, which is reported only that once. And
     // a flush that came first says nothing about a rate that came as well.
     const unsigned news = packets.news & ~std::exchange(m_ownNews, 0U);
     const bool flushed = acts.first == FirstAct::SetTerminal && news != TIOCPKT_IOCTL;
@@ -114,8 +114,8 @@ HostActs PtyServer::takeActs() {
     return acts;
 }
 
-/// Each read(2) gives either bytes behind a 0, or one byte of news; it hands over what the kernel still has
-/// on the way before it finds nothing.
+/// Each read(2) returns either bytes preceded by a 0, or one byte of packet-mode news; before it returns
+/// nothing, it delivers what the kernel still has in transit.
 PtyServer::Packets PtyServer::readAll() const {
     constexpr std::size_t kEnough = 65'536;
     Packets all;

@@ -13,50 +13,50 @@
 
 namespace nmc {
 
-/// What a host has done to its side of the terminal since it was last asked for.
+/// What a host has done on its side of the terminal since the last query.
 struct HostActs {
     std::vector<std::uint8_t> bytes;
-    std::optional<std::uint32_t> baud;  ///< its rate now; empty at B0, which is "hang up" and no rate
-    /// Where the rate is another one now. Unknown, too, where more than that was done at once.
+    std::optional<std::uint32_t> baud;  ///< its present rate; empty at B0, which means "hang up"
+    /// Valid when the rate has changed. Unknown also when more than that was done at once.
     FirstAct first = FirstAct::Unknown;
-    /// It has closed the port, behind all of the bytes or some of them, and may have come back.
+    /// It has closed the port after all or some of the bytes, and may have opened it again.
     bool hungUp = false;
 };
 
-/// The master side of a pseudo-terminal: what a host program opens as a serial port. Without Qt.
-/// The slave side is kept open here as well, so a host may close and reopen it.
+/// The master side of a pseudo-terminal, which a host program opens as a serial port. Free of Qt. The slave
+/// side is kept open here as well, so that a host may close and reopen it.
 class PtyServer {
 public:
-    /// Makes a raw terminal of mode 0600 at 19 200 Bd and, with a non-empty `link`, a symbolic link to it. An
-    /// error is a sentence.
+    /// Creates a raw terminal of mode 0600 at 19 200 Bd and, with a non-empty `link`, a symbolic link to it.
+    /// The error is a sentence.
     [[nodiscard]] static tl::expected<PtyServer, std::string> create(const std::string& link);
     PtyServer(PtyServer&& other) noexcept;
     PtyServer& operator=(PtyServer&&) = delete;
-    /// Removes the link, if it still leads here.
+    /// Removes the link if it still points here.
     ~PtyServer();
 
     [[nodiscard]] const std::string& path() const { return m_path; }
-    /// For poll(2): when there are bytes, and when there are any acts; the latter may be -1.
+    /// Descriptors for poll(2), readable when there are bytes, or any actions; the latter may be -1.
     [[nodiscard]] int fd() const { return m_master; }
     [[nodiscard]] int actsFd() const { return m_firstAct.fd(); }
-    /// After a hang-up, what the host has not read by now is gone, as with any port that is closed.
+    /// After a hang-up, whatever the host has not read by now is lost, as with any port that is closed.
     [[nodiscard]] HostActs takeActs();
-    /// The bytes alone.
+    /// Returns only the bytes.
     [[nodiscard]] std::vector<std::uint8_t> read() const { return readAll().bytes; }
-    /// Bytes that a host does not read for long are lost, as on a real line.
+    /// Bytes that a host does not read for a long time are lost, as on a real line.
     void write(ByteSpan bytes) const;
-    /// The rate of the host's side, 19 200 at first; empty at B0, which is "hang up" and no rate.
+    /// The rate of the host's side, initially 19 200; empty at B0, which means "hang up".
     [[nodiscard]] std::optional<std::uint32_t> hostBaud() const;
 
 private:
-    /// What read(2) gives in packet mode.
+    /// The result of read(2) in packet mode.
     struct Packets {
         std::vector<std::uint8_t> bytes;
         unsigned news = 0;  ///< TIOCPKT_...
     };
 
     PtyServer() = default;
-    /// All that the host has written, up to far more than a line takes in any time.
+    /// Reads everything that the host has written, up to far more than a line can carry in any short time.
     [[nodiscard]] Packets readAll() const;
 
     int m_master = -1;
@@ -64,8 +64,8 @@ private:
     std::string m_path;
     std::string m_link;
     FirstActWatch m_firstAct;
-    bool m_tellsSettings = true;  ///< the host has left EXTPROC as it was
-    unsigned m_ownNews = 0;       ///< TIOCPKT_... of what was done here, not by the host
+    bool m_tellsSettings = true;  ///< the host has left EXTPROC set
+    unsigned m_ownNews = 0;       ///< TIOCPKT_... caused by this side, not by the host
 };
 
 }  // namespace nmc

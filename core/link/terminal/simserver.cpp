@@ -17,10 +17,11 @@ namespace nmc {
 
 namespace {
 
-/// A line that never ends must not fill the memory; of a longer one enough is kept to know it by.
+/// A line that never ends must not fill the memory; enough of a longer line is kept to recognize it as too
+/// long.
 constexpr std::size_t kMaxLine = 4'096;
-/// With kLate, well below what any host waits for an answer: a host that gave up on a simulator that slept is
-/// not in haste.
+/// Together with kLate, this is well below the time that any host waits for an answer: a host that gave up on
+/// a simulator that was asleep does not count as hasty.
 constexpr Duration kAtLeastEvery = std::chrono::milliseconds(5);
 constexpr Duration kLate = std::chrono::milliseconds(2);
 constexpr Duration kSlice = std::chrono::milliseconds(10);      // simulated
@@ -73,7 +74,7 @@ TimePoint SimServer::realTimeOf(TimePoint simulated) const {
     return m_started + fromSeconds(toSeconds(simulated.time_since_epoch()) / m_pacing.speed);
 }
 
-/// Motors that nobody asks about are moved on in good time as well, or the first question would wait for it.
+/// Idle motors are also advanced regularly; otherwise the first query would have to wait for it.
 std::optional<TimePoint> SimServer::wakeUpAt() const {
     if (m_pacing.stepped)
         return std::nullopt;
@@ -82,8 +83,8 @@ std::optional<TimePoint> SimServer::wakeUpAt() const {
     return event ? std::min(latest, realTimeOf(*event)) : latest;
 }
 
-/// As far as a little real time allows: a simulation that cannot keep up still hears its host and its control
-/// lines, at the simulated time that it has reached.
+/// Advances as far as a short real time allows: a simulation that cannot keep up still serves its host and
+/// its control lines, at the simulated time that it has reached.
 void SimServer::catchUp() {
     const TimePoint goal = wantedNow();
     const TimePoint enough = monotonicNow() + kCatchUpFor;
@@ -115,8 +116,9 @@ void SimServer::serveHost() {
         drain();
 }
 
-/// Closing a port waits until what was written has left it, and what comes in until then is lost. That of a
-/// pseudo-terminal returns at once: it is time that does not wait, and leaps to where the line is empty.
+/// Closing a real port waits until everything written has been sent, and bytes received until then are lost.
+/// Closing a pseudo-terminal returns at once, so instead simulated time leaps to the point at which the line
+/// is empty.
 void SimServer::drain() {
     const TimePoint closed = m_now;
     m_now = std::max(m_now, m_chain.hostLineFreeAt());
@@ -125,9 +127,10 @@ void SimServer::drain() {
     m_started -= fromSeconds(toSeconds(m_now - closed) / m_pacing.speed);
 }
 
-/// How many of the bytes the host wrote before it set its present rate. Of what it wrote and set in one
-/// breath the kernel knows the beginning only; there Set Baud and Hard Reset are what a rate is changed
-/// behind. Where it knows nothing, nobody leaves a rate that the modules understand.
+/// The number of bytes that the host wrote before it set its present rate. If it did both in quick
+/// succession, the kernel reports only which came first; the rate change is then assumed to follow a Set Baud
+/// or Hard Reset. If the kernel reports nothing, the bytes are assumed to have the old rate when the modules
+/// understand that rate.
 std::size_t SimServer::beforeNewRate(const HostActs& acts) {
     const std::size_t all = acts.bytes.size();
     const bool changed = acts.baud.value_or(m_hostBaud) != m_hostBaud;
@@ -171,7 +174,7 @@ void SimServer::deliver() {
     m_terminal.write(values);
     m_sent += values.size();
     if (m_pacing.stepped)
-        return;  // nothing is late where nothing is paced
+        return;  // without pacing, nothing can be late
     const TimePoint written = monotonicNow();
     for (const sim::HostByte& byte : bytes)
         m_lateness.add(written - realTimeOf(byte.due));
@@ -210,7 +213,7 @@ std::string SimServer::answerTo(const std::string& line) {
     if (line.rfind("advance", 0) == 0)
         return advance(line);
     const std::string answer = sim::handleControlLine(m_chain, line, m_now, pace());
-    // Only `time` reports how late bytes were, so only `time` begins to measure it anew.
+    // Only `time` reports how late bytes were, so only `time` restarts that measurement.
     if (line.rfind("time", 0) == 0)
         m_lateness = {};
     if (line.rfind("stats clear", 0) == 0)

@@ -11,28 +11,28 @@
 
 namespace nmc {
 
-/// What makes simulated time pass.
+/// How simulated time passes.
 struct Pacing {
     double speed = 1.0;    ///< simulated seconds per real second, above 0
-    bool stepped = false;  ///< time stands still but for the control line `advance`
+    bool stepped = false;  ///< time stands still except for the control line `advance`
 };
 
-/// Serves a simulated chain on a pseudo-terminal, and answers control lines: what nmcsim does. Runs in the
-/// calling thread until `quit` or until stopFd becomes readable. Without Qt.
+/// Serves a simulated chain on a pseudo-terminal and answers control lines; this is what nmcsim does. It runs
+/// in the calling thread until `quit`, or until stopFd becomes readable. Free of Qt.
 ///
-/// Stepped, the bytes that the host has written before `advance SECONDS` leave its port when that begins, and
-/// what reaches the host during it is in the terminal when it is answered: a test through a real terminal
-/// that no scheduler can upset.
+/// In stepped mode, the bytes that the host has written before `advance SECONDS` leave its port when that
+/// begins, and what reaches the host during it is in the terminal when the line is answered: a test through a
+/// real terminal that no scheduler can upset.
 class SimServer {
 public:
-    /// `controlIn` is read for lines, `controlOut` gets one line of JSON for each. The chain goes on from the
-    /// time that it has reached.
+    /// Lines are read from `controlIn`, and each is answered by one line of JSON on `controlOut`. The chain
+    /// continues from the time that it has reached.
     SimServer(sim::Chain chain, PtyServer terminal, const Pacing& pacing, int controlIn, int controlOut);
 
     void run(int stopFd);
 
 private:
-    /// What simulated time should be.
+    /// The time at which simulated time should be.
     [[nodiscard]] TimePoint wantedNow() const;
     [[nodiscard]] TimePoint realTimeOf(TimePoint simulated) const;
     [[nodiscard]] std::optional<TimePoint> wakeUpAt() const;
@@ -40,10 +40,11 @@ private:
     void serveHost();
     void drain();
     [[nodiscard]] std::size_t beforeNewRate(const HostActs& acts);
-    /// Number of `bytes` up to the end of the last Set Baud or Hard Reset among them; 0 without one.
+    /// Returns the number of `bytes` up to the end of the last Set Baud or Hard Reset among them; 0 if there
+    /// is none.
     std::size_t endOfLastRateCommand(ByteSpan bytes);
     void deliver();
-    /// Returns false when it was the last line.
+    /// Returns false when this was the last line.
     bool serveControl();
     bool answer(const std::string& line);
     std::string answerTo(const std::string& line);
@@ -58,15 +59,15 @@ private:
     std::string m_pendingLine;
     bool m_controlOpen = true;
     std::uint32_t m_hostBaud = 0;
-    sim::Receiver m_monitor;  ///< hears the host, whatever the rates
-    /// Its last command was Set Baud or Hard Reset, and it has set no rate since.
+    sim::Receiver m_monitor;  ///< receives the host's bytes regardless of rates
+    /// The host's last command was Set Baud or Hard Reset, and it has not set a rate since.
     bool m_sentRateCommand = false;
     TimePoint m_started;
-    TimePoint m_now;           ///< simulated time that has been reached
-    bool m_overslept = false;  ///< what the host wrote may have waited
+    TimePoint m_now;           ///< simulated time reached so far
+    bool m_overslept = false;  ///< bytes from the host may have waited
     std::uint64_t m_received = 0;
     std::uint64_t m_sent = 0;
-    Lateness m_lateness;  ///< of the bytes to the host, since last asked
+    Lateness m_lateness;  ///< delays of bytes to the host since the last query
     StallWatch m_stalls;
     LagReport m_lagReport;
 };

@@ -5,17 +5,18 @@
 
 namespace nmc {
 
-/// How a loop follows a sine of its command position.
+/// The response of a loop to a sine of its command position.
 struct FrequencyPoint {
     double hertz = 0.0;
-    /// T: position over command; its magnitude and phase are those of a Bode plot.
+    /// T, position over command; its magnitude and phase form the Bode plot.
     std::complex<double> closed;
-    /// One standard deviation of `closed`, in any direction, from how well the sine explains the positions.
+    /// One standard deviation of `closed` in any direction, from the residuals of the sine fit.
     double doubt = 0.0;
-    /// Counts, rms: what of the position is no sine of that frequency, nor the staircase of the command.
+    /// Counts rms: the part of the position that is neither a sine of that frequency nor the staircase of the
+    /// command.
     double missed = 0.0;
 
-    /// L = T / (1 - T): what the loop makes of its error.
+    /// L = T / (1 - T), the open-loop response.
     [[nodiscard]] std::complex<double> open() const { return closed / (1.0 - closed); }
     bool operator==(const FrequencyPoint&) const = default;
 };

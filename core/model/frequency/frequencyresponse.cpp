@@ -27,8 +27,8 @@ struct SineFit {
     double missed = 0.0;  ///< rms
 };
 
-/// a cos + b sin + c + d t: the phasor is a - ib, and its doubt one standard deviation, where `samples` of
-/// the readings are independent.
+/// Fits a cos + b sin + c + d t. The phasor is a - ib; its doubt is one standard deviation, assuming that
+/// `samples` of the readings are independent.
 [[nodiscard]] SineFit fitSine(const std::vector<SineReading>& readings, double hertz, std::size_t samples) {
     const auto rows = static_cast<Eigen::Index>(readings.size());
     Eigen::MatrixXd basis(rows, 4);
@@ -49,7 +49,7 @@ struct SineFit {
             std::sqrt(missed / static_cast<double>(rows))};
 }
 
-/// What a servo sees that looks at the command once a tick.
+/// The command as sampled by the servo once per tick.
 [[nodiscard]] std::vector<SineReading> commandsOf(const bus::SineRecord& record, double since, double tick) {
     std::vector<SineReading> readings;
     const auto seconds = [&](std::size_t i) {
@@ -62,9 +62,9 @@ struct SineFit {
     return readings;
 }
 
-/// Once a tick as well, on straight lines between what was told. The samples by themselves lie always at the
-/// same places of the command's steps, and would make the motor as early or late as these are. What was not
-/// told for half a period is not known.
+/// The position once per tick as well, interpolated linearly between samples. Without interpolation, the
+/// samples would always fall on the same places of the command's steps, which would shift the phase of the
+/// motor by their position. Gaps of more than half a period are left out.
 [[nodiscard]] std::vector<SineReading> positionsOf(const std::vector<SineReading>& told, double since,
                                                    double tick) {
     std::vector<SineReading> readings;
@@ -81,7 +81,7 @@ struct SineFit {
     return readings;
 }
 
-/// In the order of time, no two at the same.
+/// The samples in order of time, without duplicate times.
 [[nodiscard]] std::vector<SineReading> told(const bus::SineRecord& record) {
     std::vector<SineReading> told;
     for (const auto* points : {&record.answers, &record.polls})
@@ -96,7 +96,7 @@ struct SineFit {
     return told;
 }
 
-/// From one value to another, with `part` of the way between them.
+/// Interpolates linearly between two values, at `part` of the way.
 [[nodiscard]] double between(double from, double to, double part) {
     return from + part * (to - from);
 }
@@ -172,7 +172,8 @@ FrequencyFigures figuresOf(std::span<const FrequencyPoint> points) {
     for (const FrequencyPoint& point : points)
         open.push_back(point.open());
     const std::vector<double> turned = phases(open);
-    // Where a value falls through a level between two points, on a straight line: the part of the way there.
+    // The fraction of the interval at which a value falls below a level, on a straight line between two
+    // points.
     const auto falls = [](double before, double after, double level) -> std::optional<double> {
         if (before < level || after >= level)
             return std::nullopt;

@@ -73,7 +73,7 @@ void PacketLog::clear() {
 }
 
 void PacketLog::append(bus::ExchangeRecord record) {
-    // The numbers count what was recorded, so a jump is what a full queue has lost on the way.
+    // The numbers count the recorded exchanges, so a jump shows how many a full queue has lost.
     const bool jump = !m_entries.empty() && record.number != m_lastNumber + 1;
     m_lastNumber = record.number;
     record.command.resize(std::min(record.command.size(), kMaxRecordBytes));

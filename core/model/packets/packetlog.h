@@ -12,35 +12,37 @@
 
 namespace nmc {
 
-/// What the packet monitor knows about the connection that it recorded.
+/// Information about the connection that the packet monitor recorded.
 struct PacketSession {
     std::string program;    ///< "NMC Panel 0.3.0"
     std::string startedAt;  ///< wall clock at `zero`, ISO 8601
-    std::string port;       ///< as the user chose it
+    std::string port;       ///< as chosen by the user
     bool simulated = false;
-    TimePoint zero;  ///< what times are shown from
+    TimePoint zero;  ///< the origin of displayed times
     bool operator==(const PacketSession&) const = default;
 };
 
 /// One exchange in the log.
 struct PacketEntry {
     bus::ExchangeRecord record;
-    bool afterGap = false;  ///< something between the entry before and this one was not recorded
+    bool afterGap = false;  ///< one or more exchanges between the previous entry and this one were not
+                            ///< recorded
 };
 
-/// What a row of the monitor is about; each record is of exactly one of the first four.
+/// The subject of a row in the monitor; every record belongs to exactly one of the four.
 enum class PacketKind : std::uint8_t {
     Poll,
-    Command,  ///< the operator's commands, held motion and what goes with them
+    Command,  ///< the user's commands, held motion and what belongs to them
     Stop,
     Link,  ///< connecting, challenges, flushes
 };
 [[nodiscard]] PacketKind kindOf(bus::Purpose purpose);
 
-/// Whether something went wrong on the wire: not a stop that overtook, not a silence that was expected.
+/// True when something went wrong on the line; a stop that overtook an exchange, or an expected silence, does
+/// not count.
 [[nodiscard]] bool wentWrong(const bus::ExchangeRecord& record);
 
-/// What the user wants to see; empty means all.
+/// What the user wants to see; empty means everything.
 struct PacketFilter {
     std::optional<ModuleIndex> module;
     std::optional<PacketKind> kind;
@@ -50,36 +52,36 @@ struct PacketFilter {
     bool operator==(const PacketFilter&) const = default;
 };
 
-/// The last exchanges of one connection, in bounded memory: when it is full, the oldest go and are counted.
-/// A value; the GUI thread's.
+/// The latest exchanges of one connection, in bounded memory: when it is full, the oldest are discarded and
+/// counted. A value type; belongs to the GUI thread.
 class PacketLog {
 public:
     static constexpr std::size_t kMaxEntries = 20'000;
-    /// Of commands and replies together; a line full of noise must not fill the memory.
+    /// Total size of commands and replies; a line full of noise must not fill the memory.
     static constexpr std::size_t kMaxBytes = 4U << 20U;
-    /// Of one command or one reply; what is longer is cut off. The longest packet has 19 bytes.
+    /// Maximum size of one command or reply; longer ones are cut. The longest packet has 19 bytes.
     static constexpr std::size_t kMaxRecordBytes = 4'096;
 
     explicit PacketLog(std::size_t maxEntries = kMaxEntries, std::size_t maxBytes = kMaxBytes)
         : m_maxEntries(maxEntries), m_maxBytes(maxBytes) {}
 
-    /// A new connection: what was recorded before is forgotten.
+    /// Starts a new connection and discards what was recorded before.
     void begin(PacketSession session);
-    /// Forgets the entries, keeps the session.
+    /// Discards the entries but keeps the session.
     void clear();
     void append(bus::ExchangeRecord record);
-    /// Recording was interrupted: the next entry says so.
+    /// Notes that recording was interrupted; the next entry is marked accordingly.
     void interrupt() { m_interrupted = !m_entries.empty(); }
 
     [[nodiscard]] const PacketSession& session() const { return m_session; }
     [[nodiscard]] bool empty() const { return m_entries.empty(); }
     [[nodiscard]] std::size_t size() const { return m_entries.size(); }
-    /// Entries are numbered from 0 in the order of append(); those below first() are gone.
+    /// Entries are numbered from 0 in the order of append(); those below first() have been discarded.
     [[nodiscard]] std::uint64_t first() const { return m_first; }
     [[nodiscard]] std::uint64_t end() const { return m_first + m_entries.size(); }
-    /// `number` in first()..end()-1.
+    /// `number` must be in first()..end()-1.
     [[nodiscard]] const PacketEntry& at(std::uint64_t number) const { return m_entries[number - m_first]; }
-    /// Gone because the log was full, since begin() or clear().
+    /// The number of entries discarded because the log was full, since begin() or clear().
     [[nodiscard]] std::uint64_t dropped() const { return m_dropped; }
 
 private:
@@ -96,15 +98,15 @@ private:
     bool m_interrupted = false;
 };
 
-/// Whom the command was sent to, by the bytes alone: "module 1", "address 3", "group FF"; "-" for nulls.
+/// The addressee of a command, from its bytes alone: "module 1", "address 3", "group FF"; "-" for nulls.
 [[nodiscard]] std::string packetTarget(const bus::ExchangeRecord& record);
-/// What the reply says (protocol/describe.h), or what is known of bytes that were not asked for.
+/// The meaning of the reply (protocol/describe.h), or what is known about bytes that were not requested.
 [[nodiscard]] std::string packetReplyMeaning(const bus::ExchangeRecord& record);
-/// Seconds from `zero` with six decimals: "12.034567".
+/// Seconds since `zero` with six decimals: "12.034567".
 [[nodiscard]] std::string packetTime(TimePoint time, TimePoint zero);
 
-/// One line for people, without its end: time, target, rate, command, its meaning, reply, its meaning, and
-/// the verdict, whose words come from the table of texts.
+/// One line for people, without a line end: time, target, rate, command and its meaning, reply and its
+/// meaning, and the verdict, whose words come from the table of texts.
 [[nodiscard]] std::string packetLine(const bus::ExchangeRecord& record, TimePoint zero,
                                      std::string_view verdict);
 

@@ -6,7 +6,7 @@
 
 #include "bus/exchangerecord.h"
 
-/// The words of the replayable log, by enum value. Part of its format: they never change.
+/// The words of the replayable log, by enum value. They are part of its format and never change.
 namespace nmc::words {
 
 inline constexpr std::array<std::string_view, 8> kPurposes{"connect", "poll", "operation", "check",

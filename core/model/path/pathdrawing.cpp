@@ -42,7 +42,7 @@ public:
         for (const PathTable::Column& column : m_table.columns) {
             const AxisSettings& settings = m_machine.axis(column.module);
             const MotionSettings motion = servodefaults::motionOf(settings);
-            const double perSecond = ticksPerSecond(1);  // with another SR no path is run
+            const double perSecond = ticksPerSecond(1);  // with another SR, no path is run
             const std::int32_t place = m_places.at(column.module);
             leg.axes.push_back({column.module,
                                 motion.velocity * move.percent / 100.0 * perSecond,
@@ -73,7 +73,7 @@ public:
                                                                m_places.at(column.module))});
         append(rest);
     }
-    /// A path is where it is; there is nothing to wait for.
+    /// A path needs no wait for arrival: its axes are always at the command position.
     void operator()(const action::WaitForArrival& /*wait*/) {}
     void operator()(const action::Repeat& repeat) {
         unsigned& done = m_rounds[&repeat];
@@ -91,7 +91,7 @@ public:
         m_at = at;
         m_next = next;
     }
-    /// What a path has no points for.
+    /// Rows that cannot be expressed as path points.
     void operator()(const auto& /*other*/) { fail(DrawingProblem::Kind::NotDrawn); }
 
 private:
@@ -121,7 +121,7 @@ private:
             m_at = {.sequence = name, .row = m_next};
             const Action& row = sequence->rows[m_next++];
             std::visit(*this, row);
-            // Moves to where it stands make no points, however often they are repeated.
+            // Moves to the present position yield no points, however often they are repeated.
             if (!m_problem && ++steps > kMaxPathPoints)
                 fail(DrawingProblem::Kind::TooManyPoints);
         }

@@ -15,15 +15,15 @@
 
 namespace nmc {
 
-/// Why a sequence makes no path. Its rows are counted from 0.
+/// Why no path can be drawn from a sequence. Rows are counted from 0.
 struct DrawingProblem {
     enum class Kind : std::uint8_t {
-        NoPathAxis,    ///< `module`, which a row moves, follows no path
-        PlaceUnknown,  ///< of `module`: the command position that it holds, or a goal
-        NotDrawn,      ///< a row that is neither a move, a wait, a repeat nor a call
-        Endless,       ///< a row that repeats for ever
+        NoPathAxis,    ///< `module`, which a row moves, cannot follow a path
+        PlaceUnknown,  ///< for `module`: the command position at which it holds, or a goal
+        NotDrawn,      ///< a row other than a move, a wait, a repeat or a call
+        Endless,       ///< a row that repeats forever
         TooManyPoints,
-        NoMove,  ///< it has none
+        NoMove,  ///< the sequence contains no move
     };
     Kind kind = Kind::NoMove;
     std::string sequence{};
@@ -32,9 +32,9 @@ struct DrawingProblem {
     bool operator==(const DrawingProblem&) const = default;
 };
 
-/// The moves of a sequence without a stop between its commands: from where its axes hold now, each move at
-/// its share of the axes' own velocity and acceleration, in a straight line; a wait is a rest. Every axis
-/// that it moves anywhere has a column. Pure.
+/// The moves of a sequence without stops between its commands: from the present command positions, each move
+/// in a straight line at its percentage of the axes' own velocity and acceleration; a wait is a rest. Every
+/// axis that the sequence moves has a column. Pure.
 [[nodiscard]] tl::expected<PathTable, DrawingProblem> drawPath(const std::string& sequence,
                                                                const Machine& machine,
                                                                const std::vector<ModuleState>& modules,

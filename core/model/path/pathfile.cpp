@@ -159,8 +159,8 @@ private:
         return static_cast<std::int32_t>(counts);
     }
 
-    /// What a segment may not be; of the first point only its place counts, since where the path is begun is
-    /// not known here.
+    /// Checks a segment; of the first point only the position is checked, because the start of the path is
+    /// unknown here.
     void judge(std::int64_t point, std::optional<std::int64_t> before, const PathColumn& axis) {
         const auto of = [&](PathProblem::Kind kind, double value, double allowed) {
             add({.kind = kind, .line = m_line, .column = axis.name, .value = value, .allowed = allowed});
@@ -175,7 +175,7 @@ private:
             of(PathProblem::Kind::BeyondTravel, static_cast<double>(point), *beyond);
     }
 
-    /// The limit that it is beyond.
+    /// Returns the limit that is exceeded.
     [[nodiscard]] static std::optional<double> beyondTravel(std::int64_t point, const TravelRange& range) {
         if (range.lowest && point < *range.lowest)
             return *range.lowest;
@@ -186,17 +186,17 @@ private:
 
     std::span<const PathColumn> m_axes;
     PathTable m_table;
-    std::vector<const PathColumn*> m_columns;  ///< null for one that is no axis
+    std::vector<const PathColumn*> m_columns;  ///< null for a column that is not an axis
     std::vector<std::optional<std::int64_t>> m_before;
     std::vector<PathProblem> m_problems;
     std::size_t m_line = 0;
     std::size_t m_points = 0;
-    std::size_t m_gap = 0;  ///< the first empty line of those before this one
+    std::size_t m_gap = 0;  ///< the first of the empty lines before this line
     bool m_header = false;
     bool m_tooMany = false;
 };
 
-/// The shortest decimal number that reads back to the same one.
+/// Appends the shortest decimal number that reads back as the same value.
 void append(std::string& text, double value) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;

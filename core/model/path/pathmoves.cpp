@@ -11,7 +11,7 @@ namespace nmc {
 
 namespace {
 
-/// A move from 0 to 1 at most so fast.
+/// A move from 0 to 1 with limited velocity and acceleration.
 class Trapezoid {
 public:
     Trapezoid(double velocity, double acceleration)
@@ -31,7 +31,7 @@ private:
     [[nodiscard]] double ramp() const { return m_velocity / m_acceleration; }
 
     double m_acceleration;
-    double m_velocity;  ///< reached
+    double m_velocity;  ///< maximum velocity reached
 };
 
 }  // namespace

@@ -32,7 +32,7 @@ namespace {
     return module.commandPosition() ? std::nullopt : std::optional(of(PathObstacle::Kind::PlaceUnknown));
 }
 
-/// Of the segment to a point.
+/// Checks the segment to a point.
 [[nodiscard]] std::optional<PathObstacle> wrongSegment(std::int64_t before, std::int64_t point,
                                                        servo::PathRate rate, const ModuleState& module) {
     const auto distance = static_cast<double>(std::abs(point - before));
@@ -50,7 +50,7 @@ namespace {
     return std::nullopt;
 }
 
-/// The group whose members are these, and nobody else.
+/// The group that has exactly these modules as members.
 [[nodiscard]] std::optional<std::uint8_t> groupOf(const PathTable& table,
                                                   std::span<const ModuleState> modules) {
     const auto& place = modules[table.columns.front().module.value()].info.group;

@@ -32,7 +32,7 @@ PathShare pathShare(const PathLine& line, servo::PathRate rate, std::span<const 
     for (const ModuleIdentity& axis : axes)
         share.points += framesPerSecond *
                         seconds(line, kFrame + 2 * kPoints, replyLength(axis, bus::standingItems(axis)));
-    // Read Status with the items that a poll in full asks for.
+    // Read Status with the items of a full poll.
     share.polls = static_cast<double>(modules) * pollsPerSecond * seconds(line, kFrame + 1, kMaxReply);
     return share;
 }

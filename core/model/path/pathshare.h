@@ -7,27 +7,27 @@
 #include "bus/exchange.h"
 #include "protocol/pathpoint.h"
 
-/// How much of a bus's time a path needs (docs/paths.md). Pure.
+/// The fraction of a bus's time that a path needs (docs/paths.md). Pure.
 namespace nmc {
 
 struct PathLine {
     std::uint32_t baud = 115'200;
-    /// What the adapter adds to every reply.
+    /// The delay that the adapter adds to every reply.
     Duration latency = bus::kMinLatency;
 };
 
-/// Shares of the time of the bus.
+/// Fractions of the bus time.
 struct PathShare {
-    double points = 0.0;  ///< for the points of all axes
-    double polls = 0.0;   ///< to see every module of the chain five times a second
+    double points = 0.0;  ///< to send the points of all axes
+    double polls = 0.0;   ///< to poll every module of the chain five times a second
     [[nodiscard]] double needed() const { return points + polls; }
     [[nodiscard]] bool fits() const;
     bool operator==(const PathShare&) const = default;
 };
-/// The rest is for what was lost, for stops, and for whatever else is asked for.
+/// The rest is reserved for retries, stops, and other commands.
 inline constexpr double kPathAvailable = 0.8;
 
-/// `axes`: those of the path; `modules`: in the chain, these too.
+/// `axes`: those of the path; `modules`: all modules in the chain, including these.
 [[nodiscard]] PathShare pathShare(const PathLine& line, servo::PathRate rate,
                                   std::span<const ModuleIdentity> axes, std::size_t modules);
 

@@ -9,7 +9,7 @@
 
 namespace nmc {
 
-/// Positions of some axes, in counts, at a fixed rate.
+/// Positions of one or more axes, in counts, at a fixed rate.
 struct PathTable {
     struct Column {
         ModuleIndex module;
@@ -17,7 +17,7 @@ struct PathTable {
         bool operator==(const Column&) const = default;
     };
     servo::PathRate rate = servo::PathRate::Hz60;
-    std::vector<Column> columns;  ///< of as many points each
+    std::vector<Column> columns;  ///< all with the same number of points
     bool operator==(const PathTable&) const = default;
 };
 

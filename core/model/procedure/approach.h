@@ -7,12 +7,12 @@
 
 namespace nmc {
 
-/// A move to a goal where the axis has backlash: beyond it first, then to it from the side that the axis
-/// wants (model/intent/backlash.h). Two moves of the same kind.
+/// A move to a goal on an axis with backlash: first beyond the goal, then to it from the side that the axis
+/// requires (model/intent/backlash.h). Both moves are of the same kind.
 class Approach : public GoalMoves {
 public:
     using Wanted = std::variant<intent::GoTo, stepperintent::Move>;
-    /// `wanted` is possible now, and has to turn round at `turn`.
+    /// `wanted` must be possible now, and must turn round at `turn`.
     Approach(const Wanted& wanted, std::int32_t turn, const ModuleState& module);
 
 private:

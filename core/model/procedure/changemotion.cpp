@@ -33,7 +33,7 @@ Procedure::Next ChangeMotion::proceed(const ModuleState& module, TimePoint now) 
 }
 
 Procedure::Next ChangeMotion::stop(const ModuleState& module, TimePoint now) {
-    // What is not possible afterwards either is no reason to stop a motor.
+    // A motion that is impossible from standstill too is no reason to stop a motor.
     if (whyNotFromStandstill(m_motion, module))
         return fail(ProcedureFailure::Refused);
     m_began = now;
@@ -41,7 +41,7 @@ Procedure::Next ChangeMotion::stop(const ModuleState& module, TimePoint now) {
     return send({smoothStop(module)});
 }
 
-/// Confirmed twice, by statuses that were latched after the stop.
+/// Standstill must be confirmed by two statuses latched after the stop.
 Procedure::Next ChangeMotion::waitForStandstill(const ModuleState& module, TimePoint now) {
     if (!module.stepper.amplifierOn())
         return fail(ProcedureFailure::WentOff);
@@ -70,7 +70,7 @@ Procedure::Next ChangeMotion::go(const ModuleState& module) {
 }
 
 std::vector<bus::Order> ChangeMotion::lastWord(const ModuleState& module) const {
-    // Before the new motion was asked for, the old one has been told to stop, or was left alone.
+    // Until the new motion has been requested, the old one has either been sent a stop or was left alone.
     return m_mayRun ? std::vector{smoothStop(module)} : std::vector<bus::Order>{};
 }
 

@@ -8,16 +8,17 @@
 
 namespace nmc {
 
-/// Stop, wait, go: what a PIC-STEP needs between two motions that its Table 4 does not join, a change of
-/// direction above all (DS-S 4.1, 4.2). It stops smoothly, waits until two statuses say that it stands at the
-/// same place, and starts the new motion. A relative goal counts from there.
+/// Stop, wait, go: required by a PIC-STEP between two motions that its Table 4 does not allow in succession,
+/// above all for a change of direction (DS-S 4.1, 4.2). The procedure stops smoothly, waits until two
+/// statuses report standstill at the same position, and starts the new motion. A relative goal is relative to
+/// that position.
 class ChangeMotion : public Procedure {
 public:
     ChangeMotion(ModuleIndex module, StepperMotion motion)
         : Procedure(module, ProcedureKind::ChangeMotion), m_motion(motion) {}
 
 private:
-    /// Slowing down from speed 250 at the longest acceleration time takes 15.9 s (DS-S 4.2).
+    /// Slowing down from speed 250 with the longest acceleration time takes 15.9 s (DS-S 4.2).
     static constexpr Duration kStopLimit = std::chrono::seconds(20);
 
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
@@ -28,8 +29,8 @@ private:
 
     StepperMotion m_motion;
     TimePoint m_began;
-    std::optional<TimePoint> m_stoppedAt;  ///< the last status before the stop was confirmed
-    std::optional<TimePoint> m_stoodAt;    ///< the first status that says so
+    std::optional<TimePoint> m_stoppedAt;  ///< time of the last status before the stop was confirmed
+    std::optional<TimePoint> m_stoodAt;    ///< time of the first status that reports standstill
     std::optional<std::int32_t> m_stoodPosition;
 };
 

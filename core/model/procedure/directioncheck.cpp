@@ -11,7 +11,7 @@ namespace nmc {
 
 namespace {
 
-/// AMP_EN and PWM as the manner says; neither switches the servo on.
+/// Motor off, with AMP_EN set or cleared; neither form switches the servo on.
 [[nodiscard]] servo::StopMotor off(bool amplifier) {
     return {amplifier, servo::StopManner::MotorOff, {}};
 }
@@ -46,7 +46,7 @@ DirectionCheck::Next DirectionCheck::proceed(const ModuleState& module, TimePoin
 }
 
 DirectionCheck::Next DirectionCheck::begin(const ModuleState& module) {
-    // Something may have changed while it was waited for standstill.
+    // The state may have changed during the wait for standstill.
     if (whyNot(IntentKind::CheckDirection, module))
         return fail(ProcedureFailure::Refused);
     const servo::StatusByte status = module.latest->servoStatus();
@@ -83,8 +83,8 @@ DirectionCheck::Next DirectionCheck::look(const ModuleState& module) {
     return push();
 }
 
-/// The bridge shorts the motor until the next answer, and is off then: it brakes what it has set going. The
-/// questions make it long enough to set a load going.
+/// The bridge shorts the motor until the next command is answered, and is then switched off: this brakes the
+/// motion that the push started. The reads in between make the push long enough to move a load.
 DirectionCheck::Next DirectionCheck::push() {
     m_found.strongestPush = std::max(m_found.strongestPush, m_push);
     m_pushed = true;

@@ -9,25 +9,26 @@
 
 namespace nmc {
 
-/// Tells whether a PIC-SERVO's motor and encoder agree before the servo is on for the first time: with either
-/// reversed the position loop drives away from where it should hold. It pushes the motor in PWM mode (DS-V
-/// 4.4, 5.2 Load Trajectory), forward until it moves, then in reverse, a little stronger each time, and waits
-/// for standstill in between.
+/// Checks that a PIC-SERVO's motor and encoder agree before the servo is switched on for the first time: if
+/// either is reversed, the position loop drives the motor away from where it should hold. The check pushes
+/// the motor in PWM mode (DS-V 4.4, 5.2 Load Trajectory), forward until it moves and then in reverse, a
+/// little more strongly each time, and waits for standstill in between.
 ///
-/// How far the shaft goes: a push is one operation, start, four questions, stop, and the bus thread carries
-/// it out in one go: it lasts five exchanges, 10 ms at 115 200 Bd, 40 ms at 19 200, 100 ms behind an adapter
-/// that waits 16 ms for every answer, whatever the rest of the program does. A motor that moves is seen to
-/// after its push, so beyond kMovedCounts it goes as far as that one push and running down carry it, with
-/// hardly more drive than its friction takes, since the push before did not move it. An answer that is lost
-/// prolongs a push until the line is trusted again, some tenths of a second (link.md 2.2), at a quarter of
-/// the supply at most. The guardian sees it as any motion.
+/// How far the shaft moves: a push is a single operation (start, four reads, stop) that the bus thread
+/// executes without interruption. It lasts five exchanges: 10 ms at 115 200 Bd, 40 ms at 19 200, and 100 ms
+/// with an adapter that delays every answer by 16 ms, whatever the rest of the program does. A motor that
+/// moves is detected after its push, so beyond kMovedCounts it goes as far as that one push and the run-down
+/// carry it, with hardly more drive than its friction takes, because the previous push did not move it. A
+/// lost answer prolongs a push until the line is trusted again, some tenths of a second (link.md 2.2), at no
+/// more than a quarter of the supply. The guardian treats a push like any motion.
 ///
-/// Between pushes, and at every end, servo, PWM and amplifier are off, so the last word goes out behind
-/// somebody else's stop, too. It begins only where the servo is off and nothing moves. A servo that is on
-/// meanwhile is somebody else's: that ends it, and nothing is sent.
+/// Between pushes, and however the check ends, servo, PWM and amplifier are off, so the final orders are sent
+/// even after another party's stop. The check begins only when the servo is off and nothing moves. If the
+/// servo is switched on in the meantime, another party has done so: the check then ends without sending
+/// anything.
 class DirectionCheck : public Procedure {
 public:
-    /// `wanted` is possible now.
+    /// `wanted` must be possible now.
     DirectionCheck(const intent::CheckDirection& wanted, const ModuleState& module);
 
 private:
@@ -46,9 +47,9 @@ private:
     bool m_concluded = false;
     bool m_reverse = false;
     std::uint8_t m_push = 0;
-    std::int32_t m_start = 0;  ///< where it stood
-    std::int32_t m_from = 0;   ///< where it stood before it was pushed this way
-    bool m_limit1 = false;     ///< active at the start, which may be how it is wired
+    std::int32_t m_start = 0;  ///< position at the start of the check
+    std::int32_t m_from = 0;   ///< position before the pushes in this direction
+    bool m_limit1 = false;     ///< active at the start, which may be due to the wiring
     bool m_limit2 = false;
     std::optional<TimePoint> m_since;
     Standstill m_standstill;

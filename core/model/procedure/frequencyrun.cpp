@@ -13,21 +13,21 @@ namespace nmc {
 namespace {
 
 constexpr double kPerDecade = 12.0;
-/// Of each frequency; the longer counts. The first period is for the motor to get used to it.
+/// Duration at each frequency; the longer of the two applies. The first period lets the motor settle in.
 constexpr double kPeriods = 5.0;
 constexpr double kShortestSine = 1.0;  ///< s
-/// In a row; then it is the line.
+/// Consecutive failed measurements, after which the line is at fault.
 constexpr int kMisses = 3;
-/// Of its amplitude, to either side: the highest resonance that is still measured.
+/// Amplitudes to either side; this is the highest resonance that is still measured.
 constexpr std::int64_t kTooFar = 4;
-/// Counts, of amplitude: a shaft that swings by less stands.
+/// Counts of amplitude; a shaft that oscillates by less is considered standing.
 constexpr double kStands = 0.5;
-/// As above: from one frequency to the next no motor falls from this to standing.
+/// Counts of amplitude; no motor falls from this to standing between two neighbouring frequencies.
 constexpr double kSwings = 4.0;
-/// Of its amplitude, rms, that is no sine: a triangle, which a motor at its full PWM makes, has 0.086, a sine
-/// that is cut off half-way to one side 0.138.
+/// Rms fraction of the amplitude that is not a sine: a triangle, which a motor at full PWM produces, has
+/// 0.086, and a sine cut off half-way on one side has 0.138.
 constexpr double kNoSine = 0.12;
-/// Counts, rms: friction and encoder make that of any small swing.
+/// Counts rms; friction and encoder cause this much in any small oscillation.
 constexpr double kRough = 2.0;
 
 }  // namespace
@@ -78,7 +78,8 @@ FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now
     return swingNext(module);
 }
 
-/// What fades away from frequency to frequency is a response; the first has to be known to a half.
+/// A response may fade from one frequency to the next; at the first frequency its two-sigma doubt must be at
+/// most half of it.
 bool FrequencyRun::follows(const FrequencyPoint& point) const {
     const auto swing = [this](const FrequencyPoint& of) { return std::abs(of.closed) * m_wanted.amplitude; };
     const bool swung = m_report.frequencies.empty() || swing(m_report.frequencies.back()) >= kSwings;

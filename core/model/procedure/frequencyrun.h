@@ -8,15 +8,16 @@
 
 namespace nmc {
 
-/// How the loop of a PIC-SERVO follows sines of the command position, from slow to fast, and where the
-/// position is after each (DS-V 4.3; bus::Sine). Ends before the frequency that the line is too slow for: one
-/// of which it carries fewer than kCommandsPerPeriod commands. A motor that swings by several amplitudes has
-/// gone too far; one that stays where it is, or does something else than swing, has no response.
+/// Measures how the loop of a PIC-SERVO follows sines of the command position, from slow to fast, from the
+/// positions at each frequency (DS-V 4.3; bus::Sine). It ends before the first frequency for which the line
+/// is too slow, that is, for which it carries fewer than kCommandsPerPeriod commands per period. A motor that
+/// oscillates by several amplitudes has gone too far; one that stays still, or moves otherwise than in a
+/// sine, has no response.
 class FrequencyRun : public LoopTest {
 public:
     static constexpr double kCommandsPerPeriod = 4.0;
 
-    /// `wanted` is possible now.
+    /// `wanted` must be possible now.
     FrequencyRun(const intent::FrequencyResponse& wanted, const ModuleState& module);
 
 private:
@@ -30,7 +31,7 @@ private:
     intent::FrequencyResponse m_wanted;
     std::vector<double> m_frequencies;  ///< Hz, ascending
     double m_tick = 0.0;                ///< s
-    int m_missed = 0;                   ///< how often the present one was not heard
+    int m_missed = 0;                   ///< failed measurements at the present frequency
 };
 
 }  // namespace nmc

@@ -42,8 +42,8 @@ std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, Ti
         m_startedAt = now;
         m_standstill.reset();
     }
-    // Its goal is not ours any more: something else moves or has stopped it. One that its chip has stopped
-    // short still has it.
+    // If the goal is no longer this procedure's, something else moves the motor or has stopped it. A motor
+    // whose chip has stopped it short still has this goal.
     if (!module.headsFor(m_heading)) {
         m_mayRun = false;
         cancel();
@@ -59,7 +59,7 @@ std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, Ti
 }
 
 std::vector<bus::Order> GoalMoves::lastWord(const ModuleState& module) const {
-    // To a servo that is off the stop would be what switches it on.
+    // To a servo that is off, a stop would switch it on.
     if (!m_mayRun || !module.driveOn())
         return {};
     return {smoothStop(module)};

@@ -13,7 +13,7 @@ namespace {
 
 using Stop = HomingRecipe::Stop;
 
-/// 16.16, rounded down: never faster than asked.
+/// 16.16 fixed point, rounded down so that it is never faster than requested.
 [[nodiscard]] std::uint32_t fixed(double value) {
     constexpr double kOne = 65'536.0;
     return static_cast<std::uint32_t>(std::clamp(std::floor(value * kOne), 1.0, 2'147'483'647.0));
@@ -175,7 +175,7 @@ HomingChip::Orders HomingChip::disarm() const {
 HomingChip::Orders HomingChip::enable() const {
     if (m_identity.type == ModuleType::Stepper)
         return orders(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
-    // A position error that is still set would say that the next one has come already.
+    // If the position error bit were still set, the next search would find it at once.
     return orders(servo::StopMotor{true, servo::StopManner::Abruptly, {}}, servo::ClearStickyBits{});
 }
 
@@ -207,7 +207,8 @@ std::uint8_t HomingChip::speed(double stepsPerSecond) const {
     return static_cast<std::uint8_t>(std::clamp(std::floor(stepsPerSecond / m_speedUnit), 1.0, 250.0));
 }
 
-/// One unit of speed every 0.25 ms times this (DS-S 4.2); rounded up, so that it is never steeper.
+/// The acceleration time in units of 0.25 ms per unit of speed (DS-S 4.2), rounded up so that it is never
+/// steeper.
 std::uint8_t HomingChip::accelerationTime(double stepsPerSecondSquared) const {
     const double quarters = m_speedUnit / (stepsPerSecondSquared * 0.25e-3);
     return static_cast<std::uint8_t>(std::clamp(std::ceil(quarters), 1.0, 255.0));

@@ -11,7 +11,7 @@
 
 namespace nmc {
 
-/// What can end a search for home.
+/// The conditions that can end a search for home.
 struct HomeConditions {
     bool limit1 = false;
     bool limit2 = false;
@@ -26,53 +26,54 @@ struct HomeConditions {
     bool operator==(const HomeConditions&) const = default;
 };
 
-/// What a search has to know of either chip's status.
+/// The information that a search needs from the status of either chip.
 struct HomingLook {
     TimePoint time;
     std::int32_t position = 0;
     bool on = false;       ///< servo or amplifier
-    bool moving = false;   ///< servo: on its way to the goal velocity or position; not that it turns
-    bool waiting = false;  ///< for home
+    bool moving = false;   ///< servo: approaching the goal velocity or position; not whether it turns
+    bool waiting = false;  ///< searching for home
     HomeConditions active{};
 };
 
-/// Says to a PIC-SERVO or a PIC-STEP what a home search wants of it, and reads what it says: the differences
-/// between the two are here only. Pure.
+/// Composes the orders of a home search for a PIC-SERVO or a PIC-STEP, and reads their status: all
+/// differences between the two are in this class. Pure.
 class HomingChip {
 public:
     using Orders = std::vector<bus::Order>;
     struct Motion {
         bool reverse = false;
-        double velocity = 0.0;  ///< native; what is sent is never faster
+        double velocity = 0.0;  ///< native; the value sent is never faster
         double acceleration = 0.0;
     };
 
     explicit HomingChip(const ModuleState& module);
 
-    /// Nothing before the first whole status.
+    /// Returns nothing before the first complete status.
     [[nodiscard]] std::optional<HomingLook> look(const ModuleState& module) const;
-    /// The chip stops by itself when home is found; otherwise the host must.
+    /// True when the chip stops by itself when home is found; otherwise the host must stop it.
     [[nodiscard]] bool stopsByItself() const;
-    /// A limit input ends a motion, as on a PIC-STEP; a servo's motion in velocity mode has no end.
+    /// True when a limit input ends a motion, as on a PIC-STEP; a servo's motion in velocity mode does not
+    /// end.
     [[nodiscard]] bool stopsMotionItself() const { return m_identity.type == ModuleType::Stepper; }
 
-    /// Finding home switches the motor off, one way or another.
+    /// True when finding home switches the motor off in one way or another.
     [[nodiscard]] bool goesOff(const HomingRecipe& recipe) const;
 
     [[nodiscard]] Orders clearStickyBits() const;
     [[nodiscard]] Orders run(const Motion& motion) const;
-    /// From now on the chip looks for home.
+    /// Starts the chip's search for home.
     [[nodiscard]] Orders watch(const HomeConditions& conditions, HomingRecipe::Stop stop) const;
-    /// The same, then run.
+    /// Starts the chip's search for home and then the motion.
     [[nodiscard]] Orders search(const HomeConditions& conditions, HomingRecipe::Stop stop,
                                 const Motion& motion) const;
     [[nodiscard]] Orders stop(HomingRecipe::Stop manner) const;
-    /// Does not look for home any more.
+    /// Ends the chip's search for home.
     [[nodiscard]] Orders disarm() const;
     [[nodiscard]] Orders enable() const;
     [[nodiscard]] Orders goTo(std::int32_t position, const Motion& motion) const;
     [[nodiscard]] Orders zero() const;
-    /// A status with home in it; `second`: in a reply of another length.
+    /// Reads a status that includes home; `second`: in a reply of different length.
     [[nodiscard]] Orders read(bool second) const;
 
 private:

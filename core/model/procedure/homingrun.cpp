@@ -14,16 +14,16 @@ namespace {
 
 using Stop = HomingRecipe::Stop;
 
-/// That home was found shows up to this much later than that the servo is off (bus/trust.h).
+/// The maximum delay from the servo being reported off until home is reported found (bus/trust.h).
 constexpr Duration kToldLater = std::chrono::milliseconds(500);
-/// A servo is on soon after it was told; a position is 0 soon after it was reset.
+/// The time within which a servo is on after the command, and a position is 0 after its reset.
 constexpr Duration kTakesEffect = std::chrono::seconds(2);
-/// A servo that hunts for its last count, with whatever Ki there is.
+/// The time for a servo to settle on its last count, whatever its Ki.
 constexpr Duration kLastCount = std::chrono::seconds(5);
 
-/// How far beyond its limits, or beyond where home was, a search may look, counts: that home was found shows
-/// kToldLater, and then the motor slows down. Before an index comes its neighbourhood, which may lie beyond
-/// it by as much as the recipe allows.
+/// How far a search may go beyond the limits, or beyond the former home, in counts: home is reported after
+/// kToldLater, and then the motor slows down. A search for the index is preceded by one for its
+/// neighbourhood, which may lie beyond the index by as much as the recipe allows.
 [[nodiscard]] double slackOf(const HomingRecipe& recipe, double perSecond) {
     const double slowingDown = recipe.velocity * recipe.velocity / (2.0 * recipe.acceleration);
     return recipe.velocity * perSecond * toSeconds(kToldLater) + slowingDown + kStillCounts +
@@ -48,7 +48,7 @@ constexpr Duration kLastCount = std::chrono::seconds(5);
     return range;
 }
 
-/// Positions wrap at 32 bits.
+/// The distance of two positions, which wrap at 32 bits.
 [[nodiscard]] double distance(std::int32_t from, std::int32_t to) {
     return std::abs(static_cast<double>(countsBetween(from, to)));
 }
@@ -130,7 +130,7 @@ HomingRun::Next HomingRun::beginSearch(const HomingLook& seen, TimePoint now) {
         m_from = seen.position;
     HomingChip::Motion ahead = motion();
     if (anyActive(seen)) {
-        // The chip looks for a change from now on: it would find where the switch is left.
+        // The chip looks for a change from now on: it would find the place where the switch is left.
         ahead.reverse = !ahead.reverse;
         const bool again = std::exchange(m_backedOff, true);
         const TimePoint began = again ? m_began : now;
@@ -146,8 +146,8 @@ HomingRun::Next HomingRun::beginSearch(const HomingLook& seen, TimePoint now) {
                  m_watching ? m_chip.search(conditions(), m_recipe.stop, ahead) : m_chip.run(ahead));
 }
 
-/// Starting takes current, too, and that is not home: the chip is told to look for it only at full speed. A
-/// switch could come before, and what was a change would be none; then it is told from the start.
+/// Starting takes current too, and that is not home, so the chip is told to watch the current only at full
+/// speed. A switch could change before that and would then be missed, so switches are watched from the start.
 bool HomingRun::startsUnwatched() const {
     HomeConditions currentAlone;
     currentAlone.currentLimit = true;
@@ -172,7 +172,7 @@ HomingRun::Next HomingRun::getUpToSpeed(const HomingLook& seen, TimePoint now) {
 HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
     if (!seen.on)
         return fail(ProcedureFailure::WentOff);
-    if (m_stepSent) {  // to stop
+    if (m_stepSent) {  // the stop has been sent
         if (tooLong(now))
             return fail(ProcedureFailure::SwitchActive);
         return stands(seen) ? beginSearch(seen, now) : Next(Wait{});
@@ -183,7 +183,8 @@ HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
         m_stepSent = true;
         return tell(m_chip.stop(Stop::Smoothly));
     }
-    // Stopped by the chip, a limit of the other side say, or gone far enough: it stays active.
+    // The chip has stopped the motion, for example at the opposite limit, or it has gone far enough: the
+    // switch stays active.
     const bool blocked = m_chip.stopsMotionItself() && !seen.moving && stands(seen);
     if (blocked || tooFar(seen) || tooLong(now))
         return fail(ProcedureFailure::SwitchActive);
@@ -194,7 +195,7 @@ HomingRun::Next HomingRun::search(const HomingLook& seen, TimePoint now) {
     if (!m_watching)
         return getUpToSpeed(seen, now);
     if (!seen.waiting) {
-        // On a chip that has stopped by itself this changes nothing; on the others it is the stop.
+        // If the chip has stopped by itself, this changes nothing; otherwise this is the stop.
         m_offSince.reset();
         return enter(ProcedureStage::Stopping, now,
                      seen.on ? m_chip.stop(m_recipe.stop) : HomingChip::Orders{});
@@ -270,7 +271,8 @@ HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
         return enter(ProcedureStage::Zeroing, now, m_chip.zero());
     if (now - *m_stillSince <= kLastCount)
         return Wait{};
-    // The zero is off by what it is off now: the chip calls the motor's position 0, not the goal.
+    // The error at the time of the reset remains in the zero: the chip sets the motor's position to 0, not
+    // the goal.
     m_report.offHome = countsBetween(home, seen.position);
     return std::abs(m_report.offHome) <= m_tolerance ? enter(ProcedureStage::Zeroing, now, m_chip.zero())
                                                      : fail(ProcedureFailure::NotAtHome);
@@ -282,16 +284,16 @@ HomingRun::Next HomingRun::makeZero(const HomingLook& seen, TimePoint now) {
     return now - m_endedAt > kTakesEffect ? fail(ProcedureFailure::Refused) : Next(Wait{});
 }
 
-/// What a later safety stop, or a hand on the switch, does must not look like home.
+/// Afterwards, a safety stop or a hand on the switch must not look like home.
 HomingRun::Next HomingRun::disarm() {
     return tell(m_chip.disarm(), Sent::LastWord);
 }
 
-/// Stops what this run may have set going, and what it told the chip to watch for.
+/// Stops a motion that this run may have started, and disarms the chip's search.
 std::vector<bus::Order> HomingRun::lastWord(const ModuleState& module) const {
     const auto seen = m_chip.look(module);
     HomingChip::Orders orders;
-    // To what is off the stop would be what switches it on.
+    // To a drive that is off, a stop would switch it on.
     if (m_mayRun && seen && seen->on)
         orders = m_chip.stop(Stop::Smoothly);
     const HomingChip::Orders disarm = m_chip.disarm();
@@ -344,7 +346,7 @@ bool HomingRun::tooFar(const HomingLook& seen) const {
     return distance(m_from, seen.position) > m_recipe.travelLimit;
 }
 
-/// Only of the limit that it goes towards: from beyond the other one it may come back.
+/// Only the limit in the direction of motion applies: the motor may return from beyond the other one.
 bool HomingRun::beyondTravel(const HomingLook& seen) const {
     if (!m_range)
         return false;

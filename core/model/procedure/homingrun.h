@@ -10,22 +10,22 @@
 
 namespace nmc {
 
-/// One search for home, from where the motor stands (DS-V 5.2, DS-S 5.1 Set Homing Mode): backs off from a
-/// switch that is active, searches, sees to it that the motor stops, reads the captured position twice, and
-/// where that is wanted goes there and makes it zero. A servo that the search itself has switched off is
-/// switched on again for what comes behind it, never at the end.
+/// A search for home from the motor's present position (DS-V 5.2, DS-S 5.1 Set Homing Mode): it backs off
+/// from an active switch, searches, makes sure that the motor stops, reads the captured position twice, and,
+/// if requested, goes there and makes it zero. A servo that the search itself has switched off is switched on
+/// again for the following steps, but never at the end.
 ///
-/// While home is known, and so the limits of travel are in force, it looks no farther than they and home are,
-/// but for what it takes to notice home and to stop. Where the position may be wrong, that has to be said
-/// first (intent::DeclarePosition).
+/// While home is known, and the travel limits are therefore in force, the search goes no farther than these
+/// limits and home, plus the distance needed to detect home and to stop. If the position may be wrong, the
+/// user must declare that first (intent::DeclarePosition).
 ///
-/// It is done only if every look at the module in between could be believed; it ends with the chip not
-/// watching for home any more, and, when it fails, with a stop of a motor that is on.
+/// It is done only if every status in between was trustworthy. It ends with the chip no longer searching for
+/// home and, on failure, with a stop of a motor that is on.
 class HomingRun : public Procedure {
 public:
-    /// `recipe` fits the module (model/intent/homingplan.h).
-    /// `tolerance`: counts that it may rest off its home for that to become zero. What is still off when it
-    /// has had its time is told in the report.
+    /// `recipe` must fit the module (model/intent/homingplan.h). `tolerance`: counts from home at which the
+    /// motor may rest so that home is still made zero. The report contains the distance that remains when its
+    /// time is over.
     HomingRun(HomingRecipe recipe, std::int32_t tolerance, const ModuleState& module);
 
 private:
@@ -60,18 +60,18 @@ private:
 
     HomingRecipe m_recipe;
     std::int32_t m_tolerance;
-    std::optional<TravelRange> m_range;  ///< where it may look
+    std::optional<TravelRange> m_range;  ///< the range in which the search may move
     HomingChip m_chip;
     Sent m_sent = Sent::Nothing;
     bool m_goesOff = false;  ///< finding home switches the motor off
-    unsigned m_round = 1;    ///< 2: the index, where it comes second
+    unsigned m_round = 1;    ///< 2: the search for the index, if it is the second one
     bool m_prepared = false;
-    bool m_stepSent = false;  ///< within its stage: the stop, the move, the reset
+    bool m_stepSent = false;  ///< within the current stage, the stop, the move or the reset has been sent
     bool m_backedOff = false;
-    bool m_watching = false;  ///< the chip has been told what to look for
-    TimePoint m_endedAt;      ///< when the last operation had ended; older statuses tell nothing about it
-    TimePoint m_began;        ///< of a stage's time limit
-    std::int32_t m_from = 0;  ///< of a search's travel limit
+    bool m_watching = false;  ///< the chip has been told what to search for
+    TimePoint m_endedAt;      ///< end of the last operation; older statuses do not reflect it
+    TimePoint m_began;        ///< start of the stage, for its time limit
+    std::int32_t m_from = 0;  ///< start of the search, for its travel limit
     std::optional<std::int32_t> m_firstReading;
     std::optional<TimePoint> m_offSince;
     std::optional<TimePoint> m_stillSince;

@@ -9,10 +9,10 @@ namespace nmc {
 
 namespace {
 
-/// Of velocity and acceleration: the profile is at the goal of the longest step in one tick. The highest that
-/// can be loaded would do the same, but their sum would not fit into the chip's 32 bits.
+/// Velocity and acceleration with which the profile reaches the goal of the longest step in one tick. The
+/// largest loadable values would do so too, but their sum would exceed the chip's 32 bits.
 constexpr std::uint32_t kInOneTick = 4'096U << 16U;
-/// For a hold to calm a motor that has gone too far.
+/// The time for a hold to calm a motor that has gone too far.
 constexpr Duration kCalmWithin = std::chrono::milliseconds(500);
 
 }  // namespace
@@ -49,7 +49,7 @@ LoopTest::Next LoopTest::prepare(const ModuleState& module, TimePoint now) {
 }
 
 LoopTest::Next LoopTest::start(const ModuleState& module) {
-    // Something may have changed while it was waited for standstill.
+    // The state may have changed during the wait for standstill.
     if (!module.goal() || !module.gains)
         return fail(ProcedureFailure::Refused);
     m_stood = *module.latest->position;
@@ -88,14 +88,14 @@ std::optional<LoopTest::Next> LoopTest::record(const ModuleState& module, TimePo
                                                const ResponseTaken& taken) {
     if (module.motionCommandedAt != taken.at)
         return overtaken();
-    if (module.goal() != taken.goal)  // an SC that minds its limits
+    if (module.goal() != taken.goal)  // an SC that observes its limits
         return fail(ProcedureFailure::StoppedShort);
     if (goneTooFar(module))
         return fail(ProcedureFailure::TravelLimit);
     return toSeconds(now - taken.at) < taken.record ? std::optional(Next(Wait{})) : std::nullopt;
 }
 
-/// Something else moves or has stopped it.
+/// Something else moves the motor, or has stopped it.
 LoopTest::Next LoopTest::overtaken() {
     m_mayRun = false;
     cancel();
@@ -113,7 +113,7 @@ LoopTest::Next LoopTest::settle(const ModuleState& module, TimePoint now) {
         return Wait{};
     if (swingsFar(module))
         return fail(ProcedureFailure::TravelLimit);
-    m_mayRun = false;  // it has been told
+    m_mayRun = false;  // the stop has been sent
     return settled(module, false);
 }
 
@@ -121,18 +121,19 @@ LoopTest::Next LoopTest::settled(const ModuleState& /*module*/, bool stands) {
     return stands ? finish() : fail(ProcedureFailure::NotStill);
 }
 
-/// By more than a fine encoder and an integral make a servo hunt.
+/// True when the oscillation exceeds the hunting that a fine encoder and an integral can cause.
 bool LoopTest::swingsFar(const ModuleState& module) const {
     const auto& swing = module.swing.swing();
     return swing && swing->amplitude > std::abs(span()) / 4.0;
 }
 
 std::vector<bus::Order> LoopTest::lastWord(const ModuleState& module) const {
-    // To a servo that is off the hold would be what switches it on.
+    // To a servo that is off, the hold would switch it on.
     return m_mayRun && module.servoOn() ? hold(module) : std::vector<bus::Order>{};
 }
 
-/// Why a chip has ended a sine shows only now. What a hold does not calm the servo itself keeps going.
+/// The reason why a chip ended a sine shows only now. An oscillation that a hold does not calm is kept up by
+/// the servo itself.
 LoopTest::Next LoopTest::afterLastWord(const ModuleState& module, TimePoint now) {
     if (m_report.failure == ProcedureFailure::Refused)
         m_report.failure = trouble(module).value_or(ProcedureFailure::Refused);

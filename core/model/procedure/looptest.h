@@ -10,45 +10,45 @@
 
 namespace nmc {
 
-/// What the tests of a PIC-SERVO's loop have in common (DS-V 4.3): each begins at rest at the position that
-/// the servo holds, and ends with a stop, by which the chip forgets a step's velocity (an acceleration every
-/// motion brings along itself), and a Stop Here where it is to stay, so that this is held to the count;
-/// version 1 has no Stop Here.
+/// Common parts of the tests of a PIC-SERVO's loop (DS-V 4.3). Each begins at rest at the position that the
+/// servo holds, and ends with a stop, which clears a step's velocity in the chip (every motion loads its own
+/// acceleration), and a Stop Here at the final position, so that it is held to the count; version 1 has no
+/// Stop Here.
 ///
-/// A motor that goes too far, or swings far when it is over, is told to hold; if that does not calm it the
-/// servo itself keeps it going, and is switched off. Any stop ends it, the chip's own too. Wants the bus's
-/// focus while it runs.
+/// A motor that goes too far, or oscillates widely at the end, is sent a hold; if that does not calm it, the
+/// servo itself keeps it going and is switched off. Any stop ends the test, including the chip's own. A test
+/// needs the bus's focus while it runs.
 class LoopTest : public Procedure {
 protected:
     LoopTest(ProcedureKind kind, const ModuleState& module) : Procedure(module.info.index, kind) {}
 
-    /// Before the motor is looked at for standing still; nothing.
+    /// A step to take before the wait for standstill; nothing by default.
     [[nodiscard]] virtual std::optional<Next> beforeStandstill(const ModuleState& /*module*/) { return {}; }
-    /// It stands: the first command.
+    /// Called at standstill; returns the first commands.
     [[nodiscard]] virtual Next begin(const ModuleState& module) = 0;
-    /// Stage Moving, nothing in flight.
+    /// Called in stage Moving while nothing is in flight.
     [[nodiscard]] virtual Next goOn(const ModuleState& module, TimePoint now) = 0;
-    /// What conclude() began has ended: it stands, or does not come to rest in time.
+    /// Called at the end of what conclude() began: the motor stands, or has not come to rest in time.
     [[nodiscard]] virtual Next settled(const ModuleState& module, bool stands);
-    /// Farther than the test allows.
+    /// True when the motor is farther away than the test allows.
     [[nodiscard]] virtual bool goneTooFar(const ModuleState& module) const = 0;
-    /// Counts, from one end of what is commanded to the other.
+    /// The range of commanded positions, in counts.
     [[nodiscard]] virtual std::int32_t span() const = 0;
 
-    /// Counts, that the servo held when it began.
+    /// Command position at the start, in counts.
     [[nodiscard]] std::int32_t from() const { return m_from; }
-    /// Counts, where the shaft stood then.
+    /// Shaft position at the start, in counts.
     [[nodiscard]] std::int32_t stood() const { return m_stood; }
-    /// It stands: from here, by begin().
+    /// Called at standstill: starts from here with begin().
     [[nodiscard]] Next start(const ModuleState& module);
-    /// The command position goes there in one tick.
+    /// Moves the command position to `goal` in one tick.
     [[nodiscard]] std::vector<bus::Order> jump(const ModuleState& module, std::int32_t goal,
                                                ResponseMethod method) const;
-    /// While `taken` is recorded: what comes next until it is over. The motion may be somebody else's by
-    /// then, or go too far.
+    /// While `taken` is being recorded, returns the next step; nothing when the record is complete. Another
+    /// party may take over the motion, or it may go too far.
     [[nodiscard]] std::optional<Next> record(const ModuleState& module, TimePoint now,
                                              const ResponseTaken& taken);
-    /// The test is over: it is held at `goal`.
+    /// Ends the test; the motor is then held at `goal`.
     [[nodiscard]] Next conclude(const ModuleState& module, std::int32_t goal);
     [[nodiscard]] std::vector<bus::Order> orders(std::vector<ServoCommand> commands) const;
 
@@ -64,15 +64,15 @@ private:
     [[nodiscard]] bool stands(const ModuleState& module, TimePoint now);
     [[nodiscard]] bool swingsFar(const ModuleState& module) const;
 
-    /// Of a module that cannot be tested any more.
+    /// The reason why the module can no longer be tested, if any.
     [[nodiscard]] std::optional<ProcedureFailure> trouble(const ModuleState& module) const;
 
     std::int32_t m_from = 0;
     std::int32_t m_stood = 0;
-    bool m_limited = false;  ///< the chip was told to stop by itself, and watched when it began
+    bool m_limited = false;  ///< the chip was armed to stop by itself when the test began
     bool m_calming = false;
-    std::optional<TimePoint> m_since;   ///< when it was first looked at for standing still
-    std::optional<TimePoint> m_heldAt;  ///< what conclude() has sent
+    std::optional<TimePoint> m_since;   ///< start of the wait for standstill
+    std::optional<TimePoint> m_heldAt;  ///< time of the command that conclude() has sent
     Standstill m_standstill;
 };
 

@@ -8,8 +8,9 @@
 
 namespace nmc {
 
-/// Trapezoidal moves by N counts, from where the last move was to go: what a servo is off by does not add up.
-/// Each turns round beyond its goal first where the axis has backlash (model/intent/backlash.h).
+/// Trapezoidal moves by N counts, each from the goal of the previous move, so that the errors of a servo do
+/// not add up. On an axis with backlash, each move first turns round beyond its goal
+/// (model/intent/backlash.h).
 class MoveByRun : public GoalMoves {
 public:
     using Wanted = std::variant<intent::MoveBy, stepperintent::MoveBy>;
@@ -22,7 +23,7 @@ private:
 
     Wanted m_wanted;
     Rounds m_moves;
-    std::optional<std::int64_t> m_goal;  ///< of the last move
+    std::optional<std::int64_t> m_goal;  ///< goal of the last move
     unsigned m_made = 0;
     TimePoint m_pausedAt;
 };

@@ -7,7 +7,7 @@ namespace nmc {
 
 namespace {
 
-/// Of an end that is none of the user's.
+/// The failure for an end that the user did not cause.
 [[nodiscard]] ProcedureFailure failureOf(bus::PathEnd end) {
     switch (end) {
         case bus::PathEnd::NotStarted:
@@ -49,14 +49,14 @@ PathRun::Next PathRun::proceed(const ModuleState& module, TimePoint /*now*/) {
     return follow(std::move(starts), m_plan);
 }
 
-/// What was asked for before does not count.
+/// The progress of a previous path is ignored.
 void PathRun::look(const ModuleState& module) {
     if (module.path && module.path->plan == m_plan)
         m_report.path = module.path;
 }
 
-/// To a servo that is off a stop would be what switches it on; of a path that has ended the bus has seen to
-/// the stops.
+/// To a servo that is off, a stop would switch it on; when a path has ended, the bus has taken care of the
+/// stops.
 std::vector<bus::Order> PathRun::lastWord(const ModuleState& module) const {
     const bool ended = module.path && module.path->plan == m_plan && module.path->end;
     if (!m_mayRun || ended || !module.servoOn())

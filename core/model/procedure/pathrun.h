@@ -8,13 +8,13 @@
 
 namespace nmc {
 
-/// A path of one PIC-SERVO CMC or SC, or of a group (docs/paths.md). The bus lays the points and keeps the
-/// buffers filled (bus/pathtask.h), so that it goes on while this thread is busy; this asks for it, tells how
-/// far it is as ProcedureReport::path, and stops it when it is not wanted any more. It is of its first axis;
-/// the bus stops the others with that one.
+/// A path of one PIC-SERVO CMC or SC, or of a group (docs/paths.md). The bus sends the points and keeps the
+/// buffers filled (bus/pathtask.h), so that the path continues while this thread is busy. The procedure
+/// requests the path, reports its progress as ProcedureReport::path, and stops it when it is no longer
+/// wanted. It belongs to the first axis; the bus stops the others together with that one.
 class PathRun : public Procedure {
 public:
-    /// `wanted` is possible now.
+    /// `wanted` must be possible now.
     PathRun(const intent::FollowPath& wanted, const ModuleState& module);
 
 private:

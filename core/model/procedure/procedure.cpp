@@ -42,7 +42,7 @@ void Procedure::onFinished(bus::Outcome outcome, bus::SineRecord sine, std::opti
     m_swung = std::move(sine);
     m_tried = trial;
     if (outcome == bus::Outcome::Cancelled)
-        m_mayRun = false;  // whoever did that has stopped the motor, or switched it off
+        m_mayRun = false;  // the cause of that has stopped the motor, or switched it off
     if (m_end || outcome == bus::Outcome::Done)
         return;
     if (outcome == bus::Outcome::Cancelled)
@@ -57,7 +57,7 @@ void Procedure::onLinkSuspect() {
 
 void Procedure::cancel() {
     if (m_lastWordSent)
-        m_mayRun = false;  // whoever wants something else now sees to the rest
+        m_mayRun = false;  // whatever is wanted instead takes care of the rest
     if (!ends())
         m_end = ProcedureStage::Cancelled;
 }

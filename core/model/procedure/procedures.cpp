@@ -24,7 +24,7 @@ namespace {
 
 using Made = std::unique_ptr<Procedure>;
 
-/// A move that has to turn round on its way; null where it goes straight.
+/// Returns the procedure for a move that must turn round on the way; null if it goes straight.
 template <typename Move>
 Made approachFor(const Move& move, std::optional<std::int64_t> goal, const ModuleState& module) {
     if (!goal || !module.latest->position || module.moving())

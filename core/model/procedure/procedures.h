@@ -9,10 +9,12 @@
 
 namespace nmc {
 
-/// The procedure that an intent asks for; null when it is none, or is not possible now, which plan() tells.
+/// Creates the procedure that an intent requires; null when it requires none, or when it is not possible now,
+/// for which plan() gives the reason.
 [[nodiscard]] std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState& module);
 
-/// Of what a procedure sends after a stop by somebody else: what neither moves nor switches anything on.
+/// Reduces the orders of a procedure after another party's stop to those that neither move anything nor
+/// switch anything on.
 void keepWhatIsHarmless(std::vector<bus::Order>& orders);
 
 }  // namespace nmc

@@ -11,8 +11,8 @@
 namespace nmc {
 
 namespace {
-/// Polls come in a rhythm that every edge would begin anew, and all edges were sampled at the same times. So
-/// one question comes first, of which the answer is each time a little longer.
+/// Every edge would restart the rhythm of the polls, and all edges would be sampled at the same times. Each
+/// edge is therefore followed by a read whose answer is a little longer each time.
 constexpr std::array kFirstQuestions{
     StatusItems(StatusItems::Analog),
     StatusItems(StatusItems::Velocity),
@@ -44,7 +44,7 @@ SquareWaveRun::Next SquareWaveRun::begin(const ModuleState& module) {
     return edge(module);
 }
 
-/// The first goes from the middle to one side, all others from side to side.
+/// The first edge goes from the middle to one side, all others from side to side.
 SquareWaveRun::Next SquareWaveRun::edge(const ModuleState& module) {
     const std::int32_t half = m_wanted.counts / 2;
     const std::int32_t goal = m_edges % 2 == 0 ? from() + half : from() + half - m_wanted.counts;
@@ -71,7 +71,7 @@ SquareWaveRun::Next SquareWaveRun::goOn(const ModuleState& module, TimePoint now
     }
     if (auto next = record(module, now, m_taken))
         return std::move(*next);
-    // The first edge is but half of one.
+    // The first edge is only half an edge.
     return m_edges <= 2 * m_wanted.rounds ? edge(module) : conclude(module, from());
 }
 

@@ -8,12 +8,12 @@
 
 namespace nmc {
 
-/// The command position of a PIC-SERVO jumps to and fro about the one that it held, and ends there
-/// (DS-V 4.3). Each edge is told as ProcedureReport::step when it has been taken. Other gains are sent before
-/// the edge after them. A motor that leaves the wave by more than its excursion has gone too far.
+/// The command position of a PIC-SERVO jumps to and fro about the position that it held, and ends there (DS-V
+/// 4.3). Each edge is reported as ProcedureReport::step when it has been recorded. New gains are sent before
+/// the next edge. A motor that leaves the wave by more than its excursion has gone too far.
 class SquareWaveRun : public LoopTest {
 public:
-    /// `wanted` is possible now.
+    /// `wanted` must be possible now.
     SquareWaveRun(const intent::SquareWave& wanted, const ModuleState& module);
 
     [[nodiscard]] bool take(const servo::SetGain& gains) override;
@@ -26,9 +26,9 @@ private:
     [[nodiscard]] std::int32_t span() const override { return m_wanted.counts; }
 
     intent::SquareWave m_wanted;
-    unsigned m_edges = 0;     ///< those that were commanded
-    ResponseTaken m_taken;    ///< the last of them
-    bool m_reported = false;  ///< in the report
+    unsigned m_edges = 0;     ///< number of edges commanded
+    ResponseTaken m_taken;    ///< the last edge
+    bool m_reported = false;  ///< the last edge is in the report
     std::optional<servo::SetGain> m_next;
 };
 

@@ -31,13 +31,13 @@ StepResponseRun::Next StepResponseRun::goOn(const ModuleState& module, TimePoint
     return conclude(module, m_taken.goal);
 }
 
-/// One that does not come to rest afterwards has a whole record all the same.
+/// The record is complete even if the motor does not come to rest afterwards.
 StepResponseRun::Next StepResponseRun::settled(const ModuleState& module, bool stands) {
     m_report.step = m_taken;
     return LoopTest::settled(module, stands);
 }
 
-/// No stable servo overshoots by a whole step, nor swings back to where it came from.
+/// No stable servo overshoots by a whole step, or swings back beyond where it came from.
 bool StepResponseRun::goneTooFar(const ModuleState& module) const {
     if (module.latestTime <= m_taken.at)
         return false;

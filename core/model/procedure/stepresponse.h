@@ -8,11 +8,11 @@
 
 namespace nmc {
 
-/// One step of the command position of a PIC-SERVO that holds still, to see how the motor follows (DS-V 4.3);
-/// then it is held at the goal. One that goes the wrong way, or twice the step, has gone too far.
+/// One step of the command position of a PIC-SERVO at rest, to see how the motor follows (DS-V 4.3); the
+/// motor is then held at the goal. A motor that goes the wrong way, or twice the step, has gone too far.
 class StepResponseRun : public LoopTest {
 public:
-    /// `wanted` is possible now.
+    /// `wanted` must be possible now.
     StepResponseRun(const intent::StepResponse& wanted, const ModuleState& module)
         : StepResponseRun(ProcedureKind::StepResponse, wanted, module) {}
 
@@ -33,7 +33,7 @@ private:
     [[nodiscard]] std::int32_t span() const override { return m_wanted.counts; }
 
     bool m_gainsSent = false;
-    bool m_sent = false;  ///< the step, just now
+    bool m_sent = false;  ///< the step has just been sent
 };
 
 }  // namespace nmc

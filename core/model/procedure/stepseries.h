@@ -8,11 +8,11 @@
 
 namespace nmc {
 
-/// Steps one after the other, each from where the one before has ended and as soon as the motor stands
-/// there. One after which it does not come to rest is the last.
+/// Successive steps, each from the end of the previous one, as soon as the motor stands there. A step after
+/// which it does not come to rest is the last.
 class StepSeriesRun : public StepResponseRun {
 public:
-    /// `wanted` is possible now.
+    /// `wanted` must be possible now.
     StepSeriesRun(const intent::StepSeries& wanted, const ModuleState& module);
 
 private:

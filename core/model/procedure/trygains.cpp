@@ -11,13 +11,13 @@
 namespace nmc {
 
 namespace {
-/// Of EL: a servo that is that far off is on its way to trip.
+/// Fraction of EL: a servo that is this far off is about to trip.
 constexpr double kOfErrorLimit = 0.5;
 constexpr double kOfOutputLimit = 0.25;
-/// PWM counts beyond what holds the load.
+/// PWM counts beyond those that hold the load.
 constexpr double kToSpare = 32;
 
-/// PWM counts that hold the load at most, by the gains that hold it now; all where that is not known.
+/// Upper bound of the PWM counts that hold the load, by the present gains; all of them where that is unknown.
 double holding(const ModuleState& module) {
     const servo::SetGain& gains = *module.gains;
     const auto goal = module.goal();
@@ -44,7 +44,7 @@ TryGainsRun::Next TryGainsRun::proceed(const ModuleState& module, TimePoint /*no
     if (!module.servoOn())
         return fail(ProcedureFailure::WentOff);
     if (module.latestTime - module.motionCommandedAt < SwingWatch::kCalm)
-        return Wait{};  // what the last motion leaves behind would be taken for a swing
+        return Wait{};  // the aftermath of the last motion would be taken for an oscillation
     m_report.stage = ProcedureStage::Trying;
     servo::SetGain tried = m_wanted;
     tried.ol = static_cast<std::uint8_t>(std::min<double>(
@@ -79,8 +79,8 @@ TryGainsRun::Next TryGainsRun::conclude(bus::TrialEnd end) {
     return finish();
 }
 
-/// Where the trial has ended by itself they are back already. Kept, and then something else was asked for: it
-/// was with a lower output limit.
+/// If the trial has ended by itself, the old gains are already back. If the new gains were kept but another
+/// command came first, they are still in force with a lower output limit.
 std::vector<bus::Order> TryGainsRun::lastWord(const ModuleState& /*module*/) const {
     if (m_kept || tried() == bus::TrialEnd::Kept)
         return {set(m_wanted)};

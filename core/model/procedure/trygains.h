@@ -6,16 +6,17 @@
 
 namespace nmc {
 
-/// New gains for a PIC-SERVO that holds still (DS-V 4.3), under the bus's net: those from before are back
-/// when the time is over, at a stop, and at once when it begins to swing, goes away from where it stood, or
-/// its servo goes off; unless they were kept by then (bus::Engine::keepTrial). Wants the bus's focus while it
-/// runs.
+/// Tries new gains on a PIC-SERVO at rest (DS-V 4.3), with the bus as a safety net: the old gains are
+/// restored when the time is over, at a stop, and at once when the motor begins to oscillate, moves away from
+/// where it stood, or its servo goes off, unless the new gains have been kept by then
+/// (bus::Engine::keepTrial). Needs the bus's focus while it runs.
 ///
-/// They are tried with a lower output limit, since a loop swings as far as that lets it: a part of OL, but
-/// more than what holds its load. Reaching it ends the trial, so it never makes bad gains look good.
+/// The gains are tried with a lower output limit, because an unstable loop oscillates as far as that allows:
+/// a fraction of OL, but more than the load requires. Reaching the limit ends the trial, so it never makes
+/// bad gains look good.
 class TryGainsRun : public Procedure {
 public:
-    /// `wanted` is possible now.
+    /// `wanted` must be possible now.
     TryGainsRun(const intent::TryGains& wanted, const ModuleState& module);
 
     void keep() override { awaitEnd(); }

@@ -7,8 +7,8 @@
 
 namespace nmc {
 
-/// Numbers of files: with the C locale's decimal point whatever the locale is, and just as many digits as
-/// bring the same number back.
+/// Numbers in files: they use the C locale's decimal point regardless of the user's locale, with just enough
+/// digits to read back the same number.
 template <typename Number>
 void appendNumber(std::string& out, Number number) {
     std::array<char, 32> digits;

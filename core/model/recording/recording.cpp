@@ -101,7 +101,7 @@ void appendBytes(std::string& out, const ScopeSample& sample) {
     out += sample.gapBefore ? ",1" : ",0";
 }
 
-/// The rest of a PIC-I/O's row, from its position on.
+/// Appends the rest of a PIC-I/O's row, from its position on.
 void appendPins(std::string& out, const ScopeSample& sample) {
     appendNumber(out, static_cast<std::int32_t>(sample.counter()));
     out += ",,,,,";

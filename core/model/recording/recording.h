@@ -13,8 +13,8 @@
 #include "model/settings/machine.h"
 #include "protocol/moduletype.h"
 
-/// What the scope writes down: one CSV file, to be read by this program (model/recording/recordingreader.h),
-/// by a spreadsheet and by people. UTF-8, line feeds, the C locale whatever the user's:
+/// What the scope saves: a CSV file for this program (model/recording/recordingreader.h), for spreadsheets
+/// and for people. UTF-8, line feeds, the C locale regardless of the user's:
 ///
 ///     # NMC Panel recording 1
 ///     # program: NMC Panel 0.6.0
@@ -35,8 +35,9 @@
 ///     # gains of module 1 at 0.500000000 s: kp 100 kd 1000 ki 0 il 0 ol 255 cl 0 el 2000 sr 1 db 0
 ///     # note at 0.750000000 s: the motors were told to stop
 ///
-/// A row is a sample, in order of arrival; an empty cell is not known. Numbers read back to the last bit.
-/// What this program reads again of the comments has no comma of its own, so that no spreadsheet tears it.
+/// Each row is a sample, in order of arrival; an empty cell means unknown. Numbers read back exactly. Those
+/// parts of the comments that this program reads back contain no commas of their own, so that no spreadsheet
+/// splits them.
 namespace nmc {
 
 struct RecordingModule {
@@ -45,15 +46,15 @@ struct RecordingModule {
     std::string name;  ///< UTF-8
     AxisUnit unit;
     AnalogScale analog;
-    PinSettings pins{};  ///< PIC-I/O: names and scales; others of its settings are not kept
+    PinSettings pins{};  ///< PIC-I/O: only the names and scales are kept
 
     bool operator==(const RecordingModule&) const = default;
 };
 
 struct RecordingHeader {
     std::string program;    ///< name and version
-    std::string startedAt;  ///< ISO 8601 with the offset of the zone, of `zero`
-    TimePoint zero;         ///< what times count from; TimePoint{} after reading
+    std::string startedAt;  ///< time of `zero`, ISO 8601 with the zone offset
+    TimePoint zero;         ///< the origin of times; TimePoint{} after reading
     std::string port;
     bool simulated = false;
     std::vector<RecordingModule> modules;
@@ -62,7 +63,7 @@ struct RecordingHeader {
 };
 
 inline constexpr int kRecordingVersion = 1;
-/// The first line but for the version.
+/// The first line without the version.
 inline constexpr std::string_view kRecordingMagic = "# NMC Panel recording ";
 inline constexpr std::string_view kRecordingSuffix = "csv";
 
@@ -71,7 +72,7 @@ enum class RecordingColumn : std::uint8_t {
     Time,
     Position,
     Velocity,
-    Command,  ///< follows from position and error; only for other readers
+    Command,  ///< derived from position and error; only for other readers
     Error,
     ErrorLow,
     ErrorHigh,
@@ -84,31 +85,33 @@ enum class RecordingColumn : std::uint8_t {
     Analog3,
     Counted,
 };
-/// By RecordingColumn.
+/// Indexed by RecordingColumn.
 inline constexpr std::array<std::string_view, 15> kRecordingColumns{
     "module", "time_s",    "position",   "velocity_per_s", "command",
     "error",  "error_low", "error_high", "analog",         "status",
     "aux",    "gap",       "analog2",    "analog3",        "counted"};
 
-/// Key and value of what a file says of where its samples are from. The views live as long as `header`.
+/// Keys and values that describe the origin of a file's samples. The views live as long as `header`.
 [[nodiscard]] std::array<std::pair<std::string_view, std::string_view>, 4> originOf(
     const RecordingHeader& header);
-/// Comments that say where the samples of a file are from: program, start, port, and whether it is simulated.
+/// Appends comments that describe the origin of a file's samples: program, start, port, and whether it is
+/// simulated.
 void appendOrigin(std::string& out, const RecordingHeader& header);
 
 /// Everything above the first row.
 [[nodiscard]] std::string recordingHead(const RecordingHeader& header);
 
-/// One row. `zero` as in the header; within ten years of it.
+/// Appends one row. `zero` is the one in the header; `sample` must be within ten years of it.
 void appendRow(std::string& out, ModuleIndex module, const ScopeSample& sample, TimePoint zero);
 
-/// A comment from where on these gains were in force.
+/// Appends a comment with gains and the time from which they are in force.
 void appendGains(std::string& out, const GainsChange& change, TimePoint zero);
 
-/// A comment for people. Control characters become question marks, and long texts are cut.
+/// Appends a comment for people. Control characters become question marks, and long texts are cut.
 void appendNote(std::string& out, std::string_view text, TimePoint time, TimePoint zero);
 
-/// A whole recording: what `history` keeps one by one, in the order of time. May be made in any thread.
+/// A whole recording: the samples that `history` keeps individually, in order of time. Any thread may call
+/// this.
 [[nodiscard]] std::string recordingOf(const RecordingHeader& header, const History& history);
 
 }  // namespace nmc

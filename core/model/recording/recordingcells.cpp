@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kAround = " \t\"";
 
-/// A cell with a decimal point; longer ones are no numbers of ours.
+/// A cell with a decimal point; longer cells are not numbers of this format.
 class Plain {
 public:
     explicit Plain(std::string_view cell) : m_size(cell.size()) {
@@ -52,7 +52,7 @@ constexpr bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Nothing for what is not written with nine decimals at most.
+/// Returns nothing for a number that is not written with at most nine decimals.
 std::optional<Duration> exactTime(std::string_view cell) {
     constexpr std::size_t kMaxDigits = 9;
     const bool negative = cell.starts_with('-');
@@ -127,7 +127,7 @@ tl::expected<float, Fault> real(std::string_view cell) {
         return number;
     if (error != std::errc::result_out_of_range)
         return tl::unexpected(Fault::NotANumber);
-    // Too small is as good as nothing, too large is not.
+    // A number too small for a float is read as zero; one too large is an error.
     if (const auto wide = finite(cell); wide && std::abs(*wide) < 1.0)
         return 0.0F;
     return tl::unexpected(Fault::OutOfRange);

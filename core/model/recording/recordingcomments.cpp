@@ -14,7 +14,7 @@ namespace {
 
 constexpr cells::Bounds kAnyReal{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
 
-/// Takes what is before the mark, and the mark; everything where there is none.
+/// Removes and returns the text before the mark, and removes the mark; returns everything if there is none.
 std::string_view upTo(std::string_view mark, std::string_view& text) {
     const std::size_t end = std::min(text.find(mark), text.size());
     const std::string_view before = text.substr(0, end);
@@ -45,11 +45,11 @@ RecordingModule& moduleIn(RecordingHeader& header, ModuleIndex index) {
             return known;
     RecordingModule& added = header.modules.emplace_back();
     added.index = index;
-    added.analog.unit.clear();  // what is not in the file is empty, not the usual
+    added.analog.unit.clear();  // what is not in the file is empty, not the default
     return added;
 }
 
-/// One of a module's numbers.
+/// A numeric entry of a module.
 struct NumberEntry {
     std::string_view field;
     std::string_view text;
@@ -72,7 +72,7 @@ struct NumberEntry {
     }
 };
 
-/// True when it was one of the texts.
+/// Returns true when the key was one of the texts.
 bool takeText(std::string_view key, std::string_view value, RecordingModule& module) {
     for (const auto& [name, text] :
          {std::pair{words::kName, &module.name}, std::pair{words::kOwnSymbol, &module.unit.ownSymbol},
@@ -84,7 +84,8 @@ bool takeText(std::string_view key, std::string_view value, RecordingModule& mod
     return false;
 }
 
-/// The number from 1 before a key, as one from 0, and takes it; nothing where there is none.
+/// Removes the number before a key and returns it counted from 0; nothing if there is none. In the file it
+/// counts from 1.
 std::optional<std::size_t> numberBefore(std::string_view& key, double most) {
     std::string_view rest = key;
     const auto number = cells::whole(nextWord(rest), {1, most});
@@ -94,7 +95,7 @@ std::optional<std::size_t> numberBefore(std::string_view& key, double most) {
     return static_cast<std::size_t>(*number - 1);
 }
 
-/// What hangs on a PIC-I/O. True when it was one of these.
+/// Takes an entry about the pins of a PIC-I/O. Returns true when the key was one of these.
 bool takePinEntry(std::string_view key, const NumberEntry& entry, PinSettings& pins,
                   std::optional<RecordingProblem>& problem) {
     if (skip(key, words::kPin)) {
@@ -112,7 +113,7 @@ bool takePinEntry(std::string_view key, const NumberEntry& entry, PinSettings& p
     const std::size_t known = pins.analog.size();
     AnalogInput& analog = PinSettings::in(pins.analog, *input);
     for (std::size_t i = known; i < pins.analog.size(); ++i)
-        pins.analog[i].scale.unit.clear();  // what is not in the file is empty, not the usual
+        pins.analog[i].scale.unit.clear();  // what is not in the file is empty, not the default
     if (key == words::kName)
         analog.name = entry.text;
     else if (key == words::kInputUnit)

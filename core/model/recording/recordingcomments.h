@@ -8,23 +8,23 @@
 #include "model/recording/recordingreader.h"
 #include "model/scope/gainschange.h"
 
-/// What stands in the comments of a recording. For core/model/recording*.cpp only; pure.
+/// Parses the comments of a recording. For core/model/recording*.cpp only; pure.
 namespace nmc::comments {
 
-/// Of the line that is being read: RecordingProblem::line is set by the caller.
+/// A problem in the line being read; the caller sets RecordingProblem::line.
 [[nodiscard]] RecordingProblem problemOf(cells::Fault fault, std::string_view field, std::string_view found,
                                          cells::Bounds bounds);
-/// For a sentence, whatever it was.
+/// Makes a text printable, whatever it is.
 [[nodiscard]] std::string shown(std::string_view text);
 
 /// Modules are numbered from 1.
 inline constexpr cells::Bounds kModules{1, 255};
 inline constexpr cells::Bounds kBytes{0, 255};
 
-/// "key: value", into the header. What is none of ours changes nothing.
+/// Reads "key: value" into the header. An unknown key changes nothing.
 [[nodiscard]] std::optional<RecordingProblem> takeHeadEntry(std::string_view text, RecordingHeader& header);
 
-/// Nothing when it only looks like a comment on gains.
+/// Returns nothing when the text only resembles a comment on gains.
 [[nodiscard]] std::optional<GainsChange> gainsOf(std::string_view text);
 
 }  // namespace nmc::comments

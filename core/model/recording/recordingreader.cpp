@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kSeparators = ",;\t";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kComment = "# ";
-/// What every row must have.
+/// The columns that every row must have.
 constexpr std::array kRequired{RecordingColumn::Module, RecordingColumn::Time, RecordingColumn::Position};
 constexpr cells::Bounds kPositions{std::numeric_limits<std::int32_t>::min(),
                                    std::numeric_limits<std::int32_t>::max()};
@@ -63,7 +63,7 @@ const std::optional<RecordingProblem>& RecordingReader::finish() {
         takeLine(rest);
         refuse({.kind = Kind::Truncated});
     } else if (!rest.empty()) {
-        // Whether digits are missing at its end cannot be seen.
+        // It is impossible to tell whether digits are missing at the end of the last line.
         ++m_line;
         refuse({.kind = Kind::Truncated});
     } else if (m_columns == 0) {
@@ -141,7 +141,7 @@ void RecordingReader::takeColumns(std::string_view line) {
         if (place != m_cells.end())
             m_placeOf[i] = static_cast<std::size_t>(place - m_cells.begin());
     }
-    // Empty names at the end are a spreadsheet's, and such cells are not missed.
+    // Empty names at the end come from a spreadsheet, so such cells may be missing.
     while (!m_cells.empty() && m_cells.back().empty())
         m_cells.pop_back();
     m_columns = m_cells.size();
@@ -191,7 +191,7 @@ void RecordingReader::takeRow(std::string_view line) {
     m_takers.sample(ModuleIndex(static_cast<std::uint8_t>(number - 1)), sample);
 }
 
-/// Rows of a PIC-I/O, whose values are in a motor's places of a sample (scopesample.h).
+/// A row of a PIC-I/O stores its values in the members of a motor's sample (scopesample.h).
 void RecordingReader::pinCells(ScopeSample& sample) {
     const auto byteCell = [this](RecordingColumn column, float& number) {
         int byte = -1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The words of a recording's comments, for core/model/recording*.cpp only.
+// The keywords in a recording's comments, for core/model/recording*.cpp only.
 
 #include <array>
 #include <string_view>
@@ -15,7 +15,7 @@ inline constexpr std::string_view kProgram = "program";
 inline constexpr std::string_view kStarted = "started";
 inline constexpr std::string_view kPort = "port";
 inline constexpr std::string_view kSimulated = "simulated";
-/// Followed by the module's number, a space and one of the keys below.
+/// Followed by the module's number, a space, and one of the keys below.
 inline constexpr std::string_view kModule = "module ";
 inline constexpr std::string_view kType = "type";
 inline constexpr std::string_view kVersion = "version";
@@ -26,14 +26,14 @@ inline constexpr std::string_view kPerUnit = "counts per unit";
 inline constexpr std::string_view kAnalogUnit = "analog unit";
 inline constexpr std::string_view kAnalogPerCount = "analog per count";
 inline constexpr std::string_view kAnalogAtZero = "analog at zero";
-// PIC-I/O: the first A/D input's scale is that above. Followed by a number from 1, a space and one of the
-// keys.
+// PIC-I/O: the scale of the first A/D input is the one above. Followed by a number from 1, a space, and one
+// of the keys.
 inline constexpr std::string_view kPin = "pin ";
 inline constexpr std::string_view kAnalogInput = "analog ";
 inline constexpr std::string_view kInputUnit = "unit";
 inline constexpr std::string_view kInputPerCount = "per count";
 inline constexpr std::string_view kInputAtZero = "at zero";
-/// By UnitKind.
+/// Indexed by UnitKind.
 inline constexpr std::array<std::string_view, 5> kUnits{"counts or steps", "turns", "degrees", "millimetres",
                                                         "own"};
 

@@ -11,7 +11,7 @@
 
 namespace nmc {
 
-/// Seconds with nine decimals: every nanosecond, exactly.
+/// Appends seconds with nine decimals, exact to the nanosecond.
 inline void appendTime(std::string& out, Duration time) {
     constexpr std::int64_t kSecond = 1'000'000'000;
     const std::int64_t ns = time.count();

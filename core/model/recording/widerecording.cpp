@@ -22,7 +22,7 @@ namespace {
     return motor;
 }
 
-/// Part of a column's name: no separator, no quote, no blank, and no slash, which makes a tree.
+/// Part of a column's name: without separators, quotes, blanks, and slashes, which would create a tree.
 [[nodiscard]] std::string wordOf(std::string_view text) {
     std::string word(text);
     std::erase(word, '"');
@@ -37,7 +37,7 @@ namespace {
     return word;
 }
 
-/// The names of the columns that say what the table is.
+/// Names of the columns that describe the table.
 [[nodiscard]] std::string aboutNames(const RecordingHeader& header) {
     std::string names;
     for (const auto& [key, value] : originOf(header))
@@ -63,7 +63,7 @@ namespace {
 
 class WideModule {
 public:
-    /// `seen` are the rows; signals are made of all of `history`.
+    /// `seen` provides the rows; derived signals are computed from all of `history`.
     WideModule(const RecordingModule& module, const ModuleHistory& seen, const History& history)
         : m_module(module), m_history(seen) {
         for (const ScopeSignal signal : m_signals)
@@ -76,7 +76,7 @@ public:
     void appendNames(std::string& out) const {
         const std::string number = textOf(m_module.index.value() + 1);
         const std::string name = wordOf(m_module.name);
-        // Two modules may have one name: it stands alone only where it tells the number itself.
+        // Two modules may have the same name, so it stands alone only if it contains the number itself.
         const std::string prefix = (name.find(number) != std::string::npos ? ',' + name
                                     : name.empty()                         ? ",module" + number
                                                    : ",module" + number + '_' + name) +
@@ -137,7 +137,7 @@ private:
                                         [signal](const Made& made) { return made.signal == signal; });
         return found->values.valueAt(time, ScopeSignal::Error);
     }
-    /// As they are called on this machine; the pins are bits of one number, IO1 is 1.
+    /// Column names as the user has named the inputs; the pins are the bits of one number, where IO1 is 1.
     void appendIoNames(std::string& out, const std::string& prefix) const {
         for (std::size_t i = 0; i < 3; ++i) {
             const AnalogInput input = PinSettings::of(m_module.pins.analog, i);
@@ -177,7 +177,7 @@ private:
     std::vector<Made> m_made;
 };
 
-/// `about`: the empty cells at the end of each row, and the end of its line; here and below.
+/// `about`: the empty cells at the end of each row, with the end of the line; the same in appendEven().
 void appendSparse(std::string& out, const std::vector<WideModule>& modules, TimePoint zero,
                   const std::string& about) {
     struct Row {
@@ -210,7 +210,7 @@ void appendEven(std::string& out, const std::vector<WideModule>& modules, TimePo
     if (!first)
         return;
     interval = std::max(interval, (*last - *first) / kMaxWideRows + Duration(1));
-    // On whole intervals from the start, as the long form counts them.
+    // Rows are on whole intervals from the start, as in the long form.
     auto step = (*first - zero) / interval;
     if (zero + step * interval < *first)
         ++step;

@@ -11,7 +11,7 @@ namespace nmc {
 
 namespace {
 
-/// In a place, so that a median means something.
+/// Samples per time slot, so that a median means something.
 constexpr double kSamplesInPlace = 3.0;
 
 [[nodiscard]] bool isForward(const ResponseTaken& taken) {
@@ -27,7 +27,7 @@ constexpr double kSamplesInPlace = 3.0;
     return alike;
 }
 
-/// `part` of them are below it.
+/// The value below which `part` of the values lie.
 [[nodiscard]] double quantile(const std::vector<double>& sorted, double part) {
     const double place = part * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(place);

@@ -10,8 +10,9 @@
 
 namespace nmc {
 
-/// For spreadsheets: one row per frequency, magnitudes in dB, phases in degrees; the C locale whatever the
-/// user's, line feeds. `origin`: its modules are not told, but the one that was measured, by its name.
+/// CSV for spreadsheets: one row per frequency, magnitudes in dB, phases in degrees. The C locale is used
+/// regardless of the user's; lines end in a line feed. The modules of `origin` are not listed, only the
+/// measured one, by its name.
 ///
 ///     # NMC Panel frequency response 1
 ///     # program: NMC Panel 0.6.0

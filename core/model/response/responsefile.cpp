@@ -16,7 +16,8 @@ public:
         if (value.empty())
             return;
         m_out.append(m_prefix).append(key).append(": ");
-        // One line without a comma, whatever a module is called: no spreadsheet tears it.
+        // Whatever the module's name contains, it becomes one line without commas, so that no spreadsheet
+        // splits it.
         for (const char c : value)
             m_out += c == ',' ? ';' : static_cast<unsigned char>(c) < 0x20 ? '?' : c;
         m_out += '\n';

@@ -10,23 +10,23 @@
 
 namespace nmc {
 
-/// A step response with what it is labelled by wherever it is listed or saved.
+/// A step response with the labels shown wherever it is listed or saved.
 struct KeptResponse {
     int number = 0;    ///< from 1
-    std::string name;  ///< the user's, UTF-8; as is the note
+    std::string name;  ///< given by the user, UTF-8, like the note
     std::string note;
     ResponseRecord run;
-    std::string startedAt;   ///< ISO 8601 with the offset of the zone, of the step
+    std::string startedAt;   ///< start of the step, ISO 8601 with the zone offset
     std::string moduleName;  ///< UTF-8
-    std::string axisName;    ///< the user's for its axis, by which it is found again; may be empty
+    std::string axisName;    ///< the user's name for the axis, by which it is recognized; may be empty
     AxisScale scale;
     std::string port;
     bool simulated = false;
-    bool earlier = false;  ///< of another session: the motor may be another by now
+    bool earlier = false;  ///< from an earlier session: the motor may have changed since
 };
 
-/// For spreadsheets and people: comments that tell of each run, then one row per sample. UTF-8, line feeds,
-/// the C locale whatever the user's:
+/// CSV for spreadsheets and people: comments that describe each run, then one row per sample. UTF-8, line
+/// feeds, the C locale regardless of the user's:
 ///
 ///     # NMC Panel step responses 1
 ///     # program: NMC Panel 0.6.0
@@ -42,7 +42,7 @@ struct KeptResponse {
 ///     run,time_s,position,from_start
 ///     1,-0.0195,3,0
 ///
-/// What could not be measured is not there.
+/// Figures that could not be measured are omitted.
 [[nodiscard]] std::string responsesCsv(std::string_view program, std::span<const KeptResponse> runs);
 
 }  // namespace nmc

@@ -13,21 +13,22 @@ namespace {
 
 constexpr double kLastPart = 0.2;
 constexpr std::size_t kFewest = 3;
-/// An encoder tells no less than a count.
+/// An encoder resolves no less than a count.
 constexpr double kHalfCount = 0.5;
 
-/// Where the motor was, in counts along the step: 0 at its goal, negative before it.
+/// Position in counts along the step: 0 at the goal, negative before it.
 struct StepReading {
     double seconds = 0.0;
     double beyond = 0.0;
-    bool gapBefore = false;  ///< samples are missing between the one before and this
+    bool gapBefore = false;  ///< samples are missing before this one
 };
 
-/// Several usual intervals from the one before; usual is the median.
+/// Marks readings that follow the previous one after several usual intervals; the usual interval is the
+/// median.
 void markGaps(std::vector<StepReading>& readings) {
     constexpr double kSeveral = 6;
     std::vector<double> between;
-    for (std::size_t i = 2; i < readings.size(); ++i)  // the first may lie anywhere behind the step
+    for (std::size_t i = 2; i < readings.size(); ++i)  // the first may lie anywhere after the step
         between.push_back(readings[i].seconds - readings[i - 1].seconds);
     const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
     std::nth_element(between.begin(), middle, between.end());
@@ -35,7 +36,7 @@ void markGaps(std::vector<StepReading>& readings) {
         readings[i].gapBefore = readings[i].seconds - readings[i - 1].seconds > kSeveral * *middle;
 }
 
-/// Where the straight line between two readings is at `level`.
+/// The time at which the straight line between two readings crosses `level`.
 [[nodiscard]] ResponseMetrics::Result<Measured> crossing(const StepReading& a, const StepReading& b,
                                                          double level) {
     if (b.gapBefore)
@@ -61,7 +62,7 @@ void markGaps(std::vector<StepReading>& readings) {
     return Measured{high->value - low->value, low->doubt + high->doubt + timeDoubt};
 }
 
-/// How far the parabola through three readings is above the middle one, which is the highest.
+/// The height of the parabola through three readings above the middle one, which is the highest.
 [[nodiscard]] double aboveMiddle(const StepReading& a, const StepReading& b, const StepReading& c) {
     const double before = (b.beyond - a.beyond) / (b.seconds - a.seconds);
     const double after = (c.beyond - b.beyond) / (c.seconds - b.seconds);
@@ -90,7 +91,7 @@ void markGaps(std::vector<StepReading>& readings) {
     return Measured{100 * over / step, 100 * (added + kHalfCount) / step};
 }
 
-/// `middle`: of the band, beyond the goal.
+/// `middle`: the centre of the band, measured from the goal.
 [[nodiscard]] ResponseMetrics::Result<Measured> settlingOf(const std::vector<StepReading>& readings,
                                                            double middle, double band, double lastPart,
                                                            double timeDoubt) {
@@ -100,7 +101,7 @@ void markGaps(std::vector<StepReading>& readings) {
         return Measured{0.0, timeDoubt};
     if (last->seconds >= lastPart)
         return tl::unexpected(Unmeasured::NeverSettled);
-    const StepReading& inside = *(last - 1);  // backwards, so the one after
+    const StepReading& inside = *(last - 1);  // iterating backwards, so this is the next reading
     ResponseMetrics::Result<Measured> settled =
         crossing(*last, inside, last->beyond > middle ? middle + band : middle - band);
     if (settled)
@@ -146,7 +147,7 @@ void markGaps(std::vector<StepReading>& readings) {
 ResponseMetrics measureResponse(std::span<const ResponsePoint> points, double from, double goal, double band,
                                 double timeDoubt) {
     const double step = std::abs(goal - from);
-    std::vector<StepReading> readings{{0.0, -step}};  // when the command is latched it still stands
+    std::vector<StepReading> readings{{0.0, -step}};  // it still stands when the command is latched
     for (const ResponsePoint& point : points)
         if (point.seconds > readings.back().seconds)
             readings.push_back({point.seconds, goal < from ? goal - point.position : point.position - goal});

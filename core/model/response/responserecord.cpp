@@ -9,10 +9,10 @@ namespace nmc {
 
 namespace {
 
-/// Either end of a time is known to half a tick (bus::Sample).
+/// The uncertainty of a duration: either end is known to half a tick (bus::Sample).
 constexpr Duration kTimeDoubt = kServoTick;
 
-/// Positions wrap at 32 bits.
+/// Returns the position unwrapped around `from`, because positions wrap at 32 bits.
 [[nodiscard]] double near(std::int32_t from, std::int32_t position) {
     const auto distance = static_cast<std::uint32_t>(position) - static_cast<std::uint32_t>(from);
     return static_cast<double>(from) + static_cast<double>(static_cast<std::int32_t>(distance));
@@ -44,7 +44,7 @@ ResponseRecord takeRun(ModuleIndex module, std::span<const ScopeSample> samples,
 
 void setBand(ResponseRecord& run, double bandPercent) {
     run.bandPercent = bandPercent;
-    // Positions are whole counts: the edge is half-way from the last one inside to the first one outside.
+    // Positions are whole counts: the edge is half-way between the last one inside and the first one outside.
     const double edge = std::floor(run.band()) + 0.5;
     run.metrics = measureResponse(run.points, run.taken.from, run.taken.goal, edge, toSeconds(kTimeDoubt));
 }

@@ -14,30 +14,30 @@
 
 namespace nmc {
 
-/// What a run shows of the time before its step.
+/// The length of time shown before the step.
 inline constexpr Duration kBeforeStep = std::chrono::milliseconds(20);
-/// Percent; the usual settling band.
+/// Percent; the default settling band.
 inline constexpr double kFirstBand = 2.0;
 
-/// A step response as it is kept to be compared with others.
+/// A step response, kept for comparison with others.
 struct ResponseRecord {
     ModuleIndex module;
     ResponseTaken taken;
-    double bandPercent = 0.0;           ///< of the step, on either side of the goal
+    double bandPercent = 0.0;           ///< percent of the step, on either side of the goal
     std::vector<ResponsePoint> points;  ///< from shortly before the step to the end of the record
     ResponseMetrics metrics;
-    std::optional<PwmDemand> pwm;  ///< where the position error before the step was known
+    std::optional<PwmDemand> pwm;  ///< present when the position error before the step was known
 
-    /// Counts; not below one, since the encoder tells no less.
+    /// Counts, at least one, because the encoder resolves no less.
     [[nodiscard]] double band() const;
 };
 
-/// `samples` of that module, in the order of time, from kBeforeStep before the step on; those outside the
-/// record do not count.
+/// `samples` are those of the module in order of time, from kBeforeStep before the step on; samples outside
+/// the record are ignored.
 [[nodiscard]] ResponseRecord takeRun(ModuleIndex module, std::span<const ScopeSample> samples,
                                      const ResponseTaken& taken, double bandPercent);
 
-/// The same run judged by another band.
+/// Measures the same run again with another band.
 void setBand(ResponseRecord& run, double bandPercent);
 
 }  // namespace nmc

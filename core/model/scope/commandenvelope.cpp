@@ -9,15 +9,17 @@ namespace nmc {
 
 namespace {
 
-/// How far the chip's steps are from the curve half a servo tick ahead of them. With the acceleration a the
-/// N-th step is at a N(N+1)/2, the curve at a (N + 1/2)^2 / 2: a/8 more. A velocity that is reached within a
-/// tick leaves less; an acceleration that is larger than the velocity, half a tick of it.
+/// The maximum distance of the chip's steps from the curve that runs half a servo tick ahead of them. With
+/// acceleration a, the N-th step is at a N(N+1)/2 and the curve at a (N + 1/2)^2 / 2, which is a/8 more. When
+/// the velocity is reached within a tick, the distance is smaller: at most half a tick of the velocity
+/// change.
 double stepHeight(double change, double acceleration) {
     return std::min(acceleration / 8, std::abs(change) / 2);
 }
 
-/// The same once the velocity is reached, `change` / `acceleration` being M ticks and a fraction f: the steps
-/// are at a (M(M+1)/2 + M + f), the curve is a f(1-f)/2 further.
+/// The distance of the steps from the curve once the new velocity is reached, with `change` / `acceleration`
+/// equal to M ticks and a fraction f: the steps are at a (M(M+1)/2 + M + f), and the curve is a f(1-f)/2
+/// further.
 double stepsBehind(double change, double acceleration) {
     if (acceleration <= 0.0)
         return 0.0;
@@ -33,7 +35,7 @@ CommandEnvelope::CommandEnvelope(const CommandEstimate& held)
                Curve{ProfileCurve::rest(held.high), {}}} {}
 
 void CommandEnvelope::Curve::moveStart(Duration later) {
-    // Until then it goes on as it did.
+    // Until the later start, the motion continues unchanged.
     profile = profile.shifted(profile.velocity(0.0) * toSeconds(later));
     start += later;
 }
@@ -75,7 +77,7 @@ void CommandEnvelope::moveTo(double goal, double velocity, Pace pace, const Mome
         m_curves[side] = {profile, pick(side, goal > from, when)};
         ticks = std::max(ticks, profile.endOf(ProfileCurve::Phase::Last) * perSecond);
     }
-    // The chip rounds its velocity to 1/65536 count per tick while it slows down towards its goal (4.4).
+    // While it slows down towards its goal, the chip rounds its velocity to 1/65536 count per tick (4.4).
     const double rounding = std::isfinite(ticks) ? ticks / 65'536.0 : 0.0;
     m_steps = stepHeight(velocity, pace.acceleration) + rounding;
     m_settling = 2 * pace.tick;
@@ -116,8 +118,9 @@ CommandEnvelope::Curve CommandEnvelope::changed(Side side, double velocity, Pace
     return changed(curve, side, velocity, pace, pick(side, up, when), when.apart);
 }
 
-/// A trapezoid slows down while the change may come, perhaps through the new velocity: then neither the
-/// first moment nor the last leads furthest. And of three that go to the same goal the last is the fastest.
+/// A trapezoid slows down during the time in which the change may occur, perhaps passing through the new
+/// velocity. Neither the first moment nor the last then leads furthest, and of three curves to the same goal
+/// the last one is the fastest, so all of them are tried.
 CommandEnvelope::Curve CommandEnvelope::changedTrapezoid(Side side, double velocity, Pace pace,
                                                          const Moments& when) const {
     constexpr int kParts = 16;
@@ -164,7 +167,8 @@ void CommandEnvelope::stretch(double factor, const Moments& before, const Moment
     for (const Side side : {Low, Likely, High}) {
         Curve& curve = m_curves[side];
         const bool up = curve.profile.velocity(curve.seconds(before.likely)) > 0.0;
-        // As far on its way as it may be and on from there at the first moment, or the contrary.
+        // Either as advanced as possible before the change and starting at the first moment after it, or the
+        // opposite.
         const double s = curve.seconds(pick(side, !up, before));
         curve = {curve.profile.stretched(factor), pick(side, up, after) - fromSeconds(s * factor)};
     }

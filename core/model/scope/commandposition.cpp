@@ -13,16 +13,16 @@ namespace {
 
 using Phase = ProfileCurve::Phase;
 
-/// Until a command surely shows in what the chip reports: a servo tick, and another one to be safe.
+/// Servo ticks after which a command certainly shows in the chip's status: one, and another for safety.
 constexpr int kShowsAfter = 2;
-/// What a motor that moves while it is switched on goes on at most, in ticks of its travel.
+/// The maximum distance that a moving motor continues when it is switched on, in ticks of its travel.
 constexpr double kRampTicks = 8;
 
 [[nodiscard]] TimePoint showsFrom(const bus::CommandExecuted& executed, Duration tick) {
     return executed.time + std::max(Duration{}, executed.late) + kShowsAfter * tick;
 }
 
-/// In which a module latched what the bus reports so (bus::Sample).
+/// The window in which a module latched what the bus reports with this time (bus::Sample).
 [[nodiscard]] TickClock::Window windowOf(TimePoint time, Duration late) {
     return {time - kServoTick / 2, time + kServoTick / 2 + bus::kPromptWithin + late};
 }
@@ -73,7 +73,7 @@ void CommandPosition::apply(const bus::Sample& sample) {
         switchedOff();
     else if (m_awaiting == Awaiting::HeldPosition)
         learnHeldPosition(sample);
-    // What reports its error may be an SC, whose slew bit says "constant speed or stopped".
+    // A module that reports its error may be an SC, whose slew bit means "constant speed or stopped".
     else if (sample.report.aux && !sample.report.positionError && sample.time >= m_effective)
         learnProgress(sample, status, servo::AuxByte{*sample.report.aux});
     learnStanding(sample, status);
@@ -130,12 +130,12 @@ void CommandPosition::countTicks(TimePoint time, Duration late, Duration early) 
 Moments CommandPosition::latched(TimePoint time, Duration late, Duration early) const {
     const TickClock::Window window = windowOf(time, late);
     const TimePoint first = window.earliest - early;
-    // One of which nothing more is known was most likely prompt, and not repeated.
+    // A status about which nothing more is known was most likely prompt and not repeated.
     if (const auto ticks = m_ticks.ticksIn(window))
         return {m_ticks.ticksIn({first, window.latest})->earliest,
                 ticks->earliest + std::min(kServoTick, ticks->latest - ticks->earliest) / 2, ticks->latest,
                 0.0};
-    // The motion began by the module's clock, which may have been that far from this one.
+    // The motion began by the module's clock, which may differ from this one by up to a tick.
     const Duration between = m_lostCount ? kServoTick : Duration{};
     return {first - between, window.earliest + std::min(kServoTick, window.latest - window.earliest) / 2,
             window.latest + between};
@@ -162,8 +162,8 @@ void CommandPosition::start(const bus::CommandExecuted& executed) {
     startAs(executed);
     if (!m_verified || !m_envelope || !m_look || !m_look->report.position)
         return;
-    // The looks take a shaft for started that has only been nudged. What went by then less than half the way
-    // may not have been told to go.
+    // The status reads take a shaft for started even when it was only nudged. If it has covered less than
+    // half the distance by then, the module may not have received the start.
     const double there = m_envelope->at(shown(m_look->time, m_look->late)).position;
     if (std::abs(*m_look->report.position - there) > std::abs(there - from) / 2)
         forget();
@@ -181,7 +181,7 @@ void CommandPosition::startAs(const bus::CommandExecuted& executed) {
     m_servoOn = true;
     m_runningAcceleration = load.acceleration ? load.acceleration->value() / 65'536.0 : 0.0;
     m_runningGoal = load.position ? load.position->value() : 0;
-    // That it moves does not tell of one that did so before whether it goes on as it was told to then.
+    // For a shaft that was already moving, its motion does not show whether the new command was executed.
     if (m_verified && m_motion != Motion::None)
         return forget();
     if (m_envelope && m_motion == Motion::None)
@@ -192,7 +192,7 @@ void CommandPosition::startAs(const bus::CommandExecuted& executed) {
         return runAt(load.reverse ? -velocity : velocity, when);
     }
     if (load.relative)
-        return forget();  // what reports its error has no need of this
+        return forget();  // a module with relative moves reports its error, so this is not needed
     const auto from = m_tickKnown ? at(executed.time, executed.late) : std::nullopt;
     if (!m_tickKnown)
         m_envelope.reset();
@@ -245,7 +245,7 @@ void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecu
     }
 }
 
-/// Actual and command position become 0; the goal of a move that was made means nothing any more.
+/// Position and command position become 0; the goal of a completed move loses its meaning.
 void CommandPosition::zero(const bus::CommandExecuted& executed) {
     m_lastPosition.reset();
     if (m_awaiting == Awaiting::EndOfMove)
@@ -272,8 +272,8 @@ void CommandPosition::setServoRate(std::uint8_t divisor, const bus::CommandExecu
     m_tick = kServoTick * divisor;
     m_tickKnown = true;
     m_effective = std::max(m_effective, showsFrom(executed, m_tick));
-    // The chip counts per tick, so a longer tick runs the same profile more slowly from here on. Where servo
-    // ticks are longer than others, setting the gains may begin one anew.
+    // The chip counts per tick, so with a longer tick it runs the same profile more slowly from here on.
+    // Where a servo tick is longer than the base tick, setting the gains may restart it.
     if (m_envelope && (m_tick != old || divisor > 1))
         m_envelope->stretch(toSeconds(m_tick) / toSeconds(old), before, begun(executed));
 }
@@ -293,7 +293,7 @@ void CommandPosition::rest(const CommandEstimate& held) {
     m_strange.reset();
 }
 
-/// Stands still where it was then, if that is known.
+/// Stands still at the position at that time, if it is known.
 void CommandPosition::freeze(const Moments& when) {
     m_motion = Motion::None;
     if (m_awaiting == Awaiting::EndOfMove)
@@ -302,7 +302,7 @@ void CommandPosition::freeze(const Moments& when) {
         m_envelope = CommandEnvelope(m_envelope->at(when));
 }
 
-// ---- What the module says ----
+// ---- Status from the module ----
 
 void CommandPosition::learnHome(const bus::Sample& sample, servo::StatusByte status) {
     if (!m_homing || sample.time < m_homing->shows)
@@ -317,11 +317,11 @@ void CommandPosition::learnHome(const bus::Sample& sample, servo::StatusByte sta
                    sample.time + std::max(Duration{}, sample.late) + kShowsAfter * m_tick);
 }
 
-/// The moment is not known better than from one status to the next.
+/// The moment of the stop is only known to lie between two statuses.
 void CommandPosition::stopAtHome(const Moments& found, TimePoint shows) {
     const servo::StopManner manner = std::exchange(m_homing, std::nullopt)->manner;
     if (manner == servo::StopManner::MotorOff)
-        return;  // the status says that it is off
+        return;  // the status reports that the servo is off
     m_registers.stopped();
     m_effective = shows;
     if (manner == servo::StopManner::Smoothly)
@@ -331,7 +331,7 @@ void CommandPosition::stopAtHome(const Moments& found, TimePoint shows) {
         freeze(found);
 }
 
-/// In the answer to the command it is where it was at that moment. Later the motor may have moved on.
+/// The answer to the command reports the position at that moment. Later the motor may have moved on.
 void CommandPosition::learnHeldPosition(const bus::Sample& sample) {
     if (!sample.report.position)
         return;
@@ -339,39 +339,39 @@ void CommandPosition::learnHeldPosition(const bus::Sample& sample) {
     const bool atOnce = sample.time == m_commanded && !m_repeated;
     const double last = m_lastPosition.value_or(now);
     const double before = atOnce ? now : last;
-    // One that moves goes on for a while, and not evenly.
+    // A moving motor continues for a while, and not evenly.
     const double travelled = atOnce && m_lastPosition ? std::abs(now - last) : 0.0;
     const double perTick = travelled == 0.0 ? 0.0 : travelled / toSeconds(sample.time - m_lastTime) * tick();
     const double more = std::floor(kRampTicks * perTick);
     rest({(now + before) / 2, std::min(now, before) - more, std::max(now, before) + more});
 }
 
-/// At rest move_done is set (DS-V 5.3).
+/// At rest, move_done is set (DS-V 5.3).
 void CommandPosition::learnContradiction(const bus::Sample& sample, servo::StatusByte status) {
     const bool rests = m_envelope && m_motion == Motion::None;
     if (rests && !m_strange && !status.moveDone() && sample.time >= m_effective)
         m_strange = sample.time;
 }
 
-/// A command that was carried out before it began to move strangely is what set it going. Otherwise it has
-/// gone nobody knows where.
+/// A command executed before the unexplained motion began explains it. Otherwise the motion leads to an
+/// unknown position.
 void CommandPosition::explain(const bus::CommandExecuted& executed) {
     if (m_strange && executed.time >= *m_strange)
         m_envelope.reset();
     m_strange.reset();
 }
 
-/// DS-V 5.3: move_done is clear in a trapezoidal move and while one velocity changes into another;
-/// accel_done and slew_done tell of trapezoidal moves only.
+/// DS-V 5.3: move_done is clear during a trapezoidal move and while one velocity changes into another;
+/// accel_done and slew_done are valid for trapezoidal moves only.
 void CommandPosition::learnProgress(const bus::Sample& sample, servo::StatusByte status, servo::AuxByte aux) {
-    // That it is done permits something: one reply is not enough.
+    // The end of a move permits further actions, so one reply is not enough.
     const bool done = status.moveDone() && servo::StatusByte{sample.report.status}.moveDone();
     if (done && (m_motion == Motion::Trapezoid || m_awaiting == Awaiting::EndOfMove))
         return rest({m_runningGoal, m_runningGoal, m_runningGoal});
     if (!m_envelope || m_motion == Motion::None)
         return;
-    // A phase is over with the first step at or behind its end, which the curve passes half a tick later; a
-    // chip may count one step more or less.
+    // A phase ends with the first step at or after its end, which the curve passes half a tick later; a chip
+    // may count one step more or less.
     const Moments now = shown(sample.time, sample.late);
     const auto learn = [&](Phase phase, bool over) {
         return over ? m_envelope->ended(phase, now.latest + m_tick / 2)
@@ -381,20 +381,20 @@ void CommandPosition::learnProgress(const bus::Sample& sample, servo::StatusByte
         learn(Phase::Acceleration, aux.accelDone());
         learn(Phase::Slew, aux.slewDone());
     }
-    // A trapezoid ends at its goal whenever it began. What else began at another moment, or is something
-    // else, is anywhere.
+    // A trapezoid ends at its goal whenever it began. Any other motion that began at a different moment, or
+    // is a different motion, may be anywhere.
     if (done != status.moveDone())
         return;
     if (!learn(Phase::Last, done) && m_motion == Motion::Velocity)
         return m_envelope.reset();
-    // A stop is over: it rests, and what sets it going again is another motion.
+    // A stop has ended: the command position rests, and whatever starts it again is a new motion.
     if (m_motion == Motion::Velocity && m_runningVelocity == 0.0 && done) {
         const TimePoint stands = now.latest + kShowsAfter * m_tick;
         rest(m_envelope->at({stands, stands, stands, now.apart}));
     }
 }
 
-/// At rest it may be told by the shaft how far off it is at most.
+/// At rest, the shaft's position may narrow the band of the command position.
 void CommandPosition::learnStanding(const bus::Sample& sample, servo::StatusByte status) {
     const bool rests = m_envelope && m_motion == Motion::None && !m_strange;
     if (!rests || !sample.report.position || sample.time < m_effective)

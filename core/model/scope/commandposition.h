@@ -12,57 +12,59 @@
 
 namespace nmc {
 
-/// The command position of one PIC-SERVO v1-v4, rebuilt from what was sent, because the chip reports neither
-/// it nor the position error (scope.md). Independent of the simulator. Nothing where it cannot be known;
-/// elsewhere with bounds, and the true one is within them.
+/// The command position of one PIC-SERVO v1-v4, reconstructed from the commands sent, because the chip
+/// reports neither it nor the position error (scope.md). Independent of the simulator. The result is empty
+/// where the command position cannot be known, and otherwise has bounds that contain the true value.
 ///
-/// Time: the chip carries a command out, and latches a status, at the end of a maximum-rate tick t (DS-V
-/// 4.1), which is T - t/2 .. T + t/2 for the T that the bus reports, or later by as much as kPromptWithin and
-/// `late`; where its reply came before the end of that, the end is earlier (a negative `late`). Its profile
-/// makes a step every servo tick S = SR x t, of unknown phase. With n steps before a command, the curve that
-/// matches the steps begins at n x S, which is the command's moment or up to S - t before it; with N steps
-/// before a status, the curve is where the steps are at (N + 1/2) x S (DS-V 4.4). So a change begins T + t/2
-/// - S .. T + t/2, and a status shows T + t/2 - S/2 .. T + t/2 + S/2. Where it is known which tick it was
-/// (TickClock), t is no part of that, and all moments are by the module's clock.
+/// Time: the chip executes a command, and latches a status, at the end of a maximum-rate tick t (DS-V 4.1).
+/// That is T - t/2 .. T + t/2 for the time T that the bus reports, or later by as much as kPromptWithin and
+/// `late`; if its reply came before the end of that interval, the interval ends earlier (a negative `late`).
+/// Its profile advances by a step every servo tick S = SR x t, of unknown phase. With n steps before a
+/// command, the curve that matches the steps begins at n x S, which is the command's moment or up to S - t
+/// before it; with N steps before a status, the curve is where the steps are at (N + 1/2) x S (DS-V 4.4). A
+/// change therefore begins at T + t/2 - S .. T + t/2, and a status shows T + t/2 - S/2 .. T + t/2 + S/2.
+/// Where the tick itself is known (TickClock), t does not contribute, and all moments are by the module's
+/// clock.
 ///
-/// Fed in the order of the bus: of one exchange first the command, then the sample.
+/// Events must be fed in bus order: within one exchange, first the command, then the sample.
 class CommandPosition {
 public:
-    /// Follows a command that the module has carried out.
+    /// Follows a command that the module has executed.
     void apply(const bus::CommandExecuted& executed);
-    /// Follows a status: learns of a servo that went off, where it holds after it was switched on, how far a
-    /// motion has come, and of a stop at home.
+    /// Follows a status: detects that the servo went off, where it holds after it was switched on, how far a
+    /// motion has progressed, and a stop at home.
     void apply(const bus::Sample& sample);
-    /// After a doubt (silence, restart): unknown until a command fixes it again.
+    /// Called when the state is in doubt (silence, restart): the position is unknown until a command fixes it
+    /// again.
     void forget();
-    /// It cannot be where it was calculated: unknown until the move ends, or a command fixes it again.
+    /// The calculated position is impossible: it is unknown until the move ends, or a command fixes it again.
     void contradicted();
-    /// How long a tick is is not known until gains are set: a motion cannot be followed, a rest can.
+    /// The length of a tick is unknown until gains are set: a motion cannot be followed, but rest can.
     void doubtServoRate();
-    /// Nobody will find out any more what became of a command whose answer was lost, if there is one.
+    /// If the answer to a command was lost, its outcome will never be known.
     void cancelled();
 
-    /// The command position when a status was latched, `time` and `late` as in bus::Sample; empty while
-    /// unknown or the servo is off.
+    /// The command position when a status was latched, with `time` and `late` as in bus::Sample; empty while
+    /// it is unknown or the servo is off.
     [[nodiscard]] std::optional<CommandEstimate> at(TimePoint time, Duration late = {}) const;
-    /// EL as set in this connection: the servo switches itself off beyond it. Counts.
+    /// EL as set in this connection, in counts: beyond it the servo switches itself off.
     [[nodiscard]] std::optional<int> errorLimit() const {
         return m_registers.gains ? std::optional<int>(m_registers.gains->el) : std::nullopt;
     }
 
 private:
-    /// What makes the command position known again.
+    /// The event that makes the command position known again.
     enum class Awaiting : std::uint8_t {
         Nothing,
-        HeldPosition,  ///< the servo was just switched on: it holds where the next sample says it is
-        EndOfMove,     ///< a trapezoidal move from an unknown place: when it is done, it is at its goal
+        HeldPosition,  ///< the servo was just switched on: it holds at the position in the next sample
+        EndOfMove,     ///< a trapezoidal move from an unknown position: when it is done, it is at its goal
     };
     enum class Motion : std::uint8_t { None, Trapezoid, Velocity };
-    /// Armed to stop by itself.
+    /// A search for home that stops the motor when home is found.
     struct HomingStop {
         servo::StopManner manner;
-        TimePoint shows;    ///< a status from then on tells whether home has been found
-        Moments searching;  ///< when home had not been found yet
+        TimePoint shows;    ///< from then on, a status shows whether home has been found
+        Moments searching;  ///< the last time at which home had not been found
     };
 
     void start(const bus::CommandExecuted& executed);
@@ -83,16 +85,16 @@ private:
     void rest(const CommandEstimate& held);
     void freeze(const Moments& when);
     void runAt(double velocity, const Moments& when);
-    /// Of everything that the module says it has latched; `early` as in bus::CommandExecuted.
+    /// Counts ticks from everything that the module has latched; `early` is as in bus::CommandExecuted.
     void countTicks(TimePoint time, Duration late, Duration early = {});
     /// The tick in which something was latched.
     [[nodiscard]] Moments latched(TimePoint time, Duration late, Duration early) const;
-    /// When a status was latched, as the curve that matches the steps; `early` as in bus::CommandExecuted.
+    /// The time of a status on the curve that matches the steps; `early` is as in bus::CommandExecuted.
     [[nodiscard]] Moments shown(TimePoint time, Duration late, Duration early = {}) const;
     [[nodiscard]] Moments shown(const bus::CommandExecuted& executed) const {
         return shown(executed.time, executed.late, executed.early);
     }
-    /// When that curve changes by a command.
+    /// The time at which a command changes that curve.
     [[nodiscard]] Moments begun(const bus::CommandExecuted& executed) const;
     [[nodiscard]] double tick() const { return toSeconds(m_tick); }
 
@@ -100,27 +102,28 @@ private:
     Motion m_motion = Motion::None;
     Awaiting m_awaiting = Awaiting::Nothing;
     std::optional<HomingStop> m_homing;
-    /// Since then it says that it moves, and nothing that is known of has set it going: the answer to a start
-    /// was lost perhaps, and what it did is told later.
+    /// The time since which the module has reported a motion that no known command started: perhaps the
+    /// answer to a start was lost, and its outcome will be reported later.
     std::optional<TimePoint> m_strange;
-    /// What the last status shows may come of a command of which is not known whether it was carried out.
+    /// The last status may be the effect of a command whose outcome is unknown.
     bool m_unsettled = false;
-    bool m_verified = false;            ///< that the last command was carried out is what looks have told
-    std::optional<bus::Sample> m_look;  ///< the last one of these
+    bool m_verified = false;  ///< the last command was found executed by reading the status, not by its
+                              ///< answer
+    std::optional<bus::Sample> m_look;  ///< the last sample read for that purpose
     StandingError m_standing;
     TickClock m_ticks;
-    bool m_lostCount = false;  ///< of its ticks, in this motion
+    bool m_lostCount = false;  ///< the tick count was lost during this motion
     ServoRegisters m_registers;
     bool m_servoOn = false;                ///< as commanded or reported, whichever is newer
-    TimePoint m_commanded;                 ///< when the last command that changes the motion was carried out
-    bool m_repeated = false;               ///< that one, perhaps: it may have been carried out before
-    TimePoint m_effective;                 ///< a status from then on shows what came of it
-    double m_runningGoal = 0;              ///< of the last start
-    double m_runningAcceleration = 0;      ///< of the last start
-    double m_runningVelocity = 0;          ///< counts/tick, signed; of Motion::Velocity
-    std::optional<double> m_lastPosition;  ///< as reported last
-    TimePoint m_lastTime;                  ///< and when
-    Duration m_tick = kServoTick;          ///< SR x 0.512 ms; unknown: as long as it can be
+    TimePoint m_commanded;                 ///< time of the last command that changes the motion
+    bool m_repeated = false;               ///< that command may have been repeated, and executed earlier
+    TimePoint m_effective;                 ///< from then on, a status shows its effect
+    double m_runningGoal = 0;              ///< goal of the last start
+    double m_runningAcceleration = 0;      ///< acceleration of the last start
+    double m_runningVelocity = 0;          ///< counts/tick, signed; velocity in Motion::Velocity
+    std::optional<double> m_lastPosition;  ///< last reported position
+    TimePoint m_lastTime;                  ///< time of the last reported position
+    Duration m_tick = kServoTick;          ///< SR x 0.512 ms; if unknown, the longest possible
     bool m_tickKnown = true;
 };
 

@@ -11,7 +11,7 @@ std::optional<CountRate::Value> CountRate::take(const ScopeSample& sample) {
         return std::nullopt;
     const Reading here{sample.time, sample.counter()};
     const auto perSecond = [&here](const Reading& from) {
-        // 32 bits that wrap: the difference of two is right across the wrap.
+        // 32 bits that wrap: the difference of two counts is right across the wrap.
         return static_cast<double>(here.count - from.count) / toSeconds(here.time - from.time);
     };
     if (!m_readings.empty() && (here.time <= m_readings.back().time || perSecond(m_readings.back()) > kMax)) {

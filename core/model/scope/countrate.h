@@ -8,12 +8,12 @@
 
 namespace nmc {
 
-/// The frequency of a PIC-I/O's counter or timer, behind its prescaler, from the counts of the last 100 ms,
-/// or of two replies where polls are rarer. Pure.
+/// The frequency of a PIC-I/O's counter or timer after its prescaler, computed from the counts of the last
+/// 100 ms, or of two replies where polls are less frequent. Pure.
 class CountRate {
 public:
     static constexpr Duration kTime = std::chrono::milliseconds(100);
-    /// More than the timer's 5.0 MHz is no counting but a counter that was cleared (docs/family.md).
+    /// More than the timer's 5.0 MHz is not counting; the counter was cleared (docs/family.md).
     static constexpr double kMax = 5.5e6;
 
     struct Value {
@@ -21,7 +21,7 @@ public:
         double value = 0;  ///< counts/s
         bool gapBefore = false;
     };
-    /// In the order of time; a sample without a counter of its own makes nothing.
+    /// Samples must be in order of time; a sample without a counter value of its own yields nothing.
     [[nodiscard]] std::optional<Value> take(const ScopeSample& sample);
 
 private:
@@ -29,7 +29,7 @@ private:
         TimePoint time;
         std::uint32_t count;
     };
-    std::deque<Reading> m_readings;  ///< back to kTime before the last, and one beyond
+    std::deque<Reading> m_readings;  ///< back to kTime before the last one, plus one older
     bool m_gap = true;
 };
 

@@ -9,13 +9,13 @@
 
 namespace nmc {
 
-/// The signals that no sample has, made from samples for as long as they are wanted, each with a pyramid of
-/// its own, so that drawing them costs what drawing any other costs. What nobody looks at costs nothing. One
-/// thread.
+/// Signals that no sample contains, computed from the samples for as long as they are wanted. Each has its
+/// own pyramid, so that drawing it costs as much as drawing any other signal. A signal that is not displayed
+/// costs nothing. One thread.
 class DerivedSignals {
 public:
-    static constexpr std::size_t kBudget = 16U << 20U;  ///< bytes, of each
-    /// Samples: a millisecond or two of work.
+    static constexpr std::size_t kBudget = 16U << 20U;  ///< bytes, for each signal
+    /// Samples per call: a millisecond or two of work.
     static constexpr std::uint64_t kAtOnce = 20'000;
 
     DerivedSignals();
@@ -23,15 +23,16 @@ public:
     DerivedSignals(DerivedSignals&&) noexcept;
     DerivedSignals& operator=(DerivedSignals&&) noexcept;
 
-    /// From now on; those of them that are not derived are left out.
+    /// Selects the signals from now on; those that are not derived are ignored.
     void want(const std::vector<ModuleSignal>& wanted);
-    /// Takes what has come, always of the same history until forget(). False: there is more of it, for
-    /// another call.
+    /// Processes the new samples, always of the same history until forget(). Returns false when there are
+    /// more, for another call.
     bool follow(const History& history);
-    /// Other data.
+    /// Called when the data are replaced.
     void forget();
 
-    /// Where the values of a signal are, and as which signal; `samples` is null where there are none.
+    /// The history that holds the values of a signal, and as which signal; `samples` is null where there are
+    /// none.
     struct Source {
         const ModuleHistory* samples = nullptr;
         ScopeSignal signal = ScopeSignal::Position;

@@ -9,31 +9,31 @@
 
 namespace nmc {
 
-/// Keeps what all modules said around a fault or a stop, so that it can still be looked at when the history
-/// has gone on, or the connection has ended. Pure; one thread.
+/// Keeps the samples of all modules around a fault or a stop, so that they can still be examined after the
+/// history has moved on, or the connection has ended. Pure; one thread.
 class FlightRecorder {
 public:
     static constexpr Duration kBefore = std::chrono::seconds(5);
     static constexpr Duration kAfter = std::chrono::seconds(2);
-    /// Incidents; the oldest make room.
+    /// Number of incidents kept; the oldest are discarded.
     static constexpr std::size_t kKept = 20;
 
     struct Incident {
-        std::string key;  ///< of the message that tells of it
+        std::string key;  ///< key of the message that reports it
         std::optional<ModuleIndex> module;
         TimePoint at;
         History history{};
-        bool whole = false;  ///< nothing more will come
+        bool whole = false;  ///< complete, no more samples will be added
     };
 
-    /// Something happened; `at` as in a sample. The same key again takes the place of the incident before.
+    /// Notes an incident; `at` is a sample time. A repeated key replaces the earlier incident.
     void note(std::string key, std::optional<ModuleIndex> module, TimePoint at);
-    /// Takes what belongs to each incident whose time is over. Cheap when there is none; at least once a
+    /// Takes the samples of each incident whose time is over. Cheap when there is none; call at least once a
     /// second.
     void keep(const History& history, TimePoint now);
-    /// The history ends here.
+    /// Called when the history ends.
     void keepAll(const History& history);
-    /// With what there is so far; null if it is not known, or has made room.
+    /// Returns an incident with the samples available so far; null if it is unknown or has been discarded.
     [[nodiscard]] const Incident* find(const std::string& key, const History& history);
 
 private:

@@ -9,11 +9,12 @@
 
 namespace nmc {
 
-/// From then on these gains are in force: the module has confirmed them.
+/// A change of the gains in force, confirmed by the module.
 struct GainsChange {
     ModuleIndex module;
     TimePoint time;
-    std::optional<servo::SetGain> gains;  ///< nothing: it has forgotten them, or another may have set them
+    std::optional<servo::SetGain> gains;  ///< nothing: the module has lost them, or another host may have set
+                                          ///< them
 
     bool operator==(const GainsChange&) const = default;
 };

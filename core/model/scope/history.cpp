@@ -64,7 +64,7 @@ constexpr auto kAfter = [](TimePoint time, const auto& entry) {
 std::size_t ModuleHistory::countBetween(TimePoint from, TimePoint to, ScopeSignal signal) const {
     const auto first = std::upper_bound(m_samples.begin(), m_samples.end(), from, kAfter);
     const auto end = std::upper_bound(first, m_samples.end(), to, kAfter);
-    // A look at the last is enough: to count them one by one would cost as much as there is.
+    // Checking the last sample is enough: checking each one would take time in proportion to their number.
     if (first == end || !valueOf(*std::prev(end), signal))
         return 0;
     return static_cast<std::size_t>(end - first);
@@ -109,7 +109,8 @@ TimePoint ModuleHistory::oldest(std::size_t level) const {
     return level == 0 ? m_samples.front().time : m_levels[level - 1].spans.front().first;
 }
 
-/// Where the entry of the finest level that reaches back to `time` begins; the very oldest if none does.
+/// The number of the first sample of the entry that reaches back to `time`, in the finest level that has one;
+/// the oldest of all if none does.
 std::uint64_t ModuleHistory::numberAt(TimePoint time) const {
     std::uint64_t first = m_firstSample;
     if (m_samples.empty() || oldest(0) <= time) {
@@ -131,7 +132,7 @@ std::uint64_t ModuleHistory::numberAt(TimePoint time) const {
     return first;
 }
 
-/// The span of a level, from 1 on, that begins with this sample.
+/// The span of a level, from 1 on, that begins with this sample; null if there is none.
 const ScopeSpan* ModuleHistory::spanFrom(std::size_t level, std::uint64_t number) const {
     const Level& spans = m_levels[level - 1];
     const std::uint64_t index = number >> (kFanBits * level);
@@ -149,7 +150,7 @@ ModuleHistory::Entry ModuleHistory::entryAt(std::uint64_t number, Duration wides
             break;
     if (level == 0)
         span = nullptr;
-    // Where it has been coarsened, the finest there is.
+    // Where data have been coarsened, use the finest level left.
     while (span == nullptr && number < m_firstSample && level < m_levels.size())
         span = spanFrom(++level, number);
     while (level < m_levels.size()) {
@@ -162,7 +163,7 @@ ModuleHistory::Entry ModuleHistory::entryAt(std::uint64_t number, Duration wides
     if (span == nullptr)
         return {ScopeSpan::of(m_samples[number - m_firstSample]), 1};
     Entry entry{*span, std::uint64_t{1} << (kFanBits * level)};
-    // Two that fit into one: counted from the first sample on, like everything here.
+    // Two adjacent spans are merged if both fit; like all levels, pairs are counted from the first sample on.
     if (number % (2 * entry.samples) == 0) {
         const ScopeSpan* twin = spanFrom(level, number + entry.samples);
         if (twin != nullptr && fits(span->first, twin->last)) {
@@ -184,7 +185,7 @@ void ModuleHistory::coarsen(std::size_t level) {
     }
 }
 
-// ---- all of them ----
+// ---- all modules ----
 
 History::History(std::size_t modules, std::size_t budget) : m_modules(modules), m_budget(budget) {}
 
@@ -249,8 +250,9 @@ History History::cut(TimePoint from, TimePoint to) const {
     return part;
 }
 
-/// Of the budget, in bytes: 3/8 for the samples, of the rest half for each level before the next, so that
-/// each reaches back twice as long as the one below and all together never need more.
+/// A level's share of the budget, in bytes: 3/8 for the samples, and for each further level half of what the
+/// levels before it have left, so that each reaches back twice as long as the one below and together they
+/// never exceed the budget.
 std::size_t History::share(std::size_t level) const {
     return level == 0 ? m_budget / 8 * 3 : (m_budget / 8 * 5) >> std::min<std::size_t>(level, 60);
 }
@@ -266,7 +268,7 @@ void History::trim(std::size_t level) {
     while (used > share(level)) {
         ModuleHistory* victim = nullptr;
         for (ModuleHistory& module : m_modules)
-            // Something must be left for the levels above to stand on while they fill.
+            // Some entries must remain for the levels above to be built from.
             if (has(module) >= 2 * ModuleHistory::kBatch &&
                 (victim == nullptr || module.oldest(level) < victim->oldest(level)))
                 victim = &module;

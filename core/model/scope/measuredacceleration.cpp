@@ -19,8 +19,8 @@ std::optional<MeasuredAcceleration::Value> MeasuredAcceleration::take(const Scop
     return made;
 }
 
-/// y = a + b t + c t^2 by least squares, for c: the sums of t are taken about their mean, so that the one of
-/// t itself is 0, and the normal equations can be solved by hand.
+/// Fits y = a + b t + c t^2 by least squares, for c. Times are relative to their mean, so that the sum of t
+/// is 0 and the normal equations can be solved by hand.
 double MeasuredAcceleration::fitted(TimePoint middle) const {
     const auto count = static_cast<double>(m_places.size());
     double mean = 0;

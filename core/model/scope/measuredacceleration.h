@@ -8,20 +8,20 @@
 
 namespace nmc {
 
-/// The acceleration of a shaft from its positions: twice the square term of the parabola that fits the last
-/// ones best, which is what it was in their middle. Counts are whole, so a shorter time would show little but
-/// their rounding. Pure.
+/// The acceleration of a shaft from its positions: twice the quadratic coefficient of the parabola that best
+/// fits the last positions, which is the acceleration in their middle. Counts are whole numbers, so over a
+/// shorter time the result would show little but rounding. Pure.
 class MeasuredAcceleration {
 public:
     static constexpr Duration kTime = std::chrono::milliseconds(40);
-    static constexpr std::size_t kFewest = 5;  ///< where polls are rarer
+    static constexpr std::size_t kFewest = 5;  ///< minimum where polls are less frequent
 
     struct Value {
         TimePoint time;
         double value = 0;  ///< counts/s^2
         bool gapBefore = false;
     };
-    /// In the order of time.
+    /// Samples must be in order of time.
     [[nodiscard]] std::optional<Value> take(const ScopeSample& sample);
 
 private:

@@ -7,7 +7,7 @@ namespace nmc {
 
 namespace {
 
-constexpr std::int32_t kSamePlace = 4;  ///< counts: less is no motion, but noise or a servo that holds
+constexpr std::int32_t kSamePlace = 4;  ///< counts: smaller changes are noise or a holding servo, not motion
 
 }  // namespace
 

@@ -19,7 +19,7 @@ ProfileCurve ProfileCurve::trapezoid(double from, double goal, double velocity, 
     const double sign = goal < from ? -1.0 : 1.0;
     if (distance == 0.0)
         return curve;
-    if (velocity <= 0.0 || acceleration <= 0.0) {  // the chip would never get going
+    if (velocity <= 0.0 || acceleration <= 0.0) {  // the chip would never start moving
         curve.m_slewTime = std::numeric_limits<double>::infinity();
         return curve;
     }
@@ -82,7 +82,7 @@ double ProfileCurve::endOf(Phase phase) const {
 ProfileCurve::Range ProfileCurve::range(double from, double to) const {
     const auto [low, high] = std::minmax({position(from), position(to)});
     Range range{low, high};
-    // It turns around at most once, while it accelerates.
+    // The motion reverses at most once, during the acceleration.
     const double turn = m_accel != 0.0 ? -m_startVelocity / m_accel : 0.0;
     if (turn > std::max(0.0, from) && turn < std::min(m_accelTime, to)) {
         range.low = std::min(range.low, position(turn));

@@ -16,27 +16,28 @@ public:
         double high = 0;
     };
 
-    /// Rests at a position.
+    /// A curve that rests at a position.
     static ProfileCurve rest(double position);
-    /// From standstill at `from` exactly to `goal`; triangular when the distance is too short for the
+    /// A move from standstill at `from` exactly to `goal`; triangular when the distance is too short for the
     /// velocity.
     static ProfileCurve trapezoid(double from, double goal, double velocity, double acceleration);
-    /// From `velocity` to `goalVelocity` at `acceleration`, then on at it for ever.
+    /// Changes from `velocity` to `goalVelocity` at `acceleration`, then continues forever.
     static ProfileCurve velocityChange(double from, double velocity, double goalVelocity,
                                        double acceleration);
 
-    /// Before the start it came with the velocity that it has there.
+    /// Before its start, the curve has its start velocity.
     [[nodiscard]] double position(double s) const;
     [[nodiscard]] double velocity(double s) const;
-    /// Where it is from one time to another.
+    /// The range of positions between two times.
     [[nodiscard]] Range range(double from, double to) const;
-    /// Until a phase has ended; infinite when it never ends. After the last the velocity does not change.
+    /// The time at which a phase ends; infinite when it never ends. After the last phase the velocity is
+    /// constant.
     [[nodiscard]] double endOf(Phase phase) const;
     [[nodiscard]] double duration() const { return endOf(Phase::Last); }
     [[nodiscard]] double goalVelocity() const { return m_endVelocity; }
-    /// The same curve in a time that runs slower by `factor`; for a changed servo rate divisor.
+    /// The same curve with time slowed down by `factor`, for a changed servo rate divisor.
     [[nodiscard]] ProfileCurve stretched(double factor) const;
-    /// The same curve further on by so many counts; but the goal of a trapezoid stays.
+    /// The same curve moved by `counts`; the goal of a trapezoid does not move.
     [[nodiscard]] ProfileCurve shifted(double counts) const;
 
 private:
@@ -44,7 +45,7 @@ private:
     double m_accelTime = 0, m_slewTime = 0, m_decelTime = 0;
     double m_accel = 0, m_decel = 0;  ///< signed, counts/s^2
     double m_endVelocity = 0;
-    std::optional<double> m_goal;  ///< where it ends exactly
+    std::optional<double> m_goal;  ///< the exact end position
 };
 
 }  // namespace nmc

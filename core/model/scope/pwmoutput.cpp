@@ -10,18 +10,18 @@ namespace nmc {
 
 namespace {
 
-/// Counts: the error is one whole number less another. The next whole number to what it changes by on average
-/// is off by so much.
+/// Counts. The error is the difference of two whole numbers, so its change in a tick may be off by this much
+/// from the whole number next to its average change.
 constexpr double kRounding = 1.0;
 
-constexpr unsigned kOvercurrent = 0x04;  ///< of the status byte, sticky (DS-V 5.3)
-constexpr unsigned kServoOn = 0x04;      ///< of the auxiliary byte
+constexpr unsigned kOvercurrent = 0x04;  ///< status byte, sticky (DS-V 5.3)
+constexpr unsigned kServoOn = 0x04;      ///< auxiliary byte
 
 double sumLimit(const servo::SetGain& gains) {
     return 256.0 * gains.il;
 }
 
-/// s; a divisor of 0 is none.
+/// The servo tick in s; a divisor of 0 is treated as 1.
 double servoTick(const servo::SetGain& gains) {
     return std::max<int>(gains.sr, 1) * toSeconds(kServoTick);
 }
@@ -58,7 +58,7 @@ std::optional<PwmOutput::Value> PwmOutput::take(const ScopeSample& sample,
     return made;
 }
 
-/// The error goes on a straight line from one sample to the next.
+/// The error is taken to run along a straight line from one sample to the next.
 PwmOutput::Range PwmOutput::advanced(const Known& before, const ScopeSample& to, double ticks) {
     const double limit = sumLimit(before.gains);
     const auto add = [&](double sum, float first, float second) {

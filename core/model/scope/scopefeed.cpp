@@ -9,9 +9,9 @@ namespace nmc {
 
 namespace {
 
-/// A machine that is busy for a moment is no gap.
+/// A machine that is briefly busy does not cause a gap.
 constexpr Duration kPatience = std::chrono::milliseconds(20);
-constexpr double kRange = 4294967296.0;  ///< positions go round (DS-V 4.5)
+constexpr double kRange = 4294967296.0;  ///< positions wrap around (DS-V 4.5)
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
     if (sample.report.pins)
         return takePins(sample);
     m_command.apply(sample);
-    // A brief reply has neither; they stand as they were last reported.
+    // A brief reply carries neither; they keep their last reported values.
     m_aux = sample.report.aux.value_or(m_aux);
     m_analog = sample.report.analog.value_or(m_analog);
     if (!sample.report.position)
@@ -38,7 +38,7 @@ std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
     made.velocity = velocity({made.time, made.position});
     const bool on = servo::AuxByte{m_aux}.servoOn();
     if (sample.report.positionError && on) {
-        // The chip's own word, of the same moment as its position.
+        // This is reported by the chip itself for the same moment as its position.
         made.error = made.errorLow = made.errorHigh = static_cast<float>(*sample.report.positionError);
     } else if (const auto command = m_command.at(sample.time, sample.late)) {
         const double error = std::remainder(command->position - made.position, kRange);
@@ -48,7 +48,7 @@ std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
     return made;
 }
 
-/// A brief reply has only the pins, and not every one has the counter.
+/// A brief reply carries only the pins, and not every reply carries the counter.
 ScopeSample ScopeFeed::takePins(const bus::Sample& sample) {
     ScopeSample made;
     made.time = sample.time;
@@ -68,7 +68,7 @@ ScopeSample ScopeFeed::takePins(const bus::Sample& sample) {
     return made;
 }
 
-/// A servo that is on has an error of EL at most (DS-V 4.3): what lies beyond is not so.
+/// A servo that is on has an error of at most EL (DS-V 4.3); a larger calculated error is impossible.
 void ScopeFeed::setError(ScopeSample& sample, CommandEstimate error) {
     const double most = m_command.errorLimit().value_or(std::numeric_limits<int>::max());
     if (error.low > most || error.high < -most)
@@ -88,7 +88,7 @@ bool ScopeFeed::missingBefore(TimePoint time) {
         return true;
     const Duration since = time - m_recent.back().time;
     const bool missing = m_interval && since > kMissingAfter * *m_interval + kPatience;
-    // A slower pace is the usual one at once, a faster one by and by.
+    // A slower pace is accepted as the usual one at once, a faster one gradually.
     m_interval = !m_interval || missing ? since : *m_interval + (since - *m_interval) / 8;
     return missing;
 }

@@ -11,28 +11,29 @@
 
 namespace nmc {
 
-/// Makes samples for the scope of what one module says: adds velocity and calculated error, and marks where
-/// data is missing. Fed in the order of the bus. Pure.
+/// Converts the statuses of one module into samples for the scope: adds velocity and calculated error, and
+/// marks missing data. Must be fed in bus order. Pure.
 class ScopeFeed {
 public:
-    /// Velocity is the way of this time, or of one poll where polls are rarer.
+    /// Velocity is the distance travelled in this time, or in one poll interval where polls are less
+    /// frequent.
     static constexpr Duration kVelocityTime = std::chrono::milliseconds(20);
-    /// A sample that comes later than this many usual intervals has others missing before it: the same rule
-    /// by which a value is called old (interface.md, "Values").
+    /// When a sample comes later than this many usual intervals, others are missing before it. A value is
+    /// marked as old by the same rule (interface.md, "Values").
     static constexpr int kMissingAfter = 3;
 
     void apply(const bus::CommandExecuted& executed) { m_command.apply(executed); }
-    /// Nothing of a status without a position or, of a PIC-I/O, without pins.
+    /// Returns nothing for a status without a position or, from a PIC-I/O, without pins.
     [[nodiscard]] std::optional<ScopeSample> take(const bus::Sample& sample);
-    /// Whether a command was carried out is not known, or the module has restarted: the command position is
-    /// unknown until a command fixes it again.
+    /// Called when it is unknown whether a command was executed, or the module has restarted: the command
+    /// position is unknown until a command fixes it again.
     void doubt() { m_command.forget(); }
-    /// Another host may have set SR, or it was sent and nobody knows whether it was taken.
+    /// Called when another host may have set SR, or when it was sent and may not have been accepted.
     void doubtServoRate() { m_command.doubtServoRate(); }
-    /// An operation ended before all of it was done: if it left open whether a command was carried out, that
-    /// is a doubt too.
+    /// Called when an operation ended before all of it was done: if it left open whether a command was
+    /// executed, the command position is in doubt.
     void cancelled() { m_command.cancelled(); }
-    /// The next sample does not join on to the last.
+    /// The next sample is not connected with the last.
     void breakHere();
 
 private:
@@ -46,11 +47,11 @@ private:
     void setError(ScopeSample& sample, CommandEstimate error);
 
     CommandPosition m_command;
-    std::deque<Place> m_recent;  ///< back to kVelocityTime before the last, and one beyond
+    std::deque<Place> m_recent;  ///< back to kVelocityTime before the last one, plus one older
     std::optional<Duration> m_interval;
     std::uint8_t m_aux = 0;
     std::uint8_t m_analog = 0;
-    // PIC-I/O, as last reported
+    // PIC-I/O: last reported values
     std::array<std::uint8_t, 3> m_analogs{};
     std::uint32_t m_counter = 0;
 };

@@ -10,7 +10,7 @@
 
 namespace nmc {
 
-/// What the scope draws as a curve.
+/// The signals that the scope draws as curves.
 enum class ScopeSignal : std::uint8_t {
     Position,
     Command,  ///< calculated command position
@@ -18,7 +18,7 @@ enum class ScopeSignal : std::uint8_t {
     Velocity,
     Analog,        ///< A/D: motor current where the sense resistor is fitted (DS-V 3); A/D 1 of a PIC-I/O
     Acceleration,  ///< from positions
-    Pwm,           ///< calculated: what the control filter makes of the calculated error (DS-V 4.3)
+    Pwm,           ///< calculated: the control filter's output for the calculated error (DS-V 4.3)
     // PIC-I/O (docs/family.md)
     Analog2,
     Analog3,
@@ -28,23 +28,25 @@ enum class ScopeSignal : std::uint8_t {
 
 inline constexpr std::size_t kScopeSignals = 11;
 
-/// Calculated from what was sent, because the chip does not report it: sometimes not known.
+/// True for signals calculated from the commands sent, because the chip does not report them; they are
+/// sometimes unknown.
 [[nodiscard]] constexpr bool isCalculated(ScopeSignal signal) {
     return signal == ScopeSignal::Command || signal == ScopeSignal::Error || signal == ScopeSignal::Pwm;
 }
 
-/// No sample has it: it is made of several of them, and only for as long as it is looked at (DerivedSignals).
+/// True for signals that no sample contains: they are computed from several samples, only while they are
+/// displayed (DerivedSignals).
 [[nodiscard]] constexpr bool isDerived(ScopeSignal signal) {
     return signal == ScopeSignal::Acceleration || signal == ScopeSignal::Pwm ||
            signal == ScopeSignal::CountRate;
 }
 
-/// Only a PIC-I/O has it, and of the others only Analog.
+/// True for signals that only a PIC-I/O has; of the others it has only Analog.
 [[nodiscard]] constexpr bool isOfIo(ScopeSignal signal) {
     return signal >= ScopeSignal::Analog2;
 }
 
-/// Which of a PIC-I/O's A/D inputs, from 0; nothing: none of them.
+/// The index of the PIC-I/O's A/D input from 0, or nothing for another signal.
 [[nodiscard]] constexpr std::optional<std::size_t> analogInputOf(ScopeSignal signal) {
     switch (signal) {
         case ScopeSignal::Analog:
@@ -66,7 +68,8 @@ inline constexpr std::size_t kScopeSignals = 11;
     return std::nullopt;
 }
 
-/// Counts, counts/s or A/D counts; nothing if unknown, or derived. The sample is of a module that has it.
+/// The value in counts, counts/s or A/D counts; nothing if it is unknown or derived. The sample's module must
+/// have this signal.
 [[nodiscard]] inline std::optional<double> valueOf(const ScopeSample& sample, ScopeSignal signal) {
     double value = 0;
     switch (signal) {
@@ -100,9 +103,10 @@ inline constexpr std::size_t kScopeSignals = 11;
     return value;
 }
 
-/// One bit of what the module says of itself (DS-V 5.3, DS-S 5.2), or a pin of a PIC-I/O.
+/// One bit of a module's status (DS-V 5.3, DS-S 5.2), or a pin of a PIC-I/O.
 struct ScopeBit {
-    /// The second byte: auxiliary status, inputs of a PIC-STEP. PIC-I/O: IO1 to IO8, and IO9 to IO12.
+    /// Aux is the second byte: the auxiliary status, or the inputs of a PIC-STEP. On a PIC-I/O, Status is IO1
+    /// to IO8 and Aux IO9 to IO12.
     enum class Byte : std::uint8_t { Status, Aux };
     Byte byte = Byte::Status;
     std::uint8_t bit = 0;  ///< 0..7

@@ -5,17 +5,17 @@ namespace nmc {
 
 namespace {
 
-/// A pair of extremes; a PIC-I/O's values are in the places of a motor's (ScopeSample).
+/// The place of a pair of extremes; a PIC-I/O's values use the places of a motor's values (ScopeSample).
 enum class Place : std::uint8_t { Position, Command, Error, Velocity, Analog };
 
 constexpr std::uint8_t bitOf(Place place) {
     return static_cast<std::uint8_t>(1U << static_cast<unsigned>(place));
 }
 
-/// Takes in what follows. Returns whether the lowest comes first.
+/// Extends the extremes by the span that follows. Returns true when the lowest value comes first.
 template <typename Value>
 bool widen(Value& low, Value& high, bool lowFirst, Value nextLow, Value nextHigh, bool nextLowFirst) {
-    // A comparison with NaN is false: the known one of the two stays or is taken.
+    // A comparison with NaN is false, so a known value is kept or taken.
     const bool lower = nextLow < low || low != low;
     const bool higher = nextHigh > high || high != high;
     if (lower)

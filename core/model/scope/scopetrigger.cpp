@@ -8,12 +8,12 @@ namespace nmc {
 
 namespace {
 
-/// Not a number counts as the least.
+/// NaN counts as the least value.
 double bounded(double value, double least, double most) {
     return value > least ? std::min(value, most) : least;
 }
 
-/// Positions and counters are 32 bits on the chip and wrap.
+/// Positions and counters have 32 bits on the chip and wrap.
 bool wraps(const std::variant<ScopeSignal, ScopeBit>& source) {
     const auto* signal = std::get_if<ScopeSignal>(&source);
     return signal != nullptr && (*signal == ScopeSignal::Position || *signal == ScopeSignal::Command ||
@@ -91,8 +91,8 @@ void ScopeTrigger::look(const ScopeSample& value) {
     m_last = now;
 }
 
-/// A made value is late, and does not come at all where it is not known: then it is waited for as long as one
-/// could be.
+/// A derived value comes late, or not at all where it is unknown; the trigger then waits for as long as one
+/// could take.
 bool ScopeTrigger::reachesTheEnd(const ScopeSample& sample) {
     const TimePoint end = picture()->to;
     if (sample.time < end)
@@ -112,7 +112,7 @@ std::optional<ScopeTrigger::Picture> ScopeTrigger::picture() const {
 std::optional<ScopeTrigger::Value> ScopeTrigger::watched(const ScopeSample& sample) const {
     if (const auto* bit = std::get_if<ScopeBit>(&m_settings.source))
         return Value{sample.time, isSet(sample, *bit) ? 1.0 : 0.0};
-    // What is made has the form of an error.
+    // Derived values are stored in the form of an error.
     const auto value =
         valueOf(sample, m_maker ? ScopeSignal::Error : std::get<ScopeSignal>(m_settings.source));
     if (!value)

@@ -12,64 +12,65 @@
 
 namespace nmc {
 
-/// What the scope waits for, and what it shows of it.
+/// What the scope waits for, and how it shows it.
 struct TriggerSettings {
     enum class Condition : std::uint8_t {
-        Rising,   ///< comes from below the level and reaches it; of a bit: is set
-        Falling,  ///< comes from above the level and reaches it; of a bit: is cleared
-        Above,    ///< the level, or it is set, from before or not
+        Rising,   ///< comes from below the level and reaches it; for a bit: becomes set
+        Falling,  ///< comes from above the level and reaches it; for a bit: becomes cleared
+        Above,    ///< is above the level, or the bit is set, even if it already was
         Below,
     };
     enum class Mode : std::uint8_t {
         Single,  ///< one picture
-        Normal,  ///< the next one when rearm() says so
+        Normal,  ///< another picture after each rearm()
     };
 
     ModuleIndex module;
     std::variant<ScopeSignal, ScopeBit> source = ScopeSignal::Position;
     Condition condition = Condition::Rising;
-    double level = 0.0;  ///< in the unit of valueOf(), or as it is made; not of a bit
+    double level = 0.0;  ///< in the unit of valueOf(), or of a derived value; unused for a bit
     Mode mode = Mode::Single;
-    double preTrigger = 0.2;  ///< share of the window before the trigger, 0..1
-    double window = 1.0;      ///< s; taken as 1 us to 10 days
+    double preTrigger = 0.2;  ///< fraction of the window before the trigger, 0..1
+    double window = 1.0;      ///< s; limited to 1 us to 10 days
 
     bool operator==(const TriggerSettings&) const = default;
 };
 
-/// Finds the moment that the scope is to show. It looks at the samples as they come and keeps none; the
+/// Finds the moment that the scope is to show. It examines the samples as they arrive and keeps none; the
 /// picture is taken from the history. Pure.
 class ScopeTrigger {
 public:
     enum class State : std::uint8_t {
         Off,
-        Armed,     ///< waits for the condition, and until there are samples for all that comes before it
-        Fired,     ///< waits for the rest of the picture: the module's samples, or what is made of them
-        Complete,  ///< the picture is there
+        Armed,  ///< waits for the condition, and until the history covers the time before it
+        Fired,  ///< waits for the rest of the picture: the module's samples, or the values derived from them
+        Complete,  ///< the picture is complete
     };
 
-    /// Switches it off. Of a derived signal nothing is known then: its module's samples begin anew.
+    /// Switches the trigger off. A derived signal starts from nothing: its module's samples must be fed
+    /// again.
     void set(const TriggerSettings& settings);
-    /// Of the next picture, for which it is to be armed again: switches it off.
+    /// Sets the window of the next picture and switches the trigger off; it must be armed again.
     void setWindow(double seconds);
     [[nodiscard]] const TriggerSettings& settings() const { return m_settings; }
 
-    /// From now on. What was before may be in the picture, but does not trigger.
+    /// Arms the trigger from `now` on. Earlier data may be in the picture, but do not trigger.
     void arm(TimePoint now);
-    /// For the next picture, when this one has been looked at; only in Mode::Normal and State::Complete.
+    /// Rearms for the next picture when this one has been viewed; only in Mode::Normal and State::Complete.
     void rearm(TimePoint now);
     void disarm();
-    /// The samples so far are not in the history any more: none of them comes before a trigger.
+    /// The samples so far are no longer in the history: none of them precedes a trigger.
     void forgetSamples();
 
-    /// Every sample of every module, in the order of arrival, in any state; `gains` are those of their
+    /// Feeds every sample of every module in order of arrival, in any state; `gains` are those of the same
     /// history.
     State feed(ModuleIndex module, const ScopeSample& sample, const std::vector<GainsChange>& gains = {});
 
     [[nodiscard]] State state() const { return m_state; }
-    /// Of Fired and Complete. An edge of a line is where the straight line between two samples crosses the
-    /// level, everything else where a sample shows it first.
+    /// Valid in Fired and Complete. An edge of a curve is where the straight line between two samples crosses
+    /// the level; any other condition counts from the sample that first shows it.
     [[nodiscard]] std::optional<TimePoint> firedAt() const { return m_firedAt; }
-    /// Of Fired and Complete: what to show.
+    /// The interval to show; valid in Fired and Complete.
     struct Picture {
         TimePoint from;
         TimePoint to;
@@ -97,9 +98,9 @@ private:
     TimePoint m_armedAt;
     std::optional<TimePoint> m_firedAt;
     std::optional<TimePoint> m_samplesSince;  ///< of any module
-    std::optional<Value> m_last;              ///< of the watched module, if nothing is missing behind it
-    std::optional<SignalMaker> m_maker;       ///< of a derived signal
-    std::size_t m_behind = 0;                 ///< samples behind the picture while a made value is missing
+    std::optional<Value> m_last;              ///< of the watched module, if no data are missing after it
+    std::optional<SignalMaker> m_maker;       ///< present for a derived signal
+    std::size_t m_behind = 0;                 ///< samples after the picture while a derived value is missing
 };
 
 }  // namespace nmc

@@ -22,20 +22,21 @@ struct ModuleSignal {
     bool operator==(const ModuleSignal&) const = default;
 };
 
-/// Makes the values of a signal that no sample has, of the samples of its module as they come. Pure.
+/// Computes the values of a signal that no sample contains, from its module's samples as they arrive. Pure.
 class SignalMaker {
 public:
-    /// A value is of a moment before the sample that completes it: no more than so many samples before, or
-    /// than this time if that is longer.
+    /// A value belongs to a moment before the sample that completes it: at most this many samples before, or
+    /// this time before if that is longer.
     static constexpr std::size_t kSamplesBehind = MeasuredAcceleration::kFewest;
     static constexpr Duration kTimeBehind = MeasuredAcceleration::kTime;
 
-    /// Of a derived signal.
+    /// `of` must be a derived signal.
     explicit SignalMaker(const ModuleSignal& of);
 
     [[nodiscard]] const ModuleSignal& of() const { return m_of; }
-    /// In the order of time; `gains` are all that are known of, always of the same history. The value has the
-    /// form of a calculated error, because that has bounds. Nothing: not yet, or not known.
+    /// Samples must be in order of time; `gains` are all known gains, always of the same history. The value
+    /// has the form of a calculated error, because that has bounds. Returns nothing when there is no value
+    /// yet, or it is unknown.
     [[nodiscard]] std::optional<ScopeSample> take(const ScopeSample& sample,
                                                   const std::vector<GainsChange>& gains);
 

@@ -15,7 +15,7 @@ double halfBand(const CommandEstimate& command) {
 }  // namespace
 
 void StandingError::leave(const CommandEstimate& command) {
-    // Of a rest that was too short the doubt counts with what follows.
+    // After a rest that was too short, the uncertainty is carried over to the next motion.
     if (m_reported)
         m_before = halfBand(command);
     m_reported = false;
@@ -32,8 +32,8 @@ std::optional<CommandEstimate> StandingError::look(TimePoint time, std::int32_t 
     const double reach = std::max(std::abs(low), std::abs(high));
     const double own = std::max(0.0, halfBand(command) - m_before);
     const double farthest = std::max(m_farthest.value_or(0.0), own);
-    // What looks farther off than ever is so. And rests of which more was known say nothing of one behind a
-    // motion that could not be followed.
+    // A deviation farther than ever before is genuine. And rests about which more was known say nothing about
+    // a rest after a motion that could not be followed.
     const bool usual = m_farthest && own <= 2 * m_own && std::abs(command.position - position) <= farthest;
     m_own = std::max(m_own, own);
     if (command.low == command.high || !usual) {

@@ -8,18 +8,18 @@ namespace nmc {
 
 namespace {
 
-constexpr double kFewestPoints = 4;  ///< of a period: fewer could be of any rate
+constexpr double kFewestPoints = 4;  ///< points per period; fewer could belong to any rate
 constexpr int kFewestPeriods = 2;
-constexpr double kRegular = 0.2;     ///< a period may be so much longer or shorter than they are on average
-constexpr double kHysteresis = 0.5;  ///< of the RMS; a sine's peak is at 1.4, so noise is not counted
+constexpr double kRegular = 0.2;     ///< permitted relative deviation of a period from the average
+constexpr double kHysteresis = 0.5;  ///< relative to the RMS; a sine peaks at 1.4, so noise is not counted
 
 struct Line {
-    double seconds = 0, value = 0;  ///< its centre
+    double seconds = 0, value = 0;  ///< centre of the line
     double slope = 0;
     [[nodiscard]] double at(double when) const { return value + slope * (when - seconds); }
 };
 
-/// By least squares; nothing where all points are of one moment.
+/// The least-squares line; nothing if all points have the same time.
 std::optional<Line> lineThrough(const std::vector<SignalPoint>& points) {
     const auto count = static_cast<double>(points.size());
     Line line;
@@ -51,7 +51,7 @@ void takeMeans(const std::vector<SignalPoint>& points, StretchFigures& figures) 
         sum += seconds * (a + b) / 2;
         squares += seconds * (a * a + a * b + b * b) / 3;
     }
-    if (time == 0) {  // single ones
+    if (time == 0) {  // only unconnected points
         for (const SignalPoint& point : points) {
             sum += point.value;
             squares += point.value * point.value;
@@ -62,15 +62,15 @@ void takeMeans(const std::vector<SignalPoint>& points, StretchFigures& figures) 
     figures.rms = std::sqrt(squares / time);
 }
 
-/// Times at which a signal goes from one side of a line to the other, each way on its own, so that a duty
-/// cycle does not matter.
+/// The times at which a signal crosses a line, separately for each direction, so that the duty cycle does not
+/// matter.
 class Crossings {
 public:
     explicit Crossings(double threshold) : m_threshold(threshold) {}
 
-    /// `above` the line.
+    /// `above`: the distance above the line.
     void take(double seconds, double above, bool joined) {
-        if (!joined) {  // what lies before a gap tells nothing of a period across it
+        if (!joined) {  // what precedes a gap says nothing about a period across it
             m_side = 0;
             m_up.reset();
             m_down.reset();
@@ -107,7 +107,7 @@ std::optional<double> frequency(const std::vector<SignalPoint>& points, const Li
     for (const SignalPoint& point : points)
         squares += std::pow(point.value - line.at(point.seconds), 2);
     const double rms = std::sqrt(squares / static_cast<double>(points.size()));
-    // What arithmetic leaves of a straight line is no signal.
+    // Rounding residues of a straight line are not a signal.
     if (rms <= 1e-9 * (std::abs(line.value) + std::abs(line.slope)) || rms < resolution)
         return std::nullopt;
     Crossings crossings(kHysteresis * rms);

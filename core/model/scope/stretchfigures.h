@@ -10,25 +10,25 @@ namespace nmc {
 struct SignalPoint {
     double seconds = 0;
     double value = 0;
-    bool joined = false;  ///< nothing is missing between the point before and this one
+    bool joined = false;  ///< nothing is missing between the previous point and this one
 };
 
-/// What a signal comes to over a stretch of time, in the unit of its points. Pure.
+/// Characteristic figures of a signal over a stretch of time, in the unit of its points. Pure.
 struct StretchFigures {
-    // Of the straight lines between points that are joined, over time.
+    // Time averages over the straight lines between connected points.
     double mean = 0;
     double rms = 0;
     double peakToPeak = 0;
-    std::optional<double> slope{};  ///< each second, by least squares; nothing of a single moment
-    /// Of a signal that swings about the line of least squares at one rate for two periods at least, with
-    /// four points in each, and by more than rounding does.
+    std::optional<double> slope{};  ///< per second, by least squares; nothing for a single moment
+    /// Present for a signal that oscillates about the least-squares line at a constant rate for at least two
+    /// periods with four points each, by more than its rounding.
     std::optional<double> hertz{};
 
     bool operator==(const StretchFigures&) const = default;
 };
 
-/// `points` in the order of time; `resolution`: the step in which their values go, of which a swing is none.
-/// Nothing of no points.
+/// `points` must be in order of time; `resolution`: the step size of their values, below which an oscillation
+/// does not count. Returns nothing without points.
 [[nodiscard]] std::optional<StretchFigures> figuresOf(const std::vector<SignalPoint>& points,
                                                       double resolution = 0);
 

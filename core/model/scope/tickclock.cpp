@@ -8,7 +8,7 @@ namespace nmc {
 
 namespace {
 
-/// A line that tells less often is not worth counting by: the clocks run apart meanwhile.
+/// Less frequent reports are not worth counting by, because the clocks drift apart in the meantime.
 constexpr Duration kCountsFor = std::chrono::milliseconds(50);
 
 [[nodiscard]] TimePoint middle(const TickClock::Window& window) {
@@ -52,14 +52,14 @@ std::optional<TickClock::Window> TickClock::ticksIn(const Window& latched) const
     return Window{m_tick->there + first * kServoTick, m_tick->there + last * kServoTick};
 }
 
-/// By this machine's clock, as it is known so much later, or earlier.
+/// The known tick by this machine's clock, with the uncertainty that applies at `time`.
 TickClock::Window TickClock::at(TimePoint time) const {
     const Duration apart =
         std::chrono::duration_cast<Duration>(kApart * std::chrono::abs(time - m_tick->here.earliest));
     return {m_tick->here.earliest - apart, m_tick->here.latest + apart};
 }
 
-/// Ticks behind the one that is known.
+/// The number of ticks after the known tick.
 TickClock::Range TickClock::behind(const Window& latched) const {
     const Window here = at(latched.latest);
     return {std::chrono::ceil<Ticks>(latched.earliest - here.latest).count(),

@@ -8,36 +8,36 @@
 
 namespace nmc {
 
-/// Counts the ticks of one module. Whatever it latches it latches in a tick (DS-V 4.1), and ticks are
-/// kServoTick apart: a window that is shorter tells which tick it was, and all windows together how this
-/// machine's clock stands to the module's. So how many ticks lie between two commands is known exactly,
-/// though the moment of neither is. Pure.
+/// Counts the ticks of one module. Whatever it latches, it latches in a tick (DS-V 4.1), and ticks are
+/// kServoTick apart: a window shorter than that determines the tick, and all windows together determine the
+/// relation of this machine's clock to the module's. The number of ticks between two commands is therefore
+/// known exactly, although the moment of neither is. Pure.
 class TickClock {
 public:
-    /// How far the module's clock and this machine's may run apart: two crystals of 50 ppm.
+    /// The maximum relative drift between the module's clock and this machine's: two crystals of 50 ppm.
     static constexpr double kApart = 100e-6;
 
-    /// From when to when something was, at the outside.
+    /// The bounds of a moment.
     struct Window {
         TimePoint earliest;
         TimePoint latest;
     };
 
-    /// Something was latched in this window; in the order of the module's ticks. `resting`: nothing depends
-    /// on ticks that were counted before, so counting may begin here, or anew. It ends with a window in which
-    /// no tick can be.
+    /// Reports that something was latched in this window, in the order of the module's ticks. `resting`:
+    /// nothing depends on ticks counted before, so counting may begin here or restart. Counting ends with a
+    /// window that can contain no tick.
     void learn(const Window& latched, bool resting);
 
     [[nodiscard]] bool counts() const { return m_tick.has_value(); }
     /// The first and the last tick that may have latched something in a window, by the module's clock.
-    /// Nothing while none are counted.
+    /// Returns nothing while ticks are not being counted.
     [[nodiscard]] std::optional<Window> ticksIn(const Window& latched) const;
 
 private:
-    /// One that was counted.
+    /// A tick that was counted.
     struct Tick {
-        Window here;      ///< when it was, by this machine's clock
-        TimePoint there;  ///< and by the module's
+        Window here;      ///< its time by this machine's clock
+        TimePoint there;  ///< its time by the module's clock
     };
     struct Range {
         std::int64_t first = 0;

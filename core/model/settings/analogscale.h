@@ -5,7 +5,7 @@
 
 namespace nmc {
 
-/// What the A/D value stands for: `perCount` of `unit` ("A", "V") each, from `atZero` on.
+/// The meaning of an A/D value: `atZero` plus `perCount` of `unit` ("A", "V") per count.
 struct AnalogScale {
     double perCount = 5.0 / 255.0;  ///< 0 to 5 V on the input (DS-V 3)
     double atZero = 0.0;

@@ -64,7 +64,7 @@ std::optional<double> countsPerTurn(const AxisUnit& unit) {
 std::int32_t homeTolerance(const AxisUnit& unit) {
     constexpr double kPart = 1e-3;
     constexpr double kMillimetres = 0.01;
-    /// Beyond that it is not at home, whatever the scale.
+    /// Farther away it is not at home, whatever the scale.
     constexpr double kMax = 1'000.0;
     double counts = 1.0;
     switch (unit.kind) {

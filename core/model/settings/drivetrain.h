@@ -7,22 +7,22 @@
 
 namespace nmc {
 
-/// What stands on the labels between a motor's feedback and what it moves.
+/// The data on the labels of the parts between a motor's feedback and its load.
 struct DriveTrain {
-    /// Counts of a PIC-SERVO: four for each line of the encoder (DS-V 3). Steps of a PIC-STEP: full steps
-    /// times microsteps.
+    /// Counts of a PIC-SERVO: four per line of the encoder (DS-V 3). Steps of a PIC-STEP: full steps times
+    /// microsteps.
     double perMotorTurn = 0.0;
-    // A gear: so many turns of the motor make so many of the output.
+    // Gear ratio: `motorTurns` of the motor make `outputTurns` of the output.
     double motorTurns = 1.0;
     double outputTurns = 1.0;
-    /// mm for one turn of the output: the lead of a screw, teeth times pitch of a belt. Of lengths only.
+    /// mm per turn of the output: the lead of a screw, or teeth times pitch of a belt. Used for lengths only.
     double travel = 0.0;
 
     bool operator==(const DriveTrain&) const = default;
 };
 
-/// Counts (steps) in one turn, degree or millimetre behind that drive. Nothing for a unit that it does not
-/// tell, and where a number is missing or the result makes no sense (kMinCountsPerUnit). Pure.
+/// Counts (steps) per turn, degree or millimetre at the output of the drive. Nothing for other units, when a
+/// number is missing, or when the result is not sensible (kMinCountsPerUnit). Pure.
 [[nodiscard]] std::optional<double> countsPerUnit(UnitKind unit, const DriveTrain& drive);
 
 }  // namespace nmc

@@ -9,11 +9,11 @@
 
 namespace nmc {
 
-/// What hangs on an output of a PIC-I/O, and how careful the panel is with it.
+/// What is connected to an output of a PIC-I/O, and the panel's precautions.
 struct OutputSettings {
     std::string name;        ///< UTF-8, as the user typed it; empty: "IO3"
-    bool asks = false;       ///< before each change
-    bool offAtStop = false;  ///< STOP ALL takes it low; all others stay as they are
+    bool asks = false;       ///< asks for confirmation before each change
+    bool offAtStop = false;  ///< STOP ALL takes it low; other outputs stay unchanged
     bool operator==(const OutputSettings&) const = default;
 };
 
@@ -23,13 +23,14 @@ struct AnalogInput {
     bool operator==(const AnalogInput&) const = default;
 };
 
-/// What hangs on a PIC-I/O. The lists end with the last that was set; what is behind has its defaults.
+/// What is connected to a PIC-I/O. Each list ends with the last element that was set; elements beyond it have
+/// their defaults.
 struct PinSettings {
     std::vector<OutputSettings> pins;  ///< IO1..IO12
     std::vector<OutputSettings> pwm;   ///< PWM1, PWM2
     std::vector<AnalogInput> analog;   ///< AD1..AD3
 
-    /// The element of one of these lists, from 0, to be read, and to be changed.
+    /// The element of one of these lists, counted from 0, for reading (of) and for changing (in).
     template <typename T>
     [[nodiscard]] static T of(const std::vector<T>& list, std::size_t number) {
         return number < list.size() ? list[number] : T{};
@@ -40,7 +41,7 @@ struct PinSettings {
             list.resize(number + 1);
         return list[number];
     }
-    /// Bit 0 is IO1 (PWM1): what STOP ALL takes low.
+    /// The outputs that STOP ALL takes low; bit 0 is IO1 (PWM1).
     [[nodiscard]] static std::uint16_t offAtStop(const std::vector<OutputSettings>& list) {
         unsigned mask = 0;
         for (std::size_t i = 0; i < list.size(); ++i)

@@ -5,8 +5,7 @@
 
 namespace nmc {
 
-/// What was set of the pins of a PIC-I/O, to be read and to be changed; nothing was set: as they are by
-/// themselves.
+/// The pin settings of a PIC-I/O, for reading and for changing; the defaults if nothing was set.
 [[nodiscard]] inline const PinSettings& pinsOf(const AxisSettings& axis) {
     static const PinSettings none;
     return axis.pins ? *axis.pins : none;

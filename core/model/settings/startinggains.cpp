@@ -8,10 +8,10 @@ namespace nmc {
 
 namespace {
 
-/// A quarter of a turn of the most common encoder: 500 lines, 2000 counts.
+/// Counts per turn of the most common encoder: 500 lines, 2000 counts.
 constexpr double kCountsPerTurnUnknown = 2'000.0;
-/// Below the least a servo with these gains trips at a push; and a unit that turns behind a gear must not
-/// make a runaway long.
+/// With a lower limit, a servo with these gains would trip at a push; and the upper limit keeps a runaway
+/// short on a unit that turns after a gear.
 constexpr double kMinErrorLimit = 100.0;
 constexpr double kMaxErrorLimit = 2'000.0;
 

@@ -6,13 +6,13 @@
 
 namespace nmc {
 
-/// Gains to begin with on a motor that nothing is known of but its axis (DS-V 4.3, 5.2 Set Gain): they hold
-/// and move it gently, bring it to rest where it belongs in spite of its friction, and let go early. Counts
-/// and PWM values as the chip takes them. Never sent by themselves. Pure.
+/// Initial gains for a motor of which only the axis is known (DS-V 4.3, 5.2 Set Gain): they hold and move it
+/// gently, bring it to rest at its goal in spite of friction, and switch off early. Counts and PWM values in
+/// the chip's units. Never sent automatically. Pure.
 ///
-/// The output is limited to a quarter of the supply. The integral may not add more than a sixteenth of it:
-/// without any, a common motor stops several counts off, and with much it winds up behind a jam. The position
-/// error limit is a quarter of the motor's turn where the axis says what a turn is.
+/// The output is limited to a quarter of the supply. The integral may add at most a sixteenth of it: without
+/// an integral, a common motor stops several counts off, and with a large one it winds up against a jam. The
+/// position error limit is a quarter turn of the motor if the axis defines a turn.
 [[nodiscard]] servo::SetGain startingGains(const AxisUnit& unit);
 
 }  // namespace nmc

@@ -18,8 +18,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The unknowns: those of the motor, then those of each run.
-constexpr Index kPush = 0;  ///< log(K / tau): the acceleration by one PWM count
+// The unknowns: first those of the motor, then those of each run.
+constexpr Index kPush = 0;  ///< log(K / tau): the acceleration per PWM count
 constexpr Index kTau = 1;   ///< log tau
 constexpr Index kFriction = 2;
 constexpr Index kLoad = 3;
@@ -28,23 +28,23 @@ constexpr Index kDeadband = 5;
 constexpr Index kPlay = 6;  ///< counts
 constexpr Index kOfMotor = 7;
 constexpr Index kStart = 0;  ///< ticks of 0.512 ms
-constexpr Index kPlace = 1;  ///< counts, of the shaft beside what the encoder told
-constexpr Index kHeld = 2;   ///< where in the range that friction leaves it the integral is, -1..1
-constexpr Index kSlack = 3;  ///< part of the play by which the shaft is ahead, 0..1
+constexpr Index kPlace = 1;  ///< counts; shaft position relative to the encoder reading
+constexpr Index kHeld = 2;   ///< the integral's place in the range that friction leaves it, -1..1
+constexpr Index kSlack = 3;  ///< fraction of the play by which the shaft is ahead, 0..1
 constexpr Index kOfRun = 4;
 
 const double kTick = toSeconds(kServoTick);
 
-/// Counts², of a whole number; the same again for the whole numbers that the filter gets.
+/// Counts²: variance of rounding to whole counts, doubled for the whole counts that the filter receives.
 constexpr double kWholeCount = 2.0 / 12;
-/// PWM counts, of a whole number of them, cut off.
+/// PWM counts: standard deviation of truncating to whole counts.
 constexpr double kPwmSpread = 0.29;
-/// Counts, likewise.
+/// Counts: standard deviation of rounding the play to whole counts.
 constexpr double kPlaySpread = 0.29;
-/// s²: the time of a sample is off by up to half a tick (bus::Sample).
+/// s²: variance of a sample's time, which is off by up to half a tick (bus::Sample).
 const double kTimeSpread = kTick * kTick / 12;
 
-/// What is known of an unknown beforehand, and where it cannot be.
+/// Prior knowledge of an unknown, and its limits.
 struct Bounds {
     double likely = 0.0;
     double spread = 0.0;
@@ -56,14 +56,14 @@ struct Reading {
     double seconds = 0.0;
     double position = 0.0;
     double spread = 0.0;  ///< counts
-    double weight = 0.0;  ///< 1 / spread, less where a shaft at rest tells the same again
+    double weight = 0.0;  ///< 1 / spread; smaller where a shaft at rest repeats the same reading
 };
 
 struct Record {
     const ResponseRecord* run = nullptr;
-    double stood = 0.0;    ///< counts, before the step
-    double squares = 0.0;  ///< counts², of what the encoder told beside that
-    double before = 0.0;   ///< how many readings that are
+    double stood = 0.0;    ///< counts, mean position before the step
+    double squares = 0.0;  ///< counts², sum of squared deviations of the encoder from `stood`
+    double before = 0.0;   ///< number of readings before the step
     std::vector<Reading> readings;
 
     [[nodiscard]] double from() const { return run->taken.from; }
@@ -78,7 +78,7 @@ struct Record {
     return b.seconds > a.seconds ? std::abs(b.position - a.position) / (b.seconds - a.seconds) : 0.0;
 }
 
-/// How many samples in a row around this one tell the same position.
+/// Number of consecutive samples around this one with the same position.
 [[nodiscard]] std::size_t repeats(const std::vector<ResponsePoint>& points, std::size_t i) {
     std::size_t first = i;
     std::size_t last = i;
@@ -115,9 +115,10 @@ struct Record {
     return record;
 }
 
-/// Counts rms, of the encoder where the shaft stood before the steps; it weighs the less what was read.
+/// Returns the encoder's noise in counts rms, as seen while the shaft stood before the steps, and reduces the
+/// weight of the readings accordingly.
 [[nodiscard]] double countNoise(std::vector<Record>& records) {
-    constexpr double kMost = 1.0;  // counts; more is a shaft that does not stand
+    constexpr double kMost = 1.0;  // counts; more means that the shaft does not stand
     double squares = 0.0, free = 0.0;
     for (const Record& record : records) {
         squares += record.squares;
@@ -160,7 +161,7 @@ public:
         return x;
     }
 
-    /// The same motors with a second mass on a spring.
+    /// Returns a fit of the same motors with a second mass on a spring.
     [[nodiscard]] Fit swinging(double second, double hertz) const {
         Fit other = *this;
         other.m_second = second;
@@ -185,7 +186,7 @@ public:
         const Record& record = m_records[run];
         const servo::SetGain& gains = record.gains();
         LoopStart start{record.stood + of(x, run, kPlace), record.from(), 0.0, of(x, run, kSlack)};
-        // What the filter cuts off lets friction hold a little more.
+        // The truncation of the filter lets friction hold a little more.
         MotorConstants motor = this->motor(x);
         motor.friction += 1;
         const double held =
@@ -203,7 +204,8 @@ public:
         return x[kOfMotor + kOfRun * static_cast<Index>(run) + which];
     }
 
-    /// Of the readings of one run, then by how far it could not stand before the step: weighted misses.
+    /// Fills in the weighted residuals: those of the readings of one run, then the amount by which the shaft
+    /// could not have stood still before the step.
     void missesOf(const VectorXd& x, std::size_t run, Eigen::Ref<VectorXd> misses) const {
         Loop loop = this->loop(x, run);
         const double begin = of(x, run, kStart) * kTick;
@@ -252,15 +254,15 @@ public:
         return all;
     }
 
-    /// PWM counts, the most that an integral can carry.
+    /// PWM counts; the largest value that an integral can carry.
     [[nodiscard]] double carried() const {
         double most = 0.0;
         for (const Record& record : m_records)
             most = std::max(most, record.gains().ki * record.gains().il / 256.0);
         return most;
     }
-    /// PWM counts: what is more than the integral can carry is held by an error, which is there before the
-    /// steps. 0 where there is none to speak of.
+    /// PWM counts of load beyond what the integral can carry. That part is held by a position error, which
+    /// exists before the steps. 0 where the error is negligible.
     [[nodiscard]] double beyondIntegral() const {
         constexpr double kOff = 3.0;  // counts
         double held = 0.0;
@@ -303,10 +305,11 @@ struct Solution {
 
 struct Found {
     Solution best;
-    std::vector<Solution> others;  ///< with another load
+    std::vector<Solution> others;  ///< solutions with other loads
 };
 
-/// Levenberg-Marquardt within bounds: what is at one and wants beyond stays there for a step.
+/// Levenberg-Marquardt within bounds: an unknown that is at a bound and pushes beyond it stays there for the
+/// step.
 [[nodiscard]] Solution descend(const Fit& fit, VectorXd x, int steps) {
     constexpr double kEnough = 1e-4;
     VectorXd misses = fit.misses(x);
@@ -353,7 +356,7 @@ struct Found {
     return {x, cost};
 }
 
-/// From the coarse grid of motors that anyone would have, with these frictions, the best few.
+/// Searches a coarse grid of plausible motors with these frictions, and refines the best few.
 [[nodiscard]] Found solve(const Fit& fit, std::span<const double> frictions, double play) {
     constexpr double kMinPush = 30.0, kMaxPush = 3e6, kPushStep = 1.5;
     constexpr double kMinTau = 2e-3, kMaxTau = 2.0, kTauStep = 2.2;
@@ -384,8 +387,8 @@ struct Found {
         if (found.cost < best.cost)
             best = found;
     }
-    // An integral within its limit carries any load alike; which one is found from where it meets the limit,
-    // if it does.
+    // Within its limit, an integral carries any load equally well; the actual load only shows if the integral
+    // meets its limit, so several loads are tried.
     std::vector<Solution> others = {best};
     for (const double part : {-0.6, -0.25, 0.25, 0.6}) {
         VectorXd x = others.front().x;
@@ -399,7 +402,7 @@ struct Found {
     return {descend(fit, best.x, 60), others};
 }
 
-/// Where it went and how far, in the direction of the step.
+/// Checks that the motor moved far enough in the direction of the step.
 [[nodiscard]] std::optional<IdentifyFailure> motionProblem(const Record& record) {
     const double direction = record.step() < 0 ? -1.0 : 1.0;
     const double enough = std::max(3.0, std::abs(record.step()) * 0.03);
@@ -413,7 +416,7 @@ struct Found {
     return IdentifyFailure::DoesNotMove;
 }
 
-/// It turns round again and again, and the last swings are as wide as those before them.
+/// True when the motor reverses again and again, and the last swings are as wide as those before them.
 [[nodiscard]] bool swings(const Record& record) {
     constexpr std::size_t kHalfSwings = 8;
     constexpr double kCalming = 0.93;
@@ -444,8 +447,8 @@ struct Found {
     return late > early * kCalming * kCalming;
 }
 
-/// It comes to rest short of its goal, and was nearly as fast as ever in the interval before the one that
-/// ends there. Friction and a filter let a motor run down.
+/// True when the motor comes to rest short of its goal after moving at nearly its top speed in the interval
+/// before the last. Friction and the filter would let a motor slow down gradually.
 [[nodiscard]] bool stopsDead(const Record& record) {
     constexpr double kShort = 0.05;  // of the step
     constexpr double kNearly = 0.6;
@@ -453,7 +456,7 @@ struct Found {
     const double step = std::abs(record.step());
     const auto gone = [&](const Reading& reading) { return (reading.position - record.stood) * direction; };
     const double end = gone(record.readings.back());
-    // Where friction lets it go back from its farthest, nothing stood in its way.
+    // If the shaft moves back from its farthest position, nothing was in its way.
     const auto beyond = [&](const Reading& reading) {
         return gone(reading) > end + std::max(2.0, kShort * end);
     };
@@ -502,14 +505,14 @@ struct Found {
     found.missed = std::sqrt(missed / count);
     found.expected = std::sqrt(expected / count);
 
-    // What is missed more than expected, and in a row, tells that much less.
+    // Residuals that exceed the expected ones, and residuals that are correlated, carry less information.
     const double alike = std::clamp(next / std::max(weighted, 1e-9), 0.0, 0.9);
     const double inflation = std::max(1.0, weighted / count) * (1 + alike) / (1 - alike);
     const MatrixXd jacobian = fit.jacobian(x);
     const MatrixXd square = jacobian.transpose() * jacobian;
     const MatrixXd covariance = square.ldlt().solve(MatrixXd::Identity(x.size(), x.size())) * inflation;
-    // A second mass of half the inertia shows where what no other constant can leave as well is two standard
-    // deviations.
+    // A second mass of half the inertia is visible where the part of its effect that no other constant can
+    // absorb is at least two standard deviations.
     const VectorXd rigid = fit.misses(x);
     const auto shows = [&](double hertz) {
         constexpr double kLittle = 0.05, kSecond = 0.5;
@@ -521,12 +524,12 @@ struct Found {
     constexpr double kNext = 1.12;
     while (*found.motor.rigidUpTo < kHighestResonance && shows(*found.motor.rigidUpTo))
         *found.motor.rigidUpTo *= kNext;
-    // K is what pushes, times tau; the other constants are unknowns themselves.
+    // K is exp(kPush) times tau; the other constants are unknowns themselves.
     MatrixXd constants = MatrixXd::Identity(kOfMotor, kOfMotor);
     constants(kPush, kTau) = 1;
     MatrixXd spread = constants * covariance.topLeftCorner(kOfMotor, kOfMotor) * constants.transpose();
-    // The model is not the motor: what an inductance delays belongs to tau in part, and a delay of a quarter
-    // of a tick more or less is not told from it; PWM values are whole, and so are counts.
+    // The model is not the motor: the lag of an inductance partly goes into tau, and a quarter of a tick more
+    // or less of delay cannot be distinguished from it; PWM values and counts are whole numbers.
     const MotorConstants motor = fit.motor(x);
     constexpr double kDelaySpread = 0.25;  // ticks
     const double own = std::hypot(0.015, motor.delay / motor.timeConstant);
@@ -546,7 +549,8 @@ struct Found {
     found.motor.delay = {motor.delay, doubt[kDelay] * kTick};
     found.motor.deadband = {motor.deadband, doubt[kDeadband]};
     found.motor.play = {motor.play, doubt[kPlay]};
-    // Others that explain the steps as well have another load, and nobody knows which it is.
+    // Other solutions that explain the steps as well have different loads, and it is unknown which one is
+    // right.
     constexpr double kAsWell = 9.0;
     for (const Solution& other : solution.others)
         if (other.cost < solution.best.cost + kAsWell * inflation)
@@ -575,15 +579,16 @@ tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecor
     for (const Record& record : records)
         longest = std::max(longest, std::abs(record.step()));
     const auto isExplained = [longest](const Identified& found) {
-        // A motor is not quite the model: half a thousandth of its way more than what encoder and times
-        // explain.
+        // A motor does not match the model exactly: allow half a thousandth of its travel beyond what encoder
+        // and times explain.
         constexpr double kFarAbove = 1.7;
         constexpr double kOfTheStep = 5e-4;
         return found.missed <= kFarAbove * found.expected + kOfTheStep * longest;
     };
     const double noise = countNoise(records);
     constexpr std::array kFrictions = {0.1, 1.0, 6.0};
-    // Friction and load that are more than an integral can carry together have valleys beside the right one.
+    // When friction and load together exceed what an integral can carry, there are local minima beside the
+    // right one.
     constexpr std::array kMuchFriction = {3.0, 6.0, 12.0, 20.0};
     const Fit fit(records);
     constexpr double kMuchPlay = 6.0;
@@ -605,7 +610,7 @@ tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecor
         return tl::unexpected(IdentifyFailure::Obstacle);
     if (found.motor.play.value > kMostPlay - 0.1)
         return tl::unexpected(IdentifyFailure::Play);
-    // A model that is less than exact is of use all the same: what it misses makes its doubts the wider.
+    // An inexact model is still useful: its residuals widen its doubts.
     constexpr double kRoughly = 4.0;
     if (!isExplained(found) && found.missed > kRoughly * found.expected)
         return tl::unexpected(IdentifyFailure::NotExplained);

@@ -12,49 +12,49 @@
 
 namespace nmc {
 
-/// Why step responses give no motor.
+/// Why no motor could be identified from step responses.
 enum class IdentifyFailure : std::uint8_t {
     TooFewSamples,  ///< no run, or one with fewer than kFewestSamples after its step
-    DoesNotMove,    ///< the shaft stays where it was: jammed, no power, friction stronger than the output
-    WrongWay,       ///< it starts away from the goal: encoder or motor connected the wrong way round
-    Oscillates,     ///< it swings and does not calm down
-    /// The best motor there is misses what was measured by far more than the encoder and the times explain:
-    /// a hard stop, backlash, a belt, a limited current.
+    DoesNotMove,    ///< the shaft does not move: jammed, no power, or friction exceeds the output
+    WrongWay,       ///< it starts away from the goal: encoder or motor wired the wrong way round
+    Oscillates,     ///< it oscillates without calming down
+    /// The best motor differs from the measurement by far more than encoder and times explain: a hard stop,
+    /// backlash, a belt, a limited current.
     NotExplained,
-    Play,  ///< so much is lost where it turns round that there must be more than kMostPlay of it
-    /// It stops dead short of its goal, out of full speed: something is in the way.
+    Play,  ///< so much is lost at reversals that the play must exceed kMostPlay
+    /// It stops abruptly from full speed, short of its goal: something is in the way.
     Obstacle,
-    GainUnclear,          ///< K may be anything: nowhere did the motor come near a steady speed
-    TimeConstantUnclear,  ///< so may tau
+    GainUnclear,          ///< K cannot be determined: the motor never came near a steady speed
+    TimeConstantUnclear,  ///< tau cannot be determined, for the same reason
 };
 
-/// A run and what the motor that was found would have done.
+/// A run, and the response of the identified motor to it.
 struct FittedRun {
-    std::vector<ResponsePoint> points;  ///< at the times of the run's own, one for each
-    double start = 0.0;                 ///< s after ResponseTaken::at, when the chip's command jumped
-    double integral = 0.0;              ///< counts: the running sum over 256, before the step
+    std::vector<ResponsePoint> points;  ///< at the times of the run's own points, one for each
+    double start = 0.0;     ///< s after ResponseTaken::at; the time when the chip's command jumped
+    double integral = 0.0;  ///< counts; the running sum over 256 before the step
 };
 
 struct Identified {
     MotorModel motor;
-    std::vector<FittedRun> runs;  ///< one for each that was given
-    double missed = 0.0;          ///< counts, rms: measured less fitted
-    double expected = 0.0;        ///< counts, rms: what encoder and times explain
+    std::vector<FittedRun> runs;  ///< one for each given run
+    double missed = 0.0;          ///< counts rms, measured minus fitted
+    double expected = 0.0;        ///< counts rms explained by encoder and times
 };
 
 inline constexpr std::size_t kFewestSamples = 20;
 inline constexpr std::size_t kMaxRuns = 5;
 inline constexpr double kMostPlay = 10.0;  ///< counts
 
-/// The motor that explains one to kMaxRuns step responses best, by their gains in force, tick by tick
-/// (DS-V 4.3): least squares of measured less reckoned position at the samples' own times
-/// (Levenberg-Marquardt), each weighted by what is known of it: an encoder tells whole counts, and varies as
-/// it did where the shaft stood; a time is off by up to half a tick. Found for each run as well, and
-/// forgotten: when the command jumped (a tick after it was latched, or SR of them), the part of a count at
-/// which the shaft stood, where in its play, and what the integral held.
+/// Identifies the motor that best explains one to kMaxRuns step responses with the gains in force, simulated
+/// tick by tick (DS-V 4.3): a least-squares fit of measured minus computed position at the samples' own times
+/// (Levenberg-Marquardt). Each sample is weighted by its known errors: an encoder reports whole counts, with
+/// the noise seen while the shaft stood; a time is off by up to half a tick. For each run, the fit also
+/// determines and then discards when the command jumped (a tick after it was latched, or SR ticks), the
+/// fraction of a count at which the shaft stood, its position within the play, and the value of the integral.
 ///
-/// The shaft stood before each step. Runs beyond kMaxRuns are not looked at. Pure; some tenths of a second,
-/// three times that where the first search explains nothing: for a background job.
+/// The shaft must stand before each step. Runs beyond kMaxRuns are ignored. Pure; takes some tenths of a
+/// second, and three times as long when the first search explains nothing: run it as a background job.
 [[nodiscard]] tl::expected<Identified, IdentifyFailure> identify(std::span<const ResponseRecord> runs);
 
 }  // namespace nmc

@@ -15,7 +15,7 @@ namespace {
     return x < 0 ? -1.0 : 1.0;
 }
 
-/// What is left on average of a number whose part behind the point is cut off.
+/// The mean magnitude left of a number when its fractional part is cut off.
 [[nodiscard]] double meanOfWhole(double x) {
     return std::copysign(std::max(0.0, std::abs(x) - 0.5), x);
 }
@@ -23,7 +23,7 @@ namespace {
 }  // namespace
 
 HoldingRange holdingRange(const MotorConstants& motor) {
-    // Continuous where the deadband changes sides, over the width of a count.
+    // Made continuous where the deadband changes sides, over the width of a count.
     const auto before = [&](double drive) { return drive + motor.deadband * std::clamp(drive, -1.0, 1.0); };
     return {before(-motor.load - motor.friction), before(-motor.load + motor.friction)};
 }
@@ -31,7 +31,7 @@ HoldingRange holdingRange(const MotorConstants& motor) {
 MotorMotion moved(const MotorConstants& motor, const MotorMotion& from, double pwm, double seconds) {
     const double drive = pwm + motor.load;
     MotorMotion now = from;
-    // A part of the time for each direction: before a turn round, and after it.
+    // The time is divided at a reversal, because friction depends on the direction.
     while (seconds > 0) {
         if (now.velocity == 0 && std::abs(drive) <= motor.friction)
             return now;
@@ -74,7 +74,8 @@ double ControlFilter::output(double error) {
     const double change = error - m_errorBefore;
     m_errorBefore = error;
     const double steady = m_gains.kp * error + m_gains.ki * integral();
-    // The encoder tells one of two whole numbers, one of them more often: equal where it is one already.
+    // On average the encoder reports one of two adjacent whole numbers, with shares that give the mean; a
+    // whole number is reported as it is.
     const double fewer = std::floor(change);
     const double share = change - fewer;
     return (1 - share) * toAmplifier(steady + m_gains.kd * fewer) +
@@ -126,7 +127,7 @@ MotorMotion Loop::at(double seconds) {
     return {driven(shaft.position), shaft.velocity};
 }
 
-/// What the encoder tells the filter.
+/// The encoder reading that the filter receives.
 double Loop::told() {
     const double reading = this->reading(m_driven);
     return m_motor.noise > 0 && m_rounding == Rounding::Chip
@@ -142,7 +143,8 @@ double Loop::reading(double position) const {
     return m_rounding == Rounding::Chip ? std::floor(position) : position;
 }
 
-/// Since the last tick. The torque of the one before it lasts as long as the delay.
+/// The state `seconds` after the last tick. The torque of the tick before remains in effect for the duration
+/// of the delay.
 Loop::State Loop::after(double seconds) const {
     const double before = std::min(seconds, m_ownDelay);
     State state = m_state;
@@ -156,16 +158,16 @@ void Loop::go(State& state, double pwm, double seconds) const {
         state.shaft = moved(m_motor, state.shaft, pwm, seconds);
         return;
     }
-    constexpr double kStep = 128e-6;  // s, of a leapfrog
+    constexpr double kStep = 128e-6;  // s, one leapfrog step
     constexpr double kRest = 1e-9;
-    MotorConstants shaft = m_motor;  // alone
+    MotorConstants shaft = m_motor;  // the shaft without the second mass
     const double total = 1 + m_motor.second;
     shaft.timeConstant /= total;
     const double omega = 2 * std::numbers::pi * m_motor.resonance;
     while (seconds > kRest) {
         const double step = std::min(seconds, kStep);
         state.twist += step / 2 * (state.shaft.velocity - state.second);
-        // The acceleration by which both come nearer to each other.
+        // The acceleration with which the two approach each other.
         const double pull =
             omega * omega * state.twist + 2 * kSpringDamping * omega * (state.shaft.velocity - state.second);
         shaft.load = m_motor.load - pull * m_motor.second / total * shaft.timeConstant / shaft.gain;

@@ -35,7 +35,7 @@ std::vector<MotorConstants> MotorModel::drawn(std::size_t count) const {
     using Square = Eigen::Matrix<double, kConstants, kConstants, Eigen::RowMajor>;
     using Column = Eigen::Matrix<double, kConstants, 1>;
     const Eigen::Map<const Square> matrix(correlation.front().data());
-    // A square root and not a Cholesky factor: doubts that go together wholly leave an eigenvalue of 0.
+    // A square root instead of a Cholesky factor, because fully correlated doubts give an eigenvalue of 0.
     const Eigen::SelfAdjointEigenSolver<Square> solver(matrix);
     const Square root = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
     std::mt19937_64 random(1);

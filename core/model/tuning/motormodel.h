@@ -11,12 +11,12 @@
 
 namespace nmc {
 
-/// Hz; where motors are suspected of a resonance with what they drive.
+/// Hz; the range in which a resonance of the motor with its load is suspected.
 inline constexpr double kLowestResonance = 40.0;
 inline constexpr double kHighestResonance = 400.0;
 
-/// A motor found from how it answered, each constant with one standard deviation as its doubt; meanings and
-/// units as in MotorConstants.
+/// A motor identified from its responses. The doubt of each constant is one standard deviation; meanings and
+/// units are those of MotorConstants.
 struct MotorModel {
     static constexpr std::size_t kConstants = 7;
     using Matrix = std::array<std::array<double, kConstants>, kConstants>;
@@ -28,18 +28,20 @@ struct MotorModel {
     Measured delay;
     Measured deadband;
     Measured play;
-    double noise = 0.0;  ///< counts rms, of the encoder
-    /// Hz; a second mass on a spring that resonates at a higher frequency would not have shown. Empty: there
-    /// is none.
+    double noise = 0.0;  ///< counts rms, encoder noise
+    /// Hz; a second mass on a spring with a higher resonance than this would not have been visible. Empty:
+    /// there is no second mass.
     std::optional<double> rigidUpTo;
-    /// How far the errors of two constants go together, -1..1, in the order above: where the gain was found
-    /// too low, the time constant usually was too.
+    /// Correlation of the errors of two constants, -1..1, in the order above: for example, when the gain was
+    /// found too low, the time constant usually was too.
     Matrix correlation = independent();
 
     [[nodiscard]] MotorConstants constants() const;
-    /// Gain and friction are known to 15 %, friction at least to a PWM count: gains can be built on it.
+    /// True when the gain is known to 15 %, and the friction to 15 % or one PWM count: accurate enough to
+    /// base gains on.
     [[nodiscard]] bool isSure() const;
-    /// Motors that explain the steps as well, drawn from the doubts; the same ones with every call. Pure.
+    /// Motors that explain the steps equally well, drawn from the doubts; every call returns the same ones.
+    /// Pure.
     [[nodiscard]] std::vector<MotorConstants> drawn(std::size_t count) const;
 
     [[nodiscard]] static MotorModel exactly(const MotorConstants& motor);

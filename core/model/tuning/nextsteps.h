@@ -5,18 +5,18 @@
 #include <span>
 #include <vector>
 
-/// How far steps should go that a motor is to be found from: friction and load differ by direction, gain and
-/// friction by size. Distances in counts, signed. Pure.
+/// Step distances from which a motor can be identified: friction and load differ by direction, gain and
+/// friction by size. Distances are signed counts. Pure.
 namespace nmc {
 
-/// Both ways, and in two sizes.
+/// True when the steps made go both ways and have two sizes.
 [[nodiscard]] bool informative(std::span<const std::int32_t> made);
 
-/// There and back by that distance, then by twice as much; where that would be too long (kLongestStep), by
-/// the longest and by half of it. The motor ends where it was.
+/// Steps there and back by `distance`, then by twice as much; where that would exceed kLongestStep, by half
+/// of kLongestStep and by all of it. The motor ends where it started.
 [[nodiscard]] std::vector<std::int32_t> stepSeries(std::int32_t distance);
 
-/// The one that goes on with steps that tell much: back again, or by the other size.
+/// The next step of a series with both directions and sizes: back again, or by the other size.
 [[nodiscard]] std::int32_t nextStep(std::span<const std::int32_t> made);
 
 }  // namespace nmc

@@ -17,18 +17,19 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A motor over one servo tick, exactly: what its position, its velocity and the PWM value that its torque
-/// corresponds to make of one another, and what the PWM value that is held makes of them.
+/// A motor over one servo tick, exactly: the effect of position, velocity, torque (as its equivalent PWM
+/// value) and the held PWM value on one another.
 struct TickOfMotor {
-    double keepsSpeed = 0.0, keepsTorque = 0.0;                      ///< parts that are left
-    double travelOfSpeed = 0.0, travelOfTorque = 0.0, travel = 0.0;  ///< counts by counts/s, and by PWM count
-    double speedOfTorque = 0.0, speed = 0.0;                         ///< counts/s by PWM count
+    double keepsSpeed = 0.0, keepsTorque = 0.0;                      ///< fractions that remain
+    double travelOfSpeed = 0.0, travelOfTorque = 0.0, travel = 0.0;  ///< counts per counts/s, and per PWM
+                                                                     ///< count
+    double speedOfTorque = 0.0, speed = 0.0;                         ///< counts/s per PWM count
 };
 
-/// The delay is that of a torque which follows PWM as the current in an inductance does.
+/// The delay is modelled as a torque that follows PWM as the current in an inductance does.
 [[nodiscard]] TickOfMotor tickOf(const MotorConstants& motor, double tick) {
     const double tau = motor.timeConstant;
-    // Two lags that are equal have a closed form of their own; so they never are quite.
+    // Two equal lags have a separate closed form, so they are kept slightly different.
     constexpr double kNearly = 1e-4;
     const double lag = std::clamp(motor.delay, kNearly * tick, tick * double{Loop::kLongestDelay});
     const double late = std::abs(lag / tau - 1) < kNearly ? tau * (1 + kNearly) : lag;
@@ -46,8 +47,8 @@ struct TickOfMotor {
     return of;
 }
 
-/// What a second mass on a spring makes of the shaft's position at a frequency: it moves less, then far more,
-/// than both would as one.
+/// The effect of a second mass on a spring on the shaft's position at a frequency: first less motion, then
+/// far more, than if both were one mass.
 [[nodiscard]] Complex swingOf(const MotorConstants& motor, double hertz) {
     if (motor.second == 0)
         return 1.0;
@@ -68,13 +69,13 @@ struct TickOfMotor {
     return filter / 256.0 * position;
 }
 
-/// Position, velocity, torque, running sum over 256, error before: what a tick makes of them, for a command
-/// of 0.
+/// The state is position, velocity, torque, running sum over 256, previous error; its transition over a tick
+/// with a command of 0 must be stable.
 [[nodiscard]] bool isStable(const TickOfMotor& motor, const servo::SetGain& gains) {
     using State = Eigen::Matrix<double, 5, 1>;
     constexpr Eigen::Index kPosition = 0, kVelocity = 1, kTorque = 2, kSum = 3, kBefore = 4;
     const double ki = gains.il > 0 ? gains.ki : 0.0;
-    State sent = State::Zero();  // the PWM value of this tick, in terms of the state
+    State sent = State::Zero();  // the PWM value of this tick as a function of the state
     sent[kPosition] = -(gains.kp + 1.0 * gains.kd + ki / 256) / 256;
     sent[kBefore] = -1.0 * gains.kd / 256;
     sent[kSum] = ki / 256;
@@ -132,11 +133,11 @@ LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) 
     Complex loopBefore = at(before);
     for (double hertz = kLowest * kStep; hertz < 0.5 / tick; hertz *= kStep) {
         const Complex loop = at(hertz);
-        // A straight line between two points that are this close.
+        // Interpolation along a straight line between two points this close together.
         if (std::abs(loopBefore) >= 1 && std::abs(loop) < 1) {
             const double part = (std::abs(loopBefore) - 1) / (std::abs(loopBefore) - std::abs(loop));
             const Complex there = loopBefore + part * (loop - loopBefore);
-            // Less than nothing where it has gone beyond -180 degrees.
+            // Negative where the phase has gone beyond -180 degrees.
             const double margin = std::arg(-there) * kDegrees;
             if (margin < margins.phaseDegrees) {
                 margins.phaseDegrees = margin;
@@ -171,7 +172,7 @@ ResponseRecord reckonStep(const MotorConstants& motor, const ResponseTaken& take
 
 namespace {
 
-/// A figure of the motor that was found, and how far others are from it, rms.
+/// A figure of the identified motor, and the rms deviation of other motors from it.
 class Varying {
 public:
     explicit Varying(double value) : m_value(value) {}
@@ -189,15 +190,15 @@ private:
     int m_count = 0;
 };
 
-/// A second mass of up to half the inertia, on a spring that resonates above `lowest` Hz, which may be any:
-/// steps do not tell. `much`, `where`: 0..1.
+/// Adds a second mass of up to half the inertia, on a spring whose resonance is anywhere above `lowest` Hz,
+/// where the steps do not show it. `much`, `where`: 0..1.
 void hangOn(MotorConstants& motor, double lowest, double much, double where) {
     constexpr double kMostSecond = 0.5;
     motor.second = kMostSecond * much;
     motor.resonance = lowest * std::pow(std::max(1.0, kHighestResonance / lowest), where);
 }
 
-/// How probable it is that something normally distributed is farther than that from 0.
+/// The probability that a normally distributed value is farther than `limit` from 0.
 [[nodiscard]] double beyond(double limit, const Measured& about) {
     const double width = about.doubt * std::numbers::sqrt2;
     return 1 - (std::erf((limit - about.value) / width) + std::erf((limit + about.value) / width)) / 2;
@@ -231,8 +232,8 @@ Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::in
         MotorConstants swinging = other;
         if (motor.rigidUpTo)
             hangOn(swinging, *motor.rigidUpTo, part(random), part(random));
-        // Margins are for the worst that may be. A step is for what is likely: every second motor drives a
-        // spring, which makes it overshoot and settle otherwise, and rest where it would without.
+        // Margins describe the worst case. Steps describe what is likely: every second motor drives a spring,
+        // which changes its overshoot and settling, but not where it rests.
         sprung = !sprung;
         const MotorConstants& drawn = sprung ? swinging : other;
         const double held = 2 * part(random) - 1;
@@ -259,11 +260,11 @@ Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::in
         prediction.high.push_back({seconds, positions[i][kDrawn - 1 - kOutside]});
     }
     prediction.overshoot = overshoot.with(ownOvershoot.doubt);
-    prediction.errorAtRest = rest.with(0.5);  // the encoder tells no less than a count
+    prediction.errorAtRest = rest.with(0.5);  // the encoder resolves no less than a count
     prediction.settling = settling.with(ownSettling.doubt);
     prediction.unsettled =
         std::max(prediction.unsettled, beyond(prediction.run.band() + 0.5, prediction.errorAtRest));
-    // Then it may be as late as the record is long.
+    // In these cases it may settle as late as the end of the record.
     if (prediction.unsettled > kSeldom)
         prediction.settling.doubt = std::hypot(
             prediction.settling.doubt, std::sqrt(prediction.unsettled) * (record - ownSettling.value));

@@ -11,54 +11,55 @@
 
 namespace nmc {
 
-/// How far a loop is from instability: of the motor without its dry friction, which calms it further, its PWM
-/// held between ticks (ZOH), and the filter as it is. Pure.
+/// Stability margins of a loop: the motor without dry friction, which adds damping, with its PWM value held
+/// between ticks (ZOH), and the filter as it is. Pure.
 struct LoopMargins {
-    double phaseDegrees = 0.0;  ///< at crossover; 180 where the gain never reaches 1; below 0 it is unstable
-    double gain = 0.0;       ///< how many times higher all gains could be; infinite where nothing is too high
+    double phaseDegrees = 0.0;  ///< at crossover; 180 where the gain never reaches 1; negative when unstable
+    double gain = 0.0;  ///< factor by which all gains could be increased; infinite where none is too high
     double crossover = 0.0;  ///< Hz; 0 where the gain never reaches 1
     bool stable = false;     ///< every pole of the closed loop is inside the unit circle
 };
 
-/// What the same loop makes of its error at a frequency below half the servo rate.
+/// The open-loop response (position over error) at a frequency below half the servo rate.
 [[nodiscard]] std::complex<double> openLoopAt(const MotorConstants& motor, const servo::SetGain& gains,
                                               double hertz);
 
 [[nodiscard]] LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains);
 
-/// Held by the integral, and by an error as far as that cannot. `held`: where in the range that friction
-/// leaves it the integral is, -1..1. `within`: where in its count the encoder is, 0..1. `slack`: as in
-/// LoopStart.
+/// The state at rest before a step: held by the integral, and by a position error where the integral does not
+/// suffice. `held`: the integral's place in the range that friction leaves it, -1..1. `within`: the encoder's
+/// place within its count, 0..1. `slack`: as in LoopStart.
 [[nodiscard]] LoopStart standing(const MotorConstants& motor, const servo::SetGain& gains, double command,
                                  double held, double within = 0.5, double slack = 0.5);
 
-/// In counts, as the encoder would tell, of a step that `start` comes before: points once a servo tick from
-/// the step on, judged by a band of `bandPercent` of the step as in ResponseRecord. Pure.
+/// Computes a step that begins at `start`, in counts as the encoder would report: one point per servo tick
+/// from the step on, measured with a band of `bandPercent` of the step as in ResponseRecord. Pure.
 [[nodiscard]] ResponseRecord reckonStep(const MotorConstants& motor, const ResponseTaken& taken,
                                         const LoopStart& start, double bandPercent);
 
-/// Less than this part of the cases is not worth a word: two standard deviations leave out as many.
+/// A smaller fraction of the cases is not worth mentioning: two standard deviations exclude as many.
 inline constexpr double kSeldom = 0.05;
 
-/// A step that has not been made. Each doubt is one standard deviation: how the figure varies with motors
-/// that explain what was measured as well, and with where friction and encoder leave the shaft before the
-/// step. They count in what may resonate where the steps do not show it (MotorModel::rigidUpTo).
+/// The prediction of a step that has not been made. Each doubt is one standard deviation: the variation among
+/// motors that explain the measurement equally well, and of where friction and encoder leave the shaft before
+/// the step. It includes resonances that the steps would not show (MotorModel::rigidUpTo).
 struct Prediction {
-    /// The step of the motor that was found: a point for each servo tick from the step on, in encoder counts.
+    /// The step of the identified motor: one point per servo tick from the step on, in encoder counts.
     ResponseRecord run;
-    /// Where the motor is at the same times in 95 of 100 cases.
+    /// The range of positions at the same times in 95 of 100 cases.
     std::vector<ResponsePoint> low, high;
     Measured overshoot;                  ///< % of the step
-    Measured settling;                   ///< s; the record where it does not settle
-    double unsettled = 0.0;              ///< part of the cases in which it does not settle, 0..1
-    Measured errorAtRest;                ///< counts, at the end of the record: goal less position
+    Measured settling;                   ///< s; the length of the record where it does not settle
+    double unsettled = 0.0;              ///< fraction of the cases in which it does not settle, 0..1
+    Measured errorAtRest;                ///< counts, goal minus position at the end of the record
     Measured phaseMargin;                ///< degrees
     std::optional<Measured> gainMargin;  ///< empty where no gain is too high
 };
 
-/// A step of the command from `from` to `goal`, counts, which differ, of `record` seconds, judged by a band
-/// of `bandPercent` as in ResponseRecord. The shaft stood, its load carried by the integral, and by an error
-/// as far as that cannot. Pure; some hundredths of a second: for a background job.
+/// Predicts a step of the command from `from` to `goal` (counts, which must differ) over `record` seconds,
+/// measured with a band of `bandPercent` as in ResponseRecord. The shaft is at rest before it, with the load
+/// carried by the integral, and by a position error where the integral does not suffice. Pure; takes some
+/// hundredths of a second: run it as a background job.
 [[nodiscard]] Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::int32_t from,
                                  std::int32_t goal, double record, double bandPercent);
 

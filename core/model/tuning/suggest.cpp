@@ -16,26 +16,27 @@ namespace {
 
 constexpr double kMaxGain = 32'767;  // DS-V 5.2 Set Gain
 constexpr double kHighestErrorLimit = 16'383;
-constexpr double kCutOff = 0.5;           ///< PWM counts that the filter cuts off on average
+constexpr double kCutOff = 0.5;           ///< PWM counts truncated by the filter on average
 constexpr double kSlowestSettling = 5.0;  ///< s
 constexpr double kNever = 2 * kSlowestSettling;
-constexpr double kLeastPart = 0.88;  ///< of the damping that is wished
-constexpr double kSlowest = 0.1;     ///< of the fastest natural frequency, for a stiffness of 0
+constexpr double kLeastPart = 0.88;  ///< fraction of the wished damping
+constexpr double kSlowest = 0.1;     ///< fraction of the fastest natural frequency, for a stiffness of 0
 
-/// What of the wish does not depend on the stiffness.
+/// The parts of a wish that do not depend on the stiffness.
 struct Terms {
     MotorConstants motor;
     double zeta = 0.0;
-    double noise = 0.0;    ///< at most
-    double phase = 0.0;    ///< degrees, at least
-    double carried = 0.0;  ///< PWM counts, by the integral
-    double periods = 0.0;  ///< of 1 / omega, in which the integral does what Kp does at once
+    double noise = 0.0;    ///< maximum
+    double phase = 0.0;    ///< degrees, minimum
+    double carried = 0.0;  ///< PWM counts carried by the integral
+    double periods = 0.0;  ///< periods of 1 / omega in which the integral contributes what Kp contributes at
+                           ///< once
     servo::SetGain now;
     std::int32_t step = 0;
 };
 
-/// SR, Kd: as low a rate as leaves Kd in its range, and lets one count not make the output jump by more than
-/// a part of its limit; the latter only as far as noise permits.
+/// Sets SR and Kd: the lowest servo rate divisor that keeps Kd in range and keeps the output's jump for one
+/// count below a fraction of its limit; the latter only as far as noise permits.
 [[nodiscard]] bool setDamping(const Terms& terms, double omega, servo::SetGain& gains) {
     constexpr double kJump = 0.25;
     const MotorConstants& motor = terms.motor;
@@ -58,15 +59,15 @@ struct Terms {
     return found;
 }
 
-/// Ki, IL.
+/// Sets Ki and IL.
 void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
     constexpr double kFewestSteps = 5;
     gains.ki = 0;
     gains.il = 0;
     if (terms.carried * 256 < gains.kp)
         return;
-    // One step of the integral pushes no more than one count of error does: friction lets a shaft go with a
-    // jump of a count at most, which the integral does not overshoot again and again.
+    // One increment of the integral drives no more than one count of error does: friction releases a shaft
+    // with a jump of at most a count, which the integral then does not overshoot again and again.
     const double fast = gains.kp * 256 * servoTickOf(gains) * omega / terms.periods;
     const double ki = std::min({fast, 1.0 * gains.kp, terms.carried * 256 / kFewestSteps});
     gains.ki = static_cast<std::uint16_t>(std::lround(std::max(ki, 1.0)));
@@ -87,24 +88,25 @@ void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
 
 [[nodiscard]] bool hasMargins(const Terms& terms, const servo::SetGain& gains) {
     const LoopMargins margins = marginsOf(terms.motor, gains);
-    // Should the delay be a dead time, it turns the phase further than the lag that margins count it as.
+    // If the delay is a dead time, it shifts the phase further than the lag that the margins assume.
     const double delayed = 2 * std::numbers::pi * margins.crossover * terms.motor.delay;
     const double phase = margins.phaseDegrees - (delayed - std::atan(delayed)) * kDegrees;
     return margins.stable && phase >= terms.phase && margins.gain >= kMinGainMargin;
 }
 
 struct StepCourse {
-    double settled = 0.0;  ///< s, until it stays where it belongs; all of the record where it does not
-    double largest = 0.0;  ///< counts, error
+    double settled = 0.0;  ///< s, until it stays in its band; the whole record where it does not
+    double largest = 0.0;  ///< counts, largest error
 };
 
-/// Of a step to `goal` that lasts `record`. `held`: counts, where friction may hold the shaft. Nothing if it
-/// is outside of its band after `latest`, goes far beyond its goal, or does not calm down: in the last part
-/// it may come nearer, but does not go farther away again.
+/// Evaluates a step to `goal` that lasts `record` seconds. `held`: counts within which friction may hold the
+/// shaft. Returns nothing if it is outside its band after `latest`, goes far beyond its goal, or does not
+/// calm down: in the last part it may come nearer to the goal, but must not move away again.
 [[nodiscard]] std::optional<StepCourse> stepCourseOf(Loop& loop, double step, double goal, double record,
                                                      double latest, double held) {
-    constexpr double kBand = 0.014;  // so that what is a little otherwise is within the usual 2 %
-    /// The least damping has less. What has more does so by its integral, and may well swing for good.
+    constexpr double kBand = 0.014;  // so that small deviations still meet the usual 2 %
+    /// The least damping overshoots less. More overshoot comes from the integral, and may well oscillate
+    /// forever.
     constexpr double kMaxOvershoot = 0.25;
     constexpr double kLastPartFrom = 0.8;
     constexpr double kCalm = 1;  // count
@@ -132,20 +134,21 @@ struct StepCourse {
     return course;
 }
 
-/// s, until it stays where it belongs, in the middle of steps to and fro, each of which begins where friction
-/// let the one before end, with a motor that may be a little stronger or weaker than was found. Nothing where
-/// that is not below `most`, or where one course is not good. Sets EL.
+/// Returns the mean settling time in s over steps to and fro, each of which starts where friction let the
+/// previous one end, with a motor that may be a little stronger or weaker than identified. Returns nothing if
+/// it is not below `most`, or if one of the steps is not acceptable. Sets EL.
 [[nodiscard]] std::optional<double> settling(const Terms& terms, double omega, double most,
                                              servo::SetGain& gains) {
     constexpr std::array<double, 5> kStronger = {0, 1, -1, 0.5, -0.5};
     constexpr std::size_t kSteps = 4;
-    constexpr double kRecord = 60;  // radians of the loop
+    constexpr double kRecord = 60;  // radians of the loop's natural frequency
     constexpr double kErrorMargin = 1.5;
     constexpr double kMinError = 20;
     const double accelerating = std::sqrt(std::abs(terms.step) * terms.motor.timeConstant /
                                           (terms.motor.gain * std::max<int>(gains.ol, 1)));
     const double record = std::clamp(kRecord / omega + 5 * accelerating, 0.1, kSlowestSettling);
-    // By the geometric mean: what sticks once, just outside of its band, is much later, and little worse.
+    // The geometric mean is used because a step that sticks once just outside its band settles much later
+    // without being much worse.
     const double soonest = std::log(1 / omega);
     const auto courses = static_cast<double>(kStronger.size() * kSteps);
     double left = (std::log(most) - soonest) * courses;
@@ -178,9 +181,9 @@ struct Candidate {
     double settled = 0.0;  ///< s
 };
 
-/// The one of a natural frequency that settles first, with an integral of whatever speed; where no overshoot
-/// leaves the band that may be much earlier, so a little more or less damping is tried too. Of equals the
-/// first. Nothing where none settles before `most`.
+/// The gains for a natural frequency that settle first, over a range of integral speeds. Settling is much
+/// earlier where no overshoot leaves the band, so a little more or less damping is tried too. Of equal
+/// candidates the first is chosen. Returns nothing if none settles before `most`.
 [[nodiscard]] std::optional<Candidate> fastestAt(Terms terms, double omega, double most) {
     std::optional<Candidate> best;
     const double wished = terms.zeta;
@@ -190,7 +193,7 @@ struct Candidate {
             terms.zeta = wished * part;
             auto gains = gainsAt(terms, omega);
             const auto settled = gains ? settling(terms, omega, most, *gains) : std::nullopt;
-            // Margins take longer to find than most courses, so they come last.
+            // Margins take longer to compute than most steps, so they are checked last.
             if (!settled || !hasMargins(terms, *gains))
                 continue;
             most = *settled;
@@ -218,7 +221,7 @@ std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& w
     terms.motor = motor.constants();
     terms.zeta = kMinDamping + std::clamp(wish.damping, 0.0, 1.0) * (kMaxDamping - kMinDamping);
     terms.noise = kMaxNoise * std::clamp(wish.noise, 0.01, 1.0);
-    // What holds the shaft is known better than either part of it.
+    // The sum of friction and deadband is known better than either of them.
     const double both = motor.correlation[2][5] * motor.friction.doubt * motor.deadband.doubt;
     const double holding = std::hypot(motor.friction.doubt, motor.deadband.doubt);
     const double unsure = std::sqrt(motor.load.doubt * motor.load.doubt + holding * holding + 2 * both);
@@ -228,8 +231,8 @@ std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& w
     terms.now = now;
     terms.step = step;
 
-    // From what the noise permits at the highest rate, down to where it is the fastest with this output
-    // limit; none settles in less than 1 / omega.
+    // Search from the frequency that the noise permits at the highest servo rate down to the fastest one with
+    // this output limit; none settles in less than 1 / omega.
     const double noisiest = 1 / terms.motor.timeConstant + terms.noise / toSeconds(kServoTick);
     double fastest = 0.0;
     double least = kNever;

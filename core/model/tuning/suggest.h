@@ -9,23 +9,23 @@
 
 namespace nmc {
 
-/// What a person wants of a loop, each 0..1.
+/// The user's preferences for a loop, each 0..1.
 struct LoopWish {
     double stiffness = 1.0;     ///< 1: as fast as noise, output limit and margins permit; 0: a tenth of that
-    double damping = 0.5;       ///< zeta, from kMinDamping to kMaxDamping
-    double noise = 1.0;         ///< how loud it may be, up to kMaxNoise
-    double phaseMargin = 45.0;  ///< degrees, at least; kMinPhaseMargin to kMaxPhaseMargin
+    double damping = 0.5;       ///< zeta, mapped to kMinDamping to kMaxDamping
+    double noise = 1.0;         ///< permitted noise, as a fraction of kMaxNoise
+    double phaseMargin = 45.0;  ///< degrees, minimum; kMinPhaseMargin to kMaxPhaseMargin
 };
 
 inline constexpr double kMinDamping = 0.5;
 inline constexpr double kMaxDamping = 1.1;
-/// Counts by which a tick goes on when the encoder tells one count more, by way of Kd.
+/// Counts that the motor moves in a tick when the encoder reading changes by one count, through Kd.
 inline constexpr double kMaxNoise = 0.3;
 inline constexpr double kMinPhaseMargin = 30.0;  ///< degrees
 inline constexpr double kMaxPhaseMargin = 70.0;
-/// For a motor that is not sure (MotorModel::isSure).
+/// For a motor whose model is not sure (MotorModel::isSure).
 inline constexpr double kCarefulPhaseMargin = 60.0;
-/// What a suggested loop has at least.
+/// The minimum gain margin of a suggested loop.
 inline constexpr double kMinGainMargin = 2.0;
 
 struct LoopFigures {
@@ -37,15 +37,15 @@ struct LoopFigures {
 /// With T the servo tick: wn^2 = K Kp / (256 tau), 2 zeta wn = (1 + K Kd T / 256) / tau. Pure.
 [[nodiscard]] LoopFigures figuresOf(const MotorConstants& motor, const servo::SetGain& gains);
 
-/// Gains for a motor and steps of up to `step` counts (not 0; either direction), from figuresOf() the other
-/// way round. SR is as low as Kd's range and resolution permit. There is an integral only if friction and
-/// load would leave an error of a count; then its limit is the least that carries them, and one step of it
-/// pushes no more than a count of error does. EL has a margin above the error that is predicted. `now`: the
-/// gains in force; output limit, current limit and deadband compensation stay as they are.
+/// Suggests gains for a motor and steps of up to `step` counts (not 0; either direction), by inverting
+/// figuresOf(). SR is as low as Kd's range and resolution permit. An integral is used only if friction and
+/// load would leave an error of a count; its limit is then the least that carries them, and one increment of
+/// it drives no more than one count of error does. EL has a margin above the predicted error. `now`: the
+/// gains in force; output limit, current limit and deadband compensation are kept.
 ///
-/// What is suggested is stable: by its margins, and as reckoned tick by tick for the step, also with a motor
-/// that is a little otherwise than was found. Nothing where no gains are. Pure; some tenths of a second, at
-/// times a whole one: for a background job.
+/// The suggestion is stable, both by its margins and when simulated tick by tick for the step, including
+/// motors that differ a little from the identified one. Returns nothing when no gains qualify. Pure; takes
+/// some tenths of a second, at times a whole second: run it as a background job.
 [[nodiscard]] std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& wish,
                                                     const servo::SetGain& now, std::int32_t step);
 
