@@ -86,10 +86,7 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
     // One that gives addresses goes on: another look would take those that have one for the whole chain.
     if (start == Discovery::Start::Look && m_search.givesAddresses())
         return;
-    dropWork();
-    m_rate.drop();
-    m_readdress.drop();
-    m_restartSearch.cancel();
+    cancelAll(Change::Kind::Search);
     if (m_stop.running()) {
         m_recovery.dropDoubt();  // the stop goes on, and comes first
     } else {
@@ -97,7 +94,6 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
         m_recovery.reset();
         m_again.reset();
     }
-    m_wellAgain.end();
     m_line.statistics() = {};
     EngineConfig config = m_config;
     config.known = knownModules();
@@ -222,7 +218,7 @@ void Engine::hold(const HoldToMove& hold, TimePoint now) {
     if (!accepting() || !m_chain.has(hold.module) || m_path.isFor({hold.module}))
         return m_hold.refuse(hold);
     if (m_operations.swings(hold.module) && m_operations.cancelFor({hold.module}))
-        dropOperation();
+        dropWorkOf(m_operations);
     m_trials.leave({hold.module});
     m_hold.hold(hold, now);
     proceed(now);
@@ -244,9 +240,7 @@ bool Engine::stopUnasked(TimePoint now) {
 }
 
 void Engine::stopAll(TimePoint now) {
-    m_hold.clear();
-    m_path.drop();  // all are stopped
-    dropWork();
+    cancelAll(Change::Kind::StopAll);
     m_chain.schedule().unfocus();
     m_stopAsked = true;
     if (!m_chain.empty()) {
@@ -254,8 +248,6 @@ void Engine::stopAll(TimePoint now) {
             m_recovery.doubtLine();
         m_stop.begin(now);
         interrupt(now);
-        m_rate.abandon();
-        m_readdress.interrupted();
     } else if (m_search.active()) {
         m_stop.beginAfterSearch(now);
     } else {
@@ -267,10 +259,8 @@ void Engine::stopAll(TimePoint now) {
 void Engine::distrust(TimePoint now) {
     if (!m_connected || m_search.active() || m_chain.empty())
         return;
-    if (!m_stop.running()) {  // which is not held up by any doubt
+    if (!m_stop.running())  // which is not held up by any doubt
         interrupt(now);
-        m_rate.abandon();
-    }
     m_recovery.distrust();
     proceed(now);
 }
@@ -579,18 +569,13 @@ void Engine::takeHeard(ModuleIndex index, const ReplyEnd& end) {
 void Engine::halt(ModuleIndex module, StopCause cause, StopManner manner) {
     if (m_hold.holds(module))
         m_hold.clear();
-    dropWork();
+    cancelAll(Change::Kind::Cancelled);
     m_chain.owe(module, cause, manner);
 }
 
 void Engine::haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, StopManner manner) {
-    if (m_operations.cancelFor(modules))
-        dropOperation();
-    leavePath(modules);
-    m_trials.leave(modules);
+    notify({Change::Kind::Taken, modules});
     for (const ModuleIndex module : modules) {
-        if (m_hold.holds(module))
-            m_hold.clear();
         const auto& owed = m_chain.at(module).owed;
         if (!owed || ofOperator(owed->cause) || manner == StopManner::Off)
             m_chain.owe(module, cause, manner);
@@ -606,7 +591,7 @@ void Engine::onForeignTraffic() {
     for (const ModuleIndex module : event.toldToStop)
         halt(module, StopCause::ForeignTraffic, StopManner::Abruptly);
     m_hold.clear();
-    dropWork();
+    cancelAll(Change::Kind::Cancelled);
     m_events.emplace_back(std::move(event));
 }
 
@@ -646,36 +631,26 @@ void Engine::reinstate(TimePoint now) {
 /// All motors are stopped, where that is ours to do, and then nothing is asked any more.
 void Engine::goQuiet(TimePoint now) {
     m_connected = false;
-    m_hold.clear();
-    dropWork();
-    m_rate.drop();
-    m_readdress.drop();
+    cancelAll(Change::Kind::GivenUp);
     m_again.reset();
-    m_restartSearch.cancel();
-    m_recovery.giveUp();
     if (!m_stop.active() && !m_config.readOnly) {
         m_stop.begin(now);
         m_stop.noteUnasked();
     }
 }
 
-/// Nothing that was asked for is begun any more, a motor that is held is owed its stop, and gains that are
-/// being tried go back.
-void Engine::dropWork() {
-    m_trials.leaveAll();
-    m_operations.cancel();
-    m_path.cancel();
-    m_hold.release();
-    if (m_again && m_again->task != &m_search)
-        m_again.reset();
-    dropWorkOf(m_operations);
-    dropWorkOf(m_path);
-    dropWorkOf(m_hold);
+void Engine::notify(const Change& change) {
+    for (Task* task : m_tasks)
+        if (task->onChange(change))
+            dropWorkOf(*task);
 }
 
-/// The operation that was under way is over, whatever becomes of its exchange.
-void Engine::dropOperation() {
-    dropWorkOf(m_operations);
+/// Nothing that was requested is begun any more, a motor that is held is owed its stop, and gains that are
+/// being tried go back.
+void Engine::cancelAll(Change::Kind why) {
+    if (m_again && m_again->task != &m_search)
+        m_again.reset();
+    notify({why});
 }
 
 void Engine::dropWorkOf(const Task& task) {
@@ -692,12 +667,9 @@ void Engine::interrupt(TimePoint now) {
         m_recorder.addAbandoned(work.ask, work.sent, now);
     m_line.abandon(now);
     m_works.clear();
-    m_recovery.interrupted();
-    m_wayBack.interrupted();
-    if (m_search.active()) {
+    if (m_search.active())
         m_again.reset();
-        m_search.interrupted();
-    }
+    notify({Change::Kind::Interrupted});
 }
 
 // ---- What came of an exchange: is it believed, is it repeated, who has to know ----

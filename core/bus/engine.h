@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -219,8 +220,8 @@ private:
     void giveUp(const Recovery::GivenUp& what, TimePoint now);
     void reinstate(TimePoint now);
     void goQuiet(TimePoint now);
-    void dropWork();
-    void dropOperation();
+    void notify(const Change& change);
+    void cancelAll(Change::Kind why);
     void dropWorkOf(const Task& task);
     void interrupt(TimePoint now);
 
@@ -252,6 +253,9 @@ private:
     PathTask m_path{m_chain, m_line, m_events};
     PollTask m_polls{m_chain, m_recovery, m_restartSearch};
     WellAgain m_wellAgain{m_chain};
+    std::array<Task*, 14> m_tasks{&m_trials,    &m_operations,    &m_path,      &m_hold,     &m_rate,
+                                  &m_readdress, &m_restartSearch, &m_search,    &m_recovery, &m_wayBack,
+                                  &m_wellAgain, &m_stop,          &m_owedStops, &m_polls};
     std::optional<Work> m_again;  ///< to be repeated
     /// Of each module, and where it went, when somebody asked last.
     std::vector<std::pair<BusAddress, std::optional<ModuleCommand>>> m_burstStops;

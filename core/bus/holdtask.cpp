@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bus/holdtask.h"
 
+#include <algorithm>
+
 #include "bus/gate.h"
 #include "bus/standstill.h"
 #include "module/commandfacts.h"
@@ -53,6 +55,16 @@ bool HoldTask::expire(TimePoint now) {
 void HoldTask::clear() {
     m_refusals = 0;
     m_lane.clear();
+}
+
+bool HoldTask::onChange(const Change& change) {
+    using enum Change::Kind;
+    if (change.kind == StopAll || change.kind == GivenUp ||
+        std::ranges::any_of(change.modules, [this](auto module) { return holds(module); }))
+        clear();
+    else if (change.cancelsAll())
+        release();
+    return change.cancelsAll();
 }
 
 bool HoldTask::wants(TimePoint /*now*/) const {

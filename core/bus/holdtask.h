@@ -40,6 +40,7 @@ public:
     [[nodiscard]] bool wants(TimePoint now) const override;
     [[nodiscard]] bool pipelines() const override { return true; }
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:

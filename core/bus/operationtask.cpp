@@ -19,11 +19,14 @@ constexpr unsigned kRepeatsAfterLook = 2;
 
 }  // namespace
 
-void OperationTask::cancel() {
+bool OperationTask::onChange(const Change& change) {
+    if (!change.cancelsAll())
+        return change.kind == Change::Kind::Taken && cancelFor(change.modules);
     for (Event& event : m_commands.cancelAll())
         m_events.emplace_back(std::move(event));
     m_verification.reset();
     m_group.cancel();
+    return true;
 }
 
 bool OperationTask::cancelFor(const std::vector<ModuleIndex>& modules) {

@@ -23,9 +23,7 @@ public:
     /// False when there are too many; nothing was taken.
     [[nodiscard]] bool submit(Operation operation) { return m_commands.submit(std::move(operation)); }
     [[nodiscard]] bool submit(const GroupOperation& operation) { return m_commands.submit(operation); }
-    /// All that wait or run.
-    void cancel();
-    /// The same of those that are for one of these modules, or for a group. True when one was under way.
+    /// Cancels those that are for one of these modules, or for a group. True when one was under way.
     bool cancelFor(const std::vector<ModuleIndex>& modules);
     /// A poll of that module was answered.
     void notePoll(ModuleIndex module, const ReplyEnd& end) { m_commands.notePoll(module, end); }
@@ -50,6 +48,7 @@ public:
     }
     [[nodiscard]] bool pipelines() const override { return m_commands.group() == nullptr; }
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override;
     void onAnswer(const Ask& ask, const ReplyEnd& end) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 

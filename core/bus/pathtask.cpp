@@ -125,9 +125,14 @@ void PathTask::overtake(const std::vector<ModuleIndex>& modules) {
         end(PathEnd::Stopped, {}, modules);
 }
 
-void PathTask::drop() {
-    cancel();
-    m_stops = {};
+bool PathTask::onChange(const Change& change) {
+    if (change.cancelsAll() || isFor(change.modules)) {
+        overtake(change.modules);
+        if (change.kind == Change::Kind::StopAll)
+            m_stops = {};  // that stops its axes, too
+        return true;
+    }
+    return false;
 }
 
 void PathTask::Axis::doubtFrame(std::size_t count) {

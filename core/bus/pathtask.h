@@ -36,10 +36,6 @@ public:
     [[nodiscard]] bool isFor(const std::vector<ModuleIndex>& modules) const;
     /// These are told to stop by somebody else; the other axes are to be stopped.
     void overtake(const std::vector<ModuleIndex>& modules);
-    /// It is not to go on.
-    void cancel() { overtake({}); }
-    /// The same, and whoever says so stops all its axes.
-    void drop();
 
     struct Stops {
         std::vector<ModuleIndex> modules;
@@ -59,6 +55,7 @@ public:
 
     [[nodiscard]] bool wants(TimePoint now) const override;
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
     [[nodiscard]] std::optional<TimePoint> due() const override;
 

@@ -60,16 +60,17 @@ std::optional<RateChangeFailed::Reason> RateTask::obstacle(std::uint32_t baud,
     return std::nullopt;
 }
 
-void RateTask::abandon() {
-    if (m_change)
+bool RateTask::onChange(const Change& change) {
+    using enum Change::Kind;
+    // Something goes before it: everybody is taken back to the old rate (WayBack).
+    if (m_change && (change.kind == StopAll || change.kind == Interrupted))
         m_abandoned = std::exchange(m_change, std::nullopt);
-}
-
-void RateTask::drop() {
-    for (auto* change : {&m_change, &m_abandoned})
-        if (const auto dropped = std::exchange(*change, std::nullopt))
-            m_events.emplace_back(RateChangeFailed{
-                RateChangeFailed::Reason::Interrupted, dropped->to(), dropped->from(), {}, {}});
+    if (change.kind == Search || change.kind == GivenUp)
+        for (auto* ended : {&m_change, &m_abandoned})
+            if (const auto dropped = std::exchange(*ended, std::nullopt))
+                m_events.emplace_back(RateChangeFailed{
+                    RateChangeFailed::Reason::Interrupted, dropped->to(), dropped->from(), {}, {}});
+    return false;
 }
 
 Next RateTask::next(TimePoint /*now*/) {

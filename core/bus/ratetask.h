@@ -22,14 +22,11 @@ public:
 
     /// `busy`: something else is going on. Refused with an event when it cannot be done.
     void begin(std::uint32_t baud, bool busy);
-    /// Something goes before it: everybody is taken back to the old rate (WayBack).
-    void abandon();
-    /// Another chain is looked for.
-    void drop();
     [[nodiscard]] bool active() const { return m_change || m_abandoned; }
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return m_change.has_value(); }
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:
@@ -53,11 +50,12 @@ public:
     WayBack(RateTask& rate, Chain& chain, StopTask& stop, Recovery& recovery, const Line& line)
         : m_rate(rate), m_chain(chain), m_stop(stop), m_recovery(recovery), m_line(line) {}
 
-    /// It was dropped from the line before it was through.
-    void interrupted() { m_underWay = false; }
-
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return m_rate.m_abandoned.has_value(); }
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override {
+        m_underWay = m_underWay && change.kind != Change::Kind::Interrupted;
+        return false;
+    }
 
 private:
     RateTask& m_rate;

@@ -67,21 +67,25 @@ void ReaddressTask::beginMove(ModuleIndex module, BusAddress address, bool busy)
     }
 }
 
-void ReaddressTask::interrupted() {
-    if (!m_to || m_moves == 0)
-        return drop();
-    m_moves = kMoves;
-    m_stage = Stage::There;
+bool ReaddressTask::onChange(const Change& change) {
+    using enum Change::Kind;
+    const bool waits = change.kind == StopAll || change.kind == Interrupted;
+    if (!active() || (!waits && change.kind != Search && change.kind != GivenUp))
+        return false;
+    if (waits && m_to && m_moves > 0) {
+        // Where a module is that may have moved is found out afterwards.
+        m_moves = kMoves;
+        m_stage = Stage::There;
+    } else {
+        // The module may have its address by now; the next search will find it.
+        fail(ReaddressFailed::Reason::NotNow);
+    }
+    return false;
 }
 
 void ReaddressTask::fail(ReaddressFailed::Reason reason) {
     m_events.emplace_back(ReaddressFailed{*std::exchange(m_module, std::nullopt), reason});
     m_to.reset();
-}
-
-void ReaddressTask::drop() {
-    if (active())
-        fail(ReaddressFailed::Reason::NotNow);
 }
 
 Next ReaddressTask::next(TimePoint now) {

@@ -29,14 +29,11 @@ public:
     void beginReset(ModuleIndex module, const Payload& reset, bool busy);
     /// Another address, likewise.
     void beginMove(ModuleIndex module, BusAddress address, bool busy);
-    /// A stop comes first. Where a module is that may have moved is found out after it.
-    void interrupted();
-    /// Something goes before it. The module may have its address by then; the next search tells.
-    void drop();
     [[nodiscard]] bool active() const { return m_module.has_value(); }
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return active(); }
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:

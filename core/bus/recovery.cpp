@@ -51,14 +51,15 @@ void Recovery::distrust() {
     m_doubt = Doubt{m_chain.modules().front().belief.info().index};
 }
 
-void Recovery::interrupted() {
-    m_suspect = suspect();
-    m_resyncing = false;
-}
-
-void Recovery::giveUp() {
-    m_doubt.reset();
-    m_suspect = m_givenUp = true;
+bool Recovery::onChange(const Change& change) {
+    if (change.kind == Change::Kind::Interrupted) {
+        m_suspect = suspect();  // a doubt that is not settled stays
+        m_resyncing = false;
+    } else if (change.kind == Change::Kind::GivenUp) {
+        m_doubt.reset();
+        m_suspect = m_givenUp = true;
+    }
+    return false;
 }
 
 void Recovery::flushed() {

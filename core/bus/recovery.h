@@ -35,12 +35,8 @@ public:
     void distrust();
     /// A byte came in.
     void onByte() { m_silence.heard(); }
-    /// What was under way was dropped. A doubt that is not settled stays.
-    void interrupted();
     /// Somebody else was talking, or nobody has for long: nulls before anything that must be heard.
     void doubtLine() { m_suspect = true; }
-    /// The link is given up, and told of as that: only stops are left.
-    void giveUp();
     /// Nulls went out with something else; the quarantine is still owed.
     void flushed();
 
@@ -80,6 +76,7 @@ public:
     // ---- Task ----
     [[nodiscard]] bool wants(TimePoint now) const override;
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:

@@ -25,13 +25,17 @@ public:
     void onProbeFailed();
     /// A search has found out that this is what became of the module.
     void setRestarted(ModuleIndex module, TimePoint now);
-    void cancel() { m_stage = Stage::None; }
     /// A module has restarted on a chain at another rate, to which every packet is noise: no more of them.
     /// Once.
     [[nodiscard]] bool takeQuiet() { return std::exchange(m_quiet, false); }
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return m_stage != Stage::None; }
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override {
+        if (change.kind == Change::Kind::Search || change.kind == Change::Kind::GivenUp)
+            m_stage = Stage::None;
+        return false;
+    }
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:

@@ -11,9 +11,11 @@ void SearchTask::begin(const EngineConfig& config, Discovery::Start start) {
     m_discovery.emplace(m_config, m_start);
 }
 
-void SearchTask::interrupted() {
-    if (m_discovery && !m_discovery->resume())
+bool SearchTask::onChange(const Change& change) {
+    const bool interrupted = m_discovery && change.kind == Change::Kind::Interrupted;
+    if (interrupted && !m_discovery->resume())
         m_discovery.emplace(m_config, m_start);
+    return interrupted;
 }
 
 Next SearchTask::next(TimePoint /*now*/) {

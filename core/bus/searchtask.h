@@ -17,8 +17,6 @@ public:
     explicit SearchTask(std::vector<Event>& events) : m_events(events) {}
 
     void begin(const EngineConfig& config, Discovery::Start start);
-    /// What was under way on the line is gone: on from there, or all over again.
-    void interrupted();
     /// It has given addresses, and goes on with that.
     [[nodiscard]] bool givesAddresses() const { return m_discovery && m_discovery->givesAddresses(); }
     [[nodiscard]] bool active() const { return m_discovery.has_value(); }
@@ -38,6 +36,7 @@ public:
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return active(); }
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "bus/exchange.h"
 #include "bus/exchangerecord.h"
@@ -42,6 +43,26 @@ struct Idle {};
 struct Again {};  ///< it did something that needs no line: everybody is asked anew
 using Next = std::variant<Idle, Again, Line::Script, Ask>;
 
+/// Something that every task may have to give way to.
+struct Change {
+    enum class Kind : std::uint8_t {
+        StopAll,      ///< every motor is stopped, whatever it was set in motion by
+        Search,       ///< the chain is searched for again
+        GivenUp,      ///< the link is given up: only stops are sent from now on
+        Cancelled,    ///< nothing that was requested so far goes on
+        Taken,        ///< `modules` are stopped
+        Interrupted,  ///< what was on the line was dropped, and its answer never comes
+    };
+    Kind kind;
+    std::vector<ModuleIndex> modules{};  ///< of Taken
+
+    /// Whatever was requested, of any module, is over.
+    [[nodiscard]] bool cancelsAll() const {
+        return kind == Kind::StopAll || kind == Kind::Search || kind == Kind::GivenUp ||
+               kind == Kind::Cancelled;
+    }
+};
+
 /// One thing that the engine is about: a stop, a search, an operation, polls. The engine asks its tasks in a
 /// fixed order (engine.cpp) what they want of the line, puts that on it, and brings back what came of it. A
 /// task never touches the line by itself. Pure.
@@ -62,6 +83,8 @@ public:
     virtual void onAnswer(const Ask&, const ReplyEnd&) {}
     /// Its exchange has ended, after the repeats. What is to follow at once, if anything.
     virtual Line::Script onEnd(const Ask&, const ReplyEnd&, TimePoint /*now*/) { return {}; }
+    /// True: the end of its exchange under way is not for it any more.
+    virtual bool onChange(const Change&) { return false; }
     /// When wants() may become true by time alone.
     [[nodiscard]] virtual std::optional<TimePoint> due() const { return std::nullopt; }
 };

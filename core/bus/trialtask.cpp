@@ -44,9 +44,12 @@ void TrialTask::leave(const std::vector<ModuleIndex>& modules) {
             goBack(*m_chain.at(module).trial, std::nullopt);
 }
 
-void TrialTask::leaveAll() {
-    for (Chain::Module& module : m_chain.modules())
-        leave({module.belief.info().index});
+bool TrialTask::onChange(const Change& change) {
+    if (change.cancelsAll())
+        for (Chain::Module& module : m_chain.modules())
+            leave({module.belief.info().index});
+    leave(change.modules);
+    return false;
 }
 
 void TrialTask::forget(ModuleIndex module) {

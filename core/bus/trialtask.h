@@ -26,7 +26,6 @@ public:
     void keep(ModuleIndex module);
     /// Something else is asked of them.
     void leave(const std::vector<ModuleIndex>& modules);
-    void leaveAll();
     /// The module has other gains, or none.
     void forget(ModuleIndex module);
     /// Whoever restarted has no gains; whoever does not answer goes back to those from before once it does.
@@ -42,6 +41,7 @@ public:
     [[nodiscard]] std::optional<TimePoint> due() const override;
     [[nodiscard]] bool pipelines() const override { return true; }
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:

@@ -26,7 +26,7 @@ Next WellAgain::next(TimePoint /*now*/) {
         ask.believed = false;
         return ask;
     }
-    end();
+    m_due.reset();
     return Idle{};
 }
 

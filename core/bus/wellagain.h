@@ -22,13 +22,17 @@ public:
 
     /// `whole`: the link was given up, and not single modules.
     void begin(bool whole, TimePoint now);
-    void end() { m_due.reset(); }
     /// The line is well again; once.
     [[nodiscard]] bool takeWell() { return std::exchange(m_well, false); }
 
     // ---- Task ----
     [[nodiscard]] bool wants(TimePoint now) const override { return m_due && now >= *m_due; }
     [[nodiscard]] Next next(TimePoint now) override;
+    bool onChange(const Change& change) override {
+        if (change.kind == Change::Kind::Search)
+            m_due.reset();
+        return false;
+    }
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
     [[nodiscard]] std::optional<TimePoint> due() const override { return m_due; }
 
@@ -37,7 +41,8 @@ private:
 
     Chain& m_chain;
     bool m_whole = false;
-    std::optional<TimePoint> m_due;    ///< of the next question, from begin() until it is well or end()
+    std::optional<TimePoint>
+        m_due;  ///< of the next question, from begin() until it is well, or another search
     std::optional<TimePoint> m_since;  ///< all answers have been right
     std::size_t m_at = 0;
     bool m_well = false;

@@ -208,7 +208,7 @@ GROUPS = (
         Edit("core/bus/ratetask.cpp", "RateChange::WayBack::Wanted", "RateChange::WayBack::None"),
     )),
     Mutant("stop-waits-for-the-rate", "faults.md N7: a stop is never queued", (
-        Edit("core/bus/ratetask.cpp", "    if (m_change)\n        m_abandoned", "    if (false)\n        m_abandoned"),
+        Edit("core/bus/ratetask.cpp", "    if (m_change && (", "    if (false && ("),
     )),
     Mutant("stop-at-one-rate-only", "in the midst of a change nobody knows who is at which rate", (
         Edit("core/bus/ratetask.cpp",
@@ -220,10 +220,10 @@ GROUPS = (
     )),
     Mutant("rate-change-without-an-end", "a connect in the midst of a change ends it, and says so", (
         Edit("core/bus/ratetask.cpp",
-             "        if (const auto dropped = std::exchange(*change, std::nullopt))\n"
-             "            m_events.emplace_back(RateChangeFailed{\n"
-             "                RateChangeFailed::Reason::Interrupted, dropped->to(), dropped->from(), {}, {}});",
-             "        change->reset();"),
+             "            if (const auto dropped = std::exchange(*ended, std::nullopt))\n"
+             "                m_events.emplace_back(RateChangeFailed{\n"
+             "                    RateChangeFailed::Reason::Interrupted, dropped->to(), dropped->from(), {}, {}});",
+             "            ended->reset();"),
     )),
 )
 

@@ -21,11 +21,11 @@ STOPPING = (
     )),
     Mutant("stop-with-its-queue-left", "faults.md N2: what was to come does not come after a stop", (
         Edit("core/bus/engine.cpp",
-             "    m_path.drop();  // all are stopped\n    dropWork();\n",
-             "    m_path.drop();  // all are stopped\n"),
+             "    cancelAll(Change::Kind::StopAll);\n",
+             "    m_hold.clear();\n"),
     )),
     Mutant("tried-gains-left-at-a-stop", "trialtask.h: they go back before anything else is asked", (
-        Edit("core/bus/engine.cpp", "    m_trials.leaveAll();\n", ""),
+        Edit("core/bus/trialtask.cpp", "    if (change.cancelsAll())\n", "    if (false)\n"),
     )),
     Mutant("abrupt-stop-of-a-servo-that-is-off", "link.md 2.6: it would switch the servo on", (
         Edit("core/bus/stoptarget.cpp",
