@@ -17,7 +17,8 @@ constexpr unsigned kSilentFailures = 2;
 }  // namespace
 
 void Recovery::reset() {
-    m_suspect = m_resyncing = m_hurried = m_lost = m_givenUp = false;
+    m_state = LineState::Trusted;
+    m_lost = m_givenUp = false;
     m_doubt.reset();
     m_silence.heard();
     m_health = {};
@@ -31,7 +32,7 @@ Line::Script Recovery::onUnanswered(const Ask& ask, const ReplyEnd& end) {
     const Quarantine wanted = end.bytes.empty() ? ask.quarantine : Quarantine::Full;
     if (wanted == Quarantine::None)
         return {Line::Lag{}, DiscardInput{}};
-    m_suspect = true;
+    m_state = LineState::Suspect;
     m_quarantine =
         wanted == Quarantine::Brief ? m_line.lastTimeout() : LineTiming::quarantine(m_line.lastTimeout());
     if (!ask.module || !m_chain.answers(*ask.module))
@@ -45,7 +46,7 @@ Line::Script Recovery::onUnanswered(const Ask& ask, const ReplyEnd& end) {
 }
 
 void Recovery::distrust() {
-    m_suspect = true;
+    m_state = LineState::Suspect;
     for (Chain::Module& module : m_chain.modules())
         module.trust.interrupt();
     m_doubt = Doubt{m_chain.modules().front().belief.info().index};
@@ -53,22 +54,18 @@ void Recovery::distrust() {
 
 bool Recovery::onChange(const Change& change) {
     if (change.kind == Change::Kind::Interrupted) {
-        m_suspect = suspect();  // a doubt that is not settled stays
-        m_resyncing = false;
+        if (suspect())  // a doubt that is not settled stays
+            m_state = LineState::Suspect;
     } else if (change.kind == Change::Kind::GivenUp) {
         m_doubt.reset();
-        m_suspect = m_givenUp = true;
+        m_state = LineState::Suspect;
+        m_givenUp = true;
     }
     return false;
 }
 
-void Recovery::flushed() {
-    m_suspect = false;
-    m_hurried = true;
-}
-
 std::optional<Line::Script> Recovery::flush() {
-    if (!m_suspect)
+    if (m_state != LineState::Suspect)
         return std::nullopt;
     flushed();
     return Line::Script{Line::Nulls{}, Line::Pause{kAfterNulls}, DiscardInput{}};
@@ -110,19 +107,18 @@ void Recovery::setUnresponsive(ModuleIndex module, TimePoint now) {
 }
 
 bool Recovery::wants(TimePoint /*now*/) const {
-    return m_suspect || m_hurried || m_doubt;
+    return resyncDue() || m_doubt;
 }
 
 Next Recovery::next(TimePoint /*now*/) {
-    if (m_suspect || m_hurried)
+    if (resyncDue())
         return resync();
     return challenge();
 }
 
 /// link.md 2.2, steps 2 and 3. What is in doubt then has to show itself.
 Line::Script Recovery::resync() {
-    m_resyncing = true;
-    m_suspect = m_hurried = false;
+    m_state = LineState::Resyncing;
     ++m_line.statistics().resyncs;
     return {Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{}, Line::Lag{kAfterNulls}, DiscardInput{}};
 }
@@ -168,7 +164,7 @@ Line::Script Recovery::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
             passed(doubt.module, now);
         return {};
     }
-    m_suspect = true;
+    m_state = LineState::Suspect;
     m_chain.at(*ask.module).trust.interrupt();
     const bool silent = end.result == ReplyResult::Unresponsive;
     if (silent)
@@ -221,7 +217,8 @@ void Recovery::failed(ModuleIndex module, TimePoint now) {
 /// Nobody answers: the line is dead, at least from the modules to here.
 void Recovery::loseAll(TimePoint now) {
     m_doubt.reset();
-    m_suspect = false;  // nothing is to be expected, so nothing to be waited for
+    if (m_state == LineState::Suspect)
+        m_state = LineState::Trusted;  // nothing is to be expected, so nothing to be waited for
     for (const Chain::Module& module : m_chain.modules())
         if (!module.belief.restarted())
             setUnresponsive(module.belief.info().index, now);

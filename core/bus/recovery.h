@@ -36,20 +36,23 @@ public:
     /// A byte came in.
     void onByte() { m_silence.heard(); }
     /// Somebody else was talking, or nobody has for long: nulls before anything that must be heard.
-    void doubtLine() { m_suspect = true; }
-    /// Nulls went out with something else; the quarantine is still owed.
-    void flushed();
+    void doubtLine() { m_state = LineState::Suspect; }
+    /// Nulls went out with something else; the quarantine is still due.
+    void flushed() { m_state = LineState::NullsSent; }
 
-    [[nodiscard]] bool resyncing() const { return m_resyncing; }
+    [[nodiscard]] bool resyncing() const { return m_state == LineState::Resyncing; }
     /// A resync is due or under way, or something is in doubt.
-    [[nodiscard]] bool suspect() const { return m_suspect || m_resyncing || m_hurried || m_lost || m_doubt; }
+    [[nodiscard]] bool suspect() const { return m_state != LineState::Trusted || m_lost || m_doubt; }
     /// Nobody answers.
     [[nodiscard]] bool lost() const { return m_lost; }
     /// For what does not wait: nulls that empty half-filled command buffers, where they are needed. Late
     /// answers are waited for afterwards.
     [[nodiscard]] std::optional<Line::Script> flush();
     /// Whatever ran is over: the line is free.
-    void onFree() { m_resyncing = false; }
+    void onFree() {
+        if (resyncing())
+            m_state = LineState::Trusted;
+    }
 
     // ---- health ----
 
@@ -80,6 +83,13 @@ public:
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:
+    /// The chart of its transitions is in link.md 2.2.
+    enum class LineState : std::uint8_t {
+        Trusted,
+        Suspect,    ///< a resync is due
+        NullsSent,  ///< something went ahead of the resync with nulls only: the quarantine is still due
+        Resyncing,
+    };
     /// A module whose last answer was wrong or missing: two right ones, of different length, end that.
     struct Doubt {
         ModuleIndex module;
@@ -92,6 +102,9 @@ private:
         bool witness = false;     ///< that is the question under way
     };
 
+    [[nodiscard]] bool resyncDue() const {
+        return m_state == LineState::Suspect || m_state == LineState::NullsSent;
+    }
     [[nodiscard]] Line::Script resync();
     [[nodiscard]] Ask challenge();
     [[nodiscard]] std::optional<ModuleIndex> witness() const;
@@ -103,9 +116,7 @@ private:
     Chain& m_chain;
     Line& m_line;  ///< its timing, and its statistics
     std::vector<Event>& m_events;
-    bool m_suspect = false;    ///< a resync is due
-    bool m_resyncing = false;  ///< or under way
-    bool m_hurried = false;    ///< somebody went ahead of it with nulls only; the quarantine is still owed
+    LineState m_state = LineState::Trusted;
     Duration m_quarantine = kMinQuarantine;
     std::optional<Doubt> m_doubt;
     Silence m_silence;
