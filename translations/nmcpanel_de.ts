@@ -1311,6 +1311,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Ein Stopp hat den Befehl für Modul %1 ersetzt.</translation>
     </message>
     <message>
+        <source>Too many commands are waiting. Nothing was sent to module %1.</source>
+        <translation>Zu viele Befehle warten. An Modul %1 wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Wait until they are carried out, or press STOP ALL to discard them.</source>
+        <translation>Warten Sie, bis sie ausgeführt sind, oder verwerfen Sie sie mit ALLES STOPP.</translation>
+    </message>
+    <message>
         <source>Module %1 switched its servo off because the motor was more than %2 counts from where it should be.</source>
         <translation>Modul %1 hat seinen Servo abgeschaltet, weil der Motor mehr als %2 Inkremente von der Sollposition entfernt war.</translation>
     </message>
@@ -2025,6 +2033,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>A stop replaced the command to group %1.</source>
         <translation>Ein Stopp hat den Befehl an Gruppe %1 ersetzt.</translation>
+    </message>
+    <message>
+        <source>Too many commands are waiting. Nothing was sent to group %1.</source>
+        <translation>Zu viele Befehle warten. An Gruppe %1 wurde nichts gesendet.</translation>
     </message>
     <message>
         <source>All motors were told to stop.</source>

@@ -1311,6 +1311,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Una parada sustituyó al comando para el módulo %1.</translation>
     </message>
     <message>
+        <source>Too many commands are waiting. Nothing was sent to module %1.</source>
+        <translation>Hay demasiados comandos en espera. No se envió nada al módulo %1.</translation>
+    </message>
+    <message>
+        <source>Wait until they are carried out, or press STOP ALL to discard them.</source>
+        <translation>Espere a que se ejecuten o descártelos con PARAR TODO.</translation>
+    </message>
+    <message>
         <source>Module %1 switched its servo off because the motor was more than %2 counts from where it should be.</source>
         <translation>El módulo %1 apagó su servo porque el motor estaba a más de %2 cuentas de donde debía.</translation>
     </message>
@@ -2025,6 +2033,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>A stop replaced the command to group %1.</source>
         <translation>Una parada sustituyó al comando para el grupo %1.</translation>
+    </message>
+    <message>
+        <source>Too many commands are waiting. Nothing was sent to group %1.</source>
+        <translation>Hay demasiados comandos en espera. No se envió nada al grupo %1.</translation>
     </message>
     <message>
         <source>All motors were told to stop.</source>

@@ -1311,6 +1311,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Un arrêt a remplacé la commande destinée au module %1.</translation>
     </message>
     <message>
+        <source>Too many commands are waiting. Nothing was sent to module %1.</source>
+        <translation>Trop de commandes attendent. Rien n’a été envoyé au module %1.</translation>
+    </message>
+    <message>
+        <source>Wait until they are carried out, or press STOP ALL to discard them.</source>
+        <translation>Attendez qu’elles soient exécutées, ou abandonnez-les avec TOUT ARRÊTER.</translation>
+    </message>
+    <message>
         <source>Module %1 switched its servo off because the motor was more than %2 counts from where it should be.</source>
         <translation>Le module %1 a coupé son servo, car le moteur était à plus de %2 incréments de la position de consigne.</translation>
     </message>
@@ -2025,6 +2033,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>A stop replaced the command to group %1.</source>
         <translation>Un arrêt a remplacé la commande au groupe %1.</translation>
+    </message>
+    <message>
+        <source>Too many commands are waiting. Nothing was sent to group %1.</source>
+        <translation>Trop de commandes attendent. Rien n’a été envoyé au groupe %1.</translation>
     </message>
     <message>
         <source>All motors were told to stop.</source>

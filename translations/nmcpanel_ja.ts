@@ -1309,6 +1309,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>停止が優先され、モジュール%1へのコマンドは取り消されました。</translation>
     </message>
     <message>
+        <source>Too many commands are waiting. Nothing was sent to module %1.</source>
+        <translation>待機中のコマンドが多すぎます。モジュール %1 には何も送信していません。</translation>
+    </message>
+    <message>
+        <source>Wait until they are carried out, or press STOP ALL to discard them.</source>
+        <translation>実行されるまで待つか、全停止で破棄してください。</translation>
+    </message>
+    <message>
         <source>Module %1 switched its servo off because the motor was more than %2 counts from where it should be.</source>
         <translation>モーターがあるべき位置から%2カウントより大きくずれたため、モジュール%1がサーボをオフにしました。</translation>
     </message>
@@ -2019,6 +2027,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>A stop replaced the command to group %1.</source>
         <translation>停止が優先され、グループ%1へのコマンドは取り消されました。</translation>
+    </message>
+    <message>
+        <source>Too many commands are waiting. Nothing was sent to group %1.</source>
+        <translation>待機中のコマンドが多すぎます。グループ %1 には何も送信していません。</translation>
     </message>
     <message>
         <source>All motors were told to stop.</source>

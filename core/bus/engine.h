@@ -177,9 +177,9 @@ private:
     [[nodiscard]] bool busy() const;
     /// What changes a module may be asked for now.
     [[nodiscard]] bool accepting() const { return settled() && !m_config.readOnly; }
-    /// How it ends otherwise.
+    /// How a request ends that is not taken.
     [[nodiscard]] Outcome refusal() const {
-        return m_config.readOnly ? Outcome::Forbidden : Outcome::Cancelled;
+        return m_config.readOnly ? Outcome::Forbidden : settled() ? Outcome::QueueFull : Outcome::Cancelled;
     }
 
     // ---- what is next ----

@@ -125,7 +125,8 @@ enum class Outcome : std::uint8_t {
     NoAnswer,   ///< the command may or may not have been carried out
     Forbidden,  ///< the command gate: the chip does not allow it in its present state; or the connection is
                 ///< read-only. Nothing was sent
-    Cancelled,  ///< overtaken by a stop, or the connection ended
+    Cancelled,  ///< a stop went before it, or the connection ended; whatever moved was stopped
+    QueueFull,  ///< too many requests wait already. Nothing was sent
 };
 
 /// Where a module is and what it says it is.

@@ -364,8 +364,9 @@ TEST(Operations, AreBounded) {
     const auto finished = bus.all<OperationFinished>();
     ASSERT_EQ(finished.size(), 300U);
     EXPECT_EQ(std::count_if(finished.begin(), finished.end(),
-                            [](const auto& f) { return f.outcome == Outcome::Cancelled; }),
+                            [](const auto& f) { return f.outcome == Outcome::QueueFull; }),
               300 - 256);
+    EXPECT_EQ(bus.outcomeOf(OperationId(299)), Outcome::QueueFull);
 }
 
 TEST(Operations, WithoutAConnectionAreCancelled) {

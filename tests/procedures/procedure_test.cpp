@@ -108,6 +108,19 @@ TEST_F(AProcedure, SendsNothingBehindSomebodyElsesStop) {
     EXPECT_EQ(stage(), ProcedureStage::Cancelled);
 }
 
+/// Nobody has stopped the motor, and a stop that found the queue full has not gone out.
+TEST_F(AProcedure, StopsWhatItHasStartedOnceTheQueueTakesIt) {
+    EXPECT_EQ(next(), Is::Start);
+    procedure.onFinished(bus::Outcome::QueueFull);
+    EXPECT_EQ(next(), Is::Stop);
+    procedure.onFinished(bus::Outcome::QueueFull);
+    EXPECT_EQ(next(), Is::Stop);
+    procedure.onFinished(bus::Outcome::Done);
+    EXPECT_EQ(next(), Is::End);
+    EXPECT_EQ(stage(), ProcedureStage::Failed);
+    EXPECT_EQ(procedure.report().failure, ProcedureFailure::Refused);
+}
+
 TEST_F(AProcedure, EndsForTheFirstReason) {
     EXPECT_EQ(next(), Is::Start);
     procedure.onLinkSuspect();

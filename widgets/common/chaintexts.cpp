@@ -120,6 +120,12 @@ Message groupFailed(const bus::GroupFinished& finished) {
             .severity = Severity::Attention,
             .headline = Texts::tr("A stop replaced the command to group %1.").arg(groupNumber(command.group)),
             .body = Texts::tr("All motors were told to stop.")};
+    if (finished.outcome == Outcome::QueueFull)
+        return {.key = u"group%1"_s.arg(command.group),
+                .severity = Severity::Attention,
+                .headline = Texts::tr("Too many commands are waiting. Nothing was sent to group %1.")
+                                .arg(groupNumber(command.group)),
+                .body = Texts::tr("Wait until they are carried out, or press STOP ALL to discard them.")};
     if (command.action == bus::GroupCommand::Action::StartMotion)
         return startFailed(finished, command.group);
     return {.key = u"group%1"_s.arg(command.group),

@@ -75,6 +75,11 @@ Message operationFailed(const bus::OperationFinished& finished) {
             m.severity = Severity::Normal;
             m.headline = Texts::tr("A stop replaced the command for module %1.").arg(number);
             break;
+        case bus::Outcome::QueueFull:
+            m.headline =
+                Texts::tr("Too many commands are waiting. Nothing was sent to module %1.").arg(number);
+            m.body = Texts::tr("Wait until they are carried out, or press STOP ALL to discard them.");
+            break;
     }
     return m;
 }

@@ -60,7 +60,7 @@ void BusLoop::open(TransportFactory factory, bus::EngineConfig config) {
 
 void BusLoop::ask(BusRequest request) {
     if (!m_channel.requests.offer(request))
-        m_channel.post(refusal(request));
+        m_channel.post(refusal(request, isOpen() ? bus::Outcome::QueueFull : bus::Outcome::Cancelled));
 }
 
 void BusLoop::beat() {
@@ -92,7 +92,7 @@ void BusLoop::run(const TransportFactory& factory, const bus::EngineConfig& conf
         closed.error = opened.error();
     }
     for (const BusRequest& request : m_channel.requests.end())
-        m_channel.post(refusal(request));
+        m_channel.post(refusal(request, bus::Outcome::Cancelled));
     m_channel.post(std::move(closed));
 }
 

@@ -44,15 +44,14 @@ struct Ends {
 
 }  // namespace
 
-WorkerEvent refusal(const BusRequest& request) {
+WorkerEvent refusal(const BusRequest& request, bus::Outcome outcome) {
     return std::visit(
         Overloaded{
-            [](const bus::Operation& operation) -> WorkerEvent {
-                return bus::Event(bus::rejected(operation, bus::Outcome::Cancelled));
+            [outcome](const bus::Operation& operation) -> WorkerEvent {
+                return bus::Event(bus::rejected(operation, outcome));
             },
-            [](const bus::GroupOperation& operation) -> WorkerEvent {
-                return bus::Event(
-                    bus::GroupFinished{operation.id, bus::Outcome::Cancelled, operation.what, {}, false});
+            [outcome](const bus::GroupOperation& operation) -> WorkerEvent {
+                return bus::Event(bus::GroupFinished{operation.id, outcome, operation.what, {}, false});
             },
             [](const ChangeRate& change) -> WorkerEvent {
                 bus::RateChangeFailed failed;
@@ -84,7 +83,8 @@ void OpenRequests::onEvent(const bus::Event& event) {
 
 std::vector<WorkerEvent> OpenRequests::abandon() {
     std::vector<WorkerEvent> ends;
-    std::transform(m_open.begin(), m_open.end(), std::back_inserter(ends), refusal);
+    for (const BusRequest& request : m_open)
+        ends.push_back(refusal(request, bus::Outcome::Cancelled));
     m_open.clear();
     return ends;
 }

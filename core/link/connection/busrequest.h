@@ -37,7 +37,7 @@ using BusRequest =
     std::variant<bus::Operation, bus::GroupOperation, ChangeRate, Readdress, ResetModule, ControlLine>;
 
 /// The final event of a request that the engine has never received, or will not finish.
-[[nodiscard]] WorkerEvent refusal(const BusRequest& request);
+[[nodiscard]] WorkerEvent refusal(const BusRequest& request, bus::Outcome outcome);
 
 /// The requests that the engine has taken on and not yet finished. Bus thread.
 class OpenRequests {

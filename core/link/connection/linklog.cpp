@@ -48,6 +48,8 @@ std::string word(bus::Outcome outcome) {
             return "forbidden";
         case bus::Outcome::Cancelled:
             return "cancelled";
+        case bus::Outcome::QueueFull:
+            return "queue full";
     }
     return {};
 }

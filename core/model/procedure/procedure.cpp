@@ -43,6 +43,8 @@ void Procedure::onFinished(bus::Outcome outcome, bus::SineRecord sine, std::opti
     m_tried = trial;
     if (outcome == bus::Outcome::Cancelled)
         m_mayRun = false;  // the cause of that has stopped the motor, or switched it off
+    if (outcome == bus::Outcome::QueueFull && ends())
+        m_lastWordSent = false;  // it still has to go out
     if (m_end || outcome == bus::Outcome::Done)
         return;
     if (outcome == bus::Outcome::Cancelled)

@@ -158,7 +158,7 @@ protected:
 
     /// Returns the next step; called while nothing is in flight and the procedure has not ended early.
     [[nodiscard]] virtual Next proceed(const ModuleState& module, TimePoint now) = 0;
-    /// Returns the final orders for an early end; may be empty. Called once.
+    /// Returns the final orders for an early end; may be empty. Called again if the queue was full.
     [[nodiscard]] virtual std::vector<bus::Order> lastWord(const ModuleState& module) const = 0;
     /// Called after the final orders: returns any further steps, and End when there are none.
     [[nodiscard]] virtual Next afterLastWord(const ModuleState& /*module*/, TimePoint /*now*/) {
