@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is asked of modules, carried out without a window.
+#include "link/command/commander.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+
+#include "tests/link/connection/virtualconnection.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+using namespace Qt::StringLiterals;
+
+constexpr servo::SetGain kGains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
+constexpr ModuleIndex kModule{0};
+
+class CommanderTest : public testing::Test {
+protected:
+    void SetUp() override {
+        QObject::connect(&connection.store(), &BusStore::happened, &commander,
+                         [this](const StoreEvent& event) {
+                             if (commander.take(event))
+                                 ++ofOthers;
+                         });
+        QObject::connect(&commander, &Commander::refused, &commander,
+                         [this](ModuleIndex, Refusal refusal) { refusals.push_back(refusal); });
+        QObject::connect(&commander, &Commander::aboutToMove, &commander,
+                         [this](bus::OperationId, const std::vector<ModuleIndex>& modules) {
+                             moved.insert(moved.end(), modules.begin(), modules.end());
+                         });
+        connection.open();
+        ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+        ASSERT_TRUE(connection.waitUntil([this] { return connection.module(0).latest.has_value(); }));
+    }
+    void TearDown() override { EXPECT_EQ(sim.violations(), ""); }
+
+    void enable() {
+        commander.carryOut(kModule, intent::ApplyGains{kGains});
+        ASSERT_TRUE(connection.waitUntil([this] { return connection.module(0).gains.has_value(); }));
+        commander.carryOut(kModule, intent::Enable{});
+        ASSERT_TRUE(connection.waitUntil([this] { return connection.module(0).servoOn(); }));
+    }
+    [[nodiscard]] int position() { return sim.state(1)[u"position"_s].toInt(); }
+    [[nodiscard]] bool rests() { return !connection.module(0).moving(); }
+    [[nodiscard]] static intent::MoveBy by(std::int32_t counts, unsigned rounds) {
+        return {{counts, rounds, 0.0, false}, CountsPerTick(4 << 16), CountsPerTickSquared(1'311)};
+    }
+
+    VirtualChain sim{u"servo"_s};
+    VirtualConnection connection{sim};
+    Commander commander{connection.store(), connection.worker()};
+    std::vector<Refusal> refusals;
+    std::vector<ModuleIndex> moved;
+    int ofOthers = 0;  ///< operations whose outcome a procedure reports
+};
+
+TEST_F(CommanderTest, SendsNothingWhereAPreconditionIsNotMet) {
+    commander.carryOut(kModule, intent::Enable{});
+    EXPECT_EQ(refusals, std::vector{Refusal::GainsUnknown});
+    commander.carryOut(kModule, by(1'000, 1));
+    EXPECT_EQ(refusals.back(), Refusal::ServoOff);
+    EXPECT_FALSE(commander.hold({kModule, CountsPerTick(1 << 16), CountsPerTickSquared(1'311)}));
+    EXPECT_FALSE(sim.state(1)[u"servo_on"_s].toBool());
+    EXPECT_TRUE(moved.empty());
+}
+
+TEST_F(CommanderTest, AnnouncesAMotionBeforeItBegins) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    EXPECT_TRUE(moved.empty());
+    commander.carryOut(kModule,
+                       intent::GoTo{Counts(2'000), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)});
+    EXPECT_EQ(moved, std::vector{kModule});
+    EXPECT_EQ(position(), 0);
+    EXPECT_TRUE(connection.waitUntil([this] { return std::abs(position() - 2'000) <= 4 && rests(); }));
+    EXPECT_EQ(ofOthers, 0);
+}
+
+TEST_F(CommanderTest, AStopWaitsForNoProcedureAndEndsIt) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    commander.carryOut(kModule, by(2'000, 50));
+    EXPECT_TRUE(commander.anyRunning());
+    ASSERT_TRUE(connection.waitUntil([this] { return position() > 500; }));
+    commander.carryOut(kModule, intent::StopAbruptly{});
+    ASSERT_TRUE(connection.waitUntil([this] { return !commander.anyRunning() && rests(); }));
+    EXPECT_LT(position(), 2'000);
+    EXPECT_GT(ofOthers, 0);
+    const int there = position();
+    connection.waitUntil([this, until = connection.store().link().modules[0].latestTime] {
+        return connection.module(0).latestTime > until + std::chrono::seconds(1);
+    });
+    EXPECT_NEAR(position(), there, 4) << "nothing follows";
+}
+
+TEST_F(CommanderTest, AnotherRequestTakesTheModuleFromItsProcedure) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    commander.carryOut(kModule, by(2'000, 50));
+    ASSERT_TRUE(connection.waitUntil([this] { return position() > 500; }));
+    commander.carryOut(kModule, by(-100, 1));
+    EXPECT_EQ(refusals, std::vector{Refusal::Moving}) << "its motor is still being stopped";
+    ASSERT_TRUE(connection.waitUntil([this] { return !commander.anyRunning() && rests(); }));
+    EXPECT_LT(position(), 2'500);
+}
+
+}  // namespace
+}  // namespace nmc
