@@ -557,7 +557,7 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
 /// One of the answers that the search has had of it.
 void Engine::takeHeard(ModuleIndex index, const ReplyEnd& end) {
     Chain::Module& module = m_chain.at(index);
-    if (module.plausibility.judge(end))
+    if (module.plausibility.check(end))
         return;
     if (const auto trusted = module.trust.confirm(end.report)) {
         module.belief.onStatus(*trusted, end.latched);
@@ -723,7 +723,7 @@ std::optional<Rejection> Engine::examine(const Ask& ask, ReplyEnd& end) {
         return Rejection::Echo;
     if (end.result != ReplyResult::Accepted || !ask.module)
         return std::nullopt;
-    const auto rejection = m_chain.at(*ask.module).plausibility.judge(end);
+    const auto rejection = m_chain.at(*ask.module).plausibility.check(end);
     if (rejection)
         end.result = ReplyResult::Rejected;
     return rejection;

@@ -84,7 +84,7 @@ struct AsLoaded {
 
 }  // namespace
 
-Permission judge(const Belief& belief, const ModuleCommand& command) {
+Permission permit(const Belief& belief, const ModuleCommand& command) {
     if (belief.restarted() || !belongs(belief.info().identity, command))
         return Permission::Never;
     switch (factsOf(command).when) {

@@ -66,8 +66,8 @@ bool GroupWork::reachable(ModuleIndex module) const {
 }
 
 /// Whether the command may go to the group, and whom it hangs on if it may not.
-GroupWork::Judged GroupWork::judgeGroup(const GroupCommand& command) const {
-    Judged worst{Permission::Allowed, {}};
+GroupWork::GroupPermit GroupWork::permitGroup(const GroupCommand& command) const {
+    GroupPermit worst{Permission::Allowed, {}};
     bool anybody = false;
     for (const Chain::Module& module : m_chain.modules()) {
         const ModuleInfo& info = module.belief.info();
@@ -80,7 +80,7 @@ GroupWork::Judged GroupWork::judgeGroup(const GroupCommand& command) const {
         anybody = true;
         if (!reachable(info.index))
             return {Permission::Never, info.index};
-        Permission verdict = judge(module.belief, commandFor(command.action, info.identity.type));
+        Permission verdict = permit(module.belief, commandFor(command.action, info.identity.type));
         // With nothing stored, nobody knows what it would put out.
         if (info.identity.type == ModuleType::Io && command.action == GroupCommand::Action::StartMotion &&
             !module.belief.outputs().stored())
@@ -94,24 +94,24 @@ GroupWork::Judged GroupWork::judgeGroup(const GroupCommand& command) const {
         if (verdict == Permission::NeedsStatus || (verdict == Permission::InMotion && !worst.module))
             worst = {verdict, info.index};
     }
-    return anybody ? worst : Judged{Permission::Never, {}};
+    return anybody ? worst : GroupPermit{Permission::Never, {}};
 }
 
 Next GroupWork::tryCommand(const GroupCommand& command, TimePoint now) {
     m_commands.beginStep(now);
-    const Judged judged = judgeGroup(command);
-    switch (judged.verdict) {
+    const GroupPermit permit = permitGroup(command);
+    switch (permit.verdict) {
         case Permission::Allowed:
             return send(command, now);
         case Permission::NeedsStatus:
-            return m_chain.look(Purpose::Check, *judged.module);
+            return m_chain.look(Purpose::Check, *permit.module);
         case Permission::InMotion:
         case Permission::Never:
             break;
     }
     std::vector<GroupMember> withheld;
-    if (judged.module)
-        withheld.push_back({*judged.module, MemberOutcome::Withheld});
+    if (permit.module)
+        withheld.push_back({*permit.module, MemberOutcome::Withheld});
     m_events.emplace_back(m_commands.finishGroup(Outcome::Forbidden, std::move(withheld)));
     return Again{};
 }

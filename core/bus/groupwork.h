@@ -14,7 +14,7 @@
 namespace nmc::bus {
 
 /// The part of OperationTask that is about groups: changes of membership get their orders, commands to a
-/// group are judged for all members, sent once, and looked after at each of them (grouprun.h).
+/// group are permit for all members, sent once, and looked after at each of them (grouprun.h).
 class GroupWork {
 public:
     GroupWork(Chain& chain, const Line& line, CommandLane& commands, std::vector<Event>& events)
@@ -33,13 +33,13 @@ public:
     void reportUnknown();
 
 private:
-    struct Judged {
+    struct GroupPermit {
         Permission verdict;
         std::optional<ModuleIndex> module;  ///< that it hangs on
     };
     [[nodiscard]] std::optional<ModuleIndex> planChange(const GroupChange& change);
     [[nodiscard]] bool reachable(ModuleIndex module) const;
-    [[nodiscard]] Judged judgeGroup(const GroupCommand& command) const;
+    [[nodiscard]] GroupPermit permitGroup(const GroupCommand& command) const;
     [[nodiscard]] Next tryCommand(const GroupCommand& command, TimePoint now);
     [[nodiscard]] Next send(const GroupCommand& command, TimePoint now);
     [[nodiscard]] Next lookAtMembers(TimePoint now);

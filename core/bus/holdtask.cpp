@@ -115,7 +115,7 @@ bool HoldTask::leadsTo(std::int32_t goal, const Belief& module) const {
 }
 
 Next HoldTask::sendOrder(const Order& order) {
-    if (judge(m_chain.belief(order.module), order.command) != Permission::Allowed) {
+    if (permit(m_chain.belief(order.module), order.command) != Permission::Allowed) {
         giveUp();
         return Again{};
     }

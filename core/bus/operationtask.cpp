@@ -55,10 +55,10 @@ Next OperationTask::next(TimePoint now) {
     m_commands.beginStep(now);
     const Order& order = m_commands.order();
     const bool known = m_chain.has(order.module);
-    const bool change = m_commands.group() != nullptr;  // judged when it was planned
+    const bool change = m_commands.group() != nullptr;  // permit when it was planned
     Permission verdict = !known   ? Permission::Never
                          : change ? Permission::Allowed
-                                  : judge(m_chain.belief(order.module), order.command);
+                                  : permit(m_chain.belief(order.module), order.command);
     // What forbids may be over by now: two more looks before saying no, since one is not enough to permit.
     if (verdict == Permission::InMotion &&
         m_chain.belief(order.module).looksSince(m_commands.stepBegan()) < 2)

@@ -158,7 +158,7 @@ void Plausibility::onSent(const ModuleCommand& command, const ServoRegisters& se
     visitCommand(Sent{*this, sent, latched}, command);
 }
 
-std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
+std::optional<Rejection> Plausibility::check(const ReplyEnd& end) {
     if (const auto impossible = structure(end))
         return impossible;
     if (const auto contradiction = against(m_known, end)) {

@@ -46,7 +46,7 @@ public:
     void onSent(const ModuleCommand& command, const ServoRegisters& sent, TimePoint latched);
 
     /// Judges a reply whose sum is right. Nothing: it is believed, and later ones are judged by it.
-    [[nodiscard]] std::optional<Rejection> judge(const ReplyEnd& end);
+    [[nodiscard]] std::optional<Rejection> check(const ReplyEnd& end);
     /// Since it was asked last, a position was believed that no motion leads to.
     [[nodiscard]] bool takeJump() { return std::exchange(m_jumped, false); }
 

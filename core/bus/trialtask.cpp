@@ -21,7 +21,7 @@ bool TrialTask::begin(const Operation& operation) {
     const auto* servo = std::get_if<ServoCommand>(&order.command);
     const auto* gains = servo != nullptr ? std::get_if<servo::SetGain>(servo) : nullptr;
     if (gains == nullptr || !m_chain.has(order.module) || m_chain.at(order.module).trial ||
-        judge(m_chain.belief(order.module), order.command) != Permission::Allowed)
+        permit(m_chain.belief(order.module), order.command) != Permission::Allowed)
         return false;
     m_chain.at(order.module).trial = Trial{operation.id, *gains, *operation.trial};
     return true;

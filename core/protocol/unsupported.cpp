@@ -13,7 +13,7 @@ Reason reasonIf(bool condition, Unsupported reason) {
 
 /// Checks a command for features that the version lacks. Ranges are left to the decoder, except those that
 /// depend on the version.
-struct Judge {
+struct ReasonOf {
     const ModuleIdentity& module;
     [[nodiscard]] bool before(std::uint8_t version) const { return module.version < version; }
     [[nodiscard]] Reason items(StatusItems asked) const {
@@ -71,12 +71,12 @@ struct Judge {
 
 /// A command that does not decode to itself after encoding is not valid for the module.
 template <typename Command, typename Decode>
-Reason judge(const ModuleIdentity& module, ModuleType chip, const Command& command, Decode decode) {
+Reason reasonAgainst(const ModuleIdentity& module, ModuleType chip, const Command& command, Decode decode) {
     if (!isKnown(module))
         return Unsupported::UnknownModule;
     if (module.type != chip)
         return Unsupported::OtherChip;
-    if (const Reason reason = std::visit(Judge{module}, command))
+    if (const Reason reason = std::visit(ReasonOf{module}, command))
         return reason;
     const auto decoded = decode(encode(command));
     return reasonIf(!decoded || *decoded != command, Unsupported::OutOfRange);
@@ -85,16 +85,16 @@ Reason judge(const ModuleIdentity& module, ModuleType chip, const Command& comma
 }  // namespace
 
 std::optional<Unsupported> unsupported(const ModuleIdentity& module, const ServoCommand& command) {
-    return judge(module, ModuleType::Servo, command,
-                 [&module](const Payload& payload) { return decodeServoCommand(module, payload); });
+    return reasonAgainst(module, ModuleType::Servo, command,
+                         [&module](const Payload& payload) { return decodeServoCommand(module, payload); });
 }
 
 std::optional<Unsupported> unsupported(const ModuleIdentity& module, const StepperCommand& command) {
-    return judge(module, ModuleType::Stepper, command, decodeStepCommand);
+    return reasonAgainst(module, ModuleType::Stepper, command, decodeStepCommand);
 }
 
 std::optional<Unsupported> unsupported(const ModuleIdentity& module, const IoCommand& command) {
-    return judge(module, ModuleType::Io, command, decodeIoCommand);
+    return reasonAgainst(module, ModuleType::Io, command, decodeIoCommand);
 }
 
 std::string_view toText(Unsupported reason) {

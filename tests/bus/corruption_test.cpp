@@ -201,7 +201,7 @@ TEST_P(Corruption, IsBelievedNoMoreOftenThanThePageSays) {
     double farthest = 0;
     const unsigned count = trials();
     Motor motor(random);
-    Plausibility judge({ModuleType::Servo, 4});
+    Plausibility plausibility({ModuleType::Servo, 4});
     TimePoint now{};
     for (unsigned trial = 0; trial < count; ++trial) {
         const ServoState before = motor.state();
@@ -214,17 +214,17 @@ TEST_P(Corruption, IsBelievedNoMoreOftenThanThePageSays) {
         const bool fits = bytes != whole && end.result == ReplyResult::Accepted;
         rightSum += fits ? 1U : 0U;
         // With bit 1 set it is the module's refusal, and no sample.
-        Plausibility asNow = judge;
-        if (fits && !end.report.commandRefused() && !asNow.judge(end)) {
+        Plausibility asNow = plausibility;
+        if (fits && !end.report.commandRefused() && !asNow.check(end)) {
             ++believed;
             const double expected = before.position + speed * kTicksBetween;
             farthest = std::max(farthest, std::abs(static_cast<double>(*end.report.position) - expected));
         }
         // The true one, so that the next is judged by it; in between one in full, as polls take turns.
-        cleanRejected += judge.judge(accepted(ModuleType::Servo, row.items, whole, now)) ? 1U : 0U;
+        cleanRejected += plausibility.check(accepted(ModuleType::Servo, row.items, whole, now)) ? 1U : 0U;
         now += motor.advance();
-        cleanRejected += judge.judge(accepted(ModuleType::Servo, kSixteenBytes,
-                                              bytesOf(motor.state(), kSixteenBytes), now))
+        cleanRejected += plausibility.check(accepted(ModuleType::Servo, kSixteenBytes,
+                                                     bytesOf(motor.state(), kSixteenBytes), now))
                              ? 1U
                              : 0U;
     }

@@ -36,14 +36,14 @@ public:
         belief.onExecuted(order.command);
     }
     void unanswered(const Order& order) { belief.onSent(order.command, m_now += 1ms); }
-    [[nodiscard]] Permission judge(const Order& order) const { return bus::judge(belief, order.command); }
+    [[nodiscard]] Permission permit(const Order& order) const { return bus::permit(belief, order.command); }
     /// Of the start of a trapezoidal move that has been loaded.
-    [[nodiscard]] Permission judgeMove() const {
+    [[nodiscard]] Permission permitMove() const {
         Module loaded = *this;
         loaded.executed(loadMove(0, 10));
-        return loaded.judge(start(0));
+        return loaded.permit(start(0));
     }
-    [[nodiscard]] Permission judge(ServoCommand command) const { return bus::judge(belief, command); }
+    [[nodiscard]] Permission permit(ServoCommand command) const { return bus::permit(belief, command); }
 
     Belief belief;
 
@@ -59,19 +59,19 @@ private:
 
 TEST(Gate, LetsAStandingServoLoadAndStart) {
     Module module = standing();
-    EXPECT_EQ(module.judge(loadMove(0, 10)), Permission::Allowed);
-    EXPECT_EQ(module.judge(start(0)), Permission::Never) << "nothing loaded";
+    EXPECT_EQ(module.permit(loadMove(0, 10)), Permission::Allowed);
+    EXPECT_EQ(module.permit(start(0)), Permission::Never) << "nothing loaded";
     module.executed(loadMove(0, 10));
-    EXPECT_EQ(module.judge(start(0)), Permission::Allowed);
+    EXPECT_EQ(module.permit(start(0)), Permission::Allowed);
 }
 
 TEST(Gate, WantsToSeeAStatusFirst) {
     Module module;
-    EXPECT_EQ(module.judgeMove(), Permission::NeedsStatus);
-    EXPECT_EQ(module.judge(ResetPosition{}), Permission::NeedsStatus);
+    EXPECT_EQ(module.permitMove(), Permission::NeedsStatus);
+    EXPECT_EQ(module.permit(ResetPosition{}), Permission::NeedsStatus);
     module = standing();
     module.executed(enable(0));
-    EXPECT_EQ(module.judgeMove(), Permission::NeedsStatus) << "older than the last motion command";
+    EXPECT_EQ(module.permitMove(), Permission::NeedsStatus) << "older than the last motion command";
 }
 
 TEST(Gate, ForbidsWhatMustNotHappenInAMove) {
@@ -79,13 +79,13 @@ TEST(Gate, ForbidsWhatMustNotHappenInAMove) {
     module.executed(loadMove(0, 10));
     module.executed(start(0));
     module.status(kPower, kServoOn);
-    EXPECT_EQ(module.judgeMove(), Permission::InMotion);
-    EXPECT_EQ(module.judge(ResetPosition{}), Permission::InMotion);
-    EXPECT_EQ(module.judge(loadVelocity(0, 10, true)), Permission::Allowed);
+    EXPECT_EQ(module.permitMove(), Permission::InMotion);
+    EXPECT_EQ(module.permit(ResetPosition{}), Permission::InMotion);
+    EXPECT_EQ(module.permit(loadVelocity(0, 10, true)), Permission::Allowed);
     module.status(kMoveDone | kPower, kServoOn);
-    EXPECT_EQ(module.judgeMove(), Permission::Allowed);
-    EXPECT_EQ(module.judge(ResetPosition{}), Permission::Allowed);
-    EXPECT_EQ(module.judge(start(0)), Permission::Never) << "used up";
+    EXPECT_EQ(module.permitMove(), Permission::Allowed);
+    EXPECT_EQ(module.permit(ResetPosition{}), Permission::Allowed);
+    EXPECT_EQ(module.permit(start(0)), Permission::Never) << "used up";
 }
 
 /// DS-V 5.1, note 1; DS-S 5.1 Load Trajectory.
@@ -94,70 +94,70 @@ TEST(Gate, LetsALoadWaitForItsStartWhateverMoves) {
     module.executed(loadMove(0, 10));
     module.executed(start(0));
     module.status(kPower, kServoOn, 1);
-    EXPECT_EQ(module.judge(loadMove(0, 20)), Permission::Allowed);
+    EXPECT_EQ(module.permit(loadMove(0, 20)), Permission::Allowed);
     module.executed(loadMove(0, 20));
-    EXPECT_EQ(module.judge(start(0)), Permission::InMotion);
+    EXPECT_EQ(module.permit(start(0)), Permission::InMotion);
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judge(start(0)), Permission::Allowed);
+    EXPECT_EQ(module.permit(start(0)), Permission::Allowed);
 }
 
 TEST(Gate, KnowsThatMoveDoneSaysNothingAtConstantVelocity) {
     Module module = standing();
     module.executed(loadVelocity(0, 65'536, true));
     module.status(kMoveDone | kPower, kServoOn, 1);
-    EXPECT_EQ(module.judgeMove(), Permission::InMotion);
+    EXPECT_EQ(module.permitMove(), Permission::InMotion);
     module.executed(loadVelocity(0, 0, true));
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judgeMove(), Permission::Allowed);
+    EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
 TEST(Gate, CountsAnUnansweredStartAsMoving) {
     Module module = standing();
     module.unanswered(loadVelocity(0, 65'536, true));
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judgeMove(), Permission::InMotion);
+    EXPECT_EQ(module.permitMove(), Permission::InMotion);
     module.unanswered(enable(0));
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judgeMove(), Permission::InMotion) << "nor was the stop answered";
+    EXPECT_EQ(module.permitMove(), Permission::InMotion) << "nor was the stop answered";
     module.executed(enable(0));
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judgeMove(), Permission::Allowed);
+    EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
 TEST(Gate, DoesNotStartALoadThatWasNotAnswered) {
     Module module = standing();
     module.unanswered(loadMove(0, 10));
-    EXPECT_EQ(module.judge(start(0)), Permission::Never);
+    EXPECT_EQ(module.permit(start(0)), Permission::Never);
     module.executed(loadMove(0, 10));
     module.unanswered(loadMove(0, 20));
-    EXPECT_EQ(module.judge(start(0)), Permission::Never) << "which of the two?";
+    EXPECT_EQ(module.permit(start(0)), Permission::Never) << "which of the two?";
 }
 
 TEST(Gate, ForbidsTrapezoidalStartNow) {
     servo::LoadTrajectory load;
     load.position = Counts(5);
     load.startNow = true;
-    EXPECT_EQ(standing().judge(load), Permission::Never);
+    EXPECT_EQ(standing().permit(load), Permission::Never);
 }
 
 TEST(Gate, TakesACoastingMotorForMoving) {
     Module module;
     module.status(kMoveDone | kPower, 0, 3);
-    EXPECT_EQ(module.judgeMove(), Permission::InMotion);
+    EXPECT_EQ(module.permitMove(), Permission::InMotion);
     module.status(kMoveDone | kPower, 0, 0);
-    EXPECT_EQ(module.judgeMove(), Permission::Allowed);
+    EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
 /// The velocity item is 0 in every third tick at two thirds of a count per tick.
 TEST(Gate, TakesAMotorThatCoastsSlowlyForMoving) {
     Module module;
     module.status(kMoveDone | kPower, 0, 0, 1'000);
-    EXPECT_EQ(module.judgeMove(), Permission::Allowed);
+    EXPECT_EQ(module.permitMove(), Permission::Allowed);
     module.status(kMoveDone | kPower, 0, 0, 1'002);
-    EXPECT_EQ(module.judgeMove(), Permission::InMotion);
-    EXPECT_EQ(module.judge(ResetPosition{}), Permission::InMotion);
+    EXPECT_EQ(module.permitMove(), Permission::InMotion);
+    EXPECT_EQ(module.permit(ResetPosition{}), Permission::InMotion);
     module.status(kMoveDone | kPower, 0, 0, 1'003);
-    EXPECT_EQ(module.judgeMove(), Permission::Allowed);
+    EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
 TEST(Gate, TakesNoRenamedPositionForAMotion) {
@@ -165,17 +165,17 @@ TEST(Gate, TakesNoRenamedPositionForAMotion) {
     module.status(kMoveDone | kPower, 0, 0, 1'000);
     module.executed(toServo(0, ResetPosition{}));
     module.status(kMoveDone | kPower, 0, 0, 0);
-    EXPECT_EQ(module.judge(ResetPosition{}), Permission::Allowed);
+    EXPECT_EQ(module.permit(ResetPosition{}), Permission::Allowed);
 }
 
 TEST(Gate, TakesAPwmOutputForMoving) {
     Module module = standing();
     module.executed(loadPwm(0, 60));
     module.status(kMoveDone | kPower, 0, 0);
-    EXPECT_EQ(module.judgeMove(), Permission::InMotion);
+    EXPECT_EQ(module.permitMove(), Permission::InMotion);
     module.executed(motorOff(0));
     module.status(kMoveDone | kPower, 0, 0);
-    EXPECT_EQ(module.judgeMove(), Permission::Allowed);
+    EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
 TEST(Gate, KnowsThatHomingStopsByItself) {
@@ -186,9 +186,9 @@ TEST(Gate, KnowsThatHomingStopsByItself) {
     module.executed(toServo(0, homing));
     module.executed(loadVelocity(0, 65'536, true));
     module.status(kMoveDone | kPower | kHoming, kServoOn, 1);
-    EXPECT_EQ(module.judgeMove(), Permission::InMotion);
+    EXPECT_EQ(module.permitMove(), Permission::InMotion);
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judgeMove(), Permission::Allowed);
+    EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
 TEST(Gate, ForbidsWhatTheVersionDoesNotHave) {
@@ -196,23 +196,23 @@ TEST(Gate, ForbidsWhatTheVersionDoesNotHave) {
     old.status(kMoveDone | kPower, kServoOn);
     servo::SetGain fourteen{};
     fourteen.db = 0;
-    EXPECT_EQ(old.judge(fourteen), Permission::Never);
-    EXPECT_EQ(old.judge(servo::SetGain{}), Permission::Allowed);
-    EXPECT_EQ(old.judge(servo::StopMotor{true, servo::StopManner::Here, Counts(1)}), Permission::Never);
+    EXPECT_EQ(old.permit(fourteen), Permission::Never);
+    EXPECT_EQ(old.permit(servo::SetGain{}), Permission::Allowed);
+    EXPECT_EQ(old.permit(servo::StopMotor{true, servo::StopManner::Here, Counts(1)}), Permission::Never);
 }
 
 TEST(Gate, ForbidsTheOtherChipsCommands) {
     Module stepper({ModuleType::Stepper, 1});
-    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(stepper::SetOutputs{1})), Permission::Allowed);
-    EXPECT_EQ(stepper.judge(servo::ClearStickyBits{}), Permission::Never);
-    EXPECT_EQ(bus::judge(standing().belief, StepperCommand(stepper::SetOutputs{1})), Permission::Never);
+    EXPECT_EQ(bus::permit(stepper.belief, StepperCommand(stepper::SetOutputs{1})), Permission::Allowed);
+    EXPECT_EQ(stepper.permit(servo::ClearStickyBits{}), Permission::Never);
+    EXPECT_EQ(bus::permit(standing().belief, StepperCommand(stepper::SetOutputs{1})), Permission::Never);
 }
 
 TEST(Gate, ForbidsValuesOutsideTheDataSheet) {
     servo::LoadTrajectory load;
     load.velocity = CountsPerTick(0x8000'0000U);
     load.profile = servo::ProfileMode::Velocity;
-    EXPECT_EQ(standing().judge(load), Permission::Never);
+    EXPECT_EQ(standing().permit(load), Permission::Never);
 }
 
 TEST(Gate, HoldsASteppersTrapezoidBackWhileItMoves) {
@@ -222,16 +222,17 @@ TEST(Gate, HoldsASteppersTrapezoidBackWhileItMoves) {
     load.position = Counts(100);
     load.speed = std::uint8_t{10};
     stepper.status(kMoving | kPower | 0x04, 0);
-    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(load)), Permission::Never) << "before Set Parameters";
+    EXPECT_EQ(bus::permit(stepper.belief, StepperCommand(load)), Permission::Never)
+        << "before Set Parameters";
     stepper.belief.onExecuted(StepperCommand(stepper::SetParameters{}));
-    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(load)), Permission::Allowed) << "it is only loaded";
+    EXPECT_EQ(bus::permit(stepper.belief, StepperCommand(load)), Permission::Allowed) << "it is only loaded";
     stepper.belief.onSent(StepperCommand(load), TimePoint{});
     stepper.belief.onExecuted(StepperCommand(load));
-    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(StartMotion{})), Permission::InMotion);
-    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(stepper::SetParameters{})), Permission::Allowed);
-    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(ResetPosition{})), Permission::InMotion);
+    EXPECT_EQ(bus::permit(stepper.belief, StepperCommand(StartMotion{})), Permission::InMotion);
+    EXPECT_EQ(bus::permit(stepper.belief, StepperCommand(stepper::SetParameters{})), Permission::Allowed);
+    EXPECT_EQ(bus::permit(stepper.belief, StepperCommand(ResetPosition{})), Permission::InMotion);
     stepper.status(kPower | 0x04, 0);
-    EXPECT_EQ(bus::judge(stepper.belief, StepperCommand(StartMotion{})), Permission::Allowed);
+    EXPECT_EQ(bus::permit(stepper.belief, StepperCommand(StartMotion{})), Permission::Allowed);
 }
 
 TEST(Belief, RemembersThatAServoMayBeOn) {
@@ -303,19 +304,19 @@ TEST(Gate, LetsNobodyElseFollowAPath) {
 
 TEST(Gate, KeepsOtherMotionsFromAModuleOnAPath) {
     Module module = standingSc();
-    EXPECT_EQ(module.judge(servo::AddPathPoints()), Permission::Never) << "it is no command of its own";
+    EXPECT_EQ(module.permit(servo::AddPathPoints()), Permission::Never) << "it is no command of its own";
     module.executed(toServo(0, servo::AddPathPoints()));
     EXPECT_TRUE(module.belief.mayMove());
     module.status(kMoveDone | kPower, kServoOn | kPathMode);
     EXPECT_TRUE(module.belief.onPath());
-    EXPECT_EQ(module.judge(loadVelocity(0, 65'536, true)), Permission::InMotion);
-    EXPECT_EQ(module.judge(ResetPosition{}), Permission::InMotion);
-    EXPECT_EQ(module.judge(motorOff(0)), Permission::Allowed);
+    EXPECT_EQ(module.permit(loadVelocity(0, 65'536, true)), Permission::InMotion);
+    EXPECT_EQ(module.permit(ResetPosition{}), Permission::InMotion);
+    EXPECT_EQ(module.permit(motorOff(0)), Permission::Allowed);
     module.status(kPower, kServoOn);
     EXPECT_TRUE(module.belief.onPath()) << "its move is not done";
     module.status(kMoveDone | kPower, kServoOn);
     EXPECT_FALSE(module.belief.onPath());
-    EXPECT_EQ(module.judge(loadVelocity(0, 65'536, true)), Permission::Allowed);
+    EXPECT_EQ(module.permit(loadVelocity(0, 65'536, true)), Permission::Allowed);
     module.executed(toServo(0, servo::AddPathPoints()));
     module.executed(enable(0));
     EXPECT_FALSE(module.belief.onPath()) << "any Stop Motor ends it";

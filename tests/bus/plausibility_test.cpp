@@ -20,12 +20,12 @@ using namespace std::chrono_literals;
 template <typename State, ModuleType kType>
 class Asked {
 public:
-    explicit Asked(std::uint8_t version) : judge({kType, version}) {}
+    explicit Asked(std::uint8_t version) : plausibility({kType, version}) {}
 
     [[nodiscard]] std::optional<Rejection> says(const State& said, std::uint8_t items = kLong,
                                                 Duration after = 10ms) {
         now += after;
-        return judge.judge(accepted(kType, items, bytesOf(said, items), now));
+        return plausibility.check(accepted(kType, items, bytesOf(said, items), now));
     }
     /// A few replies that nothing is wrong with.
     void settle(const State& said) {
@@ -35,10 +35,10 @@ public:
     void sends(const ModuleCommand& command) {
         if (const auto* own = std::get_if<ServoCommand>(&command))
             sent.apply(*own);
-        judge.onSent(command, sent, now + 5ms);
+        plausibility.onSent(command, sent, now + 5ms);
     }
 
-    Plausibility judge;
+    Plausibility plausibility;
     ServoRegisters sent;
     TimePoint now{};
 };
@@ -56,35 +56,36 @@ public:
 TEST(Plausibility, TellsOnceOfACounterThatSomebodyElseHasSet) {
     Servo servo({.position = 50'000});
     EXPECT_EQ(servo.says({.position = 0}), Rejection::PositionJump);
-    EXPECT_FALSE(servo.judge.takeJump()) << "it may be a garbled reply";
+    EXPECT_FALSE(servo.plausibility.takeJump()) << "it may be a garbled reply";
     EXPECT_EQ(servo.says({.position = 0}, kShort), std::nullopt);
-    EXPECT_TRUE(servo.judge.takeJump());
-    EXPECT_FALSE(servo.judge.takeJump());
+    EXPECT_TRUE(servo.plausibility.takeJump());
+    EXPECT_FALSE(servo.plausibility.takeJump());
     // What this host sets is no news.
     Servo ours({.position = 50'000});
     ours.sends(ServoCommand(ResetPosition{}));
     EXPECT_EQ(ours.says({.position = 0}), std::nullopt);
-    EXPECT_FALSE(ours.judge.takeJump());
+    EXPECT_FALSE(ours.plausibility.takeJump());
 }
 
 TEST(Plausibility, RejectsALineThatIsHeldLowOrHigh) {
     Servo servo;
     const std::vector<std::uint8_t> low(10, 0x00);
-    EXPECT_EQ(servo.judge.judge(accepted(ModuleType::Servo, kShort, low, servo.now + 10ms)),
+    EXPECT_EQ(servo.plausibility.check(accepted(ModuleType::Servo, kShort, low, servo.now + 10ms)),
               Rejection::Uniform);
     // The sum of FF FF is FE: only a reply of status byte and sum can be all FF and fit.
     const std::vector<std::uint8_t> high(2, 0xFF);
-    EXPECT_EQ(servo.judge.judge(accepted(ModuleType::Servo, 0, high, servo.now + 20ms)), Rejection::Uniform);
+    EXPECT_EQ(servo.plausibility.check(accepted(ModuleType::Servo, 0, high, servo.now + 20ms)),
+              Rejection::Uniform);
     // A servo that runs, without a limit and without a bit in its position, is none.
     Plausibility fresh({ModuleType::Servo, 4});
     const auto bytes = bytesOf(ServoState{.status = 0x08}, kShort);
-    EXPECT_FALSE(fresh.judge(accepted(ModuleType::Servo, kShort, bytes, {})));
+    EXPECT_FALSE(fresh.check(accepted(ModuleType::Servo, kShort, bytes, {})));
 }
 
 TEST(Plausibility, BelievesTheZerosOfAStepperThatHasNothingElseToTell) {
     const std::vector<std::uint8_t> zeros(10, 0x00);
     const auto says = [&](Stepper& stepper) {
-        return stepper.judge.judge(accepted(ModuleType::Stepper, kShort, zeros, stepper.now + 10ms));
+        return stepper.plausibility.check(accepted(ModuleType::Stepper, kShort, zeros, stepper.now + 10ms));
     };
     Stepper resting({.status = 0x00, .analog = 0});
     EXPECT_EQ(says(resting), std::nullopt) << "it said so before, with its type";
@@ -93,7 +94,7 @@ TEST(Plausibility, BelievesTheZerosOfAStepperThatHasNothingElseToTell) {
     Stepper elsewhere({.status = 0x00, .position = 5, .analog = 0});
     EXPECT_EQ(says(elsewhere), Rejection::Uniform);
     Plausibility fresh({ModuleType::Stepper, 1});
-    EXPECT_EQ(fresh.judge(accepted(ModuleType::Stepper, kShort, zeros, {})), Rejection::Uniform);
+    EXPECT_EQ(fresh.check(accepted(ModuleType::Stepper, kShort, zeros, {})), Rejection::Uniform);
 }
 
 TEST(Plausibility, RejectsAnotherTypeOrVersion) {
@@ -240,7 +241,7 @@ TEST(Plausibility, TakesAMotionThatSomebodyElseBeganForNoJump) {
               Rejection::PositionJump);
     EXPECT_EQ(servo.says({.status = 0x08, .position = 2'150, .velocity = 8, .aux = 0x0C}, kShort),
               std::nullopt);
-    EXPECT_FALSE(servo.judge.takeJump());
+    EXPECT_FALSE(servo.plausibility.takeJump());
 }
 
 /// It would have switched off before it got there.
@@ -415,9 +416,9 @@ TEST(Plausibility, HasNoOpinionOnModulesWithoutADataSheet) {
     Plausibility io({ModuleType::Io, 1});
     for (const std::uint8_t status : std::initializer_list<std::uint8_t>{0x08, 0xFB, 0x01}) {
         const auto bytes = withSum({status, 2, 1});
-        EXPECT_FALSE(io.judge(accepted(ModuleType::Io, 0x20, bytes, {})));
+        EXPECT_FALSE(io.check(accepted(ModuleType::Io, 0x20, bytes, {})));
     }
-    EXPECT_EQ(io.judge(accepted(ModuleType::Io, 0x20, withSum({0x08, 2, 9}), {})), Rejection::Identity);
+    EXPECT_EQ(io.check(accepted(ModuleType::Io, 0x20, withSum({0x08, 2, 9}), {})), Rejection::Identity);
 }
 
 }  // namespace

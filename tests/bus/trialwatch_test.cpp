@@ -24,7 +24,7 @@ struct End {
 };
 
 /// Until it is over, or for two seconds. `off`: counts from where it stood, by seconds.
-[[nodiscard]] std::optional<End> judge(const std::function<double(double)>& off,
+[[nodiscard]] std::optional<End> endOf(const std::function<double(double)>& off,
                                        const servo::SetGain& gains = gainsOf(10, 255)) {
     TrialWatch watch(gains, kTrial);
     for (double t = 0; t < 2; t += 1.6e-3) {
@@ -45,7 +45,7 @@ struct End {
 /// Each half cycle twice as wide as the one before: from 6 counts on the third is beyond all doubt.
 TEST(TrialWatch, EndsAtTheThirdHalfCycleOfASwingThatGrows) {
     for (const double hertz : {5.0, 30.0, 80.0}) {
-        const auto end = judge(swing(6, hertz, 2));
+        const auto end = endOf(swing(6, hertz, 2));
         ASSERT_TRUE(end) << hertz;
         EXPECT_EQ(end->why, TrialEnd::Swings);
         EXPECT_GT(end->seconds, 1.0 / hertz) << hertz;
@@ -55,7 +55,7 @@ TEST(TrialWatch, EndsAtTheThirdHalfCycleOfASwingThatGrows) {
 
 TEST(TrialWatch, EndsASwingThatStaysAtItsThirdHalfCycle) {
     for (const double hertz : {2.0, 10.0, 60.0}) {
-        const auto end = judge(swing(12, hertz, 1));
+        const auto end = endOf(swing(12, hertz, 1));
         ASSERT_TRUE(end) << hertz;
         EXPECT_EQ(end->why, TrialEnd::Swings);
         EXPECT_GE(end->seconds, 1.0 / hertz) << hertz;
@@ -70,35 +70,35 @@ TEST(TrialWatch, LeavesAloneWhatCalmsDown) {
         for (const double zeta : {0.2, 0.5, 0.7})
             for (const double counts : {5.0, 40.0, 300.0}) {
                 const double ofEach = std::exp(-std::numbers::pi * zeta / std::sqrt(1 - zeta * zeta));
-                EXPECT_FALSE(judge(swing(counts, hertz, ofEach))) << hertz << " Hz, zeta " << zeta;
+                EXPECT_FALSE(endOf(swing(counts, hertz, ofEach))) << hertz << " Hz, zeta " << zeta;
             }
 }
 
 TEST(TrialWatch, LeavesAloneWhatCreepsAndWhatIsPushedSlowly) {
-    EXPECT_FALSE(judge([](double t) { return -6 * t; })) << "friction and Ki, by up to 12 counts";
-    EXPECT_FALSE(judge([](double t) { return std::fmod(t * 500, 2); })) << "to and fro by a count";
+    EXPECT_FALSE(endOf([](double t) { return -6 * t; })) << "friction and Ki, by up to 12 counts";
+    EXPECT_FALSE(endOf([](double t) { return std::fmod(t * 500, 2); })) << "to and fro by a count";
     // A hand pushes it by 30 counts in half a second, lets go, and it is back with an overshoot of 3.
-    EXPECT_FALSE(judge([](double t) {
+    EXPECT_FALSE(endOf([](double t) {
         return t < 0.5 ? 60 * t : 33 * std::exp(-40 * (t - 0.5)) * std::cos(60 * (t - 0.5));
     }));
     // It creeps by 3 counts one way, and is then hit the other way.
-    EXPECT_FALSE(judge([](double t) {
+    EXPECT_FALSE(endOf([](double t) {
         return t < 1 ? -3 * t : -3 + 30 * std::exp(-80 * (t - 1)) * std::sin(150 * (t - 1));
     }));
 }
 
 /// The error alone asks for more than OL: 1000 e / 256 > 100 from 25.6 counts on (DS-V 4.3).
 TEST(TrialWatch, EndsWhereTheOutputLimitIsReached) {
-    EXPECT_FALSE(judge([](double) { return 25.0; }, gainsOf(1'000, 100)));
-    const auto end = judge([](double) { return -26.0; }, gainsOf(1'000, 100));
+    EXPECT_FALSE(endOf([](double) { return 25.0; }, gainsOf(1'000, 100)));
+    const auto end = endOf([](double) { return -26.0; }, gainsOf(1'000, 100));
     ASSERT_TRUE(end);
     EXPECT_EQ(end->why, TrialEnd::Saturates);
     EXPECT_EQ(end->seconds, 0.0);
 }
 
 TEST(TrialWatch, EndsTooFarAway) {
-    EXPECT_FALSE(judge([](double) { return 2'000.0; }));
-    const auto end = judge([](double) { return -2'001.0; });
+    EXPECT_FALSE(endOf([](double) { return 2'000.0; }));
+    const auto end = endOf([](double) { return -2'001.0; });
     ASSERT_TRUE(end);
     EXPECT_EQ(end->why, TrialEnd::TooFar);
 }

@@ -25,10 +25,10 @@ TEST(TripCause, AMotorThatRunsAwayAsSoonAsItIsEnabledIsReversed) {
     f.enabled = true;
     f.since = 100ms;
     f.moved = f.farthest = 700;
-    EXPECT_EQ(judge(f), TripCause::Reversed);
+    EXPECT_EQ(diagnose(f), TripCause::Reversed);
     f.moved = f.rearmost = -700;
     f.farthest = 0;
-    EXPECT_EQ(judge(f), TripCause::Reversed) << "either way";
+    EXPECT_EQ(diagnose(f), TripCause::Reversed) << "either way";
 }
 
 TEST(TripCause, ThatIsNotSaidOfOneThatIsPushedLaterOrSwings) {
@@ -37,52 +37,52 @@ TEST(TripCause, ThatIsNotSaidOfOneThatIsPushedLaterOrSwings) {
     f.enabled = true;
     f.since = 5s;
     f.moved = f.farthest = 700;
-    EXPECT_EQ(judge(f), TripCause::Unknown) << "it has held for five seconds";
+    EXPECT_EQ(diagnose(f), TripCause::Unknown) << "it has held for five seconds";
     f.since = 100ms;
     f.rearmost = -300;
-    EXPECT_EQ(judge(f), TripCause::Unknown) << "to both sides: the gains";
+    EXPECT_EQ(diagnose(f), TripCause::Unknown) << "to both sides: the gains";
     f.rearmost = 0;
     f.enabled = false;
-    EXPECT_EQ(judge(f), TripCause::Unknown) << "told to hold out of a motion";
+    EXPECT_EQ(diagnose(f), TripCause::Unknown) << "told to hold out of a motion";
 }
 
 TEST(TripCause, AMotorThatGoesAgainstItsCommandIsReversed) {
     TripFacts f = forward();
     f.moved = f.rearmost = -300;
     f.speed = 20'000.0;
-    EXPECT_EQ(judge(f), TripCause::Reversed);
+    EXPECT_EQ(diagnose(f), TripCause::Reversed);
     f.direction = -1;
     f.moved = f.farthest = 300;
     f.rearmost = 0;
-    EXPECT_EQ(judge(f), TripCause::Reversed);
+    EXPECT_EQ(diagnose(f), TripCause::Reversed);
     f.moved = -20;
-    EXPECT_NE(judge(f), TripCause::Reversed) << "a tenth of 500 is 50";
+    EXPECT_NE(diagnose(f), TripCause::Reversed) << "a tenth of 500 is 50";
 }
 
 TEST(TripCause, AMotorThatStandsIsJammed) {
     TripFacts f = forward();
-    EXPECT_EQ(judge(f), TripCause::Jam) << "it has never moved";
+    EXPECT_EQ(diagnose(f), TripCause::Jam) << "it has never moved";
     f.moved = f.farthest = 4'000;
     f.speed = 30.0;
-    EXPECT_EQ(judge(f), TripCause::Jam) << "it has moved, and moves no more";
+    EXPECT_EQ(diagnose(f), TripCause::Jam) << "it has moved, and moves no more";
 }
 
 TEST(TripCause, AMotorThatMovesButLagsIsBehind) {
     TripFacts f = forward();
     f.moved = f.farthest = 4'000;
     f.speed = 600.0;
-    EXPECT_EQ(judge(f), TripCause::Behind);
+    EXPECT_EQ(diagnose(f), TripCause::Behind);
 }
 
 TEST(TripCause, ALimitThatClosedOnTheWayComesBeforeTheJamBehindIt) {
     TripFacts f = forward();
     f.moved = f.farthest = 4'000;
     f.limit2Closed = true;
-    EXPECT_EQ(judge(f), TripCause::Limit2);
+    EXPECT_EQ(diagnose(f), TripCause::Limit2);
     f.limit1Closed = true;
-    EXPECT_EQ(judge(f), TripCause::Limit1);
+    EXPECT_EQ(diagnose(f), TripCause::Limit1);
     f.moved = f.rearmost = -300;
-    EXPECT_EQ(judge(f), TripCause::Reversed) << "it ran into the switch of the other side";
+    EXPECT_EQ(diagnose(f), TripCause::Reversed) << "it ran into the switch of the other side";
 }
 
 TEST(TripWatch, MeasuresFromTheCommandOn) {

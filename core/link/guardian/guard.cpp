@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "link/clock.h"
-#include "link/guardian/beatjudge.h"
+#include "link/guardian/beatmonitor.h"
 #include "link/guardian/guardmemory.h"
 #include "link/guardian/guardreport.h"
 #include "link/threadpriority.h"
@@ -78,7 +78,7 @@ public:
     GuardEnd run() {
         while (true) {
             std::array<pollfd, 3> fds{{{Fds::kPort, 0, 0}, {m_channelFd, POLLIN, 0}, {m_panelFd, POLLIN, 0}}};
-            pollUntil(fds, m_judge.lookBy(m_memory.beat()));
+            pollUntil(fds, m_monitor.lookBy(m_memory.beat()));
             if (m_memory.ended())
                 return GuardEnd::Told;
             if (fds[0].revents != 0)
@@ -90,7 +90,7 @@ public:
             }
             if (closed)
                 m_channelFd = -1;  // the panel is dying; only the end of its process counts
-            if (const Beat beat = m_memory.beat(); m_judge.expired(beat, monotonicNow()))
+            if (const Beat beat = m_memory.beat(); m_monitor.expired(beat, monotonicNow()))
                 standIn(beat);
         }
     }
@@ -140,7 +140,7 @@ private:
 
     GuardMemory m_memory;
     std::string m_reportFile;
-    BeatJudge m_judge;
+    BeatMonitor m_monitor;
     int m_channelFd = Fds::kChannel;
     int m_panelFd;
 };

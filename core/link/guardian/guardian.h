@@ -28,7 +28,7 @@ struct GuardianPlace {
 ///
 /// The guardian shares the open port and a small memory (guardmemory.h), which always holds the current stop
 /// burst. It writes when this process has died while a burst is armed, and when the last beat is older than
-/// BeatJudge::kLongest while anything moves; never while the panel is alive and beats. It then waits for a
+/// BeatMonitor::kLongest while anything moves; never while the panel is alive and beats. It then waits for a
 /// quiet line, sets the burst's rate, and sends the burst three times. A panel in a debugger whose bus loop
 /// keeps running is not affected; if the whole panel is halted while a motor moves, the motor is stopped, and
 /// the panel is informed when it continues. The guardian also acts after a crash that crashburst.h has

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "link/guardian/beatjudge.h"
+#include "link/guardian/beatmonitor.h"
 #include "link/guardian/descriptor.h"
 #include "link/guardian/stopburst.h"
 

@@ -110,7 +110,7 @@ TripCause ModuleState::causeOfTrip() const {
     if (limitEnds(1) || limitEnds(-1))
         return limitEnds(1) ? TripCause::OffAtLimit1 : TripCause::OffAtLimit2;
     const auto facts = gains && latest->position ? m_trip.facts(tripLook(), gains->el) : std::nullopt;
-    return facts ? judge(*facts) : TripCause::Unknown;
+    return facts ? diagnose(*facts) : TripCause::Unknown;
 }
 
 void ModuleState::wentOff() {

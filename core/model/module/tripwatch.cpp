@@ -25,7 +25,7 @@ constexpr int kPart = 10;
 
 }  // namespace
 
-TripCause judge(const TripFacts& f) {
+TripCause diagnose(const TripFacts& f) {
     const std::int64_t little = std::max(kStillCounts, f.errorLimit / kPart);
     const std::int64_t along = f.moved * f.direction;
     if (ranAwayFromHold(f, little) || along < -little)

@@ -40,9 +40,9 @@ struct TripFacts {
 };
 
 /// Pure.
-[[nodiscard]] TripCause judge(const TripFacts& facts);
+[[nodiscard]] TripCause diagnose(const TripFacts& facts);
 
-/// Keeps of a servo what judge() will want to know of it. Part of ModuleState; told in the order of
+/// Keeps of a servo what diagnose() will want to know of it. Part of ModuleState; told in the order of
 /// events. Pure.
 class TripWatch {
 public:

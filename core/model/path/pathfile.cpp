@@ -136,7 +136,7 @@ private:
                 continue;
             const auto counts = countsIn(cells[i], *m_columns[i]);
             if (counts) {
-                judge(*counts, m_before[i], *m_columns[i]);
+                verify(*counts, m_before[i], *m_columns[i]);
                 m_table.columns[i].points.push_back(*counts);
             }
             m_before[i] = counts;
@@ -161,7 +161,7 @@ private:
 
     /// Checks a segment; of the first point only the position is checked, because the start of the path is
     /// unknown here.
-    void judge(std::int64_t point, std::optional<std::int64_t> before, const PathColumn& axis) {
+    void verify(std::int64_t point, std::optional<std::int64_t> before, const PathColumn& axis) {
         const auto of = [&](PathProblem::Kind kind, double value, double allowed) {
             add({.kind = kind, .line = m_line, .column = axis.name, .value = value, .allowed = allowed});
         };

@@ -16,7 +16,7 @@ namespace {
     return {amplifier, servo::StopManner::MotorOff, {}};
 }
 
-[[nodiscard]] DirectionVerdict judge(std::int32_t forward, std::int32_t reverse) {
+[[nodiscard]] DirectionVerdict diagnose(std::int32_t forward, std::int32_t reverse) {
     if (forward == 0 && reverse == 0)
         return DirectionVerdict::NoMovement;
     if (forward > 0 && reverse < 0)
@@ -76,7 +76,7 @@ DirectionCheck::Next DirectionCheck::look(const ModuleState& module) {
     }
     (m_reverse ? m_found.reverse : m_found.forward) = seen ? moved : 0;
     if (std::exchange(m_reverse, true))
-        return conclude(judge(m_found.forward, m_found.reverse), module);
+        return conclude(diagnose(m_found.forward, m_found.reverse), module);
     m_from = position;
     m_push = kFirstPush;
     m_report.round = 2;

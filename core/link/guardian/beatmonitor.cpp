@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "link/guardian/beatjudge.h"
+#include "link/guardian/beatmonitor.h"
 
 namespace nmc {
 
-std::optional<TimePoint> BeatJudge::lookBy(const Beat& beat) const {
+std::optional<TimePoint> BeatMonitor::lookBy(const Beat& beat) const {
     if (!beat.moving)
         return std::nullopt;
     return m_stale == beat.at ? m_lookAgain : beat.at + kLongest;
 }
 
-bool BeatJudge::expired(const Beat& beat, TimePoint now) {
+bool BeatMonitor::expired(const Beat& beat, TimePoint now) {
     const auto by = lookBy(beat);
     if (!by || now < *by)
         return false;

@@ -20,7 +20,7 @@ struct Beat {
 /// A beat that is too old has one of two causes: the loop hangs, or the machine does not schedule any
 /// process. The observer's own delay distinguishes the two: an observer that is itself late waits for one
 /// more period before it trusts what it sees.
-class BeatJudge {
+class BeatMonitor {
 public:
     /// The maximum age of a beat while anything moves.
     static constexpr Duration kLongest = std::chrono::milliseconds(150);
