@@ -57,12 +57,12 @@ void declareOptions(QCommandLineParser& parser) {
     });
 }
 
-/// Of what may be a chain or a file: there is such a file, and no such chain.
+/// For an argument that may be a chain or a file: true if such a file exists and it is not a valid chain.
 bool isFile(const QString& argument) {
     return !sim::parseChain(argument.toStdString()) && QFileInfo::exists(argument);
 }
 
-/// The library has no option with a value that may be left out.
+/// QCommandLineParser does not support options with an optional value.
 QStringList withSimulatorValue(const QStringList& arguments) {
     QStringList all;
     for (qsizetype i = 0; i < arguments.size(); ++i) {
@@ -91,7 +91,7 @@ bool exists(const QString& port, const QList<PortEntry>& ports) {
     for (const PortEntry& entry : ports)
         if (entry.name == port || entry.name == QStringLiteral("/dev/") + port)
             return true;
-    // Terminals of simulators and links of udev are not in the list, but are as good.
+    // Terminals of simulators and udev links are not in the list, but are equally usable.
     return QFileInfo::exists(port);
 }
 

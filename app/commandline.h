@@ -13,26 +13,26 @@
 
 namespace nmc {
 
-/// What the panel is asked to do once it is up.
+/// What the panel does once it is running.
 struct Start {
     std::optional<QString>
-        port;  ///< connect at once; for the simulator kSimulatorPort, or that, '=' and a chain
+        port;  ///< to connect to at once; for the simulator kSimulatorPort, optionally with '=' and a chain
     std::uint32_t baud = 19'200;
     bool quitAfterFirstPaint = false;  ///< for the start-up benchmark
-    bool enableFaults = false;         ///< the built-in simulator takes fault lines
-    bool readOnly = false;             ///< with `port`: nothing is sent but questions
+    bool enableFaults = false;         ///< the built-in simulator accepts fault lines
+    bool readOnly = false;             ///< with `port`: only queries are sent
     std::optional<QString> machine{};  ///< a machine file
 };
 
-/// Nothing to start: text for standard output, or for standard error when the exit code is not 0.
-/// 2: the arguments are wrong in themselves; 3: there is no such port.
+/// There is nothing to start: text for standard output, or for standard error if the exit code is not 0. 2:
+/// the arguments are invalid; 3: there is no such port.
 struct Say {
     QString text;
     int exitCode = 0;
 };
 
-/// Reads the arguments, the program's name first. Needs a QCoreApplication at most, and no display; `ports`
-/// is asked only when the answer matters.
+/// Reads the arguments, beginning with the program's name. Needs at most a QCoreApplication, and no display;
+/// `ports` is called only if needed.
 [[nodiscard]] std::variant<Start, Say> readCommandLine(const QStringList& arguments,
                                                        const std::function<QList<PortEntry>()>& ports);
 

@@ -31,13 +31,13 @@ namespace {
 constexpr int kFrameIntervalMs = 16;
 constexpr int kFiguresIntervalMs = 1'000;
 
-/// The chain behind '=', or the default one.
+/// The chain after '=', or the default one.
 auto simulatedChain(const QString& port) {
     const std::string chain = port.mid(kSimulatorPort.size() + 1).toStdString();
     return sim::parseChain(chain.empty() ? sim::kDefaultChain : std::string_view(chain));
 }
 
-/// What is typed like it and names no chain is no port at all.
+/// A name of this form that does not specify a valid chain is not a port at all.
 bool isSimulator(const QString& port) {
     return port == kSimulatorPort ||
            (port.startsWith(kSimulatorPort + QLatin1Char('=')) && simulatedChain(port).has_value());
@@ -47,7 +47,7 @@ QString markerFolder(const QString& data, const QSettings& settings) {
     return data.isEmpty() ? QFileInfo(settings.fileName()).absolutePath() : data;
 }
 
-/// A session that begins now.
+/// Begins a new session.
 PacketSession packetSession(const QString& port) {
     PacketSession session;
     session.program = "NMC Panel " + QCoreApplication::applicationVersion().toStdString();
@@ -58,7 +58,7 @@ PacketSession packetSession(const QString& port) {
     return session;
 }
 
-/// Beside the settings, where it is remembered which motors move.
+/// Beside the settings, in the folder that also records which motors move.
 QString guardFolder(const QSettings& settings) {
     return QFileInfo(settings.fileName()).absolutePath();
 }
@@ -110,7 +110,7 @@ void Composition::show(const Start& start) {
     m_enableFaults = start.enableFaults;
     m_window.show();
     if (start.quitAfterFirstPaint) {
-        // The first turn of the event loop paints; the second one ends.
+        // The first turn of the event loop paints; the second one quits.
         QTimer::singleShot(0, this,
                            [this] { QTimer::singleShot(0, &m_window, [] { QCoreApplication::exit(0); }); });
         return;
@@ -180,7 +180,7 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::packetRecordingWanted, &m_worker, &BusWorker::setRecording);
     connect(&m_window, &MainWindow::messageAction, this, &Composition::act);
     connect(&m_window, &MainWindow::closeConfirmed, this, &Composition::stopAndQuit);
-    // The end of the session: at once, while the program may still run, and without a question.
+    // When the desktop session ends: at once, while the program may still run, and without a question.
     connect(
         qApp, &QGuiApplication::commitDataRequest, this, [this] { stopAndQuit(); }, Qt::DirectConnection);
 }
@@ -222,7 +222,7 @@ void Composition::keepRuns() {
     connect(&m_machine, &MachineController::hasFile, &m_runs, &RunKeeper::follow);
 }
 
-/// As a search that finds it would, which may not be left to who stands there.
+/// Sets home like a search, and therefore requires the operator right for homing.
 void Composition::takePosition(ModuleIndex module) {
     const ModuleState* state = m_store.module(module);
     if (state == nullptr)
@@ -273,7 +273,7 @@ void Composition::connectAnyway(const ConnectTarget& target) {
     m_openNext = target;
     if (m_worker.isOpen()) {
         m_commander.endRuns();
-        m_worker.close();  // PortClosed opens the next
+        m_worker.close();  // PortClosed opens the next one
     } else
         openNow(*std::exchange(m_openNext, std::nullopt));
 }
@@ -317,7 +317,7 @@ void Composition::connectFully() {
 
 void Composition::lookFirst(const QString& key) {
     if (m_worker.isOpen())
-        return m_messages.report(texts::openAlready());  // closing that one might stop the motors
+        return m_messages.report(texts::openAlready());  // closing the open connection might stop the motors
     for (const MotionMarker::Left& left : m_motionMarker.left())
         if (texts::key::endedWhileMoving(left.file) == key)
             m_window.choosePort(left.port, left.baud);
@@ -334,9 +334,9 @@ void Composition::act(const Message& message, MessageAction action) {
     switch (action) {
         case MessageAction::ShowRecord:
             m_flight.show(message.key);
-            return;  // it is still the case
+            return;  // the condition persists
         case MessageAction::Retry:
-            return m_target ? connectTo(*m_target) : void();  // over when the chain is found
+            return m_target ? connectTo(*m_target) : void();  // the message ends when the chain is found
         case MessageAction::ScanAgain:
         case MessageAction::Reconnect:
             return scanAgain();
@@ -344,11 +344,11 @@ void Composition::act(const Message& message, MessageAction action) {
             m_window.choosePort(kSimulatorPort, kPowerUpBaud);
             return connectTo({kSimulatorPort, kPowerUpBaud});
         case MessageAction::LookFirst:
-            return lookFirst(message.key);  // until somebody has looked, or seen it stand
+            return lookFirst(message.key);  // until the user has looked, or the motor was seen at rest
         case MessageAction::Readdress:
-            return m_worker.readdress(*message.module);  // the message stays until it is done
+            return m_worker.readdress(*message.module);  // the message remains until it is done
         case MessageAction::WorkWith:
-            return acceptChain();  // over if it may be done now
+            return acceptChain();  // ends the message if this is allowed now
         case MessageAction::ConnectOffered:
             connectOffered();
             break;
@@ -366,7 +366,7 @@ void Composition::act(const Message& message, MessageAction action) {
         case MessageAction::ClearAndStayOff:
             carryOut(*message.module, intent::MotorOff{});
             carryOut(*message.module, intent::ClearStickyBits{});
-            return;  // over when it is
+            return;  // the message ends when the motor is off
         case MessageAction::SwitchOff:
             return carryOut(*message.module, intent::MotorOff{});
         case MessageAction::GainsBefore:
@@ -374,9 +374,9 @@ void Composition::act(const Message& message, MessageAction action) {
                 carryOut(*message.module, intent::ApplyGains{*module->gainsBefore});
             return;
         case MessageAction::TakePosition:
-            return takePosition(*message.module);  // over when it is taken
+            return takePosition(*message.module);  // the message ends when the position is accepted
         case MessageAction::ForgetPosition:
-            return m_store.dropHome(*message.module);  // likewise
+            return m_store.dropHome(*message.module);  // the message ends when the offer is dropped
         case MessageAction::RestoreWork:
             m_machine.restoreWork();
             break;
@@ -389,7 +389,7 @@ void Composition::act(const Message& message, MessageAction action) {
         case MessageAction::StopAll:
         case MessageAction::Understood:
         case MessageAction::ShowQuestion:
-            break;  // done by the window
+            break;  // handled by the window
     }
     m_messages.end(message.key);
 }
@@ -400,7 +400,7 @@ void Composition::connectOffered() {
     const ConnectTarget offer = *m_ports.offered();
     m_window.choosePort(offer.port, offer.baud);
     if (m_lostPort)
-        m_lostPort = offer.port;  // the same adapter by another name
+        m_lostPort = offer.port;  // the same adapter under another name
     connectAnyway(offer);
 }
 
@@ -414,19 +414,19 @@ void Composition::showFrame() {
     std::vector<ModuleIndex> watched = m_window.watchedModules();
     for (const ModuleIndex module : m_commander.sequences().parts())
         if (!std::ranges::count(watched, module))
-            watched.push_back(module);  // whose arrival is waited for
+            watched.push_back(module);  // its arrival is awaited
     if (watched != m_watched) {
         m_watched = watched;
         m_worker.watch(watched);
     }
-    // When nothing more comes in, time stands where it ended.
+    // When no more data arrives, time stops where the data ended.
     const History& history = m_store.history();
     const TimePoint now = m_worker.isOpen() ? monotonicNow() : history.end().value_or(TimePoint{});
     m_flight.keep(now);
     m_window.showHistory(history, now);
 }
 
-/// What STOP ALL takes low is the bus thread's to know before somebody presses it.
+/// The bus thread must know what STOP ALL takes low before the button is pressed.
 void Composition::sendStopOutputs() {
     std::vector<bus::StopOutputs> outputs;
     for (const AxisSettings& axis : m_machine.machine().axes) {
@@ -440,8 +440,8 @@ void Composition::sendStopOutputs() {
     m_worker.setStopOutputs(std::move(outputs));
 }
 
-/// Statuses come faster than anybody reads numbers; what a module does, and what it is asked for, is news at
-/// once: controls follow it.
+/// Statuses arrive faster than numbers can be read, but changes of a module's activity and requests are shown
+/// at once, because controls depend on them.
 void Composition::showLinkSoon() {
     constexpr int kReadable = 40;  // ms
     const bool due = !m_linkShown.isValid() || m_linkShown.elapsed() >= kReadable;

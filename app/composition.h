@@ -35,26 +35,26 @@
 
 namespace nmc {
 
-/// The program, put together: the only class that knows every layer. It turns what the window asks for into
-/// requests to the bus worker, and what the store tells into values and messages for the window. GUI thread.
+/// Assembles the program; the only class that knows all layers. It converts the window's requests into
+/// requests to the bus worker, and the store's events into values and messages for the window. GUI thread.
 class Composition : public QObject {
     Q_OBJECT
 
 public:
-    /// `dataFolder`: where unsaved work is kept, and what moves; empty: beside the settings. `disk`: for
-    /// tests, one that behaves otherwise.
+    /// `dataFolder`: holds unsaved work and records which motors move; empty: beside the settings. `disk`:
+    /// can be replaced in tests.
     explicit Composition(QSettings& settings, PortController::Places places = {},
                          const QString& dataFolder = {}, const FileWriter::Disk& disk = writeFile,
                          QObject* parent = nullptr);
 
-    /// What opens a port, in the bus thread.
+    /// Creates the transport that opens a port, in the bus thread.
     using Transports = std::function<BusWorker::TransportFactory(const ConnectTarget&)>;
-    /// For tests, instead of the system's ports and the simulator. Before show().
+    /// For tests, instead of the system's ports and the simulator. Call before show().
     void setTransports(Transports transports) { m_transports = std::move(transports); }
 
-    /// Shows the window and does what the command line asked for.
+    /// Shows the window and does what the command line requests.
     void show(const Start& start);
-    /// Stops the motors, closes the port, and ends the program.
+    /// Stops the motors, closes the port and ends the program.
     void stopAndQuit();
 
     [[nodiscard]] BusWorker& worker() { return m_worker; }
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] const Machine& machine() const { return m_machine.machine(); }
 
 private:
-    /// What the window's controls follow.
+    /// The state that the window's controls depend on.
     struct Shown {
         explicit Shown(const LinkState& link);
         LinkPhase phase;
@@ -78,20 +78,20 @@ private:
     void wireChain();
     void wireSequences();
     void wireStore();
-    /// What is told outlives the session.
+    /// Logs messages, which outlive the session.
     void keepMessages();
     void keepPositions();
     void keepRuns();
     void takePosition(ModuleIndex module);
     void connectTo(const ConnectTarget& target);
-    /// The same without asking whether that is still the adapter it was.
+    /// Connects without checking whether the adapter is still the same one.
     void connectAnyway(const ConnectTarget& target);
     void openNow(const ConnectTarget& target);
-    /// To the adapter that is back.
+    /// Connects to the adapter that is back.
     void connectOffered();
-    /// To the port that is open read-only.
+    /// Connects fully to the port that is open read-only.
     void connectFully();
-    /// At the motors that another session has left, as the message of this key says.
+    /// Connects read-only to the motors that another session left, according to the message with this key.
     void lookFirst(const QString& key);
     void disconnectFromPort();
     void carryOut(ModuleIndex module, const Intent& intent);
@@ -99,18 +99,18 @@ private:
     void hold(const bus::HoldToMove& hold);
     void showProcedure(const ProcedureReport& report);
     void showSequence(const SequenceReport& report);
-    /// Gives the window the run when it is over.
+    /// Passes the run to the window when it is over.
     void followSteps(const ProcedureReport& report);
     void keepRun(const ModuleState& module, const ResponseTaken& taken);
-    /// Gives the window each edge when the next one begins.
+    /// Passes each edge to the window when the next one begins.
     void followSquareWave(const ProcedureReport& report);
     [[nodiscard]] std::optional<KeptResponse> recordOf(const ModuleState& module,
                                                        const ResponseTaken& taken) const;
     void act(const Message& message, MessageAction action);
-    /// What other sessions have left, and is over.
+    /// Ends the messages about other sessions' motors that are no longer moving.
     void endLeft(const QStringList& files);
     void scanAgain();
-    /// The modules that are there are the expected ones from now on; those that are missing are forgotten.
+    /// Makes the modules that are present the expected ones; those that are missing are forgotten.
     void acceptChain();
     void showLinkSoon();
     void showLink();
@@ -120,7 +120,7 @@ private:
 
     void take(const StoreEvent& event);
     void on(const bus::ChainFound& found);
-    /// A chain whose addresses have changed is to be found again.
+    /// Stores the changed addresses, so that the chain can be found again.
     void noteAddresses();
     void noteChain(const bus::ChainFound& found);
     void on(const bus::ConnectFailed& failed);
@@ -132,7 +132,7 @@ private:
     void on(const bus::EchoNoticed& noticed);
     void on(const bus::HoldExpired& expired);
     void on(const bus::HealthChanged& changed);
-    void on(const bus::ModuleRestarted&) {}  // the state tells
+    void on(const bus::ModuleRestarted&) {}  // the module's state shows it
     void on(const bus::Readdressed& readdressed);
     void on(const bus::AddressChanged& changed);
     void on(const bus::ReaddressFailed& failed);
@@ -151,7 +151,7 @@ private:
     void on(const GuardianStopped& stopped);
     void on(const GuardianMissing& missing);
     void checkSettings();
-    /// What panels before this one left moving, and what their guardians had to do about it.
+    /// Reports what earlier panels left moving, and what their guardians had to do about it.
     void reportSessionsBefore();
 
     QSettings& m_settings;
@@ -179,17 +179,17 @@ private:
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
     Transports m_transports;
-    std::optional<ConnectTarget> m_target;         ///< what is connected, or was last
-    std::optional<ConnectTarget> m_openNext;       ///< to be opened when the present connection has closed
-    std::vector<bus::StopOutputs> m_stopOutputs;   ///< as the worker was told last
-    std::vector<ModuleIndex> m_watched;            ///< what the worker polls most: panel and scope show it
-    std::optional<QString> m_lostPort;             ///< where motors' states became unknown
-    std::map<ModuleIndex, ResponseTaken> m_steps;  ///< the last of each that was kept
-    std::map<ModuleIndex, ResponseTaken> m_edges;  ///< of the square waves that run, the last of each
+    std::optional<ConnectTarget> m_target;         ///< the present connection, or the last one
+    std::optional<ConnectTarget> m_openNext;       ///< opened when the present connection has closed
+    std::vector<bus::StopOutputs> m_stopOutputs;   ///< as last sent to the worker
+    std::vector<ModuleIndex> m_watched;            ///< polled most by the worker: shown in panels and scope
+    std::optional<QString> m_lostPort;             ///< where the state of motors became unknown
+    std::map<ModuleIndex, ResponseTaken> m_steps;  ///< the last one of each module that was stored
+    std::map<ModuleIndex, ResponseTaken> m_edges;  ///< the last one of each running square wave
     bool m_quitWhenClosed = false;
-    bool m_scanWhenIdle = false;  ///< as soon as no procedure and no sequence runs any more
+    bool m_scanWhenIdle = false;  ///< as soon as no procedure and no sequence is running
     bool m_enableFaults = false;
-    bool m_guardianMissed = false;  ///< and said to be
+    bool m_guardianMissed = false;  ///< the message about it has been shown
 };
 
 }  // namespace nmc

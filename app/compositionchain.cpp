@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked of the chain as a whole, and what is remembered of it.
+// Requests to the chain as a whole, and what is remembered about it.
 #include "app/composition.h"
 #include "app/knownchain.h"
 #include "model/module/chaindiagnosis.h"
@@ -28,7 +28,7 @@ void Composition::scanAgain() {
     if (m_worker.isOpen()) {
         m_scanWhenIdle = m_commander.anyRunning();
         if (m_scanWhenIdle) {
-            // Nothing is left running unwatched: their motors stop first.
+            // Nothing is left running without supervision: the motors stop first.
             m_commander.stopRuns();
         } else
             m_worker.connectAgain();
@@ -38,10 +38,10 @@ void Composition::scanAgain() {
     m_messages.end(texts::key::port());
 }
 
-/// Those that are missing by name are told of by their silence.
+/// Known modules that are missing are reported separately, as silent.
 void Composition::noteChain(const bus::ChainFound& found) {
     const int modules = static_cast<int>(found.modules.size());
-    // The machine's own word goes before what was seen at this port.
+    // The machine's own list takes precedence over what was seen at this port.
     const auto told = static_cast<int>(expectedModules(m_machine.machine()));
     const auto known = static_cast<int>(knownChain(m_settings, m_target->port).size());
     const int expected = told > 0 ? told : known;
@@ -74,7 +74,7 @@ void Composition::acceptChain() {
             expected.push_back(module.info.identity);
         }
     const bool forgets = there.size() < link.modules.size() && !link.simulated;
-    // What was known goes only with the connection, whose end stops motors.
+    // The known chain is dropped only by reconnecting, and closing the connection stops motors.
     if (forgets && !link.readOnly && m_store.movingMotors() > 0)
         return m_messages.report(texts::chainNotAccepted());
     m_machine.acceptChain(expected);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the store tells, as messages for the window.
+// Turns the store's events into messages for the window.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,7 @@ namespace {
     return command != nullptr && isStop(command->action);
 }
 
-/// Whatever was held is not held any more, whether the panel asked for that or not.
+/// True for events after which nothing is held any more, whether the panel requested that or not.
 bool endsHold(const StoreEvent& event) {
     const auto* health = std::get_if<bus::HealthChanged>(&event);
     const auto* group = std::get_if<bus::GroupFinished>(&event);
@@ -65,7 +65,7 @@ void Composition::on(const bus::ChainFound& found) {
     if (found.replyGap > Duration{})
         m_messages.reportOfChain(texts::repliesInPieces(
             m_target->port, static_cast<int>(std::lround(1e3 * toSeconds(found.replyGap)))));
-    // Where the module is known that has restarted, that is told of it.
+    // If the module that restarted is known, its own message reports it.
     if (found.unaddressed && found.absent.empty())
         m_messages.reportOfChain(texts::unaddressed());
 }
@@ -82,14 +82,14 @@ void Composition::on(const bus::OperationFinished& finished) {
 }
 
 void Composition::on(const bus::StopFinished& finished) {
-    // A port without modules has been closed, for example: nobody asked for a stop, and nothing needed one.
+    // For example, a port without modules was closed: no stop was requested, and none was needed.
     if (finished.unasked && finished.reachedNobody())
         return;
     m_flight.note(texts::stopResult(finished, {}).key, texts::stopOfAll(), {},
                   monotonicNow() - finished.took);
     m_recordings.note(texts::stopOfAll());
     endLeft(m_motionMarker.stopped(finished.stopped));
-    m_positions.look();  // the port may be closed at once, and then nothing is known any more
+    m_positions.look();  // the port may be closed at once, after which nothing is known any more
     m_window.showStopResult(finished);
 }
 
@@ -198,7 +198,7 @@ void Composition::on(const PortClosed& closed) {
     m_flight.keepAll();
     m_recordings.end();
     m_frameTimer.stop();
-    // What was said last goes on growing old.
+    // The last reported values continue to age.
     if (!m_store.link().unplugged)
         m_figuresTimer.stop();
     m_window.showFigures({});
@@ -224,7 +224,7 @@ void Composition::on(const SimulatorAnswered& answer) {
 }
 
 void Composition::on(const PanelFroze& froze) {
-    // The store still has what moved before.
+    // The store still holds what was moving before.
     if (froze.stopped || m_store.movingMotors() > 0)
         m_messages.report(texts::panelFroze(toSeconds(froze.length), froze.stopped));
 }

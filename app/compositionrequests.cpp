@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked of a module, and what becomes of a procedure.
+// Requests to a module, and the progress of procedures.
 #include <QDateTime>
 #include <algorithm>
 #include <utility>
@@ -19,7 +19,7 @@
 namespace nmc {
 
 void Composition::carryOut(ModuleIndex module, const Intent& intent) {
-    m_scanWhenIdle = false;  // the user has gone on
+    m_scanWhenIdle = false;  // the user has moved on
     m_commander.carryOut(module, intent);
 }
 
@@ -31,7 +31,7 @@ void Composition::refuse(ModuleIndex index, Refusal refusal, const Intent& inten
 
 void Composition::hold(const bus::HoldToMove& hold) {
     if (!m_commander.hold(hold))
-        m_window.endHold();  // the button says why
+        m_window.endHold();  // the button shows why
 }
 
 void Composition::followSteps(const ProcedureReport& report) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points, sequences, and all axes at once: what the window wants of them, and what becomes of it.
+// Points, sequences and requests to all axes: from the window, and their progress.
 #include "app/composition.h"
 #include "widgets/axes/axesdock.h"
 #include "widgets/common/sequencetexts.h"

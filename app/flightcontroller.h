@@ -13,22 +13,22 @@
 
 namespace nmc {
 
-/// What happened around a fault or a stop, for its message: "Show the last 2 s". GUI thread.
+/// Keeps the data around a fault or a stop for its message: "Show the last 2 s". GUI thread.
 class FlightController {
 public:
     FlightController(MainWindow& window, const BusStore& store) : m_window(window), m_store(store) {}
 
-    /// `key`: of the message that tells of it; `what`: its headline.
+    /// `key`: of the message that reports it; `what`: its headline.
     void note(const QString& key, const QString& what, std::optional<ModuleIndex> module, TimePoint at);
-    /// Once a frame.
+    /// Call once per frame.
     void keep(TimePoint now) { m_recorder.keep(m_store.history(), now); }
-    /// The connection is over.
+    /// Call when the connection has ended.
     void keepAll() { m_recorder.keepAll(m_store.history()); }
-    /// In the scope; false if nothing was recorded.
+    /// Shows the record in the scope; returns false if nothing was recorded.
     bool show(const QString& key);
 
 private:
-    /// As it was then: the chain may be another one when it is looked at.
+    /// As at the time of the event, because the chain may be a different one when the record is viewed.
     struct Circumstances {
         QString title;
         std::vector<ScopeModule> modules;

@@ -7,16 +7,16 @@
 
 #include "bus/types.h"
 
-/// The chain that was there last, port by port, in the settings: what each address was. A start that finds
-/// fewer modules knows by it which ones are missing (core/bus/rejoin.h). GUI thread.
+/// The last chain at each port, with the identity at each address, stored in the settings. From it, a start
+/// that finds fewer modules can determine which ones are missing (core/bus/rejoin.h). GUI thread.
 namespace nmc {
 
-/// In the order of addressing; empty: nothing is known, or what stands there is none of ours.
+/// In addressing order; empty: nothing is stored, or the entry is invalid.
 [[nodiscard]] std::vector<bus::ModuleInfo> knownChain(const QSettings& settings, const QString& port);
-/// The rate it was left at, where it is none of kBaudRows; 0: one of them.
+/// The last rate of the chain if it is not in kBaudRows; otherwise 0.
 [[nodiscard]] std::uint32_t knownRate(const QSettings& settings, const QString& port);
 void rememberRate(QSettings& settings, const QString& port, std::uint32_t baud);
-/// In place of the one before.
+/// Replaces the previous entry.
 void rememberChain(QSettings& settings, const QString& port, const std::vector<bus::ModuleInfo>& chain);
 
 }  // namespace nmc

@@ -16,7 +16,7 @@ namespace nmc {
 
 namespace {
 
-/// Between a change and its being kept.
+/// Delay between a change and storing it.
 constexpr int kKeepUnsavedAfterMs = 3'000;
 constexpr qsizetype kRecentFiles = 8;
 const QString kRecent = QStringLiteral("machine/recent");
@@ -85,7 +85,7 @@ void MachineController::edit(ModuleIndex module, const AxisSettings& settings) {
     const bool nothingExpected =
         std::none_of(m_machine.axes.begin(), m_machine.axes.end(),
                      [](const AxisSettings& axis) { return axis.expected.has_value(); });
-    // Who gives names to a chain means the chain that is there.
+    // Naming an axis implies that the present chain is the expected one.
     if (nothingExpected && !chain().empty())
         return acceptChain(chain());
     changed();
@@ -210,7 +210,7 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
     const Machine& file = m_pending->content.machine;
     const std::vector<ModuleIntent> intents = sendings(file, m_machine, present, chosen);
     if (!intents.empty() && m_store.movingMotors() > 0)
-        return;  // the button says so; it is a matter of one frame
+        return;  // the button shows why; this lasts only a frame
     const std::vector<Difference> differences = compare(file, m_machine, present);
     const bool whole = std::none_of(differences.begin(), differences.end(), [](const Difference& row) {
         return row.applying == Applying::OtherHardware;
@@ -228,7 +228,8 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
         texts::machineOpened(from.path, static_cast<int>(chosen.size()), static_cast<int>(intents.size())));
 }
 
-/// A file that could not be applied whole is not overwritten by what is here instead: it is not "the file".
+/// A file that could not be applied as a whole does not become the present file, so that saving does not
+/// overwrite it.
 void MachineController::take(const Pending& from, Machine machine, bool whole) {
     m_machine = std::move(machine);
     m_unknown = from.content.unknown;
@@ -252,7 +253,7 @@ void MachineController::save(const QString& path) {
     const std::string text = writeMachine(machine, m_unknown);
     auto written = parseMachine(text);
     if (!written) {
-        // It would not be read again, so it must not replace a file that is.
+        // The file could not be read again, so it must not replace one that can.
         m_window.showMessage(texts::machineNotSaved(path, written.error()));
         return;
     }
@@ -267,7 +268,7 @@ void MachineController::save(const QString& path) {
 
 void MachineController::saved(const QString& path, const Machine& asked, const ParsedMachine& written,
                               const FileWriter::Result& result) {
-    // Otherwise another machine has taken its place, or another file.
+    // Otherwise another machine or another file has taken its place.
     const bool wanted = m_saving == path;
     if (wanted)
         m_saving.clear();
@@ -277,7 +278,7 @@ void MachineController::saved(const QString& path, const Machine& asked, const P
         m_window.endMessage(texts::key::machineFile());
     if (!result || !wanted)
         return showFile();
-    // What was edited meanwhile is not in the file.
+    // Edits made in the meantime are not in the file.
     if (m_machine == asked)
         m_machine = written.machine;
     m_unknown = written.unknown;
@@ -292,7 +293,7 @@ void MachineController::saved(const QString& path, const Machine& asked, const P
 void MachineController::followLink() {
     if (!m_pending)
         return;
-    // Another chain makes another comparison; what was ticked was ticked for the one before.
+    // A different chain requires a new comparison; what was ticked applied to the previous one.
     if (m_pending->chain != chain())
         showPending();
     else if (DifferencesDialog* dialog = m_window.machineMenu().differences())
@@ -323,7 +324,7 @@ void MachineController::dropRestored() {
 void MachineController::changed() {
     if (!m_keepTimer.isActive())
         m_keepTimer.start();
-    // First: what the link tells thereupon meets a window that knows this machine.
+    // The window must know this machine before the link's updates that follow.
     m_window.showMachine(m_machine);
     showFile();
     emit machineChanged();

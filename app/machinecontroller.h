@@ -14,14 +14,14 @@
 
 namespace nmc {
 
-/// The machine that the user has told the panel about, and its file. Opening a file shows what it would
-/// change; only what the user then chooses is taken, and sent. Unsaved work is kept every few seconds, and
-/// offered again at the next start. Nothing that is written holds up the panel. GUI thread.
+/// The machine as defined by the user, and its file. Opening a file shows what it would change; only what the
+/// user then chooses is applied and sent. Unsaved work is stored every few seconds and offered again at the
+/// next start. Writing never blocks the panel. GUI thread.
 class MachineController : public QObject {
     Q_OBJECT
 
 public:
-    /// `unsavedFolder`: where unsaved work is kept; empty: beside the settings.
+    /// `unsavedFolder`: holds unsaved work; empty: beside the settings.
     MachineController(QSettings& settings, MainWindow& window, const BusStore& store,
                       const QString& unsavedFolder, const FileWriter::Disk& disk = writeFile,
                       QObject* parent = nullptr);
@@ -29,21 +29,21 @@ public:
 
     [[nodiscard]] const Machine& machine() const { return m_machine; }
 
-    /// Shows the machine, and offers what an earlier session has left.
+    /// Shows the machine, and offers the unsaved work of an earlier session.
     void start();
     /// The user has changed an axis in its panel.
     void edit(ModuleIndex module, const AxisSettings& settings);
     void editProgram(const Program& program);
     void editHomeOrder(const std::vector<ModuleIndex>& order);
-    /// Something was sent that belongs to the machine: it cannot be read back, so it is remembered.
+    /// A setting that belongs to the machine was sent; it is recorded, because it cannot be read back.
     void noteSent(ModuleIndex module, const Intent& intent);
-    /// The user has put a module into another group, or out of all.
+    /// The user has moved a module to another group, or out of all groups.
     void noteGroup(const bus::GroupChange& change);
     void nameGroup(quint8 group, const QString& name);
     void setOperatorRights(const OperatorRights& rights);
-    /// These modules are the expected ones from now on.
+    /// Makes these modules the expected ones.
     void acceptChain(const std::vector<ModuleIdentity>& there);
-    /// What an earlier session has left.
+    /// Restores the unsaved work of an earlier session.
     void restoreWork();
     void discardWork() { m_unsaved.dropLeft(); }
 
@@ -51,28 +51,28 @@ public:
 
 signals:
     void machineChanged();
-    /// Another machine is here, of this file; empty: it has none.
+    /// Another machine was loaded from this file; empty: it has none.
     void taken(const QString& file);
-    /// The machine that is here has this file from now on.
+    /// The present machine now has this file.
     void hasFile(const QString& file);
     /// The user has ticked it and pressed Apply.
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
-    /// The same, of the groups.
+    /// The user has ticked a change of groups and pressed Apply.
     void groupChangeRequested(const nmc::bus::GroupChange& change);
 
 private:
-    /// A file that was read, and waits for the user's choice.
+    /// A file that was read and awaits the user's choice.
     struct Pending {
         QString path;
         ParsedMachine content;
-        bool restored = false;  ///< unsaved work, which no file has
+        bool restored = false;  ///< unsaved work, which is not in any file
         std::vector<ModuleIdentity> chain;
     };
 
     void wire();
     void beginNew();
     void save(const QString& path);
-    /// `asked`: the machine when that was asked for; `written`: what the file holds if it worked.
+    /// `asked`: the machine at the time of the request; `written`: the content of the file on success.
     void saved(const QString& path, const Machine& asked, const ParsedMachine& written,
                const FileWriter::Result& result);
     void showPending();
@@ -84,10 +84,10 @@ private:
     void changed();
     void showFile();
     void remember(const QString& path);
-    /// It stays as it is: operator mode.
+    /// True in operator mode, in which the machine must not be changed.
     [[nodiscard]] bool locked() const;
     [[nodiscard]] bool modified() const { return m_saved != m_machine; }
-    /// Only those that can be spoken to.
+    /// Only modules that can be sent commands.
     [[nodiscard]] std::vector<ModuleState> modules() const;
     [[nodiscard]] std::vector<ModuleIdentity> chain() const;
 
@@ -97,14 +97,15 @@ private:
     UnsavedWork m_unsaved;
     FileWriter m_files;
     Machine m_machine;
-    std::optional<Machine> m_saved{Machine{}};  ///< as the file has it; empty: no file has it
+    std::optional<Machine> m_saved{Machine{}};  ///< as in the file; empty: not in any file
     UnknownKeys m_unknown;
     QString m_path;
-    QString m_saving;  ///< to that file; empty: nothing is being saved
+    QString m_saving;  ///< the file being written; empty: none
     std::optional<Pending> m_pending;
     QTimer m_keepTimer;
-    bool m_keepFailed = false;  ///< and was told
-    bool m_restored = false;    ///< what an earlier session has left, which goes when this one has kept it
+    bool m_keepFailed = false;  ///< the message about it has been shown
+    /// Holds an earlier session's work, which is removed once this session has stored it.
+    bool m_restored = false;
 };
 
 }  // namespace nmc

@@ -36,13 +36,13 @@ int say(const nmc::Say& words) {
     return words.exitCode;
 }
 
-/// QApplication aborts without a display; it is better to say so.
+/// QApplication aborts without a display; a message is better.
 bool displayMissing() {
     return qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
            qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
-/// What came of style, icon, colours, languages and manual on this computer.
+/// Logs the style, icon, colours, languages and manual found on this computer.
 void logStart(const nmc::Translations& translations) {
     if (!startLog().isInfoEnabled())
         return;
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
     nmc::crashburst::installHandlers();
     QApplication application(argc, argv);
     nmc::look::setUp(application);
-    // Once more: translators belong to the application object.
+    // Again, because translators belong to the application object.
     nmc::installTranslations(translations, locale);
     logStart(translations);
     nmc::Composition composition(settings, {},

@@ -9,7 +9,7 @@
 
 namespace nmc {
 
-/// Makes the folder of a file where it is missing, and then writes with `disk`.
+/// Creates the folder of a file if it is missing, and then writes with `disk`.
 [[nodiscard]] inline FileWriter::Disk makingFolders(FileWriter::Disk disk) {
     return [disk = std::move(disk)](const QString& path, std::string_view content) {
         QDir().mkpath(QFileInfo(path).path());

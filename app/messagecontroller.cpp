@@ -26,7 +26,7 @@ void MessageController::look() {
         const auto& [key, standing] = told;
         const bool stands =
             standing.connection == link.connection && std::ranges::find(all, key, &Message::key) != all.end();
-        // Of a chain that is not there any more nothing is known: a motor that may move on, may still.
+        // Nothing is known about a chain that is gone: a motor that may be moving may still be.
         if (stands || (link.modules.empty() && key == texts::key::silent(standing.module)))
             return false;
         end(key);
@@ -86,7 +86,7 @@ void MessageController::connectionEnded() {
     endEvents(std::nullopt);
 }
 
-/// Those of a module that obeys again; or all.
+/// Ends the messages of a module that obeys again; without a module, all of them.
 void MessageController::endEvents(std::optional<ModuleIndex> obeyed) {
     std::erase_if(m_events, [&](const auto& event) {
         const bool over = !obeyed || event.second == obeyed;

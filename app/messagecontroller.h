@@ -15,9 +15,9 @@
 
 namespace nmc {
 
-/// Tells the window what is the case and what has happened, and when that is over: a fault of a module ends
-/// with its cause, which look() compares; what a module did not do, when it obeys again; and all of a
-/// connection with it. What can be looked at in the scope afterwards is kept. GUI thread.
+/// Shows conditions and events in the window, and ends their messages: a module's fault ends with its cause,
+/// which look() checks; a command that a module did not carry out, when it obeys again; and everything else
+/// with the connection. Events that can be viewed in the scope later are recorded. GUI thread.
 class MessageController : public QObject {
     Q_OBJECT
 
@@ -25,27 +25,27 @@ public:
     MessageController(MainWindow& window, const BusStore& store, const ProcedureController& procedures,
                       FlightController& flight, RecordingController& recordings, QObject* parent = nullptr);
 
-    /// Tells what is the case by now and was not, and ends what is not any more. With every news.
+    /// Shows conditions that have begun, and ends those that are over. Call with every event.
     void look();
 
-    /// Whoever tells it ends it, too.
+    /// The caller also ends this message.
     void report(const Message& message);
-    /// What its module did not do; over when it obeys again.
+    /// Reports what a module did not do; ends when it obeys again.
     void reportOf(const Message& message);
-    /// Of the chain as it is in this connection.
+    /// Reports a problem of the chain; ends with this connection.
     void reportOfChain(const Message& message);
-    /// Of modules that were told to stop: the message says so when they are seen at rest.
+    /// Notes that `message` reports a stop sent to these modules; it is amended when they are seen at rest.
     void noteStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
 
     void stopConfirmed(const bus::OwedStopConfirmed& confirmed);
     void obeyed(ModuleIndex module);
-    /// The chain has been looked for anew: what still is the case is told again.
+    /// The chain has been searched for again: conditions that persist are reported again.
     void chainFound();
     void connectionEnded();
     void end(const QString& key) { m_window.endMessage(key); }
 
 signals:
-    /// What will be told now is told of what can be seen.
+    /// Emitted before a message, so that the window is up to date with what the message reports.
     void aboutToReport();
 
 private:
@@ -60,9 +60,9 @@ private:
         ModuleIndex module;
         std::uint32_t connection = 0;
     };
-    std::map<QString, Standing> m_standing;                  ///< what is the case, by key
-    std::map<QString, std::optional<ModuleIndex>> m_events;  ///< empty: of the chain
-    /// Which message tells of it, with its words, which grow.
+    std::map<QString, Standing> m_standing;                  ///< present conditions, by key
+    std::map<QString, std::optional<ModuleIndex>> m_events;  ///< empty: concerns the chain
+    /// The message that reports each stop, and its text, which is amended.
     std::map<std::pair<bus::StopCause, ModuleIndex>, QString> m_stopping;
     std::map<QString, Message> m_stopMessages;
 };

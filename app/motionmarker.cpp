@@ -23,19 +23,19 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr qint64 kMaxMarkerBytes = 4'096;
-/// A status that was latched so long after a command shows what the command did.
+/// A status latched this long after a command shows the effect of the command.
 constexpr Duration kShows = 200ms;
-/// A motor that another session left moving shows it within so long (ModuleState::attached).
+/// A motor that another session left moving is detected within this time (ModuleState::attached).
 constexpr Duration kLooked = 1'500ms;
 
-/// When that process was started, in the kernel's ticks; empty: it is gone. A number may be given again, but
-/// not to one that was started at the same time.
+/// The start time of a process in the kernel's ticks; empty: it is gone. A process ID may be reused, but not
+/// with the same start time.
 std::optional<QByteArray> startOf(qint64 process) {
     QFile stat(QStringLiteral("/proc/%1/stat").arg(process));
     if (!stat.open(QIODevice::ReadOnly))
         return std::nullopt;
     const QByteArray text = stat.readAll();
-    // The name of the program, in brackets, may hold anything. Behind it: the state, and 18 more fields.
+    // The program name, in parentheses, may contain anything. It is followed by the state and 18 more fields.
     const QList<QByteArray> fields = text.mid(text.lastIndexOf(')') + 2).split(' ');
     if (fields.size() < 20 || fields[0] == "Z")
         return std::nullopt;
@@ -65,7 +65,7 @@ std::optional<MotionMarker::Left> read(const QString& path) {
     return left.modules.empty() ? std::nullopt : std::optional(left);
 }
 
-/// A port may be known by several names.
+/// A port may have several names.
 bool isSamePort(const QString& a, const QString& b) {
     const QString target = QFileInfo(a).canonicalFilePath();
     return a == b || (!target.isEmpty() && target == QFileInfo(b).canonicalFilePath());
@@ -90,7 +90,7 @@ const MotionMarker::Left* MotionMarker::lastOf(qint64 process) const {
 }
 
 void MotionMarker::begin(const QString& port, quint32 baud, bool owns) {
-    // What the connection before has left moving is looked at as what another session has left.
+    // Motors that the previous connection left moving are treated like those that another session left.
     if (!m_own.modules.empty())
         m_left.push_back(m_own);
     const qint64 process = QCoreApplication::applicationPid();
@@ -139,7 +139,7 @@ bool MotionMarker::moves(const ModuleState& module) const {
 }
 
 QStringList MotionMarker::update(const LinkState& link) {
-    // Without modules nothing new is known: a port that was unplugged stopped no motor.
+    // Without modules nothing new is known: unplugging a port does not stop any motor.
     if (!m_owns || link.modules.empty())
         return {};
     std::set<ModuleIndex> moving;

@@ -12,45 +12,45 @@
 
 namespace nmc {
 
-/// Remembers on disk which motors move, or may, as long as they do: a program that is killed cannot stop
-/// them, and the next one can at least say so. Each connection of each program has a file of its own; those
-/// of programs that are gone are found by the next start, and stay until their modules were seen at rest or
-/// the user has looked. Writes only when something changes, and waits for no disk. GUI thread.
+/// Records on disk which motors move, or may move, as long as they do: a program that is killed cannot stop
+/// them, but the next one can at least report it. Each connection of each program has a file of its own;
+/// those of programs that are gone are found at the next start, and remain until their modules were seen at
+/// rest or the user has checked. Writes only when something changes, and never waits for a disk. GUI thread.
 class MotionMarker {
 public:
-    /// What moved when a session ended without a word, or when its port was unplugged.
+    /// What was moving when a session ended abruptly, or when its port was unplugged.
     struct Left {
         QString file;
         QString port;
         quint32 baud = 0;
         std::set<ModuleIndex> modules{};
-        qint64 process = 0;       ///< whose session that was
-        unsigned connection = 0;  ///< of that process, counted from 1
+        qint64 process = 0;       ///< the process of that session
+        unsigned connection = 0;  ///< within that process, counted from 1
     };
 
-    /// `folder` need not be there; it is made when something moves.
+    /// `folder` need not exist; it is created when something moves.
     explicit MotionMarker(QString folder, FileWriter::Disk disk = writeFile);
 
     [[nodiscard]] const std::vector<Left>& left() const { return m_left; }
-    /// Of the connection that this process had last; none: it had nothing moving then.
+    /// The last connection of this process; null: it had nothing moving then.
     [[nodiscard]] const Left* lastOf(qint64 process) const;
 
-    /// A port is being opened. `owns`: what moves there is this session's business. Where it is not, in the
-    /// simulator or where the panel only looks, nothing is written, and nothing that others have left is over
-    /// by being seen.
+    /// A port is being opened. `owns`: this session is responsible for what moves there. If not, in the
+    /// simulator or on a read-only connection, nothing is written, and other sessions' entries are not
+    /// removed when their motors are seen at rest.
     void begin(const QString& port, quint32 baud, bool owns);
-    /// A chain was found at it.
+    /// A chain was found at the port.
     void found(TimePoint now) { m_foundAt = now; }
-    /// Before what may move these is sent; until it ends it counts as motion.
+    /// Call before sending a command that may move these modules; until it ends, it counts as motion.
     void asked(bus::OperationId id, const std::vector<ModuleIndex>& modules);
     void ended(bus::OperationId id, TimePoint now);
-    /// The same for evidence of a hold.
+    /// The module is held in motion, which counts as motion until a later status.
     void held(ModuleIndex module, TimePoint now);
-    /// Files of those whose modules have all been seen at rest since: they are over.
+    /// Returns the files whose modules have all been seen at rest since; these are removed.
     [[nodiscard]] QStringList update(const LinkState& link);
-    /// These were seen at rest after a stop; the same.
+    /// These modules were seen at rest after a stop; returns the files that are removed as a result.
     [[nodiscard]] QStringList stopped(const std::vector<ModuleIndex>& modules);
-    /// The user has looked at the motors.
+    /// The user has checked the motors.
     void forget(const QString& file);
 
 private:

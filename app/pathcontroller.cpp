@@ -12,12 +12,12 @@ namespace nmc {
 
 namespace {
 
-/// More than the longest path of all axes takes.
+/// More than the longest path of all axes needs.
 constexpr std::size_t kLimit = 256U << 20U;  ///< bytes
 
 }  // namespace
 
-/// What the thread fills.
+/// Filled by the background job.
 struct PathController::Reading {
     QString file;
     std::vector<PathColumn> axes;

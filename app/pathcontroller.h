@@ -12,14 +12,14 @@ namespace nmc {
 
 class PathsPage;
 
-/// Reads path files in a thread of its own, one at a time, for the page of paths. GUI thread.
+/// Reads path files in a background thread, one at a time, for the page of paths. GUI thread.
 class PathController : public QObject {
     Q_OBJECT
 
 public:
     explicit PathController(QObject* parent = nullptr);
 
-    /// The page is told what is in it, or why it cannot be read.
+    /// The page receives the content, or the reason why the file cannot be read.
     void open(const QString& file, const std::vector<PathColumn>& axes, PathsPage& page);
 
 private:

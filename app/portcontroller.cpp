@@ -10,7 +10,7 @@ namespace nmc {
 
 namespace {
 
-/// From here on the adapter, not the wire, decides how often a module is heard of.
+/// From this latency on, the adapter rather than the line limits how often a module is polled.
 constexpr Duration kSlow = std::chrono::milliseconds(8);
 
 }  // namespace
@@ -64,14 +64,14 @@ void PortController::look(const QList<PortEntry>& ports) {
         m_lost = false;
         offer({back->port, m_open.baud, m_open.readOnly}, texts::adapterBack(back->port, back->sameSerial));
     } else if (m_lost && m_adapters.differs(m_open.port, ports)) {
-        m_lost = false;  // told once; the one that was lost may still come back
+        m_lost = false;  // reported once; the lost adapter may still come back
         offer(m_open, texts::differentAdapter(m_open.port));
     }
 }
 
 void PortController::offer(const ConnectTarget& target, const Message& message) {
     m_offer = target;
-    // In place of what was said about the port before, and not as a repeat of it.
+    // Replaces the previous message about the port instead of counting as its repetition.
     emit ended(message.key);
     emit reported(message);
 }

@@ -13,20 +13,20 @@
 
 namespace nmc {
 
-/// A connection as the user asked for it, and as it is made again.
+/// A connection as requested by the user, and as used for reconnecting.
 struct ConnectTarget {
     QString port;
     quint32 baud = 0;
     bool readOnly = false;
 };
 
-/// Everything about ports but the connection itself: the list of them, the adapter that is lost and the one
-/// that is back, and how slow an adapter is. It offers, and never connects. GUI thread.
+/// Everything about ports except the connection itself: their list, the adapter that was lost and the one
+/// that is back, and the speed of an adapter. It makes offers, but never connects. GUI thread.
 class PortController : public QObject {
     Q_OBJECT
 
 public:
-    /// Where ports are found; tests bring their own.
+    /// Where ports are found; tests use their own.
     struct Places {
         PortWatcher::List list = serialPorts;
         QString devices = QStringLiteral("/dev");
@@ -36,18 +36,18 @@ public:
     explicit PortController(Places places, QObject* parent = nullptr);
 
     [[nodiscard]] QList<PortEntry> ports() { return m_watcher.ports(); }
-    /// False when another adapter is there than before: the user is asked first.
+    /// Returns false if another adapter is present than before; the user is asked first.
     [[nodiscard]] bool mayConnect(const ConnectTarget& target);
-    /// What Reconnect would connect to.
+    /// The target of Reconnect.
     [[nodiscard]] const std::optional<ConnectTarget>& offered() const { return m_offer; }
 
     void opening(const ConnectTarget& target);
     void closed(const PortError& error);
 
-    /// What to reckon with in time-outs (link.md 2.1).
+    /// The adapter latency to allow for in timeouts (link.md 2.1).
     [[nodiscard]] Duration adapterLatency(const QString& port) const;
     [[nodiscard]] QString latencyFile() const { return latencyTimerFile(m_open.port, m_places.sysfs); }
-    /// Once a second while connected; says once that the adapter is why it is slow.
+    /// Call once a second while connected; reports once that the adapter makes the link slow.
     void noteRate(double exchangesPerSecond);
 
 signals:
@@ -62,9 +62,9 @@ private:
     Places m_places;
     PortWatcher m_watcher;
     AdapterMemory m_adapters;
-    ConnectTarget m_open;  ///< or was last
+    ConnectTarget m_open;  ///< the present connection, or the last one
     std::optional<ConnectTarget> m_offer;
-    std::optional<Duration> m_slow;  ///< not yet told
+    std::optional<Duration> m_slow;  ///< not yet reported
     bool m_lost = false;
 };
 

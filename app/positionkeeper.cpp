@@ -15,7 +15,7 @@ namespace nmc {
 namespace {
 
 constexpr std::size_t kMaxPositionBytes = 16'384;
-/// Between what a shaft that is turned by hand tells and its being kept.
+/// Delay between a change of position, for example of a shaft turned by hand, and storing it.
 constexpr int kKeepPositionsAfterMs = 500;
 
 QString fileOf(const QString& folder, const QString& port) {
@@ -47,7 +47,7 @@ void PositionKeeper::begin(const QString& port, bool owns) {
     m_found.reset();
     const QString file = owns ? fileOf(m_folder, port) : QString();
     m_memory = {};
-    // What this session has kept may not be on the disk yet.
+    // The positions that this session has stored may not be on disk yet.
     if (file == m_file && m_loaded)
         return begin();
     m_file = file;
@@ -75,8 +75,8 @@ void PositionKeeper::setMachine(const std::string& name) {
     m_machine = name;
     if (!isOfAnother())
         return;
-    m_memory.begin({});  // a module that is silent now is offered nothing when it answers
-    // Each that is withdrawn leaves m_offered.
+    m_memory.begin({});  // a module that is silent now gets no offer when it answers
+    // Each offer that is withdrawn is removed from m_offered.
     const std::vector<ModuleIndex> offered = m_offered;
     for (const ModuleIndex module : offered)
         m_store.dropHome(module);
@@ -99,7 +99,7 @@ void PositionKeeper::found(const bus::ChainFound& found) {
 }
 
 void PositionKeeper::look() {
-    // What it puts into the store is news as well.
+    // Changing the store also triggers this function.
     if (m_file.isEmpty() || !m_loaded || m_looking)
         return;
     const QScopedValueRollback<bool> looking(m_looking, true);

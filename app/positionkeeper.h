@@ -14,31 +14,31 @@
 
 namespace nmc {
 
-/// Keeps on disk where the axes at a port are, and offers it to modules that have forgotten it, unless the
-/// machine is known to be another one by now. Waits for no disk. GUI thread.
+/// Stores the positions of the axes at a port on disk, and offers them to modules that have lost theirs,
+/// unless the machine is known to be a different one. Never waits for a disk. GUI thread.
 class PositionKeeper : public QObject {
     Q_OBJECT
 
 public:
-    /// `folder` need not be there.
+    /// `folder` need not exist.
     PositionKeeper(QString folder, BusStore& store, FileWriter::Disk disk = writeFile,
                    QObject* parent = nullptr);
-    /// Keeps what came to rest last: a program that stops its motors and ends does so within a moment.
+    /// Stores the final rest position: a program that stops its motors and ends does so within a moment.
     ~PositionKeeper() override { keep(); }
 
-    /// A port is being opened. `owns`: its axes are this session's business; else nothing is kept.
+    /// A port is being opened. `owns`: this session is responsible for its axes; otherwise nothing is stored.
     void begin(const QString& port, bool owns);
-    /// The name of the machine that the panel has; empty: none. What was remembered of another is withdrawn.
+    /// The name of the panel's machine; empty: none. Offers from another machine are withdrawn.
     void setMachine(const std::string& name);
     void found(const bus::ChainFound& found);
     void restarted(ModuleIndex module) { m_memory.restarted(module); }
-    /// With every news of the link.
+    /// Call with every change of the link.
     void look();
 
 signals:
-    /// The module's home is offered by now.
+    /// The module's home is now offered.
     void offered(const nmc::PositionMemory::Offer& offer);
-    /// The user has taken it or not, or it does not hold any more.
+    /// The user has accepted or declined the offer, or it no longer holds.
     void over(nmc::ModuleIndex module);
 
 private:
@@ -51,16 +51,16 @@ private:
     QString m_folder;
     BusStore& m_store;
     FileWriter m_files;
-    QString m_file;  ///< of this connection; empty: it keeps nothing
+    QString m_file;  ///< of this connection; empty: nothing is stored
     PositionMemory m_memory;
-    RememberedChain m_kept;  ///< as the file has it
+    RememberedChain m_kept;  ///< as in the file
     std::string m_machine;
     std::vector<ModuleIndex> m_offered;
     QTimer m_keepTimer;
     std::shared_ptr<std::string> m_read;  ///< shared with the job
     bool m_loaded = false;
     bool m_looking = false;
-    std::optional<bus::ChainFound> m_found;  ///< before it was loaded
+    std::optional<bus::ChainFound> m_found;  ///< reported before the file was loaded
     BackgroundJob m_loading;
 };
 

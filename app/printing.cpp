@@ -18,7 +18,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-// POSIX has lp; both are parts of CUPS.
+// lp is part of POSIX; lp and lpstat both belong to CUPS.
 const QString kPrint = u"lp"_s;
 const QString kLook = u"lpstat"_s;
 const QString kPrinters = u"-e"_s;
@@ -27,9 +27,9 @@ const QString kStandard = u"-d"_s;
 struct Printers {
     QStringList names;
     QString standard;
-    int looks = 2;  ///< that have not come back yet
+    int looks = 2;  ///< queries that have not returned yet
 
-    /// After each look.
+    /// Call after each query.
     void showIn(PrintDialog& dialog) {
         if (!standard.isEmpty() && !names.contains(standard))
             names.prepend(standard);
@@ -37,7 +37,7 @@ struct Printers {
     }
 };
 
-/// "system default destination: office"; without one it says so, and nothing behind a colon.
+/// Extracts the name from "system default destination: office"; without a default, nothing follows a colon.
 QString standardIn(const QString& said) {
     return said.section(u": "_s, 1).trimmed();
 }
@@ -50,7 +50,7 @@ Printing::Printing(MainWindow& window, QSettings& settings, QObject* parent)
     connect(&window.stepResponses(), &ResponseDock::printRequested, this, &Printing::ask);
 }
 
-/// One that stands already takes the other page.
+/// A dialog that is already open gets the new page.
 void Printing::ask(const QByteArray& pdf) {
     if (m_dialog == nullptr || !m_dialog->isVisible()) {
         m_dialog = new PrintDialog(m_settings.value(settingskeys::kPrinter).toString(), &m_window);
@@ -79,7 +79,7 @@ void Printing::lookFor(PrintDialog& dialog) {
 void Printing::lookUp(PrintDialog& dialog, const QString& option,
                       const std::function<void(const QString&)>& then) {
     auto* process = new QProcess(this);
-    // Its words are looked at, so they must be of no language.
+    // Its output is parsed, so it must not be localised.
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(u"LC_ALL"_s, u"C.UTF-8"_s);
     process->setProcessEnvironment(environment);

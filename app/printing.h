@@ -13,19 +13,20 @@ namespace nmc {
 class MainWindow;
 class PrintDialog;
 
-/// Asks for the printer and hands it the page, by the system's own commands beside the panel: no dialog,
-/// driver or print server can hold it up. GUI thread.
+/// Asks for a printer and passes the page to it, using the system's own commands in separate processes, so
+/// that no dialog, driver or print server can block the panel. GUI thread.
 class Printing : public QObject {
     Q_OBJECT
 
 public:
-    /// `settings` keep the printer that was chosen.
+    /// `settings` stores the chosen printer.
     Printing(MainWindow& window, QSettings& settings, QObject* parent = nullptr);
 
 private:
     void ask(const QByteArray& pdf);
     void lookFor(PrintDialog& dialog);
-    /// What `option` of the command that names printers brings; it is given up when the dialog is gone.
+    /// Runs the command that lists printers with `option` and passes its output to `then`; abandoned when the
+    /// dialog is gone.
     void lookUp(PrintDialog& dialog, const QString& option, const std::function<void(const QString&)>& then);
     void print(const QByteArray& pdf, const QString& printer, int copies);
 

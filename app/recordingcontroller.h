@@ -13,8 +13,8 @@
 
 namespace nmc {
 
-/// Writes what the modules say to a file from now on, opens such files in the scope, and saves what the
-/// window exports. No disk holds up the panel. GUI thread.
+/// Records what the modules report to a file, opens such files in the scope, and saves the window's exports.
+/// Never blocks the panel on a disk. GUI thread.
 class RecordingController : public QObject {
     Q_OBJECT
 
@@ -22,9 +22,9 @@ public:
     RecordingController(MainWindow& window, const BusStore& store, FileWriter::Disk disk = writeFile,
                         QObject* parent = nullptr);
 
-    /// Something has happened that a reader of the recording should know of.
+    /// Adds a note for readers of the recording.
     void note(const QString& text);
-    /// Nothing more will come.
+    /// Ends the recording.
     void end();
 
 private:
@@ -44,13 +44,13 @@ private:
     const BusStore& m_store;
     RecordingWriter m_writer;
     RecordingLoader m_loader;
-    bool m_under = false;  ///< what is being loaded goes under the live traces
+    bool m_under = false;  ///< the file being loaded is shown under the live traces
     FileWriter m_files;
-    QTimer m_clock;    ///< of what is shown of a recording
-    TimePoint m_zero;  ///< as the scope counts its time
+    QTimer m_clock;    ///< updates the display of a recording
+    TimePoint m_zero;  ///< the origin of the scope's time
     TimePoint m_started;
-    std::optional<TimePoint> m_historyZero;  ///< of the history that is being recorded
-    std::vector<std::uint64_t> m_written;    ///< samples that need not be, by module
+    std::optional<TimePoint> m_historyZero;  ///< of the history being recorded
+    std::vector<std::uint64_t> m_written;  ///< number of samples already written or to be skipped, by module
     std::size_t m_gainsWritten = 0;
     qint64 m_bytes = 0;
 };

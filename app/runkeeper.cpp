@@ -15,7 +15,7 @@ namespace {
 
 const QString kSuffix = QLatin1Char('.') + QLatin1String(kRunFileSuffix.data(), kRunFileSuffix.size());
 
-/// In another thread, as all below.
+/// Runs in another thread, like the functions below.
 [[nodiscard]] std::vector<KeptResponse> runsIn(const QString& path) {
     const auto text = readFile(path, kMaxRunFile);
     auto runs = text ? readResponses(*text) : tl::unexpected(FileProblem{});
@@ -43,7 +43,7 @@ FileWriter::Disk sparing(FileWriter::Disk disk) {
     };
 }
 
-/// An axis that has the name that it had then, whatever is before it in the chain by now.
+/// Finds the axis by the name it had then, even if its place in the chain has changed.
 [[nodiscard]] ModuleIndex moduleOf(const KeptResponse& run, const Machine& machine) {
     const auto isIt = [&run](const AxisSettings& axis) { return axis.name == run.axisName; };
     if (run.axisName.empty() || std::count_if(machine.axes.begin(), machine.axes.end(), isIt) != 1)
@@ -106,7 +106,7 @@ void RunKeeper::follow(const QString& file) {
     if (before == m_path)
         return;
     keep();
-    // Those of the data folder are of a machine without a file: not of this one any more.
+    // Runs in the data folder belong to a machine without a file, which this one no longer is.
     if (before == pathFor({}))
         m_files.write(
             before, [before, gone = m_known] { return writeResponses(together({}, runsIn(before), gone)); });

@@ -16,20 +16,20 @@
 
 namespace nmc {
 
-/// Keeps the step responses of a machine in a file beside its own, "mill.runs" beside "mill.json", or in the
-/// data folder while it has none; and shows them again when the machine is opened. What is there and cannot
-/// be read is never overwritten: it is set aside. Waits for no disk. GUI thread.
+/// Stores the step responses of a machine in a file beside its own, "mill.runs" beside "mill.json", or in the
+/// data folder while it has no file, and shows them again when the machine is opened. A file that cannot be
+/// read is never overwritten, but set aside. Never waits for a disk. GUI thread.
 class RunKeeper : public QObject {
     Q_OBJECT
 
 public:
-    /// `folder` need not be there.
+    /// `folder` need not exist.
     RunKeeper(QString folder, MainWindow& window, FileWriter::Disk disk = writeFile,
               QObject* parent = nullptr);
 
-    /// Another machine is here; `file`: the machine's, empty: it has none.
+    /// Another machine was loaded; `file`: the machine's file; empty: it has none.
     void open(const QString& file, const Machine& machine);
-    /// The machine that is here has this file from now on, and its runs go along.
+    /// The present machine now has this file, and its runs move along.
     void follow(const QString& file);
 
 private:
@@ -50,8 +50,8 @@ private:
     MainWindow& m_window;
     FileWriter m_files;
     QString m_path;
-    std::set<std::string> m_known;       ///< all that were listed since the machine is here
-    bool m_failed = false;               ///< and was told
+    std::set<std::string> m_known;       ///< all runs listed since the machine was loaded
+    bool m_failed = false;               ///< the message about it has been shown
     std::shared_ptr<Reading> m_reading;  ///< shared with the job
     BackgroundJob m_loading;
 };

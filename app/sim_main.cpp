@@ -169,7 +169,7 @@ Options readOptions(int argc, char** argv) {
             case Version:
                 std::printf("nmcsim %s\n", NMC_VERSION);
                 std::exit(0);
-            default:  // getopt has said what
+            default:  // getopt has reported the problem
                 std::fprintf(stderr, "Try nmcsim --help.\n");
                 std::exit(kBadArguments);
         }
@@ -179,14 +179,15 @@ Options readOptions(int argc, char** argv) {
     return options;
 }
 
-/// SIGTERM and SIGINT as a readable descriptor, so that the server ends its loop and removes its link.
+/// Provides SIGTERM and SIGINT as a readable descriptor, so that the server ends its loop and removes its
+/// link.
 int catchSignals() {
     sigset_t signals;
     sigemptyset(&signals);
     sigaddset(&signals, SIGTERM);
     sigaddset(&signals, SIGINT);
     sigprocmask(SIG_BLOCK, &signals, nullptr);
-    std::signal(SIGPIPE, SIG_IGN);  // whoever read our answers may go away; the chain stays
+    std::signal(SIGPIPE, SIG_IGN);  // the reader of the output may go away; the chain stays
     return ::signalfd(-1, &signals, SFD_CLOEXEC);
 }
 
@@ -202,10 +203,9 @@ int main(int argc, char** argv) {
         refuse(terminal.error() + ".");
 
     const int stop = catchSignals();
-    // The chips that it stands for do not wait for what else this computer does; nor does a host's bus
-    // thread.
+    // The simulated chips do not wait for other work on this computer, and neither does a host's bus thread.
     nmc::preferThisThread();
-    // Ready is who hears the first byte: the chain was switched on a dead time ago.
+    // "ready" means able to receive the first byte: the chain was switched on one dead time ago.
     nmc::sim::Chain chain(*modules, options.simulation);
     chain.advanceTo(nmc::TimePoint{} + options.simulation.resetDeadTime);
     const std::string path = terminal->path();

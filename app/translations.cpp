@@ -11,7 +11,8 @@ using namespace Qt::StringLiterals;
 bool installTranslations(Translations& translations, const QLocale& locale) {
     if (translations.plurals.load(u":/i18n/nmcpanel_en.qm"_s))
         QCoreApplication::installTranslator(&translations.plurals);
-    // Not QTranslator's own search: it has no file for English, so "English, then German" would be German.
+    // QTranslator's own search is not used: it has no file for English, so "English, then German" would yield
+    // German.
     const QStringList names = locale.uiLanguages();
     for (const QString& name : names) {
         const QLocale language(name);

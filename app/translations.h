@@ -6,16 +6,16 @@
 
 namespace nmc {
 
-/// The program's own words, and Qt's in its standard dialogs; one that found nothing is empty.
+/// The program's translations, and those of Qt's standard dialogs; empty if not found.
 struct Translations {
-    QTranslator plurals;  ///< the English ones, below every other language
+    QTranslator plurals;  ///< the English plurals, below every other language
     QTranslator panel;
     QTranslator qt;
 };
 
-/// Loads the first language of the locale's list that there is a translation for and hands it to the
-/// application object, which must exist. English is the language of the source, whose plurals are always
-/// there, and ends the search. True when another language is in force.
+/// Loads the first language of the locale's list that has a translation, and installs it in the application
+/// object, which must exist. English is the language of the source, whose plurals are always installed, and
+/// ends the search. Returns true if another language is in use.
 bool installTranslations(Translations& translations, const QLocale& locale);
 
 }  // namespace nmc

@@ -16,7 +16,7 @@ TuningController::TuningController(ResponseDock& dock, QObject* parent) : QObjec
 }
 
 void TuningController::identify(ModuleIndex module, const std::vector<ResponseRecord>& runs) {
-    m_searching.cancel();  // it was of modules that are gone
+    m_searching.cancel();  // it was for modules that are gone
     m_search = std::make_shared<Search>(Search{module, runs});
     m_searching.start([search = m_search](const BackgroundJob::Cancelled&) {
         search->found = nmc::identify(search->runs);

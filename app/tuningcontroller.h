@@ -13,8 +13,8 @@ namespace nmc {
 
 class ResponseDock;
 
-/// Finds motors and suggests gains beside the GUI thread: the one takes some tenths of a second, the other
-/// up to as much with every move of a slider. GUI thread.
+/// Identifies motors and suggests gains in background threads: identification takes some tenths of a second,
+/// and a suggestion up to as long with every move of a slider. GUI thread.
 class TuningController : public QObject {
     Q_OBJECT
 
@@ -41,7 +41,7 @@ private:
     BackgroundJob m_advising;
     std::shared_ptr<Search> m_search;
     std::shared_ptr<Advice> m_advice;
-    std::optional<SuggestionTask> m_next;  ///< came while another was being worked on
+    std::optional<SuggestionTask> m_next;  ///< requested while another was in progress
 };
 
 }  // namespace nmc

@@ -14,10 +14,11 @@ namespace nmc {
 
 namespace {
 
-/// The stop is confirmed within 1 s; the rest is for a slow disk.
+/// The stop is confirmed within 1 s; the rest is a reserve for a slow disk.
 constexpr unsigned kPatience = 3;  // s
 
-/// What the handler may touch: it may not do more than write to a descriptor. Set while a UnixSignals lives.
+/// All that the handler may access: it may do no more than write to a descriptor. Set while a UnixSignals
+/// exists.
 std::atomic<const Wakeup*> g_wakeup{nullptr};
 std::atomic<BusWorker*> g_worker{nullptr};
 

@@ -7,9 +7,9 @@ namespace nmc {
 
 class BusWorker;
 
-/// SIGTERM, SIGINT and SIGHUP. In the handler itself the worker is told to stop the motors and to close, so a
-/// GUI thread that is blocked delays no stop; then the GUI thread hears of it as a Qt signal. A program that
-/// has not ended 3 s later is ended by the kernel. One object a process.
+/// Handles SIGTERM, SIGINT and SIGHUP. The handler itself makes the worker stop the motors and close, so that
+/// a blocked GUI thread does not delay the stop; the GUI thread is then notified by a Qt signal. The kernel
+/// ends a program that has not ended 3 s later. One object per process.
 class UnixSignals : public QObject {
     Q_OBJECT
 

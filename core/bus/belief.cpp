@@ -138,7 +138,7 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
     m_statusTime = latched;
     m_lastItems = report.items;
     if (report.position) {
-        // An encoder that stands at an edge goes to and fro by one.
+        // An encoder at rest on an edge alternates by one count.
         m_rolls = m_place && std::abs(countsBetween(*m_place, *report.position)) > 1;
         m_place = m_position = report.position;
     }
@@ -158,7 +158,7 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         m_mayEnable = m_mayEnable && !fresh();
         return;
     }
-    // The answer to a command may have been put together before the command took effect.
+    // The reply to a command may have been composed before the command took effect.
     if (!fresh())
         return;
     if (report.aux) {
@@ -175,7 +175,7 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         m_velocityGoal = false;
 }
 
-/// The answer to such a command may tell either.
+/// The reply to a command that sets the counter may contain the old or the new position.
 void Belief::rename() {
     m_place.reset();
     m_rolls = false;
@@ -250,10 +250,10 @@ StepperMode Belief::stepperMode() const {
 
 void Belief::mayStart(const stepper::LoadTrajectory& load) {
     m_stepperGoal = goalMode(stepperMode(), load);
-    // With a timer count alone, a motion that ends at a goal still does, and keeps its direction.
+    // A load with only a timer count leaves a motion that ends at a goal as it is, and keeps its direction.
     if (m_stepperGoal == StepperMode::UnprofiledWithStop && !load.position)
         return;
-    // Where a goal is loaded the chip takes the direction from it, not from the bit (DS-S 5.1).
+    // If a goal is loaded, the chip takes the direction from it and not from the bit (DS-S 5.1).
     m_stepperReverse = load.position ? load.position->value() < m_position.value_or(0) : load.reverse;
 }
 
@@ -264,7 +264,7 @@ void Belief::mayStart(const servo::LoadTrajectory& load) {
     }
     m_mayEnable = true;
     m_velocityReverse = load.reverse;
-    // Without a velocity the chip goes on with the one loaded before, which is not known here.
+    // Without a velocity, the chip uses the one loaded before, which is unknown here.
     if (load.profile == servo::ProfileMode::Velocity)
         m_velocityGoal = m_velocityGoal || load.velocity.value_or(CountsPerTick(1)).value() != 0;
 }

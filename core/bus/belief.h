@@ -11,97 +11,97 @@
 
 namespace nmc::bus {
 
-/// PIC-SERVO: a sticky bit is set, other than pos_error of a servo that is off (DS-V 5.3).
+/// PIC-SERVO: true if a sticky bit is set, apart from pos_error of a servo that is off (DS-V 5.3).
 [[nodiscard]] bool anySticky(servo::StatusByte status, servo::AuxByte aux);
 
-/// What the host believes about one module: the last status and what was sent since. The chips tell neither
-/// trajectory nor mode, so this is the only copy, and it errs to the careful side: a command that was sent
-/// and not answered counts as carried out where that is the worse case, and as not where that is. Pure; the
-/// command gate, the hold and the stop plan read it.
+/// What the host believes about one module: the last status, and what was sent since. The chips report
+/// neither trajectory nor mode, so this is the only copy, and it errs on the side of caution: for a command
+/// that was sent but not answered, it assumes the worse outcome. Pure; used by the command gate, the hold and
+/// the stop plan.
 class Belief {
 public:
     explicit Belief(ModuleInfo info) : m_info(info) {}
 
-    /// `command` was handed to the wire and will be latched at `latched`. A refused command was certainly not
-    /// carried out: the caller puts back the belief from before.
+    /// `command` was passed to the line and will be latched at `latched`. A refused command was certainly not
+    /// carried out; the caller then restores the belief from before.
     void onSent(const ModuleCommand& command, TimePoint latched);
-    /// The command that was sent last was answered as carried out.
+    /// The last command was answered as carried out.
     void onExecuted(const ModuleCommand& command);
     void onStatus(const StatusReport& report, TimePoint latched);
-    /// Define Status was sent and not answered: replies have the old or the new length.
+    /// Define Status was sent but not answered: replies have the old or the new length.
     void forgetItems() { m_items.reset(); }
-    /// Found as another host left it: what it was told is not known. It may run in velocity mode at any
-    /// speed, until a stop is answered or its servo is seen off.
+    /// The module was found as another host left it: its settings are unknown. It may be running in velocity
+    /// mode at any speed until a stop is answered or its servo is seen off.
     void attach() {
         m_velocityGoal = m_pwmUnknown = m_parametersSet = true;
         m_info.group.reset();
         m_servo.pathControl.reset();
         m_outputs.forget();
     }
-    /// The same module, found at its address by another look of the same connection: it has not restarted, or
-    /// it would not answer there, and it was sent nothing but questions.
+    /// The same module, found again at its address by another search of the same connection: it has not
+    /// restarted, or it would not answer there, and it was sent only queries.
     void foundAgain(ModuleIndex index) { m_info.index = index; }
-    /// A load was asked for and refused: an older one that waits must not start in its place.
+    /// A load was requested and refused: an earlier one that is waiting must not start in its place.
     void forgetLoad() {
         m_servo.loadWaiting = false;
         m_stepper.waiting.reset();
     }
-    /// The command that was sent last was certainly not carried out, as a look has shown.
+    /// The last command was certainly not carried out, as its verification showed.
     void onNotExecuted(const Belief& before);
-    /// It has another address, and is what it was.
+    /// The module has another address, and is otherwise unchanged.
     void setAddress(BusAddress address) { m_info.address = address; }
-    /// It restarted by itself, is off, and has no address any more: nothing is sent to it.
+    /// The module restarted by itself, is off, and has lost its address: nothing is sent to it.
     void setRestarted();
     [[nodiscard]] bool restarted() const { return m_restarted; }
 
     [[nodiscard]] const ModuleInfo& info() const { return m_info; }
-    /// The defined items of a reply; nothing while they are in doubt.
+    /// The defined items of a reply; empty while they are in doubt.
     [[nodiscard]] std::optional<StatusItems> items() const { return m_items; }
 
-    /// A status was latched after the last command that can move or stop the motor.
+    /// True if a status was latched after the last command that can move or stop the motor.
     [[nodiscard]] bool fresh() const;
     [[nodiscard]] std::optional<TimePoint> statusTime() const { return m_statusTime; }
-    /// How many statuses were latched since then.
+    /// Number of statuses latched since `time`, at most 2.
     [[nodiscard]] unsigned looksSince(TimePoint time) const;
-    /// Items to ask for next: a reply of another length than the last one (link.md 2.2).
+    /// The items to request next, so that the reply differs in length from the last one (link.md 2.2).
     [[nodiscard]] StatusItems otherItems() const;
     [[nodiscard]] std::optional<std::int32_t> position() const { return m_position; }
-    /// As of the last status.
+    /// According to the last status.
     [[nodiscard]] bool anySticky() const {
         return bus::anySticky(servo::StatusByte{m_status}, servo::AuxByte{m_aux});
     }
     [[nodiscard]] std::optional<std::int32_t> home() const { return m_home; }
-    /// CMC and SC: what the servo is told to hold or follow, of the last status that told.
+    /// CMC and SC: the position that the servo should hold or follow, from the last status that contained it.
     [[nodiscard]] std::optional<std::int32_t> commandPosition() const { return m_commandPosition; }
-    /// CMC and SC: nothing when nobody here knows what I/O Control was told.
+    /// CMC and SC: empty if the setting of I/O Control is unknown.
     [[nodiscard]] const std::optional<PathControl>& pathControl() const { return m_servo.pathControl; }
-    /// CMC and SC: it may be running through path points.
+    /// CMC and SC: it may be running path points.
     [[nodiscard]] bool onPath() const { return m_onPath; }
 
-    /// Servo (PIC-STEP: amplifier) as of the last status that told.
+    /// Servo (PIC-STEP: amplifier) is on, according to the last status that contained it.
     [[nodiscard]] bool on() const { return m_on; }
-    /// Same, or a command that could have switched it on was sent since.
+    /// It is on, or a command that may have switched it on was sent since.
     [[nodiscard]] bool mayBeOn() const { return m_on || m_mayEnable; }
-    /// PIC-SERVO: AMP_EN was taken low, and not high since: raising it would let a servo that is on leap.
+    /// PIC-SERVO: AMP_EN was taken low, and not high since; raising it would make a servo that is on jump.
     [[nodiscard]] bool amplifierOff() const { return m_amplifierOff; }
-    /// PIC-SERVO with the servo off whose PWM output may be other than 0.
+    /// PIC-SERVO with the servo off whose PWM output may differ from 0.
     [[nodiscard]] bool pwmMayRun() const { return m_pwmMayRun; }
-    /// The same where nobody here knows what it was told before: a stop must reckon with it.
+    /// The PWM output may differ from 0 because earlier commands are unknown; a stop must allow for this.
     [[nodiscard]] bool pwmUnknown() const { return m_pwmUnknown; }
-    /// The command velocity may be other than 0 (DS-V 4.4), or a stepper is moving.
+    /// The command velocity may differ from 0 (DS-V 4.4), or a stepper is moving.
     [[nodiscard]] bool mayMove() const;
-    /// Measured velocity, counts per tick, when the newest status had it.
+    /// Measured velocity in counts per tick, if the latest status contained it.
     [[nodiscard]] std::optional<std::int16_t> velocity() const { return m_velocity; }
-    /// The last two positions that were told lie apart: with the servo off, a motor that coasts by less than
-    /// the velocity item tells, a count per tick.
+    /// The last two positions differ: with the servo off, this shows a motor that coasts by less than the
+    /// resolution of the velocity item, a count per tick.
     [[nodiscard]] bool rolls() const { return m_rolls; }
     [[nodiscard]] bool powered() const;
-    /// The last status shows a motion, whatever it was told. True when there is none.
+    /// The last status shows motion, whatever was commanded. True if there is no status.
     [[nodiscard]] bool seenMoving() const;
-    /// Whether a Stop Motor must be expected to find something to stop, for the order of a stop.
+    /// True if a Stop Motor is likely to stop something; determines the order of a stop.
     [[nodiscard]] bool moving() const { return mayMove() || m_velocity.value_or(0) != 0; }
 
-    /// A Load Trajectory that was answered and not used up by a start or a stop.
+    /// A Load Trajectory was answered and not used by a start or a stop since.
     [[nodiscard]] bool loaded() const { return servoLoad() || stepperLoad(); }
     [[nodiscard]] std::optional<servo::LoadTrajectory> servoLoad() const {
         return m_servo.loadWaiting ? std::optional(m_servo.load) : std::nullopt;
@@ -109,20 +109,20 @@ public:
     [[nodiscard]] const std::optional<stepper::LoadTrajectory>& stepperLoad() const {
         return m_stepper.waiting;
     }
-    /// PIC-SERVO: it was told to run in velocity mode, and has not been seen to end that.
+    /// PIC-SERVO: it was sent a run in velocity mode, which has not been seen to end.
     [[nodiscard]] bool velocityGoal() const { return m_velocityGoal; }
-    /// PIC-STEP: what it does, as far as status and commands tell.
+    /// PIC-STEP: its mode, as far as status and commands show it.
     [[nodiscard]] StepperMode stepperMode() const;
-    /// The direction of velocityGoal(), or of a PIC-STEP that moves.
+    /// The direction of velocityGoal(), or of a moving PIC-STEP.
     [[nodiscard]] bool runsReverse() const {
         return m_info.identity.type == ModuleType::Stepper ? m_stepperReverse : m_velocityReverse;
     }
-    /// As answered.
+    /// As answered by the module.
     [[nodiscard]] const ServoRegisters& servoRegisters() const { return m_servo; }
     [[nodiscard]] const StepperRegisters& stepperRegisters() const { return m_stepper; }
     /// PIC-STEP: Set Parameters was answered, or may have been before this connection (DS-S 5.1).
     [[nodiscard]] bool parametersSet() const { return m_parametersSet; }
-    /// PIC-I/O: what it puts out, and which of that a stop takes low.
+    /// PIC-I/O: its outputs, and which of them a stop takes low.
     [[nodiscard]] const IoOutputs& outputs() const { return m_outputs; }
     void setStopOutputs(const StopOutputs& off) { m_outputs.setStopOutputs(off); }
     void forgetOutputs(const StopOutputs& off) {
@@ -149,32 +149,32 @@ private:
     std::uint8_t m_status = 0;
     std::optional<std::int16_t> m_velocity;
     std::optional<std::int32_t> m_position;
-    std::optional<std::int32_t> m_place;  ///< position, unless it has been renamed since
+    std::optional<std::int32_t> m_place;  ///< position, unless the counter has been set since
     bool m_rolls = false;
     std::optional<std::int32_t> m_home;
     StatusItems m_lastItems;
     std::uint8_t m_aux = 0;
     std::optional<TimePoint> m_before;  ///< the status before the last one
-    bool m_on = false;                  ///< by a status; no command alone switches it on here
-    bool m_mayEnable = false;           ///< from such a command on, until a status tells
-    bool m_amplifierOff = false;        ///< low counts when answered, high when sent
-    bool m_pwmMayRun = false;           ///< from a start that was sent, to a stop that is answered
-    bool m_pwmUnknown = false;          ///< from attach(), until a stop or a start is answered
+    bool m_on = false;                  ///< according to a status; no command alone sets it
+    bool m_mayEnable = false;           ///< since a command that may switch it on, until a status shows it
+    bool m_amplifierOff = false;        ///< set when answered, cleared when sent
+    bool m_pwmMayRun = false;           ///< since a start that was sent, until a stop is answered
+    bool m_pwmUnknown = false;          ///< since attach(), until a stop or a start is answered
     bool m_velocityGoal = false;        ///< velocity mode with a goal other than 0
-    bool m_velocityReverse = false;     ///< of the last start that was sent; of no meaning without the goal
-    bool m_limitStops = false;          ///< SC, told so: the chip ends what goes towards a closed limit
+    bool m_velocityReverse = false;     ///< of the last start sent; meaningful only with the goal
+    bool m_limitStops = false;          ///< SC, if so configured: the chip ends motion towards a closed limit
     bool m_homingStops = false;         ///< the chip itself stops when home is found
-    bool m_parametersSet = false;       ///< from an answer or attach(), until a restart
-    bool m_stepperReverse = false;      ///< of the last start that was sent; of no meaning at rest
-    std::optional<StepperMode> m_stepperGoal;  ///< of what may run
-    bool m_restarted = false;                  ///< once true, stays so: welcome() makes another Belief
-    // As answered; what a command may change that has not been answered does not wait, or is not known.
+    bool m_parametersSet = false;       ///< since an answer or attach(), until a restart
+    bool m_stepperReverse = false;      ///< of the last start sent; meaningful only in motion
+    std::optional<StepperMode> m_stepperGoal;  ///< mode that may be running
+    bool m_restarted = false;                  ///< never cleared: welcome() creates another Belief
+    // As answered; whatever an unanswered command may change is not waiting, or is unknown.
     ServoRegisters m_servo;
     StepperRegisters m_stepper;
     IoOutputs m_outputs;
     std::optional<std::int32_t> m_commandPosition;
     bool m_onPath = false;
-    std::optional<servo::LoadTrajectory> m_starting;  ///< what the last start, if carried out, runs
+    std::optional<servo::LoadTrajectory> m_starting;  ///< what the last start runs, if carried out
 };
 
 }  // namespace nmc::bus

@@ -48,7 +48,7 @@ Ask Chain::command(Purpose purpose, const Order& order) const {
     ask.request = {module.info().address, payload, layoutOf(module, payload)};
     if (m_readOnly && payload.code != CommandCode::ReadStatus) {
         ask.request.reply.items = {};
-        ask.request.framing = Framing::Open;  // its length hangs on what another host has defined
+        ask.request.framing = Framing::Open;  // its length depends on what another host has defined
     }
     ask.command = order.command;
     ask.silentRepeats = rule.silentRepeats;
@@ -102,7 +102,7 @@ void Chain::noteSent(ModuleIndex index, const ModuleCommand& command, TimePoint 
     if (effect == Effect::Start)
         module.trust.expectMotion();
     if (effect == Effect::Stop)
-        m_schedule.unfocus();  // it wants to be seen through at every module
+        m_schedule.unfocus();  // a stop must be monitored on all modules
 }
 
 void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
@@ -110,7 +110,7 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
     if (module.belief.restarted())
         return;  // off by itself, and without an address
     if (!hasStop(module.belief.info().identity.type))
-        return;  // nothing to tell it
+        return;  // it has no stop command
     if (m_readOnly && cause != StopCause::StopAll)
         return;  // nobody asked
     const StopCause first = module.owed ? module.owed->cause : cause;
@@ -126,7 +126,7 @@ void Chain::welcome(ModuleIndex index, TimePoint now) {
     ModuleInfo info = at(index).belief.info();
     info.group = GroupPlace{};
     const StopOutputs off = at(index).belief.outputs().stopOutputs();
-    // In its place: in an assignment g++ 12 takes an empty optional for one that is read uninitialised.
+    // Constructed in place: for an assignment, g++ 12 reports an empty optional as used uninitialised.
     std::destroy_at(&at(index));
     std::construct_at(&at(index), info);
     at(index).belief.setStopOutputs(off);
@@ -144,7 +144,7 @@ std::vector<Order> Chain::stops() const {
         stops.push_back({info.index, *stop});
         if (info.identity.type != ModuleType::Io)
             continue;
-        // It takes pins and PWM outputs apart.
+        // Pins and PWM outputs need separate commands.
         Belief then = module.belief;
         then.onExecuted(*stop);
         if ((stop = stopFor(then)))
@@ -164,7 +164,7 @@ std::vector<PacketBytes> Chain::outputStops() const {
 std::vector<Order> Chain::lastOrders() const {
     std::vector<Order> orders;
     for (Order& stop : stops()) {
-        // With gains that let it swing a stop alone would not bring it to rest.
+        // With gains that make it swing, a stop alone would not bring it to rest.
         if (const auto& trial = at(stop.module).trial)
             orders.push_back({stop.module, ServoCommand(trial->net.back)});
         orders.push_back(std::move(stop));
@@ -182,8 +182,8 @@ std::vector<std::uint8_t> Chain::stopBurst() const {
             burst.assign(kNullCount, 0);
         const PacketBytes packet = toPacket({belief(order.module).info().address, payloadOf(order.command)});
         burst.insert(burst.end(), packet.begin(), packet.end());
-        // Nobody waits between the packets any more, so nulls must: a packet that comes before the one before
-        // it was carried out takes its place (DS-V 4.1).
+        // Nobody waits between the packets any more, so nulls must provide the delay: a packet that arrives
+        // before the previous one was carried out replaces it (DS-V 4.1).
         burst.insert(burst.end(), pause, 0);
     }
     return burst;
@@ -200,8 +200,8 @@ std::optional<BusAddress> Chain::groupOf(const std::vector<Order>& stops) const 
         return std::any_of(stops.begin(), stops.end(),
                            [&](const Order& s) { return s.module == module.belief.info().index; });
     };
-    // Only where the groups are known: those that another host left behind may have a leader, or be others.
-    // And only where all answer: one that restarted unseen is in group FF, off, and would be switched on.
+    // Only if all groups are known: those left by another host may have a leader, or be different. And only
+    // if all members answer: a module that restarted unnoticed is in group FF, off, and would be switched on.
     const auto fits = [&](const Module& module) {
         const auto& other = module.belief.info().group;
         const bool heard = answers(module.belief.info().index);
@@ -219,7 +219,7 @@ std::optional<BusAddress> Chain::groupOf(const std::vector<Order>& stops) const 
 Line::Script Chain::stopScript(const std::vector<Order>& stops) const {
     Line::Script script;
     if (const auto group = groupOf(stops)) {
-        std::size_t reply = 0;  // of its leader
+        std::size_t reply = 0;  // of the group's leader
         for (const Order& order : stops)
             if (belief(order.module).info().group->leader)
                 reply = layoutOf(belief(order.module), payloadOf(order.command)).length();

@@ -20,16 +20,16 @@
 
 namespace nmc::bus {
 
-/// A stop that somebody owes to one module (the end of a hold, a motion that strays, a stop of all that was
-/// not confirmed): repeated while the port is open, ended by a confirmation only. OwedStops sends.
+/// A stop that is owed to one module (the end of a hold, a motion that strays, a stop of all modules that was
+/// not confirmed): repeated while the port is open, and ended only by a confirmation. Sent by OwedStops.
 struct OwedStop {
     StopTarget target;
     StopCause cause;
-    TimePoint due{};     ///< of the next question; at once at first
-    unsigned looks = 0;  ///< at a motor that went on moving
+    TimePoint due{};     ///< of the next query; initially at once
+    unsigned looks = 0;  ///< at a motor that continued to move
 };
 
-/// Gains that are being tried on one module. TrialTask sees to them.
+/// Gains that are being tried on one module, supervised by TrialTask.
 struct Trial {
     enum class Phase : std::uint8_t { Sending, Watching, Returning };
 
@@ -41,24 +41,24 @@ struct Trial {
     GainTrial net;
     TrialWatch watch;
     Phase phase = Phase::Sending;
-    TimePoint due{};  ///< of the next thing to do; at once at first
+    TimePoint due{};  ///< of the next action; initially at once
     std::optional<TrialEnd> end{};
-    Outcome outcome = Outcome::Cancelled;  ///< once it is over
-    bool told = false;                     ///< once true, stays so: its OperationFinished came
+    Outcome outcome = Outcome::Cancelled;  ///< set once it is over
+    bool told = false;                     ///< never cleared: its OperationFinished was emitted
 };
 
-/// The chain that was found last: its modules, and all that is believed of each. Kept while another one is
-/// looked for, since a stop must reach somebody. The one owner of that state; tasks read it and tell it what
-/// they send. Pure.
+/// The last chain found: its modules, and everything believed about them. It is kept while another one is
+/// searched for, because a stop must reach some module. The only owner of this state; tasks read it and
+/// report to it what they send. Pure.
 class Chain {
 public:
-    /// All that follows from what a module was told. A command that was refused was certainly not carried
-    /// out: then this is as it was before.
+    /// Everything that follows from the commands sent to a module. A refused command was certainly not
+    /// carried out, so this state is then restored.
     struct Memory {
         explicit Memory(const ModuleInfo& info)
             : belief(info), plausibility(info.identity), ownMotion(info.identity.type) {}
         Belief belief;
-        ServoRegisters sent;  ///< as if all that was sent had been carried out
+        ServoRegisters sent;  ///< as if everything sent had been carried out
         Plausibility plausibility;
         MotionWatch watch;
         OwnMotion ownMotion;
@@ -66,7 +66,7 @@ public:
     };
     struct Module : Memory {
         explicit Module(const ModuleInfo& info) : Memory(info), trust(info.identity) {}
-        /// The same module, of which nothing is known any more but what a stop is to take low.
+        /// The same module, about which nothing is known any more except which outputs a stop takes low.
         explicit Module(const Belief& before) : Module(before.info()) {
             belief.forgetOutputs(before.outputs().stopOutputs());
         }
@@ -74,21 +74,21 @@ public:
         Health health;
         std::optional<OwedStop> owed{};
         std::optional<Trial> trial{};
-        /// Since then there is a command that nobody has answered, and it may have been carried out.
+        /// Since when there is an unanswered command that may have been carried out.
         std::optional<TimePoint> unanswered{};
     };
 
     Chain() = default;
-    /// `readOnly`: as EngineConfig::readOnly. What replies have in them is for others to define, and no stop
-    /// is owed or lies ready but that somebody asked for.
+    /// `readOnly`: as EngineConfig::readOnly. Other hosts define what replies contain, and no stop is owed or
+    /// prepared unless it was requested.
     Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate, bool readOnly);
 
     void noteUnanswered(ModuleIndex module, TimePoint latched) {
         auto& since = at(module).unanswered;
         since = since.value_or(latched);
     }
-    /// It is answered, or nobody will find out any more. How much earlier than `latched` it may have been
-    /// carried out.
+    /// The command was answered, or its outcome will remain unknown. Returns how much earlier than `latched`
+    /// it may have been carried out.
     Duration takeUnanswered(ModuleIndex module, TimePoint latched) {
         const auto since = std::exchange(at(module).unanswered, std::nullopt);
         return since && *since < latched ? latched - *since : Duration{};
@@ -103,7 +103,7 @@ public:
     [[nodiscard]] const Module& at(ModuleIndex module) const { return m_modules[module.value()]; }
     [[nodiscard]] const Belief& belief(ModuleIndex module) const { return at(module).belief; }
 
-    /// Nominal rate at which its modules listen.
+    /// Nominal rate to which its modules are set.
     [[nodiscard]] std::uint32_t rate() const { return m_rate; }
     void setRate(std::uint32_t rate) { m_rate = rate; }
 
@@ -112,48 +112,53 @@ public:
     [[nodiscard]] bool answers(ModuleIndex module) const { return !m_schedule.silent(module); }
     [[nodiscard]] bool anythingMoves() const;
     [[nodiscard]] bool anyRestarted() const;
-    /// Its addresses are given anew: whoever answers there may be what it was, or has just been reset and is
-    /// off, and a stop would switch it on. So each is looked at before it is told anything;
-    /// StopTarget::stop() says what is told to one that does not answer.
+    /// Call when the chain's addresses are assigned again: a module that answers may be unchanged, or may
+    /// just have been reset and be off, in which case a stop would switch it on. Each module is therefore
+    /// queried before it is sent anything; StopTarget::stop() defines what is sent to one that does not
+    /// answer.
     void forgetStates();
 
-    /// How to ask a module: a command with the repeats that the retry table grants (link.md 2.3), Read Status
-    /// with `items`, or No Operation. While the defined items are in doubt, defining them is the question;
-    /// a chain that is only looked at is asked for the standing ones each time.
+    /// Builds a request to a module: a command with the retries that the retry table allows (link.md 2.3),
+    /// Read Status with `items`, or No Operation. While the defined items are in doubt, the query is Define
+    /// Status; on a read-only connection, the standing items are read each time.
     [[nodiscard]] Ask command(Purpose purpose, const Order& order) const;
     [[nodiscard]] Ask status(Purpose purpose, ModuleIndex module, std::optional<StatusItems> items) const;
-    /// A status that is newer than whatever was sent, of another length than the last one, so that two of
-    /// them permit; or first of all a known length.
+    /// Builds a query for a status newer than anything sent, with a different length than the last one, so
+    /// that two of them permit; or, if the length is unknown, one that makes it known first.
     [[nodiscard]] Ask look(Purpose purpose, ModuleIndex module) const;
     [[nodiscard]] ReplyLayout layoutOf(const Belief& belief, const Payload& payload) const;
-    /// Bytes of the longest answer that any of the modules can give.
+    /// Length in bytes of the longest reply that any of the modules can give.
     [[nodiscard]] std::size_t longestReply() const;
 
-    /// The command goes out, and will be latched then: all that watch the module must reckon with it.
+    /// Call when the command is sent, with the time at which it will be latched: everything that monitors the
+    /// module must allow for it.
     void noteSent(ModuleIndex module, const ModuleCommand& command, TimePoint latched);
 
-    /// Owes the module a stop, from now on. The cause of one that is owed already stays. On a read-only
-    /// connection only what is left of a stop of all.
+    /// Makes a stop owed to the module from now on. If one is owed already, its cause is kept. On a read-only
+    /// connection, only the remainder of a stop of all modules can be owed.
     void owe(ModuleIndex module, StopCause cause, StopManner manner = StopManner::Abruptly);
 
-    /// The module was heard of after a silence: what is owed to it is due at once.
+    /// The module was heard again after a silence: the stop owed to it is due at once.
     void hurryOwedStop(ModuleIndex module, TimePoint now);
 
-    /// The module has its address again after a restart: nothing that was known of it holds.
+    /// The module has its address again after a restart: everything known about it is obsolete.
     void welcome(ModuleIndex module, TimePoint now);
 
-    /// What would have to be told to whom for nothing to move any more.
+    /// The commands needed to bring everything to rest.
     [[nodiscard]] std::vector<Order> stops() const;
-    /// Those of them that take outputs low, as they go out.
+    /// The packets among these stops that take outputs low.
     [[nodiscard]] std::vector<PacketBytes> outputStops() const;
-    /// The same for somebody who will not be there any more to take gains back that are being tried.
+    /// These stops, preceded by the previous gains where others are being tried; for a sender that will not
+    /// be able to restore the gains later.
     [[nodiscard]] std::vector<Order> lastOrders() const;
-    /// These as bytes that need no answer, nulls first; empty when nothing is on, or it is read-only.
+    /// These commands as bytes that need no answer, nulls first; empty if nothing is on, or on a read-only
+    /// connection.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
-    /// Packets with these stops, one to a whole group where that is the same, and the pauses after them.
+    /// Packets for these stops, one for a whole group if it is the same for all members, with the pauses
+    /// after them.
     [[nodiscard]] Line::Script stopScript(const std::vector<Order>& stops) const;
-    /// The group to which one packet is the same as these stops; nothing where it would be heard by others,
-    /// or not by all of them.
+    /// The group to which a single packet has the effect of these stops; empty if other modules would obey
+    /// it, or not all of these would.
     [[nodiscard]] std::optional<BusAddress> groupOf(const std::vector<Order>& stops) const;
 
 private:
@@ -161,7 +166,7 @@ private:
 
     std::vector<Module> m_modules;
     std::uint32_t m_rate = kPowerUpBaud;
-    bool m_readOnly = false;  ///< never changes; then nothing is owed or lies ready unasked
+    bool m_readOnly = false;  ///< never changes; if set, nothing is owed or prepared without a request
     PollSchedule m_schedule;
 };
 

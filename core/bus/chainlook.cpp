@@ -9,13 +9,13 @@ namespace nmc::bus {
 namespace {
 
 constexpr unsigned kFirstAddress = 1;
-constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
-/// Two answers that are lost in a row hide nobody.
+constexpr unsigned kUsualAddresses = 2;  ///< probed first at each rate
+/// Two lost answers in a row do not hide a module.
 constexpr unsigned kRounds = 3;
-/// At rates where nobody else answers, addresses that hardly a host gives: three rounds of all of them would
-/// take ten seconds of everyone whose chain has no power.
+/// For unusual addresses at rates where nothing else answers: three rounds of all of them would cost ten
+/// seconds whenever a chain has no power.
 constexpr unsigned kUnusualRounds = 2;
-/// A search that skips a number, because nobody was heard to take it, goes beyond 32.
+/// A search that skips a number, because no module was heard to take it, goes beyond 32.
 constexpr unsigned kLastAddress = 34;
 
 template <typename T>
@@ -54,15 +54,15 @@ ChainLook::Next ChainLook::next() {
         m_hostRate = probe.rate;
         return Line::toRate(probe.rate);
     }
-    if (std::exchange(m_waits, false))  // the rest of a reply that came in pieces
+    if (std::exchange(m_waits, false))  // discards the rest of a reply that came in pieces
         return Line::Script{Line::Pause{kLongestReplyGap}, DiscardInput{}};
     if (m_zerosHeard || m_asksIdentity)
         return Request{probe.address, encode(ReadStatus{kIdentityItems}), {{}, kIdentityItems}};
-    // The answer's length hangs on what the host before defined.
+    // The length of the reply depends on what the previous host defined.
     return Request{probe.address, encode(Nop{}), {}, Framing::Open};
 }
 
-/// The probes of the next round.
+/// Fills the probes of the next round.
 void ChainLook::refill() {
     m_probes.clear();
     m_at = 0;
@@ -101,7 +101,7 @@ void ChainLook::refill() {
     m_stage = Stage::Over;
 }
 
-/// Beside a module without an address there may be a chain all the same.
+/// There may be a chain in addition to a module without an address.
 void ChainLook::refillFirst() {
     ++m_round;
     addUnaddressed();
@@ -109,15 +109,15 @@ void ChainLook::refillFirst() {
         add(rate, m_unaddressed ? missing() : m_first);
 }
 
-/// Everybody has been asked once by now.
+/// All addresses have been probed once by now.
 void ChainLook::refillMissing() {
     ++m_round;
     add(*m_rate, missing());
     addUnaddressed();
 }
 
-/// The usual first ones if nobody was found; two behind the last otherwise, because one of them may be that
-/// of a module that has restarted.
+/// The usual first addresses if no module was found; otherwise up to two after the last one, because one of
+/// these may belong to a module that has restarted.
 std::vector<BusAddress> ChainLook::missing() const {
     std::vector<BusAddress> addresses;
     const unsigned last = (m_found.empty() ? 0U : m_found.back().value()) + kUsualAddresses;
@@ -128,7 +128,7 @@ std::vector<BusAddress> ChainLook::missing() const {
     return addresses;
 }
 
-/// But for those that have answered.
+/// Adds those that have not answered yet.
 void ChainLook::add(std::uint32_t rate, const std::vector<BusAddress>& addresses) {
     for (const BusAddress address : addresses)
         if (std::find(m_found.begin(), m_found.end(), address) == m_found.end())
@@ -155,22 +155,22 @@ void ChainLook::onReply(const ReplyEnd& end) {
     ++m_at;
 }
 
-/// Somebody answers. False when the same has to be asked again.
+/// Handles an answer. Returns false if the same query must be repeated.
 bool ChainLook::heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard) {
     const bool right = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
     const bool unaddressed = probe.address == kUnaddressed;
     if (uniform({end.bytes.data(), end.bytes.size()})) {
-        // A PIC-STEP at rest without motor power says so with zeros; its type is another number (DS-S 5.2).
+        // A PIC-STEP at rest without motor power answers with zeros; its type is another number (DS-S 5.2).
         m_zerosHeard = right && !zerosHeard;
         m_zeros += m_zerosHeard ? 0U : 1U;
         return !m_zerosHeard;
     }
     if (!right) {
-        // Noise passes, an echo is known the next time, and so is how long an adapter pauses.
+        // Noise passes, and an echo, or the pause of an adapter, is known at the next attempt.
         m_again = m_waits = !again;
         if (m_again)
             return false;
-        // Twice at an address of the chain: two modules answer at once.
+        // Garbled twice at an address of the chain: two modules answer at once.
         if (!unaddressed)
             m_collided.push_back(m_found.size() + m_collided.size());
         else
@@ -186,7 +186,7 @@ bool ChainLook::heard(const Probe& probe, const ReplyEnd& end, bool again, bool 
 
 void ChainLook::found(const Probe& probe) {
     if (!m_rate) {
-        // All of one chain: whatever answered, the rest of it is here.
+        // The modules of a chain share one rate: if one answered, the others are here as well.
         m_rate = probe.rate;
         const auto rest = m_probes.begin() + static_cast<std::ptrdiff_t>(m_at) + 1;
         m_probes.erase(

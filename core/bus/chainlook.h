@@ -13,44 +13,44 @@
 
 namespace nmc::bus {
 
-/// Looks for a chain that is there already, at any of the rates it may have been left at, with nulls and No
-/// Operation only: nothing is changed and nothing that moves is disturbed. The first two addresses at every
-/// rate come first, because hardly a host counts otherwise, and the first two of those that are known from
-/// the last time; the others at every rate only if nobody answers there. Where zeros answer, type and version
-/// are asked for. Two lost answers hide nobody: where one should be and nobody answers, before a chain is
-/// taken for a fresh one and before nobody is there at all, everything is asked three times; addresses that
-/// hardly a host gives, at rates where nobody else is, twice. Says what to do next and is told what came of
-/// it. Pure.
+/// Searches for an existing chain at any of the rates at which it may have been left, with nulls and No
+/// Operation only, so that nothing is changed and no motion is disturbed. The first two addresses at each
+/// rate come first, because hardly any host counts differently, together with the first two of the addresses
+/// known from the last time; other addresses follow at every rate only if there is no answer. If the answer
+/// is zeros, type and version are queried. Two lost answers do not hide a module: where one should be but
+/// does not answer, before a chain is considered fresh, and before no module is considered present,
+/// everything is queried three times; unusual addresses at rates where nothing else answers, twice. Returns
+/// the next action and is informed of its outcome. Pure.
 class ChainLook {
 public:
-    /// Address and rate a module wakes up with come first.
+    /// The address and rate after power-up come first.
     static constexpr std::array<std::uint32_t, 4> kRates{19'200, 115'200, 57'600, 9'600};
 
-    /// Where it was the last time, as far as that is known: beside the rates and addresses that are usual.
+    /// `rates` and `addresses` are those of the last time, if known, in addition to the usual ones.
     explicit ChainLook(const std::vector<std::uint32_t>& rates = {}, std::vector<BusAddress> addresses = {});
 
-    /// A script to run or a question to ask; nothing when the look is over.
+    /// A script to run or a query to send; monostate when the search is over.
     using Next = std::variant<std::monostate, Line::Script, Request>;
     [[nodiscard]] Next next();
     void onReply(const ReplyEnd& end);
 
-    /// Where the chain answers; nothing when no addressed module does.
+    /// The rate at which the chain answers; empty if no module with an address does.
     [[nodiscard]] std::optional<std::uint32_t> rate() const { return m_rate; }
     [[nodiscard]] const std::vector<BusAddress>& addresses() const { return m_found; }
-    /// Modules at whose address two answer at once, counted from 0.
+    /// Indices, from 0, of modules at whose address two answer at once.
     [[nodiscard]] const std::vector<std::size_t>& collided() const { return m_collided; }
-    /// A module without an address answers at the rate of power-up, and what it says it is.
+    /// A module without an address answers at the power-up rate; unaddressedIdentity() is its identity.
     [[nodiscard]] bool unaddressed() const { return m_unaddressed; }
     [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const { return m_unaddressedIdentity; }
-    /// Why the chain cannot be used: nobody answers, or noise, zeros, or two at once do.
+    /// Why the chain cannot be used: no answer, noise, zeros, or two modules at once.
     [[nodiscard]] std::optional<ConnectFailure> trouble() const;
 
 private:
     enum class Stage : std::uint8_t {
-        First,       ///< where a chain usually is, and a module without an address
-        Rest,        ///< at the rate of the chain
-        Everywhere,  ///< nobody answered
-        Missing,     ///< between those that answered, next to them, and of those that are known
+        First,       ///< the usual places of a chain, and a module without an address
+        Rest,        ///< other addresses at the chain's rate
+        Everywhere,  ///< nothing has answered yet
+        Missing,     ///< addresses between and next to those that answered, and those known before
         Over
     };
     struct Probe {
@@ -73,19 +73,20 @@ private:
     std::vector<BusAddress> m_first;  ///< addresses
     std::vector<BusAddress> m_rest;
     Stage m_stage = Stage::First;
-    unsigned m_round = 0;         ///< how often this stage has been asked
+    unsigned m_round = 0;         ///< rounds of this stage so far
     std::vector<Probe> m_probes;  ///< of this stage
     std::size_t m_at = 0;
     std::optional<std::uint32_t> m_hostRate;
     std::optional<std::uint32_t> m_rate;
     std::vector<BusAddress> m_found;
-    bool m_unaddressed = false;   ///< once true, stays so for this look
-    bool m_asksIdentity = false;  ///< of the module without an address
-    unsigned m_identityAsks = 0;  ///< that were not answered
+    bool m_unaddressed = false;   ///< never cleared during this search
+    bool m_asksIdentity = false;  ///< queries the module without an address
+    unsigned m_identityAsks = 0;  ///< unanswered ones
     std::optional<ModuleIdentity> m_unaddressedIdentity;
-    bool m_again = false;       ///< the present probe has been answered with noise before
-    bool m_waits = false;       ///< for what may still come, before that is asked again
-    bool m_zerosHeard = false;  ///< or with zeros, from a module or from a line that is held low
+    bool m_again = false;       ///< the present probe was already answered with noise
+    bool m_waits = false;       ///< for late bytes before the probe is repeated
+    bool m_zerosHeard = false;  ///< the present probe was already answered with zeros, by a module or by a
+                                ///< line that is held low
     unsigned m_noise = 0;
     std::vector<std::size_t> m_collided;
     unsigned m_zeros = 0;

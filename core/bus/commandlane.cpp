@@ -126,7 +126,7 @@ GroupFinished CommandLane::finishGroup(Outcome outcome, std::vector<GroupMember>
     return event;
 }
 
-/// Of a change, whose orders went to one module after the other.
+/// The outcomes of a group change, whose orders were sent to one module after the other.
 std::vector<GroupMember> CommandLane::membersOfChange(Outcome outcome) const {
     const std::vector<Order>& orders = m_waiting.front().orders;
     std::vector<GroupMember> members;

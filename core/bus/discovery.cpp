@@ -12,21 +12,21 @@ namespace nmc::bus {
 
 namespace {
 
-/// Beyond it a search that goes on has lost its way.
+/// Beyond this number, a search that continues is out of control.
 constexpr std::uint8_t kLastNumber = 100;
-/// So many addresses in a row that nobody takes are the end of the chain, if the last module of it answers
-/// all the while.
+/// This many consecutive addresses without an answer mean the end of the chain, provided that its last module
+/// keeps answering.
 constexpr unsigned kSetAttempts = 2;
-/// Questions, a tenth of a second apart at least, that a module must leave open before the line is called
-/// disturbed.
+/// Number of queries, at least a tenth of a second apart, that a module must leave unanswered before the line
+/// is considered disturbed.
 constexpr unsigned kAliveAttempts = 10;
 
-/// Where a chain may have been left; last the rate at which it then wakes up.
+/// Rates at which a chain may have been left; the last one is the rate after the restart.
 constexpr std::array<std::uint32_t, 4> kRestartRates{115'200, 57'600, 9'600, kPowerUpBaud};
 static_assert(kRestartRates.size() == kBaudRows.size());
 static_assert(ChainLook::kRates.size() == kBaudRows.size());
 
-/// Beside the usual ones.
+/// Rates to try in addition to the usual ones.
 [[nodiscard]] std::vector<std::uint32_t> usedRates(const EngineConfig& config) {
     std::vector<std::uint32_t> rates{config.baud};
     if (config.knownBaud != 0 && config.knownBaud != config.baud)
@@ -68,7 +68,7 @@ bool Discovery::resume() {
         case Phase::Set:
             if (!givesAddresses())
                 return false;
-            // The number that went out last may have been heard, unless that is settled already.
+            // The last number sent may have been received, unless that has already been determined.
             if (std::none_of(m_modules.begin(), m_modules.end(),
                              [&](const ModuleInfo& m) { return m.address == BusAddress(m_number); }) &&
                 std::find(m_unheard.begin(), m_unheard.end(), BusAddress(m_number)) == m_unheard.end())
@@ -137,7 +137,7 @@ Discovery::Next Discovery::look() {
     return lookedUp();
 }
 
-/// The look is over: attach to what is there, or give addresses to a chain that has none.
+/// Handles the end of the search: attach to the chain found, or assign addresses to one that has none.
 Discovery::Next Discovery::lookedUp() {
     if (const auto trouble = m_look.trouble()) {
         std::vector<ModuleIndex> modules;
@@ -157,7 +157,7 @@ Discovery::Next Discovery::lookedUp() {
     } else {
         enter(Phase::Set, ConnectStage::Addressing);
     }
-    // The look ended at another rate, or with a module that heard half of something.
+    // The search may have ended at another rate, or with a module that received part of a command.
     return Line::toRate(m_look.rate().value_or(kPowerUpBaud));
 }
 
@@ -184,7 +184,7 @@ void Discovery::onReply(const ReplyEnd& end) {
             m_heard.push_back({indexOf(m_at), end});
             return nextModule(Phase::Confirm);
         case Phase::Confirm:
-            // Two modules at one address say different things sooner or later.
+            // Sooner or later, two modules at one address give different answers.
             if (!accepted || uniform({end.bytes.data(), end.bytes.size()}) ||
                 end.report.identity != m_modules[m_at].identity)
                 return failAnswer(end);
@@ -210,18 +210,19 @@ Line::Script Discovery::restartScript() const {
     rates.insert(rates.end(), kRestartRates.begin(), kRestartRates.end());
     for (const std::uint32_t rate : rates) {
         script.insert(script.end(), {SetHostBaud{rate}, Line::Nulls{}, Line::Pause{kAfterNulls}});
-        // A module that another host put into another group does not hear FF (DS-V 5.2, faults.md F-48). FF
-        // comes last, and the rate of power-up: everything is reset at once then, and only the farthest
-        // wakes.
+        // A module that another host put into a different group does not receive FF (DS-V 5.2, faults.md
+        // F-48). FF and the power-up rate come last: everything is reset together then, and only the farthest
+        // module is enabled.
         for (unsigned group = kFirstGroup; group <= kEverybody.value(); ++group) {
             const BusAddress address(static_cast<std::uint8_t>(group));
             script.insert(script.end(),
                           {Line::Packet{toPacket({address, encode(HardReset{})})}, Line::Spacer{}});
         }
-        // The port's rate must not change before its own buffer has run empty; the adapter may lag.
+        // The port's rate must not change before its own buffer is empty; the adapter may lag.
         script.emplace_back(Line::Lag{});
     }
-    // Nulls behind a stray AA are a Reset Position to address 0: harmless now, everything was just reset.
+    // Nulls after a stray AA form a Reset Position to address 0, which is harmless because everything was
+    // just reset.
     script.insert(script.end(), {Line::Pause{m_config.resetWait}, DiscardInput{}, Line::Nulls{},
                                  Line::Lag{kAfterNulls}, DiscardInput{}});
     return script;
@@ -252,8 +253,8 @@ Discovery::Next Discovery::changeRate() {
     return m_failure;
 }
 
-/// Always the next number: where the one before was heard and its answers were lost, the next module would
-/// take it, too.
+/// Always sends the next number: if the previous one was received and its answers were lost, the next module
+/// would take it as well.
 Ask Discovery::setAddress() {
     const SetAddress set{BusAddress(++m_number), kEverybody, false};
     Ask ask = question({kUnaddressed, encode(set), {}}, 0, Quarantine::Brief);
@@ -261,18 +262,18 @@ Ask Discovery::setAddress() {
     return ask;
 }
 
-/// Of every reply from now on; a chain that is only looked at keeps what others have defined.
+/// Defines the items of all further replies; on a read-only connection, what others have defined is kept.
 Ask Discovery::defineItems(StatusItems items) const {
     return askModule(m_config.readOnly ? encode(ReadStatus{items}) : encode(DefineStatus{items}), items, 2);
 }
 
-/// Of another length than the answer to Set Address, which may still be on its way.
+/// The reply differs in length from the answer to Set Address, which may still be on its way.
 Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
     return question({address, encode(ReadStatus{kIdentityItems}), {{}, kIdentityItems}}, repeats,
                     Quarantine::Brief);
 }
 
-/// Its answer has the length of those to Set Address, which are right when they are late.
+/// The reply has the same length as the answers to Set Address, which are valid even when late.
 Ask Discovery::stillThere() const {
     return question({m_modules.back().address, encode(Nop{}), {}}, 0, Quarantine::Full);
 }
@@ -293,7 +294,8 @@ void Discovery::onAddress(const ReplyEnd& end) {
     if (end.result == ReplyResult::Accepted)
         return found(BusAddress(m_number));
     m_heardNoise = m_heardNoise || !end.bytes.empty();
-    // Carried out with its answer lost, or not: ask at the new address before anything else (link.md 2.3).
+    // Either it was carried out and the answer was lost, or it was not: the new address is queried before
+    // anything else (link.md 2.3).
     enter(Phase::Probe);
 }
 
@@ -316,8 +318,8 @@ void Discovery::onProbe(const ReplyEnd& end) {
     }
 }
 
-/// Silence tells of the end of the chain only where somebody is heard behind it. While nobody is, the number
-/// may have been taken, and the line is waited for.
+/// Silence means the end of the chain only if a module is heard right after it. Otherwise the number may have
+/// been taken, and the search waits for the line.
 void Discovery::onAlive(const ReplyEnd& end) {
     const bool heard = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
     if (!heard && ++m_aliveInVain < kAliveAttempts)
@@ -335,7 +337,7 @@ void Discovery::onNumberUnheard() {
     endOfAddressing();
 }
 
-/// A module may have taken a number and not been heard of since.
+/// A module may have taken a number without having been heard since.
 void Discovery::onRecheck(const ReplyEnd& end) {
     const BusAddress address = m_unheard.back();
     m_unheard.pop_back();
@@ -349,7 +351,8 @@ void Discovery::onRecheck(const ReplyEnd& end) {
     }
     if (!m_unheard.empty())
         return;
-    // Where one was silent and is there, the silence of others, and that behind it, is no end either.
+    // If one of the silent modules is present after all, the silence of others, and of those after it, does
+    // not mean the end either.
     m_unheard = std::exchange(m_stillUnheard, {});
     if (!std::exchange(m_recheckFound, false))
         return endOfChain();
@@ -391,7 +394,7 @@ void Discovery::endOfChain() {
     enter(Phase::Identify, ConnectStage::Identifying);
 }
 
-/// On to the next module of this phase, or to the phase after it.
+/// Proceeds to the next module of this phase, or to the following phase.
 void Discovery::nextModule(Phase after) {
     ++m_at;
     if (m_phase == Phase::Define || m_phase == Phase::Confirm)
@@ -412,13 +415,13 @@ void Discovery::enterModules(Phase phase) {
         enter(Phase::Done);
 }
 
-/// A module without a data sheet keeps the status it woke up with.
+/// A module without a data sheet keeps its power-up status.
 void Discovery::skipUnknown() {
     while (m_at < m_modules.size() && !isKnown(m_modules[m_at].identity))
         ++m_at;
 }
 
-/// A module that answered before does not, or what it says is wrong however often it is asked.
+/// A module that answered before no longer does, or keeps answering wrongly.
 void Discovery::failAnswer(const ReplyEnd& end) {
     fail(end.bytes.empty() ? ConnectFailure::Garbled : ConnectFailure::Collision, {indexOf(m_at)});
 }

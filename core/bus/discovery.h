@@ -17,12 +17,12 @@
 
 namespace nmc::bus {
 
-/// Finds the chain: the one that is there, left as it is (chainlook.h); or a fresh one, which it gives
-/// addresses (DS-V 4.1, protocol.md 1), after a Hard Reset where that is wanted. Of a read-only connection
-/// only the former, to be begun with a look, and with Read Status in the place of Define Status. Ends with
-/// three replies of different items from each module, which two modules at one address do not survive. Says
-/// what to do next and is told what came of it; repeats within one question, and the resync before them, are
-/// the engine's. Pure.
+/// Finds the chain: either an existing one, which is left as it is (chainlook.h), or a fresh one, to which it
+/// assigns addresses (DS-V 4.1, protocol.md 1), after a Hard Reset if requested. On a read-only connection it
+/// does only the former, starting with a search, and uses Read Status instead of Define Status. It ends with
+/// three replies with different items from each module, which two modules at one address cannot all give
+/// correctly. Returns the next action and is informed of its outcome; retries of a query, and the resync
+/// before them, are left to the engine. Pure.
 class Discovery {
 public:
     static constexpr std::uint8_t kMaxModules = 32;
@@ -33,29 +33,29 @@ public:
     using Next = std::variant<Line::Script, Ask, ChainFound, ConnectFailed>;
 
     [[nodiscard]] Next next();
-    /// The end of the last Ask, after its repeats.
+    /// The end of the last Ask, after its retries.
     void onReply(const ReplyEnd& end);
 
-    /// Once for each step forward.
+    /// Returns a value once for each step forward.
     [[nodiscard]] std::optional<ConnectProgress> takeProgress();
-    /// What was under way on the line is gone, and the port may be at another rate. True when it goes on
-    /// where it was: in the midst of giving addresses a look would take those that have one for the whole
-    /// chain.
+    /// Whatever was in progress on the line was discarded, and the port may be at another rate. Returns true
+    /// if discovery continues where it was: in the middle of assigning addresses, a new search would take the
+    /// modules that have one for the whole chain.
     [[nodiscard]] bool resume();
-    /// The first address has been given.
+    /// True once the first address has been assigned.
     [[nodiscard]] bool givesAddresses() const { return m_number > 0; }
-    /// What a module without an address says it is, where one answers beside the chain.
+    /// The identity of a module without an address that answers in addition to the chain.
     [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const {
         return m_look.unaddressedIdentity();
     }
     [[nodiscard]] std::size_t seen() const { return std::max(m_modules.size(), m_look.addresses().size()); }
-    /// Those that were seen so far.
+    /// The modules seen so far.
     [[nodiscard]] const std::vector<ModuleInfo>& modules() const { return m_modules; }
     struct Heard {
         ModuleIndex module;
         ReplyEnd end;
     };
-    /// The last two replies of each module with a data sheet, whose layouts differ, in their order.
+    /// The last two replies of each module with a data sheet, in order; their layouts differ.
     [[nodiscard]] const std::vector<Heard>& heard() const { return m_heard; }
 
 private:
@@ -64,8 +64,8 @@ private:
         Restart,
         Set,
         Probe,
-        Alive,    ///< nobody took a number: is that the end of the chain, or is the line disturbed?
-        Recheck,  ///< numbers that were sent and that nobody has answered at
+        Alive,    ///< a number was not taken: is this the end of the chain, or is the line disturbed?
+        Recheck,  ///< numbers that were sent, but at which nothing has answered
         Identify,
         ChangeRate,
         Define,
@@ -105,18 +105,18 @@ private:
     EngineConfig m_config;
     ChainLook m_look;
     Phase m_phase;
-    bool m_attached = false;  ///< once true, no address, rate or reset goes out
+    bool m_attached = false;  ///< once true, no address, rate or reset is sent
     std::vector<ModuleInfo> m_modules;
     std::vector<Heard> m_heard;
-    std::size_t m_at = 0;         ///< module that is being asked
-    std::uint8_t m_number = 0;    ///< the address that was sent last; none is ever sent twice
-    unsigned m_unheardInRow = 0;  ///< numbers that nobody seems to have heard
-    unsigned m_aliveInVain = 0;   ///< questions in a row that a module which has answered did not
+    std::size_t m_at = 0;         ///< the module being queried
+    std::uint8_t m_number = 0;    ///< the last address sent; none is ever sent twice
+    unsigned m_unheardInRow = 0;  ///< numbers that no module seems to have received
+    unsigned m_aliveInVain = 0;   ///< consecutive unanswered queries to a module that has answered before
     std::vector<BusAddress> m_unheard;
-    std::vector<BusAddress> m_stillUnheard;  ///< of these, in this recheck
-    bool m_recheckFound = false;             ///< one of them has answered in it
-    bool m_heardNoise = false;               ///< while giving addresses: then nobody found is Garbled
-    bool m_resumed = false;                  ///< the port has to be taken to the rate of power-up first
+    std::vector<BusAddress> m_stillUnheard;  ///< those of them without an answer in this recheck
+    bool m_recheckFound = false;             ///< one of them has answered in this recheck
+    bool m_heardNoise = false;  ///< while assigning addresses; finding no module is then reported as Garbled
+    bool m_resumed = false;     ///< the port must first be set to the power-up rate
     std::optional<RateChange> m_rateChange;
     ConnectFailed m_failure{};
     std::optional<ConnectProgress> m_progress;

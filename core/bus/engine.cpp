@@ -12,8 +12,8 @@ namespace nmc::bus {
 
 namespace {
 
-/// How it is to come to rest, where the command does nothing else. What is to hold a place is stopped where
-/// it is.
+/// How the motor will come to rest if the command is only a stop; empty otherwise. For Stop Here, an owed
+/// stop holds the present position instead.
 [[nodiscard]] std::optional<StopManner> stopManner(const ModuleCommand& command) {
     if (const auto* servo = std::get_if<ServoCommand>(&command))
         if (const auto* stop = std::get_if<servo::StopMotor>(servo)) {
@@ -45,7 +45,7 @@ namespace {
     return std::nullopt;
 }
 
-/// The modules of which it stops the motor, or sets it to another place.
+/// The modules whose motors the operation stops, or sets to another position.
 [[nodiscard]] std::vector<ModuleIndex> stoppedBy(const Operation& operation) {
     std::vector<ModuleIndex> stopped;
     for (const Order& order : operation.orders)
@@ -54,7 +54,7 @@ namespace {
     return stopped;
 }
 
-/// The modules of which it asks something else than other gains.
+/// The modules to which the operation sends anything other than gains.
 [[nodiscard]] std::vector<ModuleIndex> usedBy(const Operation& operation) {
     std::vector<ModuleIndex> used;
     for (const Order& order : operation.orders)
@@ -67,7 +67,7 @@ namespace {
 
 Engine::Engine(EngineConfig config) : m_config(config), m_line(config.adapterLatency, config.margin) {}
 
-// ---- from outside ----
+// ---- called from outside ----
 
 void Engine::connect(TimePoint now) {
     begin(Discovery::Start::Look, now);
@@ -77,18 +77,19 @@ void Engine::restart(TimePoint now) {
     begin(m_config.readOnly ? Discovery::Start::Look : Discovery::Start::Restart, now);
 }
 
-/// The chain that is known stays until another one is found: a stop must reach somebody.
+/// The known chain is kept until another one is found, because a stop must reach some module.
 void Engine::begin(Discovery::Start start, TimePoint now) {
     if (!findBrd(m_config.baud)) {  // before anything is reset for it
         m_events.emplace_back(ConnectFailed{ConnectFailure::RateChange, {}, m_config.baud});
         return;
     }
-    // One that gives addresses goes on: another look would take those that have one for the whole chain.
+    // A search that is assigning addresses continues: a new one would take the modules that have one for the
+    // whole chain.
     if (start == Discovery::Start::Look && m_search.givesAddresses())
         return;
     cancelAll(Change::Kind::Search);
     if (m_stop.running()) {
-        m_recovery.dropDoubt();  // the stop goes on, and comes first
+        m_recovery.dropDoubt();  // the stop continues, and comes first
     } else {
         interrupt(now);
         m_recovery.reset();
@@ -127,8 +128,9 @@ void Engine::submit(Operation operation, TimePoint now) {
     proceed(now);
 }
 
-/// A chain that is looked for, or was lost, still hears stops: each goes out blindly, and again until it is
-/// confirmed. False: it is not so, or nobody is known at these addresses any more.
+/// While the chain is being searched for or is lost, stops are sent all the same: blindly, and again until
+/// they are confirmed. Returns false if this is not the situation, or if the modules at these addresses are
+/// no longer known.
 bool Engine::oweStops(const Operation& operation) {
     const bool unsettled = !m_connected || m_search.active();
     const bool known = std::ranges::all_of(operation.orders,
@@ -160,7 +162,8 @@ void Engine::submit(const GroupOperation& operation, TimePoint now) {
     proceed(now);
 }
 
-/// Members that are known: one whose group is not is stopped with its own address, or with all.
+/// Stops the known members: a module whose group is unknown is stopped at its own address, or with all
+/// modules.
 GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupCommand& command) {
     using enum GroupCommand::Action;
     const StopManner manner = command.action == MotorOff       ? StopManner::Off
@@ -251,7 +254,7 @@ void Engine::stopAll(TimePoint now) {
     } else if (m_search.active()) {
         m_stop.beginAfterSearch(now);
     } else {
-        m_stop.begin(now);  // nobody is known who could be told, and it says so
+        m_stop.begin(now);  // nobody is known that could be stopped, and StopFinished says so
     }
     proceed(now);
 }
@@ -259,7 +262,7 @@ void Engine::stopAll(TimePoint now) {
 void Engine::distrust(TimePoint now) {
     if (!m_connected || m_search.active() || m_chain.empty())
         return;
-    if (!m_stop.running())  // which is not held up by any doubt
+    if (!m_stop.running())  // a stop is not delayed by any doubt
         interrupt(now);
     m_recovery.distrust();
     proceed(now);
@@ -286,7 +289,7 @@ void Engine::setTravelLimits(const std::vector<TravelLimits>& limits) {
 }
 
 void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {
-    if (module && settled() && !m_path.active())  // which needs them all in sight
+    if (module && settled() && !m_path.active())  // a path needs all modules polled
         m_chain.schedule().focus(*module, now);
     else
         m_chain.schedule().unfocus();
@@ -334,12 +337,12 @@ std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
     return changed ? std::optional(stopBurst()) : std::nullopt;
 }
 
-// ---- what is next ----
+// ---- dispatch ----
 
 void Engine::proceed(TimePoint now) {
     m_path.foresee(now);
     stopPath();
-    // A stop that is owed does not wait for a quarantine.
+    // An owed stop does not wait for a quarantine.
     if (m_recovery.resyncing() && m_owedStops.anyUnsent())
         interrupt(now);
     do
@@ -347,7 +350,7 @@ void Engine::proceed(TimePoint now) {
     while (m_line.ready() && dispatch(now));
 }
 
-/// The order of priorities, all of it. False when nobody has anything to do.
+/// All priorities are defined here, in order. Returns false if there is nothing to do.
 bool Engine::dispatch(TimePoint now) {
     if (m_line.idle())
         m_recovery.onFree();
@@ -363,7 +366,7 @@ bool Engine::dispatch(TimePoint now) {
         return taken;
     };
     Turn taken = turn(m_wayBack);
-    // A servo that swings is not seen at rest before it has its gains back.
+    // A servo that swings is not seen at rest before its gains are restored.
     if (taken == Turn::Nobody && m_stop.allSent() && m_connected)
         taken = turn(m_trials);
     if (taken == Turn::Nobody)
@@ -378,8 +381,8 @@ bool Engine::dispatch(TimePoint now) {
         taken = repeat(false, now);
     if (taken == Turn::Nobody && live)
         taken = turn(m_search, m_rate, m_readdress, m_trials);
-    // What was asked of its module before a hold goes before it: a stop that came behind the start would end
-    // the motion while the hold takes it to go on.
+    // Operations submitted for the module before a hold come first: a stop sent after the start would end the
+    // motion while the hold considers it running.
     if (taken == Turn::Nobody && live && !(m_hold.active() && m_operations.concerns(m_hold.module())))
         taken = turn(m_hold);
     if (taken == Turn::Nobody && live)
@@ -395,7 +398,7 @@ bool Engine::dispatch(TimePoint now) {
 Engine::Turn Engine::take(Task& task, TimePoint now) {
     if (!task.wants(now))
         return Turn::Nobody;
-    // While the reply before may still turn out to have surplus bytes, only an ordinary exchange may begin.
+    // While the previous reply may still turn out to have surplus bytes, only an ordinary exchange may begin.
     if (!m_line.idle() && !task.pipelines())
         return Turn::Waits;
     Next next = task.next(now);
@@ -436,7 +439,7 @@ void Engine::send(Work work, TimePoint now) {
     m_works.push_back(std::move(work));
 }
 
-// ---- what follows for all tasks ----
+// ---- consequences for all tasks ----
 
 void Engine::takeFindings(TimePoint now) {
     stopPath();
@@ -478,7 +481,7 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
         m_connected = false;
         for (const Chain::Module& module : m_chain.modules())
             m_chain.schedule().lose(module.belief.info().index, now);
-        // Who was seen at all can be told to stop.
+        // Any module that was seen at all can be sent a stop.
         if (m_stop.waits())
             m_chain = Chain(ended.discovery.modules(), m_line.baud(), m_config.readOnly);
         auto failed = std::get<ConnectFailed>(std::move(ended.result));
@@ -489,7 +492,7 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
     m_stop.onSearchOver(now);
 }
 
-/// Those of the chain that is there, or that was when this port was used last.
+/// The modules of the present chain, or of the chain last used at this port.
 std::vector<ModuleInfo> Engine::knownModules() const {
     if (m_chain.empty())
         return m_config.known;
@@ -519,7 +522,7 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
     };
     m_connected = true;
     m_recovery.reset();
-    m_line.statistics() = {};  // the silence at the end of the chain was no error
+    m_line.statistics() = {};  // the silence at the end of the chain was not an error
     for (Chain::Module& module : m_chain.modules()) {
         const ModuleInfo info = module.belief.info();
         if (const Chain::Module* old = knownBefore(info)) {
@@ -544,7 +547,7 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
         for (const ModuleInfo& info : found.modules)
             if (info.address == seen[answer.module.value()].address)
                 takeHeard(info.index, answer.end);
-    // What is owed to a module that was found where it was is still owed; one that was reset is off.
+    // A stop owed to a module that was found where it was remains owed; a module that was reset is off.
     if (!found.attached)
         return;
     m_trials.rejoin(before);
@@ -554,7 +557,7 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
                 m_chain.owe(info.index, module.owed->cause, module.owed->target.manner());
 }
 
-/// One of the answers that the search has had of it.
+/// Takes one of the replies that the search received from the module.
 void Engine::takeHeard(ModuleIndex index, const ReplyEnd& end) {
     Chain::Module& module = m_chain.at(index);
     if (module.plausibility.check(end))
@@ -565,7 +568,7 @@ void Engine::takeHeard(ModuleIndex index, const ReplyEnd& end) {
     }
 }
 
-/// Something is wrong with a motion: its module stops, and what was to come is dropped.
+/// Something is wrong with a motion: its module is stopped, and pending work is dropped.
 void Engine::halt(ModuleIndex module, StopCause cause, StopManner manner) {
     if (m_hold.holds(module))
         m_hold.clear();
@@ -582,7 +585,7 @@ void Engine::haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, 
     }
 }
 
-/// Whose commands get lost in the other's nobody knows: what was asked for here does not go on.
+/// It is unknown which commands of the two hosts were lost, so what was requested here does not continue.
 void Engine::onForeignTraffic() {
     ForeignTraffic event;
     for (const Chain::Module& module : m_chain.modules())
@@ -595,7 +598,7 @@ void Engine::onForeignTraffic() {
     m_events.emplace_back(std::move(event));
 }
 
-/// Commands may still arrive (faults.md F-11).
+/// Commands may still get through (faults.md F-11).
 void Engine::onLinkLost() {
     for (const Order& stop : m_chain.stops())
         m_chain.owe(stop.module, StopCause::LinkGivenUp);
@@ -606,7 +609,7 @@ void Engine::giveUp(const Recovery::GivenUp& what, TimePoint now) {
         goQuiet(now);
         return m_wellAgain.begin(true, now);
     }
-    // The module is stopped and not asked again; the others go on.
+    // The module is stopped and no longer queried; the others continue.
     m_chain.owe(*what.module, StopCause::LinkGivenUp);
     m_recovery.dropDoubt(*what.module);
     m_recovery.lose(*what.module, now);
@@ -614,7 +617,7 @@ void Engine::giveUp(const Recovery::GivenUp& what, TimePoint now) {
     m_wellAgain.begin(false, now);
 }
 
-/// Whoever was given up for errors, and has answered without any since.
+/// Reinstates the modules that were given up because of errors, and have answered without any since.
 void Engine::reinstate(TimePoint now) {
     for (Chain::Module& module : m_chain.modules()) {
         const ModuleIndex index = module.belief.info().index;
@@ -628,7 +631,7 @@ void Engine::reinstate(TimePoint now) {
     }
 }
 
-/// All motors are stopped, where that is ours to do, and then nothing is asked any more.
+/// Stops all motors, where this connection is responsible for them, after which nothing is queried any more.
 void Engine::goQuiet(TimePoint now) {
     m_connected = false;
     cancelAll(Change::Kind::GivenUp);
@@ -645,8 +648,8 @@ void Engine::notify(const Change& change) {
             dropWorkOf(*task);
 }
 
-/// Nothing that was requested is begun any more, a motor that is held is owed its stop, and gains that are
-/// being tried go back.
+/// Nothing pending is begun any more, a motor that is held is owed its stop, and gains that are being tried
+/// are restored.
 void Engine::cancelAll(Change::Kind why) {
     if (m_again && m_again->task != &m_search)
         m_again.reset();
@@ -661,7 +664,8 @@ void Engine::dropWorkOf(const Task& task) {
             work.task = nullptr;
 }
 
-/// Drops what is in flight. Whether its command was carried out stays open, and the belief has that already.
+/// Drops what is in flight. It remains open whether its command was carried out; the belief already allows
+/// for both.
 void Engine::interrupt(TimePoint now) {
     for (const Work& work : m_works)
         m_recorder.addAbandoned(work.ask, work.sent, now);
@@ -672,7 +676,7 @@ void Engine::interrupt(TimePoint now) {
     notify({Change::Kind::Interrupted});
 }
 
-// ---- What came of an exchange: is it believed, is it repeated, who has to know ----
+// ---- end of an exchange: whether it is believed, repeated, and reported ----
 
 void Engine::takeEnds(TimePoint now) {
     while (auto end = m_line.takeEnd()) {
@@ -711,7 +715,7 @@ void Engine::onEnd(ReplyEnd end, TimePoint now) {
     deliver(work, end, now);
 }
 
-/// Is what came to be believed? Why not, where it is not its sum that is wrong.
+/// Verifies whether a reply is to be believed. Returns the reason if not, unless its checksum is wrong.
 std::optional<Rejection> Engine::examine(const Ask& ask, ReplyEnd& end) {
     if (end.result == ReplyResult::Refused && uniform({end.bytes.data(), end.bytes.size()})) {
         end.result = ReplyResult::Rejected;
@@ -758,8 +762,8 @@ void Engine::count(const ReplyEnd& end, std::optional<Rejection> rejection) {
     }
 }
 
-/// Every exchange that was to be answered fills or empties the buckets. Silence does so only when its module
-/// answers again: else it is the module that is missing, and told of as that.
+/// Every exchange that expects an answer fills or empties the buckets. Silence does so only once its module
+/// answers again; until then the module counts as missing, and is reported as such.
 void Engine::noteHealth(const Ask& ask, const ReplyEnd& end, TimePoint now) {
     const bool right = end.result == ReplyResult::Accepted;
     if (!ask.module || (!right && end.bytes.empty()))
@@ -768,7 +772,7 @@ void Engine::noteHealth(const Ask& ask, const ReplyEnd& end, TimePoint now) {
         giveUp(what, now);
 }
 
-/// Counts one repeat off, where the retry table grants one.
+/// Uses up one retry, if the retry table allows one.
 bool Engine::repeats(Work& work, const ReplyEnd& end) {
     if (end.result == ReplyResult::Accepted || work.task == nullptr)
         return false;
@@ -801,13 +805,13 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
         module.trust.interrupt();
         if (work.before)
             static_cast<Chain::Memory&>(module) = *work.before;
-        // What waits is not what was asked for.
+        // The load that is waiting is not the one requested.
         if (ask.command &&
             (is<servo::LoadTrajectory>(*ask.command) || is<stepper::LoadTrajectory>(*ask.command)))
             module.belief.forgetLoad();
         return;
     }
-    // The status first: a command's own answer does not tell what the command brought about.
+    // The status comes first: the reply to a command does not yet show the command's effect.
     const auto trusted = module.trust.confirm(end.report);
     if (trusted)
         module.belief.onStatus(*trusted, end.latched);
@@ -838,7 +842,7 @@ void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport
                                  known.plausibility.takeJump(), known.unanswered.has_value()});
     if (m_config.readOnly)
         return;  // whatever moves there is for others to start and to stop
-    // Attached, it may move as it likes; its velocity tells.
+    // On an attached chain, a motor may move at will; its velocity shows it.
     const bool mayMove = known.belief.mayMove() && !known.belief.pwmUnknown();
     if (known.ownMotion.onReport(end.report, end.latched, mayMove))
         m_events.emplace_back(ForeignMotion{module, trusted.position.value_or(0)});
@@ -851,12 +855,12 @@ void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport
     if (!reason)
         return;
     m_events.emplace_back(MotionSuspect{module, *reason, trusted.position.value_or(0)});
-    // A motor that runs the wrong way would run on with its servo on.
+    // A motor that runs the wrong way would continue with its servo on.
     const bool off = *reason == MotionSuspect::Reason::WrongWay || !m_chain.belief(module).on();
     halt(module, StopCause::MotionSuspect, off ? StopManner::Off : StopManner::Abruptly);
 }
 
-// ---- A path beside all else: how it begins, and who stops when it ends ----
+// ---- paths: their beginning, and stops at their end ----
 
 void Engine::beginPath(const Operation& operation, TimePoint now) {
     const auto motion = [&](const PathAxis& axis) {

@@ -31,95 +31,101 @@
 
 namespace nmc::bus {
 
-/// The master of the bus: one exchange in flight; stops before commands before polls.
+/// The bus master: one exchange in flight; stops take precedence over commands, and commands over polls.
 ///
-/// Sans-I/O: bytes and time points in; output, samples and events out. It owns no thread, port or clock.
-/// After every call the caller does what takeOutput() says, in order, and arms a timer for nextDeadline().
-/// One thread (the bus thread, or a test).
+/// Sans-I/O: takes bytes and time points, and returns output, samples and events. It owns no thread, port or
+/// clock. After every call, the caller carries out takeOutput() in order and sets a timer for nextDeadline().
+/// Used by a single thread (the bus thread, or a test).
 ///
-/// With EngineConfig::readOnly it looks and changes nothing, for as long as it lives. No Operation, Read
-/// Status and nulls are all that goes out, whatever happens, and what stops a module once stopAll() was
-/// called and until each module has confirmed. Submit, changeRate, readdress and hold end at once as refused
-/// (Forbidden, NotNow). It stops nobody of its own accord and suspects no motion, since each is somebody
-/// else's.
+/// With EngineConfig::readOnly it changes nothing, for its whole lifetime. It sends only No Operation, Read
+/// Status and nulls, whatever happens, and, after stopAll() was called and until each module has confirmed,
+/// what stops a module. Submit, changeRate, readdress and hold end at once as refused (Forbidden, NotNow). It
+/// stops no motor on its own initiative and suspects no motion, because other hosts are responsible for all
+/// of them.
 class Engine {
 public:
     explicit Engine(EngineConfig config);
     Engine(const Engine&) = delete;
     Engine& operator=(const Engine&) = delete;
 
-    /// Finds the chain: one that has its addresses, at any rate, is left as it is (ChainFound::attached;
-    /// nulls and No Operation only, until it is found); a fresh one is given addresses and the configured
-    /// rate, or with EngineConfig::readOnly is ConnectFailure::Unaddressed. Then polls. Ends in ChainFound or
-    /// ConnectFailed.
+    /// Finds the chain: one that has addresses, at any rate, is left as it is (ChainFound::attached; nulls
+    /// and No Operation only, until it is found); a fresh one is assigned addresses and the configured rate,
+    /// or with EngineConfig::readOnly results in ConnectFailure::Unaddressed. Polling follows. Ends in
+    /// ChainFound or ConnectFailed.
     void connect(TimePoint now);
-    /// Restarts the network (Hard Reset at every rate a chain may have been left at) and gives addresses.
-    /// Positions and gains of the modules are lost. A read-only connection only looks for the chain anew, as
-    /// connect() does, and ends so: ChainFound::attached and ::readOnly say that nothing was reset.
+    /// Restarts the network (Hard Reset at every rate at which a chain may have been left) and assigns
+    /// addresses. The modules lose positions and gains. A read-only connection only searches for the chain
+    /// again, like connect(), with the same results: ChainFound::attached and ::readOnly show that nothing
+    /// was reset.
     void restart(TimePoint now);
 
-    /// Queues an operation behind those before it. It ends in exactly one OperationFinished.
+    /// Queues an operation. It ends in exactly one OperationFinished.
     void submit(Operation operation, TimePoint now);
 
-    /// Gains that are being tried on that module (Operation::trial) stay; too late they do not.
+    /// Keeps the gains being tried on that module (Operation::trial), unless the trial has already ended.
     void keepTrial(ModuleIndex module, TimePoint now);
 
-    /// The same for groups; ends in exactly one GroupFinished. A command to a group is sent once, and what
-    /// came of it is what each member shows; only if all groups are known.
-    /// A stop of a group goes past all that waits: what was asked for of its members is cancelled, a hold of
-    /// one of them ends, and they are owed the stop until each has confirmed (OwedStopConfirmed).
+    /// Queues a group operation; it ends in exactly one GroupFinished. A command to a group is sent once, and
+    /// its outcome is determined from the status of each member; this requires that all groups are known.
+    /// A stop of a group overtakes everything that is waiting: operations for its members are cancelled, a
+    /// hold of one of them ends, and they are owed the stop until each has confirmed (OwedStopConfirmed).
     void submit(const GroupOperation& operation, TimePoint now);
 
-    /// Takes the chain to another rate that the chips can make (findBrd); positions, gains and loads stay.
-    /// Refused while anything moves; when a module does not follow, all go back. Ends in RateChanged or
-    /// RateChangeFailed.
+    /// Switches the chain to another rate that the chips support (findBrd); positions, gains and loads are
+    /// kept. Refused while anything moves; if a module does not follow, all modules are switched back. Ends
+    /// in RateChanged or RateChangeFailed.
     void changeRate(std::uint32_t baud, TimePoint now);
 
     /// Gives a module that restarted its address back (readdresstask.h). Ends in Readdressed or
     /// ReaddressFailed.
     void readdress(ModuleIndex module, TimePoint now);
-    /// Gives a module that answers another address, 1..127; its group stays. Ends in AddressChanged or
+    /// Gives a module that answers another address, 1..127; its group is kept. Ends in AddressChanged or
     /// ReaddressFailed.
     void moveTo(ModuleIndex module, BusAddress address, TimePoint now);
-    /// Resets one module, and does the same; the others keep what they have. ModuleRestarted comes before the
-    /// end. `configuration`: what an SC is to save or to erase by it.
+    /// Resets one module and gives it its address back; the others are unaffected. ModuleRestarted precedes
+    /// the end. `configuration`: what an SC stores or erases during the reset.
     void resetModule(ModuleIndex module, TimePoint now,
                      const std::optional<servo::HardReset>& configuration = {});
 
-    /// Starts or re-arms held motion: velocity mode, changed on the fly. The engine stops the motor smoothly
-    /// (abruptly when the acceleration is 0) at release() or config.holdTimeout after the last hold(). Ended
-    /// so or otherwise, or not possible now: only a press of a higher number moves again.
+    /// Starts or renews held motion: velocity mode, which can be changed during motion. The engine stops the
+    /// motor smoothly (abruptly if the acceleration is 0) at release(), or config.holdTimeout after the last
+    /// hold(). After a hold has ended in any way, or was not possible, only a press with a higher number
+    /// moves the motor again.
     void hold(const HoldToMove& hold, TimePoint now);
     void release(TimePoint now);
 
-    /// Stops every motor, past all queues; queued operations are cancelled and a hold ends. A servo that is
-    /// on is stopped abruptly and keeps holding; one that is off stays off (link.md 2.6). Repeated until each
-    /// module confirmed twice or does not answer; ends in exactly one StopFinished, also when called again.
+    /// Stops every motor, overtaking all queues; queued operations are cancelled and a hold ends. A servo
+    /// that is on is stopped abruptly and continues to hold; one that is off stays off (link.md 2.6). The
+    /// stop is repeated until each module has confirmed twice or does not answer; it ends in exactly one
+    /// StopFinished, even if called again.
     void stopAll(TimePoint now);
-    /// The same where nobody has asked for it: nobody is there any more who could, or the machine sleeps.
-    /// False: a read-only connection stops nobody unasked. A stop that was asked for goes on.
+    /// Stops every motor without a user's request: no user is left to make one, or the computer is suspended.
+    /// Returns false on a read-only connection, which stops nothing without a request. A requested stop in
+    /// progress continues.
     bool stopUnasked(TimePoint now);
-    /// A stop of all has not run its course yet.
+    /// True while a stop of all modules is in progress.
     [[nodiscard]] bool stopping() const { return m_stop.active(); }
 
-    /// Something happened to this machine, a suspend say: the link is checked before anything is believed.
+    /// Call after an event such as a suspend of the computer: the link is checked before anything is
+    /// believed.
     void distrust(TimePoint now);
 
-    /// Modules that somebody looks at: they are polled as often as the wire carries, the others about five
-    /// times a second. None: all alike.
+    /// Sets the modules on display: they are polled as often as the line allows, the others about five times
+    /// a second. If empty, all are polled equally.
     void watch(const std::vector<ModuleIndex>& modules);
 
-    /// Which outputs of PIC-I/O modules a stop of all takes low, by module; none of those that are not there.
-    /// Holds for every chain that is found from now on, too.
+    /// Sets, by module, which outputs of PIC-I/O modules a stop of all modules takes low; none for modules
+    /// not listed. Also applies to every chain found later.
     void setStopOutputs(const std::vector<StopOutputs>& outputs);
 
-    /// How far each axis may go, by module: what has no end of its own is stopped before that
-    /// (StoppedBeforeLimit). Set again once the counter of a module was set, or a chain was found.
+    /// Sets the travel limits of each axis, by module: a motion without an end of its own is stopped before
+    /// them (StoppedBeforeLimit). Must be set again after the counter of a module was set, or a chain was
+    /// found.
     void setTravelLimits(const std::vector<TravelLimits>& limits);
 
-    /// One module as fast as the wire carries, its position every time, for 5 s at most: the others are asked
-    /// once a second, silent ones not at all. Nothing: no longer. A stop of whatever kind ends it, and so
-    /// does another connect(). Calling it again begins the time anew.
+    /// Polls one module, with its position in every reply, as fast as the line allows for at most 5 s; the
+    /// others are polled once a second, silent ones not at all. Without a module, it ends. Any kind of stop
+    /// ends it, and so does another connect(). Calling it again restarts the time.
     void focus(std::optional<ModuleIndex> module, TimePoint now);
 
     /// `bytes` arrived; `now` is when they were read.
@@ -131,35 +137,35 @@ public:
     [[nodiscard]] std::vector<Output> takeOutput() { return m_line.takeOutput(); }
     [[nodiscard]] std::vector<Event> takeEvents() { return std::exchange(m_events, {}); }
     [[nodiscard]] const LinkStatistics& statistics() const { return m_line.statistics(); }
-    /// Modules a stop would reach now: those that answer.
+    /// Number of modules that a stop would reach now: those that answer.
     [[nodiscard]] std::size_t stopReach() const { return m_chain.schedule().answering(); }
-    /// A stop waits for a search that has seen somebody: it may still reach him.
+    /// A stop is waiting for a search that has seen modules, which it may still reach.
     [[nodiscard]] bool stopMayStillReach() const { return m_stop.waits() && m_search.seen() > 0; }
-    /// Some motor moves, or may.
+    /// A motor moves, or may move.
     [[nodiscard]] bool anythingMoves() const { return m_chain.anythingMoves() || m_operations.swings(); }
-    /// The same, where stopUnasked() would stop it.
+    /// A motor moves, or may move, that stopUnasked() would stop.
     [[nodiscard]] bool answersForMotion() const { return !m_config.readOnly && anythingMoves(); }
     /// The whole stop as bytes that need no answer, nulls first, for a process that is about to die (link.md
-    /// 2.6); empty when nothing is on, and on a read-only connection. Changes only with a command or a
-    /// status.
+    /// 2.6); empty if nothing is on, and on a read-only connection. Changes only with a command or a status.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const { return m_chain.stopBurst(); }
-    /// The rate at which the chain hears that; the port may be at another one, in a search say.
+    /// The rate at which the chain receives the burst; the port may be at another one, for example during a
+    /// search.
     [[nodiscard]] std::uint32_t stopBurstBaud() const { return m_chain.rate(); }
-    /// The burst when it, or its rate, has changed since this was asked for the last time; cheap otherwise.
-    /// Empty at first.
+    /// The burst if it, or its rate, has changed since the last call; cheap otherwise. The burst counts as
+    /// empty before the first call.
     [[nodiscard]] std::optional<std::vector<std::uint8_t>> changedStopBurst();
 
-    /// Records every exchange from now on, for the packet monitor; off at first, and then without cost.
+    /// Records every exchange from now on, for the packet monitor; initially off, at no cost.
     void setRecording(bool on) { m_recorder.set(on); }
     [[nodiscard]] std::vector<ExchangeRecord> takeRecords() { return m_recorder.take(); }
 
 private:
-    /// An exchange that is on the wire, or about to be repeated.
+    /// An exchange in progress, or about to be repeated.
     struct Work {
         Ask ask;
-        Task* task = nullptr;  ///< none when nobody waits for its end any more
+        Task* task = nullptr;  ///< null when nothing waits for its end any more
         std::uint8_t refusals = 0;
-        std::optional<Chain::Memory> before{};  ///< to put back when it is refused
+        std::optional<Chain::Memory> before{};  ///< restored if the command is refused
         TimePoint sent{};
     };
 
@@ -168,33 +174,33 @@ private:
     void beginPath(const Operation& operation, TimePoint now);
     [[nodiscard]] bool oweStops(const Operation& operation);
     void beginTrial(const Operation& operation, TimePoint now);
-    /// These are told to stop: a path that one of them is on is over.
+    /// These modules are sent a stop: a path with one of them ends.
     void leavePath(const std::vector<ModuleIndex>& stopped);
-    /// Whoever is on a path that has ended early is owed a stop.
+    /// Owes a stop to the modules of a path that has ended early.
     void stopPath();
     [[nodiscard]] bool settled() const { return m_connected && !m_search.active() && !m_stop.active(); }
-    /// Something is under way that may not be interrupted by a change of the chain.
+    /// Something is in progress that a change of the chain must not interrupt.
     [[nodiscard]] bool busy() const;
-    /// What changes a module may be asked for now.
+    /// Operations that change a module are accepted now.
     [[nodiscard]] bool accepting() const { return settled() && !m_config.readOnly; }
-    /// How a request ends that is not taken.
+    /// The outcome of an operation that is not accepted.
     [[nodiscard]] Outcome refusal() const {
         return m_config.readOnly ? Outcome::Forbidden : settled() ? Outcome::QueueFull : Outcome::Cancelled;
     }
 
-    // ---- what is next ----
+    // ---- dispatch ----
     void proceed(TimePoint now);
     [[nodiscard]] bool dispatch(TimePoint now);
     enum class Turn : std::uint8_t {
-        Nobody,  ///< wants the line, so far
-        Waits,   ///< somebody does, once it is quite free
+        Nobody,  ///< no task has needed the line so far
+        Waits,   ///< a task needs it, once it is completely free
         Taken
     };
     [[nodiscard]] Turn take(Task& task, TimePoint now);
     [[nodiscard]] Turn repeat(bool atOnce, TimePoint now);
     void send(Work work, TimePoint now);
 
-    // ---- what came of it ----
+    // ---- end of an exchange ----
     void takeEnds(TimePoint now);
     void onEnd(ReplyEnd end, TimePoint now);
     [[nodiscard]] std::optional<Rejection> examine(const Ask& ask, ReplyEnd& end);
@@ -205,15 +211,15 @@ private:
     void learn(const Work& work, const ReplyEnd& end);
     void publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted);
 
-    // ---- what follows for all tasks ----
+    // ---- consequences for all tasks ----
     void takeFindings(TimePoint now);
     void onSearchEnded(SearchTask::Ended ended, TimePoint now);
     [[nodiscard]] std::vector<ModuleInfo> knownModules() const;
     void adopt(ChainFound found, const Discovery& discovery, TimePoint now);
     void takeHeard(ModuleIndex module, const ReplyEnd& end);
     void halt(ModuleIndex module, StopCause cause, StopManner manner);
-    /// These, and whatever else was asked for of them is cancelled. What is owed for a fault is not made
-    /// weaker.
+    /// Stops these modules and cancels all other work for them. A stop owed because of a fault is not
+    /// weakened.
     void haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, StopManner manner);
     void onForeignTraffic();
     void onLinkLost();
@@ -230,14 +236,14 @@ private:
     Line m_line;
     ExchangeRecorder m_recorder{m_line};
     Chain m_chain;
-    /// The chain that was found is asked and told. Not before a search, while it lasts, when it has failed;
-    /// nor once the link has been given up: then only stops go out.
+    /// The chain that was found is in use. False before and during a search and after one that failed, and
+    /// once the link has been given up: then only stops are sent.
     bool m_connected = false;
-    bool m_stopAsked = false;     ///< from stopAll() until no module owes a confirmation
-    bool m_echoReported = false;  ///< once true, stays so: EchoNoticed comes once
+    bool m_stopAsked = false;     ///< since stopAll(), until no module owes a confirmation
+    bool m_echoReported = false;  ///< never cleared: EchoNoticed is emitted once
     std::vector<ModuleIndex> m_watched;
     std::vector<StopOutputs> m_stopOutputs;
-    std::deque<Work> m_works;  ///< on the wire, oldest first: at most one, and one that only settles
+    std::deque<Work> m_works;  ///< oldest first: at most one, and one that only awaits surplus bytes
 
     Recovery m_recovery{m_chain, m_line, m_events};
     StopTask m_stop{m_chain, m_recovery, m_line, m_events};
@@ -256,10 +262,10 @@ private:
     std::array<Task*, 14> m_tasks{&m_trials,    &m_operations,    &m_path,      &m_hold,     &m_rate,
                                   &m_readdress, &m_restartSearch, &m_search,    &m_recovery, &m_wayBack,
                                   &m_wellAgain, &m_stop,          &m_owedStops, &m_polls};
-    std::optional<Work> m_again;  ///< to be repeated
-    /// Of each module, and where it went, when somebody asked last.
+    std::optional<Work> m_again;  ///< waits to be repeated
+    /// The stop of each module and its address, at the last call of changedStopBurst().
     std::vector<std::pair<BusAddress, std::optional<ModuleCommand>>> m_burstStops;
-    std::uint32_t m_burstBaud = 0;  ///< the same
+    std::uint32_t m_burstBaud = 0;  ///< chain's rate at that call
 };
 
 }  // namespace nmc::bus

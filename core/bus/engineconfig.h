@@ -11,25 +11,25 @@
 namespace nmc::bus {
 
 struct EngineConfig {
-    /// Nominal rate to run at, that the chips can make (findBrd). Discovery always begins at 19 200.
+    /// Nominal rate to run at, one that the chips support (findBrd). Discovery always begins at 19 200.
     std::uint32_t baud = 19'200;
-    /// What the adapter adds to every reply (link.md 2.1).
+    /// Latency that the adapter adds to every reply (link.md 2.1).
     Duration adapterLatency = std::chrono::milliseconds(4);
-    /// Scheduling margin of this machine (link.md 2.1).
+    /// Scheduling margin of this computer (link.md 2.1).
     Duration margin = std::chrono::milliseconds(10);
     /// Wait after a Hard Reset: longer than any module's dead time seen in the field (protocol.md 1).
     Duration resetWait = std::chrono::milliseconds(25);
     /// Held motion ends this long after the last hold().
     Duration holdTimeout = std::chrono::milliseconds(250);
-    /// The chain that was known at this port last, so that its modules keep their places when one is missing
-    /// (rejoin.h). Empty: nothing is known.
+    /// The last known chain at this port, so that its modules keep their places when one is missing
+    /// (rejoin.h). Empty: unknown.
     std::vector<ModuleInfo> known{};
-    /// The rate that chain was left at, where it is none of kBaudRows; 0: not known. It is looked for there,
-    /// too, and at `baud`.
+    /// The rate at which that chain was left, if it is not in kBaudRows; 0: unknown. The chain is searched
+    /// for there as well, and at `baud`.
     std::uint32_t knownBaud = 0;
-    /// Looks at a chain that has its addresses and changes nothing: No Operation and Read Status only, and a
-    /// stop where somebody asks for one (faults.md H-02). Of such a stop everything holds that is true of
-    /// any: what is not confirmed is owed, and repeated until it is. Line::Permit keeps it.
+    /// Monitors a chain that has addresses without changing anything: No Operation and Read Status only, and
+    /// a stop on request (faults.md H-02). Such a stop has all the properties of any other: if it is not
+    /// confirmed, it is owed and repeated until it is. Enforced by Line::Permit.
     bool readOnly = false;
 };
 

@@ -12,41 +12,41 @@
 
 namespace nmc::bus {
 
-/// What the engine wanted with an exchange.
+/// The engine's purpose in an exchange.
 enum class Purpose : std::uint8_t {
-    Connect,    ///< looks for the chain, or gives addresses
-    Poll,       ///< the regular question
-    Operation,  ///< a command of the operator
-    Check,      ///< a status that a command waits for
+    Connect,    ///< searches for the chain, or assigns addresses
+    Poll,       ///< the regular query
+    Operation,  ///< a command of the user
+    Check,      ///< a status that a command is waiting for
     Hold,       ///< held motion, and its stop
     Stop,       ///< stop all
-    Challenge,  ///< is the link to be trusted again?
-    Flush,      ///< nulls, or a packet that nobody answers
+    Challenge,  ///< verifies whether the link can be trusted again
+    Flush,      ///< nulls, or a packet without a reply
 };
 
-/// What became of it.
+/// The result of an exchange.
 enum class ExchangeEnd : std::uint8_t {
     Accepted,
     Refused,       ///< communication-error bit
     Unresponsive,  ///< not one byte
     Partial,       ///< too few bytes
-    BadChecksum,   ///< as many as expected, wrong sum
-    Rejected,      ///< right sum, not believed: see `rejection`
-    Abandoned,     ///< a stop went past it
-    NotAsked,      ///< no reply was expected; `reply` holds what came all the same
+    BadChecksum,   ///< enough bytes, but a wrong sum
+    Rejected,      ///< right sum, but implausible: see `rejection`
+    Abandoned,     ///< overtaken by a stop
+    NotAsked,      ///< no reply was expected; `reply` holds any bytes that arrived
 };
 
-/// One exchange as the packet monitor shows it: bytes and what the engine made of them. A value.
+/// An exchange as the packet monitor shows it: its bytes and the engine's result. A value type.
 struct ExchangeRecord {
-    std::uint64_t number = 0;  ///< counts up from 1 while recording
-    TimePoint sent;            ///< when the command was handed to the port
+    std::uint64_t number = 0;  ///< counted from 1 while recording
+    TimePoint sent;            ///< when the command was passed to the port
     TimePoint ended;
     Purpose purpose = Purpose::Poll;
     std::uint32_t baud = 0;             ///< nominal rate of the port
-    std::optional<ModuleIndex> module;  ///< none for groups and while the chain is being looked for
-    std::vector<std::uint8_t> command;  ///< as sent, header and sum included; nulls for a flush
-    std::vector<std::uint8_t> reply;    ///< as received, surplus bytes included
-    ReplyLayout layout;                 ///< what the reply was taken for
+    std::optional<ModuleIndex> module;  ///< empty for groups and while the chain is being searched for
+    std::vector<std::uint8_t> command;  ///< as sent, including header and sum; nulls for a flush
+    std::vector<std::uint8_t> reply;    ///< as received, including surplus bytes
+    ReplyLayout layout;                 ///< layout by which the reply was decoded
     ExchangeEnd end = ExchangeEnd::Accepted;
     std::optional<Rejection> rejection;
 };

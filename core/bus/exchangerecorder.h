@@ -10,17 +10,17 @@
 
 namespace nmc::bus {
 
-/// Keeps every exchange for the packet monitor while somebody looks at it; off at first, and then without
-/// cost.
+/// Records every exchange for the packet monitor while it is shown; initially off, at no cost.
 class ExchangeRecorder {
 public:
     explicit ExchangeRecorder(Line& line) : m_line(line) {}
 
     void set(bool on);
     void add(const Ask& ask, const ReplyEnd& end, std::optional<Rejection> rejection);
-    /// It went out, and nobody waits for its end any more.
+    /// Adds an exchange that was sent, but whose end is not awaited any more.
     void addAbandoned(const Ask& ask, TimePoint sent, TimePoint now);
-    /// What scripts sent since the last time, in front of what came after it; `purpose`: but for nulls.
+    /// Adds what scripts have sent since the last call, before what followed; `purpose` applies to packets
+    /// other than nulls.
     void addUnanswered(Purpose purpose);
     [[nodiscard]] std::vector<ExchangeRecord> take();
 
@@ -28,7 +28,7 @@ private:
     void add(const Ask& ask, const ReplyEnd& end, ExchangeEnd how, std::optional<Rejection> rejection);
 
     Line& m_line;
-    bool m_on = false;  ///< as of set(); off, nothing is kept
+    bool m_on = false;  ///< see set(); nothing is recorded while off
     std::uint64_t m_recorded = 0;
     std::vector<ExchangeRecord> m_records;
 };

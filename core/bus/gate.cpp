@@ -13,7 +13,7 @@ namespace {
         return Permission::NeedsStatus;
     if (belief.mayMove())
         return Permission::InMotion;
-    // With the servo off the command velocity follows the actual one: a motor that coasts is in motion.
+    // With the servo off, the command velocity follows the actual one: a motor that coasts is in motion.
     if (belief.info().identity.type == ModuleType::Servo && !belief.on()) {
         if (!belief.velocity())
             return Permission::NeedsStatus;
@@ -22,7 +22,7 @@ namespace {
     return Permission::Allowed;
 }
 
-/// Some mode of Table 4 knows what is loaded.
+/// True if a mode of Table 4 has such a load.
 [[nodiscard]] bool inTable(const stepper::LoadTrajectory& load) {
     return goalMode(StepperMode::Stopped, load) || goalMode(StepperMode::Trapezoidal, load);
 }
@@ -37,7 +37,7 @@ namespace {
     return belief.mayBeOn() || belief.mayMove() ? Permission::InMotion : Permission::Allowed;
 }
 
-/// Commands that go by what has been loaded or set before.
+/// Commands that depend on what was loaded or set before.
 struct AsLoaded {
     const Belief& belief;
 
@@ -53,11 +53,11 @@ struct AsLoaded {
     Permission operator()(const stepper::LoadTrajectory& load) const {
         if (!inTable(load) || !belief.parametersSet())
             return Permission::Never;
-        // Without the start bit it has no effect whatsoever (DS-S 5.1).
+        // Without the start bit, it has no effect (DS-S 5.1).
         return load.startNow ? mayStart(load) : Permission::Allowed;
     }
-    /// In motion the chip ignores a change of the speed mode and of the minimum speed (DS-S 5.1): nobody
-    /// would know which are in force.
+    /// In motion, the chip ignores changes of the speed mode and the minimum speed (DS-S 5.1), so it would be
+    /// unknown which ones are in force.
     Permission operator()(const stepper::SetParameters& parameters) const {
         const auto& now = belief.parameters();
         return now && stepper::sameInMotion(*now, parameters) ? Permission::Allowed
@@ -73,7 +73,7 @@ struct AsLoaded {
     }
 };
 
-/// The command is one of the module's own, as its version knows it.
+/// True if the command belongs to the module's chip, and its version supports it.
 [[nodiscard]] bool belongs(const ModuleIdentity& module, const ModuleCommand& command) {
     if (isQuestion(command))
         return true;

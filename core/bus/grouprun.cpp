@@ -11,12 +11,12 @@ namespace nmc::bus {
 
 namespace {
 
-/// Looks that agree, for a claim.
+/// Number of agreeing replies required for an outcome.
 constexpr unsigned kVotes = 2;
-/// Questions in a row that it did not answer.
+/// Number of consecutive queries without an answer.
 constexpr unsigned kSilences = 2;
 
-/// Where the load leads; nothing without a goal.
+/// The goal of the load; empty without one.
 [[nodiscard]] std::optional<std::int32_t> goalOf(const Belief& before) {
     if (const auto& load = before.stepperLoad())
         return load->position ? std::optional(load->position->value()) : std::nullopt;
@@ -25,14 +25,15 @@ constexpr unsigned kSilences = 2;
     return trapezoidal && load->position ? std::optional(load->position->value()) : std::nullopt;
 }
 
-/// What a velocity mode load brings about in that time after standstill, counts; as far as it says.
+/// The distance in counts that a velocity mode load covers within `time` after standstill, as far as the load
+/// specifies it.
 [[nodiscard]] double distanceOf(const servo::LoadTrajectory& load, Duration time) {
     if (!load.servo || load.profile != servo::ProfileMode::Velocity || !load.velocity || !load.acceleration)
         return 0;
     const double ticks = toSeconds(time) / toSeconds(kServoTick);
     const double v = load.velocity->value() / 65'536.0;
     const double a = load.acceleration->value() / 65'536.0;
-    return std::min(v * ticks, a * ticks * ticks / 2) / 2;  // half of it, for friction
+    return std::min(v * ticks, a * ticks * ticks / 2) / 2;  // half of it, to allow for friction
 }
 
 [[nodiscard]] bool standsStill(const Belief& belief) {
@@ -54,11 +55,11 @@ ModuleCommand commandFor(GroupCommand::Action action, ModuleType type) {
         case GroupCommand::Action::ResetPosition:
             return inItsWords(ResetPosition{});
         case GroupCommand::Action::ClearStickyBits:
-            return ServoCommand(servo::ClearStickyBits{});  // the gate keeps it from the others
+            return ServoCommand(servo::ClearStickyBits{});  // the gate withholds it from the others
         case GroupCommand::Action::StopSmoothly:
         case GroupCommand::Action::StopAbruptly:
         case GroupCommand::Action::MotorOff:
-            break;  // GroupWork has each stopped as it is
+            break;  // GroupWork stops each member according to its state
     }
     return inItsWords(Nop{});
 }
@@ -140,7 +141,7 @@ GroupRun::Member& GroupRun::at(ModuleIndex module) {
                          [&](const Member& m) { return m.before.info().index == module; });
 }
 
-/// Nothing: this look does not tell, another may.
+/// Returns nothing if this reply is not conclusive; another one may be.
 std::optional<MemberOutcome> GroupRun::shows(const Member& member, const StatusReport& report,
                                              TimePoint latched) const {
     if (member.before.info().identity.type == ModuleType::Io)
@@ -162,13 +163,13 @@ std::optional<MemberOutcome> GroupRun::shows(const Member& member, const StatusR
         return std::nullopt;
     if (member.stood)
         return samePlace(*report.home, *report.position) ? MemberOutcome::Done : MemberOutcome::NotDone;
-    // It was on its way, so the place is another one than the home before.
+    // The member was moving, so its home must differ from the previous one.
     const auto& home = member.before.home();
     return home && *home != *report.home ? MemberOutcome::Done : MemberOutcome::Unknown;
 }
 
-/// Outputs read back. What changes none of them, and what was latched, shows nowhere: only a leader's answer
-/// tells.
+/// Reads the outputs back. A command that changes none of them, or a latched value, is not visible: only a
+/// leader's answer shows it.
 std::optional<MemberOutcome> GroupRun::putOut(const Member& member, const StatusReport& report) const {
     const IoOutputs& outputs = member.before.outputs();
     const unsigned changed =
@@ -181,7 +182,7 @@ std::optional<MemberOutcome> GroupRun::putOut(const Member& member, const Status
     return off == 0 ? MemberOutcome::Done : MemberOutcome::NotDone;
 }
 
-/// It stood: the gate has seen to that.
+/// The member stood still, which the gate has verified.
 std::optional<MemberOutcome> GroupRun::reset(const Member& member, const StatusReport& report) {
     if (!report.position)
         return std::nullopt;
@@ -191,7 +192,7 @@ std::optional<MemberOutcome> GroupRun::reset(const Member& member, const StatusR
     return from && samePlace(*report.position, *from) ? MemberOutcome::NotDone : MemberOutcome::Unknown;
 }
 
-/// A cause that lasts sets its bit again at once, which looks the same as not having heard.
+/// A persistent cause sets its bit again at once, which looks the same as a command that was not received.
 std::optional<MemberOutcome> GroupRun::cleared(const StatusReport& report) {
     if (!report.aux || anySticky(report.servoStatus(), servo::AuxByte{*report.aux}))
         return std::nullopt;
@@ -200,7 +201,7 @@ std::optional<MemberOutcome> GroupRun::cleared(const StatusReport& report) {
 
 std::optional<MemberOutcome> GroupRun::started(const Member& member, const StatusReport& report,
                                                TimePoint latched) const {
-    // From one velocity to another: nobody can tell the one that was not heard from a slow change.
+    // From one velocity to another: a command that was not received cannot be told from a slow change.
     if (!member.stood)
         return member.looks >= kVotes ? std::optional(MemberOutcome::Unknown) : std::nullopt;
     const auto& from = member.before.position();
@@ -214,7 +215,7 @@ std::optional<MemberOutcome> GroupRun::started(const Member& member, const Statu
         return report.stepperStatus().moving() ? MemberOutcome::Done : MemberOutcome::NotDone;
     if (!report.servoStatus().moveDone())
         return MemberOutcome::Done;
-    // Off by itself meanwhile: it may have begun.
+    // The servo went off by itself in the meantime, so the motion may have begun.
     if (report.aux && member.before.on() && !servo::AuxByte{*report.aux}.servoOn())
         return MemberOutcome::Unknown;
     const auto& load = member.before.servoLoad();

@@ -10,43 +10,43 @@
 
 namespace nmc::bus {
 
-/// The command to a group in the words of a member's chip; of stops, nothing that would stop.
+/// The command to a group in the form for a member's chip; for stops, a command that stops nothing.
 [[nodiscard]] ModuleCommand commandFor(GroupCommand::Action action, ModuleType type);
 
-/// What became of a command that went to a group, once, and that only its leader answers if it has one: each
-/// member is looked at until it has shown twice whether it carried it out, or time is up. Pure; the engine
-/// asks.
+/// Determines the outcome of a command sent to a group once, which only the leader answers, if there is one:
+/// each member is queried until two replies show whether it carried the command out, or time is up. Pure; the
+/// engine sends the queries.
 class GroupRun {
 public:
-    /// How long a member is looked at that does not show it, a slow one in velocity mode say.
+    /// How long a member is queried that shows nothing, for example a slow one in velocity mode.
     static constexpr Duration kLimit = std::chrono::milliseconds(250);
-    /// A motion shows when it should have gone so far.
+    /// Distance in counts after which a motion must be visible.
     static constexpr double kShows = 20;
 
-    /// `members`: what is believed of them just before the command is latched.
+    /// `members`: the beliefs just before the command is latched.
     GroupRun(GroupCommand command, std::vector<Belief> members, TimePoint latched);
 
-    /// The leader's own answer. What is neither accepted nor refused tells nothing.
+    /// The leader's own answer. A result other than accepted or refused shows nothing.
     void onLeader(ModuleIndex leader, ReplyResult result);
-    /// Whom to look at; nothing when it is over.
+    /// The next module to query; empty when it is over.
     [[nodiscard]] std::optional<ModuleIndex> next(TimePoint now);
-    /// What a member says. True when that settles that it carried the command out.
+    /// A member's reply. Returns true if it settles that the member carried the command out.
     [[nodiscard]] bool onLook(ModuleIndex module, const StatusReport& report, TimePoint latched);
     void onSilence(ModuleIndex module);
 
     [[nodiscard]] std::vector<GroupMember> members() const;
     [[nodiscard]] const Belief& before(ModuleIndex module) const;
     [[nodiscard]] TimePoint latched() const { return m_latched; }
-    /// Started by some and certainly or perhaps not by others.
+    /// Some members have started, and others have not, or may not have.
     [[nodiscard]] bool partly() const;
 
 private:
     struct Member {
         Belief before;
-        bool stood = false;  ///< before the command
+        bool stood = false;  ///< at rest before the command
         unsigned looks = 0;
-        unsigned done = 0;     ///< looks in a row that show it
-        unsigned notDone = 0;  ///< looks in a row that show the contrary
+        unsigned done = 0;     ///< consecutive replies that show the command carried out
+        unsigned notDone = 0;  ///< consecutive replies that show the contrary
         unsigned silences = 0;
         std::optional<MemberOutcome> outcome{};
     };

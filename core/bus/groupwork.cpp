@@ -7,7 +7,7 @@ namespace nmc::bus {
 
 namespace {
 
-/// Asked at the address of the group, whose leader answers.
+/// True if sent to the address of the group, whose leader answers.
 [[nodiscard]] bool toGroup(const Ask& ask) {
     return ask.request.address.value() >= kFirstGroup;
 }
@@ -28,12 +28,12 @@ std::optional<Next> GroupWork::next(TimePoint now) {
     return Again{};
 }
 
-/// Gives the change its orders: first the old leader becomes a member, so that there are never two. Or whom
-/// it fails for.
+/// Provides the orders of the change: first the old leader becomes a plain member, so that there are never
+/// two leaders. Returns the module that makes it impossible, if any.
 std::optional<ModuleIndex> GroupWork::planChange(const GroupChange& change) {
     if (!reachable(change.module) || change.place.group < kFirstGroup)
         return change.module;
-    // Group FF is everybody's: its stops and rates must not be answered.
+    // All modules are in group FF by default: its stops and rate changes must not be answered.
     if (change.place.leader && BusAddress(change.place.group) == kEverybody)
         return change.module;
     const auto orderTo = [&](ModuleIndex module, GroupPlace place) {
@@ -46,7 +46,7 @@ std::optional<ModuleIndex> GroupWork::planChange(const GroupChange& change) {
         const ModuleInfo& info = other.belief.info();
         if (!change.place.leader || info.index == change.module)
             continue;
-        // It may lead that group.
+        // This module may be the leader of that group.
         if (!info.group)
             return info.index;
         if (!info.group->leader || info.group->group != change.place.group)
@@ -65,14 +65,14 @@ bool GroupWork::reachable(ModuleIndex module) const {
            !m_chain.belief(module).restarted() && m_chain.answers(module);
 }
 
-/// Whether the command may go to the group, and whom it hangs on if it may not.
+/// Verifies whether the command may be sent to the group; otherwise includes the module that prevents it.
 GroupWork::GroupPermit GroupWork::permitGroup(const GroupCommand& command) const {
     GroupPermit worst{Permission::Allowed, {}};
     bool anybody = false;
     for (const Chain::Module& module : m_chain.modules()) {
         const ModuleInfo& info = module.belief.info();
         const bool everybody = BusAddress(command.group) == kEverybody;
-        // It may be a member; and one that restarted unseen is in group FF.
+        // It may be a member; and a module that restarted unnoticed is in group FF.
         if (!info.group || (everybody && !m_chain.answers(info.index)))
             return {Permission::Never, info.index};
         if (info.group->group != command.group)
@@ -81,7 +81,7 @@ GroupWork::GroupPermit GroupWork::permitGroup(const GroupCommand& command) const
         if (!reachable(info.index))
             return {Permission::Never, info.index};
         Permission verdict = permit(module.belief, commandFor(command.action, info.identity.type));
-        // With nothing stored, nobody knows what it would put out.
+        // With nothing stored, it is unknown what Synch Output would set.
         if (info.identity.type == ModuleType::Io && command.action == GroupCommand::Action::StartMotion &&
             !module.belief.outputs().stored())
             verdict = Permission::Never;
@@ -116,7 +116,7 @@ Next GroupWork::tryCommand(const GroupCommand& command, TimePoint now) {
     return Again{};
 }
 
-/// Once. Every member counts as having heard it until it shows the contrary.
+/// Sends the command once. Every member counts as having received it until it shows the contrary.
 Next GroupWork::send(const GroupCommand& command, TimePoint now) {
     const Payload payload = payloadOf(commandFor(command.action, ModuleType::Servo));
     const BusAddress group(command.group);
@@ -160,7 +160,7 @@ Next GroupWork::lookAtMembers(TimePoint now) {
     return Again{};
 }
 
-/// Before what it says is shown: the calculated command position goes by it.
+/// Called before the reply is published, because the calculated command position depends on it.
 void GroupWork::onAnswer(const Ask& ask, const ReplyEnd& end) {
     if (!m_run || toGroup(ask) || !m_run->onLook(*ask.module, end.report, end.latched))
         return;
@@ -199,7 +199,7 @@ void GroupWork::finish() {
         if (member.outcome == MemberOutcome::NotDone)
             m_chain.at(member.module).belief.onNotExecuted(run.before(member.module));
     GroupFinished event = m_commands.finishGroup(all ? Outcome::Done : Outcome::NoAnswer, members);
-    // Half a group in motion is what it was made to prevent (faults.md M-27).
+    // Half a group in motion is what groups are meant to prevent (faults.md M-27).
     event.stopped = run.partly();
     m_events.emplace_back(std::move(event));
     if (run.partly())

@@ -13,29 +13,29 @@
 
 namespace nmc::bus {
 
-/// The part of OperationTask that is about groups: changes of membership get their orders, commands to a
-/// group are permit for all members, sent once, and looked after at each of them (grouprun.h).
+/// The part of OperationTask for groups: it provides the orders of membership changes, and verifies commands
+/// to a group for all members, sends them once, and checks the outcome at each member (grouprun.h).
 class GroupWork {
 public:
     GroupWork(Chain& chain, const Line& line, CommandLane& commands, std::vector<Event>& events)
         : m_chain(chain), m_line(line), m_commands(commands), m_events(events) {}
 
     void cancel() { m_run.reset(); }
-    /// Only some members have started: once, and the operation is over by then.
+    /// Only some of these members have started: returned once, after the operation has ended.
     [[nodiscard]] std::vector<GroupMember> takeHalfStarted() { return std::exchange(m_halfStarted, {}); }
 
-    /// The operation in front is one of groups; nothing when its next order is an ordinary one.
+    /// The current operation is a group operation. Returns nothing if its next order is an ordinary one.
     [[nodiscard]] std::optional<Next> next(TimePoint now);
     void onAnswer(const Ask& ask, const ReplyEnd& end);
-    /// False when that exchange was not its own.
+    /// Returns false if the exchange was not its own.
     [[nodiscard]] bool onEnd(const Ask& ask, const ReplyEnd& end);
-    /// The change of a group was not answered.
+    /// A change of group was not answered.
     void reportUnknown();
 
 private:
     struct GroupPermit {
         Permission verdict;
-        std::optional<ModuleIndex> module;  ///< that it hangs on
+        std::optional<ModuleIndex> module;  ///< the one that decides
     };
     [[nodiscard]] std::optional<ModuleIndex> planChange(const GroupChange& change);
     [[nodiscard]] bool reachable(ModuleIndex module) const;
@@ -49,7 +49,7 @@ private:
     const Line& m_line;
     CommandLane& m_commands;
     std::vector<Event>& m_events;
-    std::optional<GroupRun> m_run;  ///< a command to a group is out
+    std::optional<GroupRun> m_run;  ///< a command to a group is in progress
     std::vector<GroupMember> m_halfStarted;
 };
 

@@ -15,7 +15,7 @@ void Health::add(bool wrong, int change) {
     else if (m_bucket >= kDoubtful)
         m_level = LinkHealth::Doubtful;
     else if (m_bucket == 0)
-        m_level = LinkHealth::Good;  // not at 29: it would come and go
+        m_level = LinkHealth::Good;  // not already below 30: the level would fluctuate
 }
 
 }  // namespace nmc::bus

@@ -8,22 +8,21 @@
 
 namespace nmc::bus {
 
-/// How far a link is to be trusted: a leaky bucket (link.md 2.5). What goes wrong fills it ten times as fast
-/// as what goes well empties it, so a tenth of wrong exchanges is where it begins to fill. Lost is for good.
-/// Pure.
+/// How far a link can be trusted: a leaky bucket (link.md 2.5). A wrong exchange fills it ten times as much
+/// as a right one empties it, so it begins to fill at a tenth of wrong exchanges. Lost is final. Pure.
 class Health {
 public:
     static constexpr int kPerWrong = 10;
     static constexpr int kDoubtful = 30;
     static constexpr int kLost = 100;
-    /// Exchanges that are looked back on.
+    /// Number of recent exchanges considered.
     static constexpr std::size_t kWindow = 200;
 
     void good() { add(false, -1); }
     void wrong() { add(true, kPerWrong); }
 
     [[nodiscard]] LinkHealth level() const { return m_level; }
-    /// Of the last exchanges(): how many went wrong.
+    /// How many of the last exchanges() went wrong.
     [[nodiscard]] unsigned wrongLately() const { return static_cast<unsigned>(m_window.count()); }
     [[nodiscard]] unsigned exchanges() const { return static_cast<unsigned>(m_seen); }
 

@@ -15,7 +15,7 @@ void HoldLane::hold(const HoldToMove& hold, TimePoint now) {
         return;
     m_wanted = hold;
     if (m_sent)
-        m_sent->press = hold.press;  // the same motion need not be told twice
+        m_sent->press = hold.press;  // the same motion need not be sent twice
     m_until = now + m_timeout;
 }
 

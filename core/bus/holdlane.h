@@ -7,29 +7,29 @@
 
 namespace nmc::bus {
 
-/// Motion while it is held: what the operator wants, and what the module was told last. Once he stops wanting
-/// it a stop is owed. A press that has ended is over: its late evidence moves nothing. Pure.
+/// State of held motion: what the user wants, and what was last sent to the module. Once the motion is no
+/// longer wanted, a stop is owed. A press that has ended is over: late evidence of it moves nothing. Pure.
 class HoldLane {
 public:
     explicit HoldLane(Duration timeout) : m_timeout(timeout) {}
 
-    /// That press has ended, or one after it.
+    /// True if that press has ended, or a later one.
     [[nodiscard]] bool over(std::uint32_t press) const { return m_over && press <= *m_over; }
-    /// Nothing when that press is over.
+    /// Has no effect if that press is over.
     void hold(const HoldToMove& hold, TimePoint now);
-    /// It cannot be had now: this press is over before it began.
+    /// The motion is not possible now: this press is over before it began.
     void refuse(const HoldToMove& hold) { end(hold.press); }
-    /// What it was told and is not wanted any more: a stop is owed for it.
+    /// Ends the hold. Returns the motion that was sent; a stop is owed for it.
     [[nodiscard]] std::optional<HoldToMove> release();
-    /// The evidence has stopped coming.
+    /// True if the evidence has stopped coming.
     [[nodiscard]] bool expired(TimePoint now) const { return m_wanted && now >= m_until; }
-    /// Forgets everything: somebody else stops the motor.
+    /// Ends the hold without a stop, because something else stops the motor.
     void clear();
 
     [[nodiscard]] std::optional<TimePoint> deadline() const;
     [[nodiscard]] const std::optional<HoldToMove>& wanted() const { return m_wanted; }
-    /// What has to be sent, if the module has not been told what is wanted: the start; with a goal the load
-    /// for it, which startLoaded() has to follow.
+    /// The command to be sent, if the module was not sent what is wanted: the start, or, with a goal, its
+    /// load, which startLoaded() must follow.
     [[nodiscard]] std::optional<Order> start() const;
     [[nodiscard]] Order startLoaded() const;
 
@@ -43,7 +43,7 @@ private:
 
     Duration m_timeout;
     std::optional<HoldToMove> m_wanted;
-    std::optional<HoldToMove> m_sent;  ///< sent, whatever came of it
+    std::optional<HoldToMove> m_sent;  ///< sent, whatever the outcome
     TimePoint m_until;
     std::optional<std::uint32_t> m_over;  ///< the last press that has ended
 };

@@ -11,15 +11,15 @@ namespace nmc::bus {
 
 namespace {
 
-/// Refused starts in a row until nobody knows any more whether it moves as wanted.
+/// Consecutive refused starts after which it is unknown whether the module moves as wanted.
 constexpr unsigned kAttempts = 3;
 
-/// With acceleration 0 a PIC-SERVO cannot slow down (link.md 2.6).
+/// With acceleration 0, a PIC-SERVO cannot decelerate (link.md 2.6).
 [[nodiscard]] StopManner mannerFor(const HoldToMove& held) {
     return held.pace || held.acceleration.value() != 0 ? StopManner::Smoothly : StopManner::Abruptly;
 }
 
-/// That load was answered, and waits for its start.
+/// True if that load was answered, and waits for its start.
 [[nodiscard]] bool hasLoaded(const Belief& module, const ModuleCommand& command) {
     if (const auto* chip = std::get_if<StepperCommand>(&command))
         return module.stepperLoad() == std::get<stepper::LoadTrajectory>(*chip);
@@ -45,7 +45,7 @@ void HoldTask::end(StopCause cause) {
 bool HoldTask::expire(TimePoint now) {
     if (!m_lane.expired(now))
         return false;
-    // Nothing had been started if there is nothing to stop.
+    // If there is nothing to stop, nothing had been started.
     if (m_lane.sent())
         m_events.emplace_back(HoldExpired{m_lane.wanted()->module});
     end(StopCause::HoldExpired);
@@ -77,11 +77,11 @@ Next HoldTask::next(TimePoint /*now*/) {
     if (!module.fresh() || !module.items())
         return m_chain.look(Purpose::Hold, start.module);
     const auto& owed = m_chain.at(start.module).owed;
-    // First it has to be told, or for other reasons than the end of a hold to be seen at rest.
+    // An owed stop must first be sent, or, unless it is owed for the end of a hold, be confirmed.
     if (owed && (!ofOperator(owed->cause) || owed->target.needsStop()))
         return Idle{};
-    // Load Trajectory would switch a servo on: that is never the hold's business. And what has been begun
-    // with a goal does not go on with another, or without.
+    // Load Trajectory would switch a servo on, which a hold must never do. And a motion begun with a goal
+    // does not continue with another one, or without.
     if (!module.on() || (m_lane.sent() && m_lane.sent()->goal != m_lane.wanted()->goal)) {
         giveUp();
         return Again{};
@@ -95,7 +95,7 @@ Next HoldTask::nextTowards(std::int32_t goal, const Order& load) {
     const ModuleIndex index = load.module;
     const Belief& module = m_chain.belief(index);
     if (m_chain.at(index).owed)
-        return Idle{};  // until it is seen at rest
+        return Idle{};  // until the motor is seen at rest
     if (module.mayMove() && !m_lane.sent()) {
         m_chain.owe(index, StopCause::HoldReleased, mannerFor(*m_lane.wanted()));
         return Again{};
@@ -119,19 +119,19 @@ Next HoldTask::sendOrder(const Order& order) {
         giveUp();
         return Again{};
     }
-    m_chain.at(order.module).owed.reset();  // the operator wants it to move again
+    m_chain.at(order.module).owed.reset();  // the user wants it to move again
     m_sentBefore = m_lane.sent();
     Ask ask = m_chain.command(Purpose::Hold, order);
     if (mayStartMotion(order.command))
         m_lane.onStartSent();
     ask.reported = true;
-    // Asked anew instead: what is wanted may have changed by the next time.
+    // Not retried but sent anew, because what is wanted may have changed in the meantime.
     ask.silentRepeats = 0;
     ask.refusedAttempts = 1;
     return ask;
 }
 
-/// The operator still holds, and has to be told that it is over.
+/// The user is still holding, and must be informed that the hold is over.
 void HoldTask::giveUp() {
     if (m_lane.wanted())
         m_events.emplace_back(HoldExpired{m_lane.wanted()->module});
@@ -141,7 +141,7 @@ void HoldTask::giveUp() {
 Line::Script HoldTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*now*/) {
     if (!ask.reported) {
         if (end.result != ReplyResult::Accepted)
-            giveUp();  // unknown: nothing is started, and what was is stopped
+            giveUp();  // unknown: nothing is started, and what was started is stopped
         return {};
     }
     if (end.result == ReplyResult::Accepted) {
@@ -153,7 +153,7 @@ Line::Script HoldTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*no
         if (++m_refusals < kAttempts)
             return {};
     }
-    giveUp();  // nobody knows whether it moves as wanted
+    giveUp();  // it is unknown whether the module moves as wanted
     return {};
 }
 

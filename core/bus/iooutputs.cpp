@@ -28,7 +28,7 @@ void IoOutputs::onSent(const io::SynchOutput& /*synch*/) {
 void IoOutputs::onExecuted(const IoCommand& command) {
     m_answered.apply(command);
     const bool synch = std::holds_alternative<io::SynchOutput>(command);
-    // What Synch Output may have put out that another host has stored was noted when it was sent.
+    // What Synch Output may have set from another host's stored outputs was noted when it was sent.
     if ((synch || std::holds_alternative<io::SetOutput>(command)) && m_answered.outputs)
         m_mayBeHigh = *m_answered.outputs;
     if ((synch || std::holds_alternative<io::SetPwm>(command)) && m_answered.pwm)
@@ -41,7 +41,8 @@ std::optional<IoCommand> IoOutputs::stop() const {
         return io::SetOutput{static_cast<std::uint16_t>(*levels & ~unsigned{m_off.pins})};
     const std::array<bool, 2> off{(m_off.pwm & 1U) != 0, (m_off.pwm & 2U) != 0};
     if ((off[0] && m_pwmMayRun[0]) || (off[1] && m_pwmMayRun[1])) {
-        // One whose value nobody knows goes with the other: the chip takes both at once and tells neither.
+        // A PWM output with an unknown value is switched off with the other: the chip takes both at once and
+        // reports neither.
         const std::array<std::uint8_t, 2> values = m_answered.pwm.value_or(std::array<std::uint8_t, 2>{});
         return io::SetPwm{off[0] ? std::uint8_t{0} : values[0], off[1] ? std::uint8_t{0} : values[1]};
     }

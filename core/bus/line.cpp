@@ -24,7 +24,7 @@ void Line::begin(const Request& request, TimePoint now) {
     if (!m_echo.expected())
         m_unread = 0;
     Pending pending{request.reply, request.framing, packet.size(), now, {}, {}, {}, {}};
-    // An open reply's first bytes in time, then as long as bytes come.
+    // For an open reply, the first bytes must arrive in time; it then lasts as long as bytes arrive.
     const std::size_t first = request.framing == Framing::Open ? kMinReply : pending.wanted();
     m_lastTimeout = m_timing.timeout(packet.size(), first);
     pending.left = start + m_timing.bytes(packet.size());
@@ -43,7 +43,7 @@ void Line::run(Script script, TimePoint now) {
 }
 
 void Line::abandon(TimePoint now) {
-    // The rest of the reply may still come; it is no surplus.
+    // The rest of the reply may still arrive, and does not count as surplus.
     if (m_pending && m_pending->framing != Framing::Open)
         m_unread += m_pending->wanted() - m_pending->received.size();
     if (m_pending) {
@@ -82,7 +82,7 @@ bool Line::onBytes(ByteSpan bytes, TimePoint now) {
     return !bytes.empty();
 }
 
-/// Before the echo of the command is whole: a part of it, or something from before.
+/// Handles a byte that arrives before the echo of the command is complete: part of it, or an earlier byte.
 void Line::passBy(std::uint8_t byte, TimePoint now) {
     if (!m_echo.take(byte)) {
         if (m_done && now < m_pending->left)
@@ -101,7 +101,7 @@ void Line::hear(ByteSpan bytes, TimePoint now) {
             return invalidate(bytes);
         return drop(bytes, now);
     }
-    // No module answers before it has heard the whole command.
+    // No module answers before it has received the whole command.
     if (m_pending->received.empty() && now < m_pending->left) {
         if (m_done)
             return invalidate(bytes);
@@ -128,7 +128,7 @@ void Line::onDeadline(TimePoint now) {
 
 std::optional<TimePoint> Line::deadline() const {
     if (m_pending)
-        return m_pending->deadline;  // by then the reply before it has long settled
+        return m_pending->deadline;  // by then, the previous reply has long settled
     if (m_done)
         return m_done->until;
     return m_wait;
@@ -162,7 +162,7 @@ std::vector<Line::Unanswered> Line::takeUnanswered() {
 bool Line::mayLeave(ByteSpan bytes) const {
     const auto frame = parsePacket(bytes);
     if (m_permit == Permit::Everything || !frame)
-        return true;  // what is no packet is nulls
+        return true;  // anything that is not a packet is nulls
     const CommandCode code = frame->payload.code;
     if (code == CommandCode::Nop || code == CommandCode::ReadStatus)
         return true;
@@ -206,7 +206,7 @@ void Line::perform(const Action& action, TimePoint now) {
             [&](const Nulls&) { send(kNulls, now); },
             [&](const Spacer&) {
                 send(std::vector<std::uint8_t>(nullsForTurnaround(m_timing.byteTime)), now);
-                waitUntil(m_free, now);  // or a stop would find a long queue in front of it
+                waitUntil(m_free, now);  // otherwise a stop would be queued behind many bytes
             },
             [&](const Gap&) { waitUntil(m_free + kTurnaround, now); },
             [&](const Pause& pause) { waitUntil(std::max(now, m_free) + pause.time, now); },
@@ -234,7 +234,7 @@ void Line::take(ByteSpan bytes, TimePoint now) {
     m_lastByte = now;
     const std::size_t wanted = pending.wanted();
     if (pending.framing == Framing::Open && pending.received.size() <= wanted) {
-        // Whole when nothing more comes for a while.
+        // The reply is complete when nothing more arrives for a while.
         pending.deadline = now + m_timing.bytes(kSurplusCharacters) + m_timing.adapter();
         return;
     }
@@ -244,7 +244,7 @@ void Line::take(ByteSpan bytes, TimePoint now) {
 
 void Line::complete(TimePoint now) {
     const Pending pending = *std::exchange(m_pending, std::nullopt);
-    // The module has heard the whole command, so it has left, whatever the reckoning says.
+    // The module has received the whole command, so it has been sent, whatever the calculation says.
     m_free = std::min(m_free, now);
     const std::size_t wanted = pending.wanted();
     if (!m_echo.expected() && m_echo.begun())
@@ -269,7 +269,7 @@ void Line::complete(TimePoint now) {
     m_done = Done{end, pending.framing, now + m_timing.bytes(kSurplusCharacters)};
 }
 
-/// The time is up: too few bytes, or an open reply that ended with silence.
+/// Handles the timeout: too few bytes, or an open reply that ended with silence.
 void Line::expire(TimePoint now) {
     const Pending pending = *std::exchange(m_pending, std::nullopt);
     const ReplyBytes& bytes = pending.received;
@@ -300,7 +300,7 @@ void Line::expire(TimePoint now) {
     m_ends.push_back(end);
 }
 
-/// The rest of a reply that was thought to be over. That it has the right sum as a whole tells it from noise.
+/// Adds the rest of a reply that was considered over. A correct sum of the whole distinguishes it from noise.
 void Line::join(ByteSpan bytes, TimePoint now) {
     ReplyBytes& received = m_torn->pending.received;
     const Duration gap = now - m_torn->last;
@@ -322,7 +322,7 @@ bool Line::isWhole(const Pending& pending) {
     return all.size() >= kMinReply && sum8(all.first(all.size() - 1)) == all.back();
 }
 
-/// The echo is not as expected: damaged or missing, or there is one.
+/// The echo is not as expected: damaged, missing, or present although none was expected.
 void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
     m_strays.onMissed(now);
     ReplyEnd end = endOf(pending, ReplyResult::Echo, now);
@@ -338,7 +338,7 @@ void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
     m_ends.push_back(end);
 }
 
-/// More bytes than the reply before them has.
+/// More bytes arrived than the previous reply has.
 void Line::invalidate(ByteSpan surplus) {
     m_statistics.surplusBytes += surplus.size();
     ReplyBytes& bytes = m_done->end.bytes;
@@ -360,7 +360,8 @@ ReplyEnd Line::endOf(const Pending& pending, ReplyResult result, TimePoint now) 
     end.bytes = pending.received;
     end.latched = std::min(pending.left + kServoTick / 2, now);
     end.latchedBy = std::max(end.latched, now - m_timing.shortest(pending.received.size()));
-    // Against the latest that a prompt reply stands for. An adapter explains what is later, and not less.
+    // Measured from the latest time at which a prompt reply can arrive. A known adapter latency explains a
+    // later reply, but does not make a reply early.
     const Duration late = end.latchedBy - pending.left - kServoTick - kPromptWithin;
     end.late = late < Duration{} ? late : std::max(Duration{}, late - m_timing.knownAdapter());
     end.sent = pending.sent;
@@ -369,7 +370,7 @@ ReplyEnd Line::endOf(const Pending& pending, ReplyResult result, TimePoint now) 
     return end;
 }
 
-/// What is not expected may be meant for somebody else.
+/// Bytes that are not expected may be meant for another host.
 void Line::drop(ByteSpan bytes, TimePoint now) {
     if (m_torn && !m_pending)
         join(bytes, now);

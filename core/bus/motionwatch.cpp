@@ -11,7 +11,7 @@ namespace nmc::bus {
 
 namespace {
 
-/// The 32 bits wrap; what goes on for hours does not turn round by that.
+/// The 32 bits wrap; a motion that continues for hours does not reverse at that point.
 [[nodiscard]] std::int64_t nextTo(std::int64_t before, std::int32_t position) {
     return before + countsBetween(static_cast<std::int32_t>(before), position);
 }
@@ -23,8 +23,8 @@ struct MotionWatch::Sent {
     const ServoRegisters& sent;
 
     void operator()(const servo::LoadTrajectory& load) const {
-        // Changed on its way, the load of a trapezoidal move may start by itself; but what moves already is
-        // watched as what it is.
+        // If corrupted in transmission, the load of a trapezoidal move may start by itself; but a motor that
+        // is already moving is still watched for its present motion.
         const bool underWay = w.m_velocity != 0 && (w.m_corridor || w.m_heading);
         if (load.startNow || (load.profile == servo::ProfileMode::Trapezoidal && !underWay))
             w.started(sent);
@@ -34,7 +34,7 @@ struct MotionWatch::Sent {
         if (stop.manner != servo::StopManner::AmplifierOnly)
             w.forget();
     }
-    /// It goes where its points lead, which is watched by PathTask.
+    /// On a path, the motor follows its points, which PathTask monitors.
     void operator()(const servo::AddPathPoints&) const { w.forget(); }
     void operator()(const auto& /*other*/) const {}
 };
@@ -54,7 +54,7 @@ void MotionWatch::started(const ServoRegisters& sent) {
         return;
     if (load.profile == servo::ProfileMode::Trapezoidal) {
         const auto shown = static_cast<std::int32_t>(*m_position);
-        // From the command position, which is not far from the position of a servo at rest.
+        // Relative to the command position, which is close to the position of a servo at rest.
         if (load.relative && load.position && m_velocity == 0)
             m_corridor = Corridor{*m_position, *m_position + load.position->value()};
         else if (sent.goal && !load.relative)
@@ -62,8 +62,8 @@ void MotionWatch::started(const ServoRegisters& sent) {
         return;
     }
     const int direction = load.reverse ? -1 : 1;
-    // What still goes the other way, by a run or a stop before, has to slow down first: it is watched once it
-    // goes the new way.
+    // If the motor still moves the other way, from an earlier run or stop, it must decelerate first: it is
+    // watched once it moves in the new direction.
     const bool underWay = before == direction || m_velocity * direction >= 0;
     m_heading = Heading{direction, underWay, *m_position * direction};
 }
@@ -75,7 +75,7 @@ void MotionWatch::forget() {
 }
 
 std::optional<MotionSuspect::Reason> MotionWatch::onReport(const StatusReport& report) {
-    // Off, but still turning: a load that was changed on its way may have made a PWM output of it.
+    // If the servo is off but still turning, a load corrupted in transmission may have become a PWM output.
     if (report.aux && !servo::AuxByte{*report.aux}.servoOn() && report.velocity == 0)
         forget();
     if (!report.position)
@@ -114,7 +114,7 @@ std::optional<MotionSuspect::Reason> MotionWatch::leaves(std::int64_t position, 
     return std::nullopt;
 }
 
-/// Layouts take turns, so each repeats its own position.
+/// Layouts alternate, so each repeats its own position.
 bool MotionWatch::frozen(const StatusReport& report) {
     const std::uint8_t items = report.items.mask();
     LastOfLayout& last = items == kStandingItems.mask() ? m_last[0] : m_last[1];

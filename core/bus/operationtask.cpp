@@ -10,7 +10,7 @@ namespace nmc::bus {
 
 namespace {
 
-/// How often a command is repeated that was provably not carried out.
+/// Number of retries of a command that was provably not carried out.
 constexpr unsigned kRepeatsAfterLook = 2;
 
 [[nodiscard]] bool isStart(const Ask& ask) {
@@ -55,11 +55,12 @@ Next OperationTask::next(TimePoint now) {
     m_commands.beginStep(now);
     const Order& order = m_commands.order();
     const bool known = m_chain.has(order.module);
-    const bool change = m_commands.group() != nullptr;  // permit when it was planned
+    const bool change = m_commands.group() != nullptr;  // checked when it was planned
     Permission verdict = !known   ? Permission::Never
                          : change ? Permission::Allowed
                                   : permit(m_chain.belief(order.module), order.command);
-    // What forbids may be over by now: two more looks before saying no, since one is not enough to permit.
+    // The reason for forbidding it may be over by now: two more queries before refusing, because one reply is
+    // not enough to permit.
     if (verdict == Permission::InMotion &&
         m_chain.belief(order.module).looksSince(m_commands.stepBegan()) < 2)
         verdict = Permission::NeedsStatus;
@@ -84,20 +85,22 @@ Next OperationTask::send() {
     Ask ask = m_chain.command(Purpose::Operation, order);
     auto& owed = m_chain.at(order.module).owed;
     if (owed && mayStartMotion(order.command)) {
-        // A motion that strayed has to be seen at rest first.
+        // A motor whose motion strayed must be seen at rest first.
         if (!ofOperator(owed->cause) || owed->target.needsStop()) {
             m_events.emplace_back(m_commands.failed(Outcome::Forbidden));
             return Again{};
         }
-        owed.reset();  // the operator wants it to move again
+        owed.reset();  // the user wants it to move again
     }
     ask.reported = true;
     ask.retry = m_attempts > 0;
-    // To its own address again, and the challenge before has shown that it is there (link.md 2.3).
+    // Sent to the module's own address again, at which the preceding challenge has shown it to be (link.md
+    // 2.3).
     if (ask.request.payload.code == CommandCode::SetAddress)
         ask.silentRepeats = 2;
     if (isStart(ask)) {
-        // That a start was refused is the module's word alone; a second start would be worse than a look.
+        // That a start was refused is known only from the module's reply; a second start would be worse than
+        // a query.
         ask.refusedAttempts = 1;
         ask.refusedBefore = static_cast<std::uint8_t>(m_attempts);
     }
@@ -105,10 +108,11 @@ Next OperationTask::send() {
     return ask;
 }
 
-/// Was the command that nobody answered carried out? A look at the module tells, or it stays open.
+/// Verifies whether an unanswered command was carried out, by querying the module; otherwise its outcome
+/// remains open.
 Next OperationTask::verifyStep() {
     const Order& order = m_commands.order();
-    // Two looks: one is not enough to say that it stands still.
+    // Two queries, because one reply is not enough to state that the motor stands still.
     if (m_verification->looks < 2) {
         ++m_verification->looks;
         return look(order.module);
@@ -126,7 +130,7 @@ Next OperationTask::verifyStep() {
         case Carried::NotOut:
             if (verification.attempts < kRepeatsAfterLook) {
                 m_attempts = verification.attempts + 1;
-                return Again{};  // the gate looks at it again
+                return Again{};  // the gate checks it again
             }
             break;
         case Carried::Unknown:

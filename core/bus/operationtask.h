@@ -12,37 +12,38 @@
 
 namespace nmc::bus {
 
-/// What the operator asks for, one operation after the other, order by order: each is judged by the command
-/// gate, sent, and looked at where its answer got lost (verification.h). Each ends in exactly one
+/// The user's commands, one operation after the other, order by order: each is checked by the command gate,
+/// sent, and verified if its answer was lost (verification.h). Each operation ends in exactly one
 /// OperationFinished or GroupFinished.
 class OperationTask : public Task {
 public:
     OperationTask(Chain& chain, const Line& line, std::vector<Event>& events)
         : m_chain(chain), m_events(events), m_group(chain, line, m_commands, events) {}
 
-    /// False when there are too many; nothing was taken.
+    /// Returns false if too many are waiting; the operation was not accepted.
     [[nodiscard]] bool submit(Operation operation) { return m_commands.submit(std::move(operation)); }
     [[nodiscard]] bool submit(const GroupOperation& operation) { return m_commands.submit(operation); }
-    /// Cancels those that are for one of these modules, or for a group. True when one was under way.
+    /// Cancels what concerns one of these modules, or a group. Returns true if one such operation was in
+    /// progress.
     bool cancelFor(const std::vector<ModuleIndex>& modules);
     /// A poll of that module was answered.
     void notePoll(ModuleIndex module, const ReplyEnd& end) { m_commands.notePoll(module, end); }
-    /// A sine is under way.
+    /// A sine is in progress.
     [[nodiscard]] bool swings() const { return m_commands.swings(); }
-    /// With it.
+    /// A sine is in progress on this module.
     [[nodiscard]] bool swings(ModuleIndex module) const {
         return m_commands.swings() && m_commands.isFor({module});
     }
     [[nodiscard]] bool empty() const { return m_commands.empty(); }
-    /// Something that it waits for, or is told just now, is for that module.
+    /// An operation that is waiting or in progress is for that module.
     [[nodiscard]] bool concerns(ModuleIndex module) const { return m_commands.concerns(module); }
-    /// Half a group has started: its members have to be stopped. Once.
+    /// Only part of a group has started: its members must be stopped. Returned once.
     [[nodiscard]] std::vector<GroupMember> takeHalfStarted() { return m_group.takeHalfStarted(); }
 
     [[nodiscard]] bool wants(TimePoint now) const override {
         return m_verification || (!m_commands.empty() && *m_commands.due() <= now);
     }
-    /// Of a sine; all others want the line at once.
+    /// For a sine; all other operations need the line at once.
     [[nodiscard]] std::optional<TimePoint> due() const override {
         return m_commands.swings() ? m_commands.due() : std::nullopt;
     }
@@ -65,8 +66,8 @@ private:
     CommandLane m_commands;
     GroupWork m_group;
     std::optional<Verification> m_verification;
-    std::optional<std::int32_t> m_positionBefore;  ///< of the order that is on its way
-    unsigned m_attempts = 0;                       ///< of the present order, after looks
+    std::optional<std::int32_t> m_positionBefore;  ///< at the time of the order in progress
+    unsigned m_attempts = 0;                       ///< for the present order, after verifications
 };
 
 }  // namespace nmc::bus

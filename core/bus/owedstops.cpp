@@ -10,14 +10,15 @@ namespace nmc::bus {
 
 namespace {
 
-/// A module that answers: again at once, as often; then the line needs its way back.
+/// For a module that answers, stops are repeated at once this often; after that, the line needs its way back.
 constexpr unsigned kAtOnce = 3;
 constexpr Duration kAfterSilence = std::chrono::milliseconds(100);
-/// Between two looks at a motor that is slowing down; later on, at one that does not.
+/// Time between two queries of a motor that is decelerating; kBetweenLateLooks applies later, to one that
+/// does not stop.
 constexpr Duration kBetweenLooks = std::chrono::milliseconds(20);
 constexpr Duration kBetweenLateLooks = std::chrono::milliseconds(250);
 constexpr unsigned kEarlyLooks = 100;
-/// Commands may still arrive where no answer does (faults.md F-11, F-19).
+/// Commands may get through even if no answer does (faults.md F-11, F-19).
 constexpr Duration kBlindEvery = std::chrono::milliseconds(500);
 
 }  // namespace
@@ -42,7 +43,7 @@ bool OwedStops::wants(TimePoint now) const {
 }
 
 bool OwedStops::blindly(ModuleIndex module) const {
-    // One that was given up for its errors is still asked: only that can confirm its stop.
+    // A module that was given up because of errors is still queried: only this can confirm its stop.
     const bool silent = !m_chain.answers(module) && !m_chain.schedule().retired(module);
     return m_blind || m_line.baud() != m_chain.rate() || silent;
 }
@@ -100,7 +101,7 @@ Line::Script OwedStops::groupScript(TimePoint now) {
     return script;
 }
 
-/// All that are due, in one go, at the rate of the chain; the port then goes back to where it was.
+/// Sends all stops that are due, together, at the chain's rate; the port then returns to its previous rate.
 Next OwedStops::blindScript(TimePoint now) {
     std::vector<Order> stops;
     for (Chain::Module& module : m_chain.modules()) {
@@ -113,7 +114,7 @@ Next OwedStops::blindScript(TimePoint now) {
     }
     if (stops.empty())
         return Again{};
-    for (const Order& stop : stops)  // nothing is answered before the script is over
+    for (const Order& stop : stops)  // nothing is answered before the script ends
         m_chain.noteSent(stop.module, stop.command, m_line.latchTime(0, now));
     const std::uint32_t here = m_line.baud();
     Line::Script script{Line::Gap{}};
@@ -130,7 +131,7 @@ Next OwedStops::blindScript(TimePoint now) {
     return script;
 }
 
-/// The first answer after a stop that went to the whole group.
+/// Handles the first answer after a stop that was sent to the whole group.
 void OwedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
     auto& owed = m_chain.at(*ask.module).owed;
     if (const auto blind = owed ? owed->target.takeBlind() : std::nullopt)
@@ -144,7 +145,7 @@ void OwedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
 Line::Script OwedStops::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {
     auto& owed = m_chain.at(*ask.module).owed;
     if (!owed)
-        return {};  // superseded while its question was on its way
+        return {};  // superseded while its query was in progress
     owed->target.onReply(end, m_chain.belief(*ask.module), now);
     if (owed->target.stopped()) {
         m_events.emplace_back(OwedStopConfirmed{*ask.module, owed->cause});

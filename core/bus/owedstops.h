@@ -10,21 +10,21 @@
 
 namespace nmc::bus {
 
-/// The stops that are owed to single modules (Chain::Module::owed): sent before anything else but a stop of
-/// all, again while the module moves on, blindly and for ever while it does not answer, and at once when it
-/// is heard again. Only a confirmation ends one, or a start that the operator asks for after the end of a
-/// hold.
+/// The stops owed to single modules (Chain::Module::owed): sent before anything except a stop of all modules,
+/// repeated while the module continues to move, blindly and indefinitely while it does not answer, and at
+/// once when it is heard again. Only a confirmation ends one, or a start that the user requests after the end
+/// of a hold.
 class OwedStops : public Task {
 public:
     OwedStops(Chain& chain, Recovery& recovery, const Line& line, std::vector<Event>& events)
         : m_chain(chain), m_recovery(recovery), m_line(line), m_events(events) {}
 
-    /// Somebody looks for the chain: questions would be in his way, so stops go out blindly.
+    /// While the chain is being searched for, queries would interfere, so stops are sent blindly.
     void setBlind(bool blind) { m_blind = blind; }
-    /// These are owed their stops in the same tick: one packet to their group goes out first, where that is
-    /// the same. Each is told and looked at by itself after that.
+    /// These modules are owed their stops in the same tick: one packet to their group is sent first, if it is
+    /// the same for all. After that, each is sent its stop and queried by itself.
     void sendTogether(std::vector<ModuleIndex> modules) { m_together = std::move(modules); }
-    /// A module that answers has not been told yet.
+    /// A module that answers has not been sent its stop yet.
     [[nodiscard]] bool anyUnsent() const;
 
     [[nodiscard]] bool wants(TimePoint now) const override;
@@ -43,7 +43,7 @@ private:
     const Line& m_line;
     std::vector<Event>& m_events;
     std::vector<ModuleIndex> m_together;
-    bool m_blind = false;  ///< while a search runs: stops go out, questions do not
+    bool m_blind = false;  ///< during a search: stops are sent, queries are not
 };
 
 }  // namespace nmc::bus

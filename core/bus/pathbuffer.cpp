@@ -7,7 +7,7 @@ namespace nmc::bus {
 
 namespace {
 
-/// Points that leave in that time: never fewer.
+/// Number of points that leave the buffer in this time, at least.
 [[nodiscard]] std::size_t whole(Duration time, Duration period) {
     return time > Duration{} ? static_cast<std::size_t>(time / period) : 0;
 }
@@ -44,7 +44,7 @@ std::size_t PathBuffer::taken(TimePoint now) const {
     return std::min(m_taken + since, m_sent);
 }
 
-/// Between two looks a point leaves at each whole period, and once more where the second falls right.
+/// Between two reports, a point leaves at each whole period, and one more depending on the phase.
 PathBuffer::Range PathBuffer::left(std::size_t sent, TimePoint from, TimePoint by) const {
     if (!m_running)
         return {sent - m_taken, sent - m_taken};

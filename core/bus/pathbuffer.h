@@ -8,40 +8,40 @@
 
 namespace nmc::bus {
 
-/// What is in the path buffer of one chip, reckoned from the points that it was sent, the number that it last
-/// told, and the time since: a point leaves it each period. Pure.
+/// The content of a chip's path buffer, calculated from the points sent, the number last reported, and the
+/// time since: one point leaves it per period. Pure.
 class PathBuffer {
 public:
-    /// Points of the longest frame, and of the shortest one that goes to a path under way. So many points
-    /// more or less show in "points left" although one or two leave meanwhile.
+    /// Number of points in the longest frame, and in the shortest one sent during a path. A difference of
+    /// this many points is visible in "points left" although one or two leave in the meantime.
     static constexpr std::size_t kLongestFrame = 7;
     static constexpr std::size_t kShortestFrame = 4;
 
     PathBuffer(std::size_t points, std::size_t capacity, Duration period)
         : m_points(points), m_capacity(capacity), m_period(period) {}
 
-    /// Points of the next frame; 0: it has all.
+    /// Number of points in the next frame; 0: all have been sent.
     [[nodiscard]] std::size_t frame() const;
-    /// From when on there is room for it; at once at first.
+    /// The time from which there is room for the next frame; initially at once.
     [[nodiscard]] TimePoint roomAt() const;
 
-    /// A frame of so many was carried out.
+    /// A frame with this many points was carried out.
     void onSent(std::size_t points) { m_sent += points; }
     [[nodiscard]] std::size_t sent() const { return m_sent; }
     [[nodiscard]] bool sentAll() const { return m_sent == m_points; }
-    /// It takes points from now on.
+    /// The chip takes points from now on.
     void start(TimePoint latched);
 
-    /// It says that so many are left, latched between these.
+    /// The chip reported that `left` points are left, latched between `from` and `by`.
     void onReported(std::size_t left, TimePoint from, TimePoint by);
     [[nodiscard]] TimePoint toldAt() const { return m_by; }
-    /// Points that have left it for sure.
+    /// Number of points that have left the buffer for certain.
     [[nodiscard]] std::size_t taken(TimePoint now) const;
-    /// It is told that so many are left: whether a frame of `doubtful` points that nobody has answered was
-    /// carried out. Nothing when that cannot be told.
+    /// The chip reported that `left` points are left: determines whether a frame of `doubtful` points without
+    /// an answer was carried out. Returns nothing if this cannot be determined.
     [[nodiscard]] std::optional<bool> carriedOut(std::size_t doubtful, std::size_t left, TimePoint from,
                                                  TimePoint by) const;
-    /// When it may have run dry with what it has.
+    /// The earliest time at which the buffer may be empty.
     [[nodiscard]] TimePoint dryAt() const;
 
 private:
@@ -57,8 +57,8 @@ private:
     Duration m_period;
     std::size_t m_sent = 0;
     bool m_running = false;
-    std::size_t m_taken = 0;  ///< when it told last
-    TimePoint m_from, m_by;   ///< which was latched between these
+    std::size_t m_taken = 0;  ///< at the last report
+    TimePoint m_from, m_by;   ///< the last report was latched between these
 };
 
 }  // namespace nmc::bus

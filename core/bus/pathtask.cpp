@@ -15,20 +15,20 @@ namespace {
 
 using servo::AddPathPoints;
 
-/// Of a look for it that does not come to an end.
+/// Limits for a series of queries without a result.
 constexpr unsigned kMaxLooks = 12;
 constexpr unsigned kMaxInVain = 4;
-/// A module that nobody has asked for so long is asked.
+/// A module not queried for this long is queried.
 constexpr Duration kInSight = std::chrono::milliseconds(250);
-/// Between two news of how far it is.
+/// Time between two progress reports.
 constexpr Duration kNews = std::chrono::milliseconds(100);
-/// Bytes of a frame of seven points: header, address, command, points, sum.
+/// Bytes of a frame with seven points: header, address, command, points, sum.
 constexpr std::size_t kLongestFrame = 4 + 2 * PathBuffer::kLongestFrame;
-/// Time-outs' worth of looks after it was lost.
+/// Number of timeouts allowed for queries after a frame was lost.
 constexpr int kLookAgain = 4;
 
-/// From when on a frame that is lost may be one too many: what it takes to find that out, and to send it
-/// again.
+/// From this time on, losing a frame may empty the buffer: it includes the time to determine the loss and to
+/// send the frame again.
 [[nodiscard]] TimePoint dangerAt(TimePoint dry, const LineTiming& timing) {
     if (dry == TimePoint::max())
         return dry;
@@ -58,7 +58,7 @@ constexpr int kLookAgain = 4;
 
 }  // namespace
 
-// ---- from outside ----
+// ---- called from outside ----
 
 bool PathTask::begin(const Operation& operation) {
     if (active())
@@ -91,7 +91,7 @@ bool PathTask::possible() const {
            });
 }
 
-/// Some segment is longer than a point can be told.
+/// True if a segment is longer than a point can express.
 bool PathTask::mayLeap(const PathAxis& axis) const {
     std::int64_t before = axis.from;
     return std::any_of(axis.points.begin(), axis.points.end(), [&](std::int32_t point) {
@@ -99,7 +99,7 @@ bool PathTask::mayLeap(const PathAxis& axis) const {
     });
 }
 
-/// One axis by itself, or a whole group that is known to be that.
+/// True for a single axis, or for a group known to have exactly the axes as members.
 bool PathTask::together() const {
     if (!m_plan->group)
         return m_plan->axes.size() == 1;
@@ -141,7 +141,7 @@ void PathTask::Axis::doubtFrame(std::size_t count) {
     looks = agree = 0;
 }
 
-// ---- what is next ----
+// ---- next step ----
 
 bool PathTask::wants(TimePoint now) const {
     if (!active())
@@ -168,7 +168,7 @@ std::optional<TimePoint> PathTask::due() const {
     return first;
 }
 
-/// It was seen to be on its path no more: nothing is sent before a second look.
+/// True if the axis was seen to have left path mode: nothing is sent before a second reply.
 bool PathTask::halts(const Axis& axis) const {
     return m_phase == Phase::Running && axis.agree > 0 && !axis.done;
 }
@@ -179,7 +179,7 @@ bool PathTask::stale(const Axis& axis, TimePoint now) const {
 
 Next PathTask::next(TimePoint now) {
     for (Axis& axis : m_axes) {
-        // Dropped on its way: it may have arrived.
+        // The frame was dropped while in progress: it may have been received.
         if (const std::size_t points = std::exchange(axis.sending, 0); points > 0)
             axis.doubtFrame(points);
         if (axis.vain > kMaxInVain || axis.looks > kMaxLooks) {
@@ -214,7 +214,8 @@ void PathTask::enter(Phase phase) {
         axis.looks = axis.agree = axis.disagree = 0;
 }
 
-/// Each stands still, with an empty buffer, and holds the place where its path begins: two looks say so.
+/// Two replies must show that each axis stands still, has an empty buffer, and holds the position where its
+/// path begins.
 Next PathTask::lookFirst() {
     for (Axis& axis : m_axes) {
         if (axis.looks < 2)
@@ -233,7 +234,7 @@ Next PathTask::lookFirst() {
     return Again{};
 }
 
-/// A CMC takes points only with its advanced features on, which the bit of any Stop Motor does.
+/// A CMC accepts points only with its advanced features on, which are set by a bit of any Stop Motor.
 Next PathTask::makeReady() {
     for (Axis& axis : m_axes) {
         const Belief& belief = m_chain.belief(axis.module());
@@ -264,7 +265,7 @@ Next PathTask::lookTwice(Phase then) {
     return Again{};
 }
 
-/// Once. Every axis counts as having heard it until it shows the contrary.
+/// Sends the start once. Every axis counts as having received it until it shows the contrary.
 Next PathTask::start(TimePoint now) {
     const ModuleCommand go = ServoCommand(AddPathPoints());
     const Payload payload = payloadOf(go);
@@ -289,8 +290,8 @@ Next PathTask::start(TimePoint now) {
     return ask;
 }
 
-/// First the one that runs dry first. By the clock alone nothing is laid for long: a path that its chip has
-/// ended takes points, too.
+/// Fills first the buffer that runs empty first. Points are not sent for long without a recent reply, because
+/// a chip that has ended its path accepts points as well.
 Next PathTask::keepFilled(TimePoint now) {
     Axis* neediest = nullptr;
     for (Axis& axis : m_axes)
@@ -321,7 +322,7 @@ Next PathTask::addPoints(Axis& axis) {
         points.push_back({axis.place(next) - axis.place(next - 1), m_plan->rate});
     }
     const auto add = control ? AddPathPoints::of(points, control->fastPath) : std::nullopt;
-    if (!add) {  // somebody has changed I/O Control
+    if (!add) {  // I/O Control has been changed
         end(PathEnd::NotReady, axis.module());
         return Again{};
     }
@@ -330,7 +331,7 @@ Next PathTask::addPoints(Axis& axis) {
     return m_chain.command(Purpose::Operation, {axis.module(), ServoCommand(*add)});
 }
 
-// ---- What came of its questions and points ----
+// ---- results of queries and points ----
 
 bool PathTask::Axis::confirms(StatusItems items) {
     const bool other = agree == 0 || agreed != items;
@@ -356,7 +357,7 @@ Line::Script PathTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*no
             this->end(PathEnd::NoAnswer, axis->module());
     } else if (accepted) {
         axis->buffer.onSent(points);
-    } else {  // that it was refused is the module's word alone
+    } else {  // that it was refused is known only from the module's reply
         axis->doubtFrame(points);
     }
     return {};
@@ -395,7 +396,7 @@ void PathTask::noteSilence() {
             return end(PathEnd::NoAnswer, axis.module());
 }
 
-/// Two looks of different length have to say the same.
+/// Two replies of different length must agree.
 void PathTask::settle(Axis& axis, const ReplyEnd& end) {
     const bool stands = end.report.aux && !servo::AuxByte{*end.report.aux}.pathMode();
     if (m_phase == Phase::Running && stands)
@@ -423,7 +424,7 @@ void PathTask::confirmStart(Axis& axis, const ReplyEnd& end) {
     }
 }
 
-/// All have started: the model follows them from now on.
+/// All axes have started: the model follows them from now on.
 void PathTask::begun() {
     for (const Axis& axis : m_axes) {
         const ModuleCommand go = ServoCommand(servo::AddPathPoints());
@@ -461,9 +462,9 @@ namespace {
 
 }  // namespace
 
-/// Its chip has ended the path.
+/// The axis's chip has ended the path.
 void PathTask::standsStill(Axis& axis, const StatusReport& report) {
-    // Points that came too late are still in the buffer.
+    // Points that arrived too late are still in the buffer.
     const std::size_t taken = axis.buffer.sent() - std::min(axis.left, axis.buffer.sent());
     if (commandPosition(report) != axis.place(taken) || !servo::AuxByte{*report.aux}.servoOn())
         return end(PathEnd::StoppedShort, axis.module());
@@ -474,8 +475,8 @@ void PathTask::standsStill(Axis& axis, const StatusReport& report) {
         end(PathEnd::Done);
 }
 
-/// Between the point that it left and the one that it goes to, and one more on each side: the chip need not
-/// latch both in the same tick.
+/// The command position must be between the last point and the next one, plus one more on each side, because
+/// the chip need not latch both values in the same tick.
 bool PathTask::offPath(const Axis& axis, const StatusReport& report) const {
     const std::size_t sent = axis.buffer.sent();
     const std::size_t taken = sent - std::min(axis.left, sent);
@@ -488,7 +489,7 @@ bool PathTask::offPath(const Axis& axis, const StatusReport& report) const {
     return at < lowest || at > highest;
 }
 
-// ---- what is told ----
+// ---- reports ----
 
 TimePoint PathTask::dryAt() const {
     TimePoint first = TimePoint::max();

@@ -13,44 +13,44 @@
 
 namespace nmc::bus {
 
-/// A path of one PIC-SERVO CMC or SC, or of a group (docs/paths.md): looks whether its axes stand where it
-/// begins, lays as many points as their buffers hold, starts it, keeps the buffers filled, and looks that
-/// each command position is on it. It goes before operations and polls, and takes the line only when a frame
-/// fits into a buffer.
+/// Runs a path of one PIC-SERVO CMC or SC, or of a group (docs/paths.md): verifies that its axes stand where
+/// it begins, fills their buffers, starts it, keeps the buffers filled, and verifies that each command
+/// position is on the path. It takes precedence over operations and polls, and uses the line only when a
+/// frame fits into a buffer.
 ///
-/// Add Path Points must never be repeated blindly: its points would be in the buffer twice. When the answer
-/// to a frame is lost, or says that it was refused, "points left" in two looks of different length tells
-/// whether it was carried out; where that does not tell, the path ends.
+/// Add Path Points must never be repeated blindly, because its points would then be in the buffer twice. If
+/// the answer to a frame is lost, or reports that it was refused, "points left" in two replies of different
+/// length shows whether the frame was carried out; if that is not conclusive, the path ends.
 ///
-/// However it ends but at its last point, its axes are to be stopped (takeStops()); nothing is sent after
-/// that. Ends in exactly one OperationFinished, behind a PathProgress that says how.
+/// Unless it ends at its last point, its axes must be stopped (takeStops()); nothing is sent after that. Ends
+/// in exactly one OperationFinished, preceded by a PathProgress that states how it ended.
 class PathTask : public Task {
 public:
     PathTask(Chain& chain, const Line& line, std::vector<Event>& events)
         : m_chain(chain), m_line(line), m_events(events) {}
 
-    /// False while there is one already; nothing was taken.
+    /// Returns false while another path is active; the operation was not accepted.
     [[nodiscard]] bool begin(const Operation& operation);
     [[nodiscard]] bool active() const { return m_plan != nullptr; }
-    /// One of these is an axis of it.
+    /// True if one of these modules is an axis of the path.
     [[nodiscard]] bool isFor(const std::vector<ModuleIndex>& modules) const;
-    /// These are told to stop by somebody else; the other axes are to be stopped.
+    /// These modules are being stopped by something else; the other axes must be stopped.
     void overtake(const std::vector<ModuleIndex>& modules);
 
     struct Stops {
         std::vector<ModuleIndex> modules;
         StopManner manner = StopManner::Abruptly;
     };
-    /// Who has to be stopped. Once.
+    /// The modules to be stopped. Returned once.
     [[nodiscard]] Stops takeStops() { return std::exchange(m_stops, {}); }
 
-    /// What a module says, whoever asked it; before the end of that exchange is delivered.
+    /// Takes any report of a module; called before the end of that exchange is delivered.
     void onReport(ModuleIndex module, const ReplyEnd& end);
-    /// Ends where one of its axes does not answer any more.
+    /// Ends the path if one of its axes no longer answers.
     void noteSilence();
-    /// Tells of an under-run that is to be expected, also while nothing can be sent.
+    /// Reports a predicted underrun, even while nothing can be sent.
     void foresee(TimePoint now);
-    /// When there may be something to tell.
+    /// When there may be something to predict.
     [[nodiscard]] std::optional<TimePoint> foreseeAt() const;
 
     [[nodiscard]] bool wants(TimePoint now) const override;
@@ -64,27 +64,27 @@ private:
     struct Axis {
         const PathAxis* path;
         PathBuffer buffer;
-        std::size_t sending = 0;  ///< points of the frame under way
-        std::size_t doubt = 0;    ///< of a frame of which nobody knows whether it was carried out
+        std::size_t sending = 0;  ///< points of the frame in progress
+        std::size_t doubt = 0;    ///< points of a frame for which it is unknown whether it was carried out
         std::optional<bool> vote{};
-        bool second = false;    ///< layouts take turns
+        bool second = false;    ///< layouts alternate
         unsigned looks = 0;     ///< in this phase
-        unsigned agree = 0;     ///< of them, in a row: it has started; it is on its path no more
-        StatusItems agreed{};   ///< the last of them had these
-        unsigned disagree = 0;  ///< the same for the contrary
-        unsigned vain = 0;      ///< questions in a row without a right answer
-        bool ready = false;     ///< takes points
+        unsigned agree = 0;     ///< consecutive ones that agree: it has started, or it has left its path
+        StatusItems agreed{};   ///< items of the last of them
+        unsigned disagree = 0;  ///< consecutive ones that show the contrary
+        unsigned vain = 0;      ///< consecutive queries without a right answer
+        bool ready = false;     ///< accepts points
         bool done = false;      ///< holds its last point
-        std::size_t left = 0;   ///< as told last
+        std::size_t left = 0;   ///< as last reported
 
         [[nodiscard]] ModuleIndex module() const { return path->module; }
-        /// Counts of the point with this number, from 1; of 0, where it begins.
+        /// Position in counts of the point with this number, from 1; 0: the beginning.
         [[nodiscard]] std::int32_t place(std::size_t point) const {
             return point == 0 ? path->from : path->points[point - 1];
         }
-        /// Nobody knows whether a frame of so many points was carried out.
+        /// It is unknown whether a frame with this many points was carried out.
         void doubtFrame(std::size_t count);
-        /// A second look in a row that says the same, in a reply of another length.
+        /// Returns true for a second consecutive reply, of different length, that shows the same.
         [[nodiscard]] bool confirms(StatusItems items);
     };
 
@@ -123,11 +123,11 @@ private:
     OperationId m_id;
     std::vector<Axis> m_axes;
     Phase m_phase = Phase::Looking;
-    bool m_touched = false;  ///< something of it may be in a buffer
-    TimePoint m_started;     ///< latched
+    bool m_touched = false;  ///< points of this path may be in a buffer
+    TimePoint m_started;     ///< when it was latched
     std::optional<TimePoint> m_reportedAt;
     std::optional<std::size_t> m_least;
-    bool m_runsDry = false;  ///< and told
+    bool m_runsDry = false;  ///< this has been reported
     Stops m_stops;
 };
 

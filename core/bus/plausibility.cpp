@@ -13,14 +13,14 @@ namespace {
 constexpr std::uint8_t kHomingBit = 0x80;            // both chips
 constexpr std::uint8_t kStickyStatus = 0x04 | 0x10;  // overcurrent, pos_error
 constexpr std::uint8_t kStickyAux = 0x02 | 0x20;     // pos_wrap, servo_overrun
-/// Of item 3 of both chips with motors.
+/// Undefined bits of item 3 of the motor chips.
 constexpr unsigned undefinedAux(const ModuleIdentity& module) {
     return hasPathBuffer(module) ? 0x80U : 0xC0U;  // path mode
 }
 constexpr std::uint16_t kLongestTimerCount = 65'452;  // DS-S 4.1
-/// How fast the spread of velocities seen lately fades, per reply.
+/// How fast the spread of recent velocities decays, per reply.
 constexpr double kFade = 0.9;
-/// Counts per tick that no even motion leaves unexplained.
+/// Unexplained speed, in counts per tick, that a uniform motion never exceeds.
 constexpr double kSwings = 8.0;
 
 [[nodiscard]] double ticks(Duration time) {
@@ -31,7 +31,7 @@ constexpr double kSwings = 8.0;
     return countsBetween(from, to);
 }
 
-/// A reply without the item that a rule looks at neither breaks it nor shows that it holds.
+/// A reply without the item that a rule checks neither violates the rule nor confirms it.
 [[nodiscard]] bool carries(Rejection rule, const StatusReport& report) {
     using enum Rejection;
     if (rule == HomeChanged)
@@ -75,7 +75,7 @@ struct Plausibility::Sent {
         p.m_errorLimit = gain.el;
         p.jerk(latched, kSwing);
     }
-    /// A path knows no acceleration: from one point to the next it may go at another speed.
+    /// A path has no acceleration: its speed may change from one point to the next.
     void operator()(const servo::AddPathPoints& add) const {
         p.m_mayRun = true;
         p.m_mayEnable = latched;
@@ -105,34 +105,35 @@ void Plausibility::jerk(TimePoint at, double reach) {
 }
 
 bool Plausibility::jerked(TimePoint at) const {
-    // However long ago, when no position has been seen since: in a long chain a whole motion lies in between.
+    // However long ago, if no position was seen since: in a long chain, a whole motion fits in between.
     return m_jerk && (at - m_jerk->since < kJerkTime || m_known.from <= m_jerk->since);
 }
 
-/// It stood in the last reply, and nobody has told it anything since.
+/// True if the motor stood still in the last reply and has not been sent a command since.
 bool Plausibility::restsUncommanded(const Known& known, TimePoint at) const {
     return known.velocity == 0 && known.spread < 1 && known.swing < 1 && !m_commandedAt && !jerked(at) &&
            m_divisor == 1;
 }
 
-/// At one place: it would have switched off before it got farther from there than EL, on either side.
+/// True if the servo holds a position: before it was farther from there than EL, on either side, it would
+/// have switched off.
 bool Plausibility::holds(const Known& known, const StatusReport& report) const {
     return m_errorLimit && !m_mayRun && known.aux && servo::AuxByte{*known.aux}.servoOn() &&
            (!report.aux || servo::AuxByte{*report.aux}.servoOn());
 }
 
-/// How far a motor may get from a straight line in so many ticks.
+/// How far a motor may deviate from a straight line in this many ticks.
 double Plausibility::bend(TimePoint at, double most) const {
     if (jerked(at))
         return std::min(kViolent * most * most / 4, m_jerk->reach * std::max(1.0, most / ticks(kJerkTime))) +
                kMargin;
-    // At a low servo rate a servo swings slowly and far, and its velocities are not those of a tick.
+    // At a low servo rate, a servo swings slowly and far, and its velocities do not refer to a single tick.
     if (m_divisor > 1)
         return std::min(kViolent * most * most / 4, kSwing) + kMargin;
     return std::min(kGentle * most * most / 4, kByHand * most) + kMargin;
 }
 
-/// How far a motion may go before the next reply: all the way, if that is short.
+/// How far a motion may go before the next reply: its whole distance, if that is short.
 double Plausibility::reachOf(const ServoRegisters& sent) const {
     const double most = kFastest * ticks(kJerkTime);
     const servo::LoadTrajectory& load = sent.load;
@@ -189,7 +190,7 @@ std::optional<Rejection> Plausibility::check(const ReplyEnd& end) {
         m_position.onReply(end.latched);
         m_motion.onReply(end.latched);
     }
-    // While the chip looks for home, it may find it at any time; and between two replies it may have.
+    // While the chip searches for home, it may find it at any time, including between two replies.
     if ((end.report.status & kHomingBit) != 0)
         m_home.open(end.latched);
     return std::nullopt;
@@ -257,7 +258,7 @@ std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEn
     const auto impossible = motion(known, end);
     if (!impossible || !m_position.isOpen())
         return impossible;
-    Known reset = known;  // it may have been
+    Known reset = known;  // the counter may have been reset
     reset.position = 0;
     return motion(reset, end);
 }
@@ -275,8 +276,8 @@ std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd
     return std::nullopt;
 }
 
-/// A PIC-STEP at rest at 0 without motor power, a PIC-I/O whose inputs are all low: zeros are what it last
-/// said.
+/// True if zeros are what the module last reported: a PIC-STEP at rest at 0 without motor power, or a PIC-I/O
+/// whose inputs are all low.
 bool Plausibility::repeatsZeros(const StatusReport& report) const {
     if (m_identity.type == ModuleType::Io)
         return report.status == 0 && m_known.status == 0 && m_known.allLow;
@@ -284,8 +285,8 @@ bool Plausibility::repeatsZeros(const StatusReport& report) const {
            (!report.position || m_known.position == 0) && (!report.aux || m_known.aux == 0);
 }
 
-/// Power is looked at once a tick (DS-V 4.5): the answer to a command that switches the servo on may say that
-/// it is on, whether there is power or not.
+/// Power is checked once per tick (DS-V 4.5): the reply to a command that switches the servo on may show it
+/// on, whether there is power or not.
 bool Plausibility::onWithoutPower(const ReplyEnd& end) const {
     if (m_identity.type != ModuleType::Servo || !end.report.aux || end.report.servoStatus().powerOn())
         return false;
@@ -302,9 +303,9 @@ bool Plausibility::stickyCleared(const Known& known, const StatusReport& report)
     return known.aux && report.aux && (*known.aux & ~*report.aux & kStickyAux) != 0;
 }
 
-/// Between two replies the position may have gone as far as the velocities at both ends and those seen lately
-/// allow, plus what an acceleration in between can add: a straight line when it runs evenly, some hundred
-/// counts when it swings.
+/// Between two replies, the position may change by as much as the velocities at both ends and the recent ones
+/// allow, plus what acceleration in between can add: close to a straight line for uniform motion, within some
+/// hundred counts for a swinging motor.
 std::optional<Rejection> Plausibility::servoMotion(const Known& known, const ReplyEnd& end,
                                                    bool rests) const {
     const double least = ticks(std::max(end.latched - known.to, Duration{})) - 1;
@@ -335,7 +336,7 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - around;
     const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + around;
     const double travelled = distance(*known.position, *end.report.position);
-    // Its own velocity is no witness for a reply that may be another module's.
+    // A reply that may come from another module cannot be confirmed by its own velocity.
     const double pushed = holds(known, end.report) ? 2.0 * *m_errorLimit + kMargin : kNudge + slack * most;
     if (rests && std::abs(travelled) > pushed)
         return Rejection::PositionJump;
@@ -358,8 +359,8 @@ std::optional<Rejection> Plausibility::stepperMotion(const Known& known, const R
                                                                   : std::nullopt;
 }
 
-/// Speed that the velocities at both ends of a way do not tell of: a motor that swings about as fast as it is
-/// asked shows nearly the same one each time.
+/// The speed that the velocities at both ends of a distance do not explain: a motor that swings at about the
+/// polling rate shows nearly the same velocity each time.
 double Plausibility::unexplained(const Known& known, const ReplyEnd& end) {
     if (!known.position || !known.velocity || !end.report.position || !end.report.velocity)
         return 0;
@@ -387,7 +388,7 @@ void Plausibility::take(Known& known, const ReplyEnd& end) const {
     }
     if (report.position) {
         known.position = report.position;
-        // A brief reply does not tell; what the one before it said is the best there is.
+        // A brief reply has no velocity; the previous reply's is the best available.
         if (report.velocity)
             known.velocity = report.velocity;
         known.from = end.latched;

@@ -12,46 +12,48 @@
 
 namespace nmc::bus {
 
-/// Whether a reply of one module can be true, given what it said before and what was sent to it since
-/// (link.md 2.4): the further nets behind an 8-bit sum. One object per module. Pure.
+/// Verifies whether a reply of one module is plausible, given its earlier replies and what was sent to it
+/// since (link.md 2.4): additional nets behind the 8-bit sum. One object per module. Pure.
 ///
-/// A reply that only contradicts what was known is not believed once; when the next one, after the link has
-/// been checked, says the same, it is: another host may have moved or cleared something.
+/// A reply that only contradicts earlier ones is not believed the first time; if the next one, after the link
+/// has been checked, agrees with it, it is: another host may have moved or cleared something.
 class Plausibility {
 public:
-    /// Largest speed of the encoder input, counts per tick: 500 000 edges/s (DS-V 3.2).
+    /// Maximum speed of the encoder input, in counts per tick: 500 000 edges/s (DS-V 3.2).
     static constexpr double kFastest = 256.0;
-    /// Acceleration and speed to reckon with when nothing tells of more: a shaft that is turned by hand.
+    /// Acceleration and speed to allow for without any evidence of more: a shaft that is turned by hand.
     /// Counts per tick squared, counts per tick.
     static constexpr double kGentle = 0.5;
     static constexpr double kByHand = 8.0;
-    /// The same right after a command that may jerk the motor: that of a small motor at full voltage.
+    /// The acceleration to allow for right after a command that may jerk the motor: a small motor at full
+    /// voltage.
     static constexpr double kViolent = 8.0;
-    /// How long a command may do that.
+    /// How long a command may have that effect.
     static constexpr Duration kJerkTime = std::chrono::milliseconds(500);
-    /// How far a servo may swing around where it should be, in counts.
+    /// How far a servo may swing about its position, in counts.
     static constexpr double kSwing = 2000.0;
-    /// How far a motor that stands still may be moved by a hand or its load before another reply has to say
-    /// so too, in counts. Another module of its type can only be told from it by that.
+    /// How far a motor at rest may be moved by hand or by its load before a second reply must confirm it, in
+    /// counts. Only this distinguishes it from another module of its type.
     static constexpr double kNudge = 1024.0;
-    /// Rounding, and a shaft that gives a little, in counts.
+    /// Allowance for rounding and a slightly yielding shaft, in counts.
     static constexpr double kMargin = 16.0;
     /// Fastest stepper: 50 000 steps/s (DS-S 4.1), per tick.
     static constexpr double kFastestStepper = 25.6;
 
     explicit Plausibility(ModuleIdentity identity) : m_identity(identity) {}
 
-    /// `command` goes out and will be latched at `latched`: what it may change is no contradiction. `sent`:
-    /// after this command and all before it.
+    /// `command` is sent and will be latched at `latched`: what it may change is not a contradiction. `sent`:
+    /// the registers after this command and all before it.
     void onSent(const ModuleCommand& command, const ServoRegisters& sent, TimePoint latched);
 
-    /// Judges a reply whose sum is right. Nothing: it is believed, and later ones are judged by it.
+    /// Verifies a reply whose sum is right. Returns nothing if it is believed; later replies are then
+    /// compared with it.
     [[nodiscard]] std::optional<Rejection> check(const ReplyEnd& end);
-    /// Since it was asked last, a position was believed that no motion leads to.
+    /// True if, since the last call, a position was believed to which no motion leads.
     [[nodiscard]] bool takeJump() { return std::exchange(m_jumped, false); }
 
 private:
-    /// What is remembered of the replies that were believed.
+    /// The content of the believed replies.
     struct Known {
         std::optional<std::uint8_t> status;
         std::optional<std::uint8_t> aux;
@@ -60,12 +62,12 @@ private:
         std::optional<std::int16_t> velocity;
         bool allLow = false;  ///< PIC-I/O: its pins and A/D values are 0
         TimePoint from, to;   ///< the position was latched between these
-        double spread = 0;    ///< of the velocities seen lately, counts per tick
-        double fastest = 0;   ///< of them
-        double swing = 0;     ///< speed that they did not tell of lately
+        double spread = 0;    ///< of recent velocities, counts per tick
+        double fastest = 0;   ///< magnitude of recent velocities, counts per tick
+        double swing = 0;     ///< recent speed that the velocities did not explain
     };
-    /// Something a command may change without being contradicted: open until two replies that tell of it were
-    /// latched well after the command.
+    /// A value that a command may change without this being a contradiction: open until two replies that
+    /// contain it were latched well after the command.
     struct Allowance {
         TimePoint since{};
         unsigned replies = 0;
@@ -98,27 +100,27 @@ private:
 
     ModuleIdentity m_identity;
     Known m_known;
-    std::optional<Known> m_candidate;  ///< what a reply that contradicted said
-    Rejection m_contradiction{};       ///< why it was rejected
-    bool m_explained = false;          ///< somebody else may have set it going, as its own velocity tells
-    bool m_jumped = false;             ///< true until takeJump()
+    std::optional<Known> m_candidate;  ///< content of a contradicting reply
+    Rejection m_contradiction{};       ///< why that reply was implausible
+    bool m_explained = false;  ///< the reply's own velocity suggests that another host started a motion
+    bool m_jumped = false;     ///< true until takeJump()
     Allowance m_position;
     Allowance m_home;
     Allowance m_homing;
     Allowance m_sticky;
     Allowance m_motion;  ///< PIC-STEP: it may have started since the last reply
-    /// A command may move the motor as fast as it can, but not farther than that.
+    /// A command may move the motor as fast as it can, but not farther than `reach`.
     struct Jerk {
         TimePoint since;
         double reach = 0;  ///< counts
     };
     std::optional<Jerk> m_jerk;
-    /// The last command that may move the motor, until a reply from behind it shows that it stands.
+    /// The last command that may move the motor, until a later reply shows it at rest.
     std::optional<TimePoint> m_commandedAt;
-    std::optional<std::uint16_t> m_errorLimit;  ///< EL as sent last
-    bool m_mayRun = true;  ///< slower than its velocity item shows, until a stop or a move is sent
+    std::optional<std::uint16_t> m_errorLimit;  ///< EL as last sent
+    bool m_mayRun = true;  ///< it may run below the velocity item's resolution, until a stop or move
     std::optional<TimePoint> m_mayEnable;  ///< the last command that may have switched the servo on
-    std::uint8_t m_divisor = 1;            ///< SR: velocities count per so many ticks (DS-V 5.2)
+    std::uint8_t m_divisor = 1;            ///< SR: velocities are in counts per this many ticks (DS-V 5.2)
 };
 
 }  // namespace nmc::bus

@@ -37,7 +37,7 @@ std::optional<PollSchedule::Turn> PollSchedule::next(TimePoint now) {
     const auto turn = [&](std::size_t index) { return take(index, now); };
     if (const auto probe = silentTurn(now)) {
         m_lastProbe = now;
-        // In full: that reply's layout does not hang on what the module remembers.
+        // The next reply is a full one, whose layout does not depend on the module's memory.
         m_modules[*probe].full = false;
         return turn(*probe);
     }
@@ -45,7 +45,8 @@ std::optional<PollSchedule::Turn> PollSchedule::next(TimePoint now) {
     const auto watched = longestAgo([](const Module& m) { return m.watched; });
     if (!rest || !watched)
         return rest ? std::optional(turn(*rest)) : watched ? std::optional(turn(*watched)) : std::nullopt;
-    // Where the wire cannot carry five polls a second of each, the watched ones still get every other turn.
+    // If the line cannot carry five polls per second for each of them, watched modules still get every other
+    // turn.
     const auto& asked = m_modules[*rest].asked;
     const bool due = !asked || now - *asked >= kBackground;
     const bool theirTurn = due && !m_backgroundLast;
@@ -53,7 +54,8 @@ std::optional<PollSchedule::Turn> PollSchedule::next(TimePoint now) {
     return turn(theirTurn ? *rest : *watched);
 }
 
-/// One of the others now and then, evenly: all of them at once would be a gap in what is being looked at.
+/// Polls one of the others now and then, evenly spaced: all of them at once would be a gap in the focused
+/// module's data.
 PollSchedule::Turn PollSchedule::nextInFocus(TimePoint now) {
     const std::size_t focused = m_focus->module;
     const auto others = static_cast<Duration::rep>(answering()) - 1;
@@ -80,7 +82,7 @@ std::optional<std::size_t> PollSchedule::silentTurn(TimePoint now) const {
     return first;
 }
 
-/// Of those that answer: the one that has waited longest.
+/// The answering module that has waited longest.
 template <typename Wanted>
 std::optional<std::size_t> PollSchedule::longestAgo(Wanted wanted) const {
     std::optional<std::size_t> first;
@@ -121,7 +123,8 @@ void PollSchedule::recover(ModuleIndex index, TimePoint now) {
     Module& module = at(index);
     module.silent = module.retired = false;
     module.full = false;
-    // What woke this one, a cable say, may have woken the others: no waiting while that goes well.
+    // Whatever restored this one, for example a cable, may have restored the others: they are probed without
+    // waiting while that succeeds.
     m_lastProbe.reset();
     for (Module& other : m_modules)
         if (other.silent) {

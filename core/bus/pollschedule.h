@@ -11,56 +11,57 @@
 
 namespace nmc::bus {
 
-/// Who is asked next, and in which layout. Modules that somebody looks at take every other turn, the rest
-/// share what is between, and each of these is asked at least five times a second as long as the wire allows.
-/// A silent module is asked ever more rarely, so that its time-outs cost the others little. For a few seconds
-/// one module can have nearly every turn. Pure.
+/// Decides which module is polled next, and in which layout. Watched modules get every other turn; the others
+/// share the rest, each at least five times a second if the line allows it. A silent module is polled ever
+/// more rarely, so that its timeouts cost the others little. For a few seconds, one module can have nearly
+/// every turn. Pure.
 class PollSchedule {
 public:
-    /// A module that nobody looks at is asked at least this often, as the wire allows.
+    /// A module that is not watched is polled at least this often, if the line allows it.
     static constexpr Duration kBackground = std::chrono::milliseconds(180);
-    /// First and longest time between two questions to a silent module.
+    /// First and longest time between two queries of a silent module.
     static constexpr Duration kFirstProbe = std::chrono::seconds(1);
     static constexpr Duration kSlowestProbe = std::chrono::seconds(4);
-    /// Between questions to any of them: a time-out takes 30 to 70 ms, which leaves 90 % to those that
-    /// answer.
+    /// Time between queries of any silent modules: a timeout takes 30 to 70 ms, which leaves 90 % to those
+    /// that answer.
     static constexpr Duration kProbeSpacing = std::chrono::milliseconds(1000);
 
-    /// A module in focus leaves the others so much: each is asked once in that time, as the wire allows.
+    /// While a module is in focus, each of the others is polled once in this time, if the line allows it.
     static constexpr Duration kInSight = std::chrono::milliseconds(900);
-    /// A focus that nobody ends is over by then.
+    /// A focus ends after this time at the latest.
     static constexpr Duration kFocus = std::chrono::seconds(5);
 
     struct Turn {
         ModuleIndex module;
-        /// Every second time in full: layouts of different length take turns (link.md 2.2).
+        /// Every second poll is a full one: layouts of different length alternate (link.md 2.2).
         bool full = false;
-        /// In focus, instead of in full: with the position only.
+        /// In focus, instead of a full poll: with the position only.
         bool brief = false;
     };
 
     explicit PollSchedule(std::size_t modules = 0) : m_modules(modules) {}
 
-    /// Those that somebody looks at; the others only need to be kept in sight. None: all alike.
+    /// The modules on display; the others only need occasional polls. Empty: all are treated equally.
     void watch(const std::vector<ModuleIndex>& modules);
 
-    /// From `now` on this module takes every turn but those that keep the others in sight, however often that
-    /// is asked for; silent ones are not asked. Ends after kFocus, or when the module falls silent.
+    /// From `now` on, this module gets every turn, except for the occasional polls of the others, no matter
+    /// how often this is called; silent modules are not polled. Ends after kFocus, or when the module falls
+    /// silent.
     void focus(ModuleIndex module, TimePoint now);
     void unfocus() { m_focus.reset(); }
 
-    /// Whose turn it is; nothing when only silent modules are left and none is due.
+    /// The next turn; empty if only silent modules are left and none is due.
     [[nodiscard]] std::optional<Turn> next(TimePoint now);
-    /// When next() will have something, if it has nothing before.
+    /// When next() will return a turn, if it returns none before.
     [[nodiscard]] std::optional<TimePoint> nextDue() const;
 
-    /// It does not answer, and is asked rarely from now on.
+    /// The module does not answer, and is polled rarely from now on.
     void lose(ModuleIndex module, TimePoint now);
     /// A silent module did not answer again.
     void onTimeout(ModuleIndex module, TimePoint now);
     /// A silent module answers again.
     void recover(ModuleIndex module, TimePoint now);
-    /// It is not asked any more, until it recovers.
+    /// The module is not polled any more, until it recovers.
     void retire(ModuleIndex module) { at(module).retired = true; }
 
     [[nodiscard]] bool silent(ModuleIndex module) const { return m_modules[module.value()].silent; }
@@ -97,7 +98,7 @@ private:
     std::vector<Module> m_modules;
     std::optional<TimePoint> m_lastProbe;
     std::optional<Focus> m_focus;
-    bool m_backgroundLast = false;  ///< the last turn was theirs, so the next one is not
+    bool m_backgroundLast = false;  ///< the last turn was a background one, so the next one is not
     std::uint64_t m_turns = 0;
 };
 

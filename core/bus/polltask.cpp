@@ -7,7 +7,7 @@ Next PollTask::next(TimePoint now) {
     const auto turn = m_chain.schedule().next(now);
     if (!turn)
         return Idle{};
-    std::optional<StatusItems> items;  // none: No Operation, which answers with the defined ones
+    std::optional<StatusItems> items;  // empty: No Operation, whose reply has the defined items
     const ModuleIdentity identity = m_chain.belief(turn->module).info().identity;
     if (!isKnown(identity))
         items = kIdentityItems;
@@ -21,7 +21,7 @@ Next PollTask::next(TimePoint now) {
     Ask ask = m_chain.status(Purpose::Poll, turn->module, items);
     ask.silentRepeats = 0;  // its turn comes again
     ask.request.framing = Framing::Pipelined;
-    // A module that has not been answering has to show first that it is itself.
+    // A module that was silent must first prove its identity.
     ask.handlesFailure = !m_chain.answers(turn->module);
     ask.believed = !ask.handlesFailure;
     return ask;
@@ -37,7 +37,7 @@ Line::Script PollTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
     }
     m_chain.schedule().onTimeout(*ask.module, now);
     m_search.onProbeFailed();
-    // It will not answer late: a short discard, so that the others do not wait for it.
+    // It will not answer late: a short discard is enough, so that the others do not wait for it.
     return {Line::Lag{}, DiscardInput{}};
 }
 

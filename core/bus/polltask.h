@@ -8,8 +8,7 @@
 
 namespace nmc::bus {
 
-/// The regular questions (pollschedule.h), when nobody else wants the line; and the rare ones to modules that
-/// do not answer.
+/// The regular polls (pollschedule.h), when nothing else needs the line, and the rare ones to silent modules.
 class PollTask : public Task {
 public:
     PollTask(Chain& chain, Recovery& recovery, RestartSearch& search)

@@ -10,7 +10,7 @@ namespace nmc::bus {
 
 namespace {
 
-/// How often all are told to go back.
+/// How often all modules are sent back.
 constexpr unsigned kReturns = 2;
 
 }  // namespace
@@ -45,14 +45,14 @@ RateChange::Next RateChange::next() {
 }
 
 void RateChange::onReply(const ReplyEnd& end) {
-    // A module that flags an error has heard something at this rate, but not well enough.
+    // A module that reports an error has received something at this rate, but not reliably.
     if (end.result != ReplyResult::Accepted)
         m_unheard.push_back(m_at);
     if (++m_at == m_chain.size())
         onAll();
 }
 
-/// The last module of this phase has been asked.
+/// Called when the last module of this phase has been queried.
 void RateChange::onAll() {
     switch (m_phase) {
         case Phase::Verify:
@@ -62,7 +62,7 @@ void RateChange::onAll() {
                 return enter(Phase::LookBack);
             return enter(m_ended.reached || m_wayBack == WayBack::None ? Phase::Ended : Phase::Return);
         case Phase::Recheck:
-            // They are where they were: the change was lost on its way. Once more, but only once.
+            // All modules are at the old rate: the change was lost. It is tried again, but only once.
             if (m_unheard.empty())
                 return enter(Phase::Change);
             return enter(m_wayBack == WayBack::None ? Phase::Ended : Phase::Return);
@@ -78,7 +78,7 @@ void RateChange::onAll() {
 }
 
 Line::Script RateChange::goBack() const {
-    // Even where the port is there already: a module may have heard half of something.
+    // Even if the port is already at that rate: a module may have received part of a command.
     Line::Script script = Line::toRate(m_to);
     for (const Line::Script& more : {sendToAll(m_from), Line::toRate(m_from)})
         script.insert(script.end(), more.begin(), more.end());
@@ -92,7 +92,7 @@ void RateChange::interrupt() {
     enter(Phase::Settle);
 }
 
-/// Nobody answers: there is no leader.
+/// No module answers, because there is no leader.
 Line::Script RateChange::sendToAll(std::uint32_t rate) const {
     const Payload payload = encode(SetBaud{findBrd(rate).value_or(kPowerUpBrd)});
     Line::Script script{Line::Gap{}};
@@ -101,7 +101,7 @@ Line::Script RateChange::sendToAll(std::uint32_t rate) const {
             script.emplace_back(Line::Spacer{});
         script.emplace_back(Line::Packet{toPacket({group, payload})});
     }
-    // The port changes when its own buffer has run empty.
+    // The port changes when its own buffer is empty.
     script.emplace_back(Line::Lag{kTurnaround});
     return script;
 }

@@ -11,21 +11,22 @@
 
 namespace nmc::bus {
 
-/// Takes a chain to another rate: Set Baud to every group in use, the host follows, and each module has to
-/// answer a No Operation there (protocol.md 1). When nobody does, the command was lost: once more from the
-/// old rate. When some do not, all go back, where that is wanted. Says what to do next and is told what came
-/// of it; changes the rate only, never an address, a position or a gain. Pure.
+/// Switches a chain to another rate: sends Set Baud to every group in use, the host follows, and each module
+/// must answer a No Operation at the new rate (protocol.md 1). If none does, the command was lost, and it is
+/// tried once more from the old rate. If some do not, all are switched back, if wanted. Returns the next
+/// action and is informed of its outcome; changes only the rate, never an address, a position or a gain.
+/// Pure.
 class RateChange {
 public:
-    /// A module, and what it answers to a No Operation.
+    /// A module, and its reply to a No Operation.
     struct Target {
         BusAddress address;
         ReplyLayout reply;
     };
     enum class WayBack : std::uint8_t { None, Wanted };
 
-    /// `groups`: everybody is in one of them, and none has a leader, which would answer at the new rate
-    /// (faults.md F-26). The chips can make both rates (findBrd).
+    /// `groups`: every module is in one of them, and none has a leader, which would answer at the new rate
+    /// (faults.md F-26). Both rates must be supported by the chips (findBrd).
     RateChange(std::vector<Target> chain, std::vector<BusAddress> groups, std::uint32_t from,
                std::uint32_t to, WayBack wayBack);
 
@@ -33,33 +34,34 @@ public:
         Request request;
         std::uint8_t silentRepeats = 2;
     };
-    /// It is over. Indices of `chain`.
+    /// The change has ended. Indices are those of `chain`.
     struct Ended {
         bool reached = false;
         bool interrupted = false;
         std::vector<std::size_t> deaf;  ///< did not answer at the new rate
-        std::vector<std::size_t> lost;  ///< nor at the old one, after all were told to go back
+        std::vector<std::size_t> lost;  ///< did not answer at the old rate either, after all were sent back
     };
     using Next = std::variant<Line::Script, Ask, Ended>;
     [[nodiscard]] Next next();
-    /// The end of the last Ask, after its repeats.
+    /// The end of the last Ask, after its retries.
     void onReply(const ReplyEnd& end);
 
     [[nodiscard]] std::uint32_t from() const { return m_from; }
     [[nodiscard]] std::uint32_t to() const { return m_to; }
-    /// Takes back to the old rate whoever is at the new one; the port may be at either, and ends at the old.
+    /// Switches modules at the new rate back to the old one; the port may be at either rate, and ends at the
+    /// old one.
     [[nodiscard]] Line::Script goBack() const;
-    /// Somebody else has gone back meanwhile: all that is left is to see whether everybody is there.
+    /// The modules were switched back elsewhere: what remains is to verify that all of them answer.
     void interrupt();
 
 private:
     enum class Phase : std::uint8_t {
         Change,
         Verify,
-        LookBack,  ///< nobody heard the change: is the chain there at the old rate?
+        LookBack,  ///< no module answered at the new rate: is the chain at the old one?
         Recheck,
-        Return,  ///< some did not hear it
-        Settle,  ///< are all of them there again?
+        Return,  ///< some modules did not follow
+        Settle,  ///< do all of them answer again?
         Ended
     };
     [[nodiscard]] Line::Script sendToAll(std::uint32_t rate) const;
@@ -73,9 +75,9 @@ private:
     std::uint32_t m_to;
     WayBack m_wayBack;
     Phase m_phase = Phase::Change;
-    std::size_t m_at = 0;                ///< module that is being asked
+    std::size_t m_at = 0;                ///< the module being queried
     std::vector<std::size_t> m_unheard;  ///< in this phase
-    bool m_lookedBack = false;           ///< nobody heard it: Change is tried once more, not twice
+    bool m_lookedBack = false;  ///< no module received the change: it is tried once more, but not twice
     unsigned m_returns = 0;
     Ended m_ended;
 };

@@ -28,14 +28,14 @@ void RateTask::begin(std::uint32_t baud, bool busy) {
         chain.push_back({module.belief.info().address, m_chain.layoutOf(module.belief, encode(Nop{}))});
         groups.emplace_back(module.belief.info().group->group);
     }
-    // FF comes last, and always: a module that has no address is in it.
+    // FF comes last, and is always included: a module without an address is in it.
     groups.push_back(kEverybody);
     std::sort(groups.begin(), groups.end());
     groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
     m_change.emplace(std::move(chain), std::move(groups), m_chain.rate(), baud, RateChange::WayBack::Wanted);
 }
 
-/// Why the rate cannot be changed now, and because of whom.
+/// Why the rate cannot be changed now, and which modules prevent it.
 std::optional<RateChangeFailed::Reason> RateTask::obstacle(std::uint32_t baud,
                                                            std::vector<ModuleIndex>& modules) const {
     using enum RateChangeFailed::Reason;
@@ -82,7 +82,7 @@ Next RateTask::next(TimePoint /*now*/) {
         ask.purpose = Purpose::Connect;
         ask.request = question->request;
         ask.silentRepeats = question->silentRepeats;
-        ask.quarantine = Quarantine::Brief;  // the answer to a No Operation changes nothing
+        ask.quarantine = Quarantine::Brief;  // the reply to a No Operation changes nothing
         return ask;
     }
     finish(std::get<RateChange::Ended>(next));
@@ -131,12 +131,12 @@ Next WayBack::next(TimePoint /*now*/) {
     if (!stops.empty()) {
         script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});
         add(m_chain.stopScript(stops));
-        // As Line::toRate(), without the wait for what nobody reads.
+        // Like Line::toRate(), but without waiting for replies that are not read.
         add({Line::Lag{}, SetHostBaud{there}, Line::Nulls{}, Line::Pause{kAfterNulls}});
         add(m_chain.stopScript(stops));
     }
     add(change->goBack());
-    m_recovery.flushed();  // the nulls are part of it
+    m_recovery.flushed();  // the nulls are part of the script
     return script;
 }
 

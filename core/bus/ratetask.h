@@ -13,14 +13,14 @@
 
 namespace nmc::bus {
 
-/// Takes a chain that runs to another rate (ratechange.h). Ends in RateChanged or RateChangeFailed.
+/// Switches a running chain to another rate (ratechange.h). Ends in RateChanged or RateChangeFailed.
 class RateTask : public Task {
 public:
-    /// The rate in `config` follows: the next search goes for it.
+    /// Updates the rate in `config`, which the next search uses.
     RateTask(EngineConfig& config, Chain& chain, std::vector<Event>& events)
         : m_config(config), m_chain(chain), m_events(events) {}
 
-    /// `busy`: something else is going on. Refused with an event when it cannot be done.
+    /// `busy`: something else is in progress. Refused with an event if the change is not possible.
     void begin(std::uint32_t baud, bool busy);
     [[nodiscard]] bool active() const { return m_change || m_abandoned; }
 
@@ -38,13 +38,13 @@ private:
     EngineConfig& m_config;
     Chain& m_chain;
     std::vector<Event>& m_events;
-    std::optional<RateChange> m_change;     ///< under way
-    std::optional<RateChange> m_abandoned;  ///< all go back to the old rate
+    std::optional<RateChange> m_change;     ///< in progress
+    std::optional<RateChange> m_abandoned;  ///< all modules are switched back to the old rate
 };
 
-/// A stop in the midst of a change of the rate: each module is at one of the two rates, and nobody knows at
-/// which. So it is told at both, and then everybody goes back to the old one, where the stop is confirmed as
-/// usual. Comes before everything, the stop included.
+/// A stop in the middle of a rate change: each module is at one of the two rates, and it is unknown at which.
+/// The stop is therefore sent at both, after which all modules are switched back to the old rate, where the
+/// stop is confirmed as usual. Takes precedence over everything, including the stop.
 class WayBack : public Task {
 public:
     WayBack(RateTask& rate, Chain& chain, StopTask& stop, Recovery& recovery, const Line& line)
@@ -63,7 +63,7 @@ private:
     StopTask& m_stop;
     Recovery& m_recovery;
     const Line& m_line;
-    bool m_underWay = false;  ///< its script is on the line; so something is abandoned
+    bool m_underWay = false;  ///< its script is on the line, so a change is abandoned
 };
 
 }  // namespace nmc::bus

@@ -12,8 +12,8 @@ namespace {
 
 constexpr unsigned kLowestAddress = 1;
 constexpr unsigned kHighestAddress = 0x7F;
-constexpr unsigned kMoves = 3;  ///< to a module that is provably where it was
-constexpr unsigned kLooks = 3;  ///< a question does no harm, and its answer may be late or lost
+constexpr unsigned kMoves = 3;  ///< to a module that provably still has its old address
+constexpr unsigned kLooks = 3;  ///< a query is harmless, and its answer may be late or lost
 
 }  // namespace
 
@@ -109,7 +109,7 @@ Next ReaddressTask::next(TimePoint now) {
             m_stage = m_done ? Stage::Identify : Stage::Over;
             if (m_chain.rate() == kPowerUpBaud)
                 return Again{};
-            // The others hear noise at their own rate; nobody answers, there is no leader in group FF.
+            // The others receive noise at their own rate; there is no reply, because group FF has no leader.
             Line::Script script{Line::Gap{}};
             const auto brd = findBrd(m_chain.rate());
             if (m_done && brd)
@@ -143,7 +143,8 @@ Line::Script ReaddressTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimeP
     const bool right = end.result == ReplyResult::Accepted;
     switch (m_stage) {
         case Stage::Address:
-            // Carried out with its answer lost, or not: the question at the address tells (link.md 2.3).
+            // Either it was carried out and the answer was lost, or it was not: the query at the address
+            // decides (link.md 2.3).
             m_done = right;
             m_stage = right ? Stage::Rate : Stage::Probe;
             break;

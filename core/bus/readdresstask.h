@@ -11,23 +11,23 @@
 
 namespace nmc::bus {
 
-/// Gives a module that restarted its address back, and takes it to the rate of the chain; or resets one
-/// first, alone (DS-V 5.2, DS-S 5.1 Hard Reset). The others keep what they have. The module itself has lost
-/// everything but its type. Or gives a module that answers another address, and it keeps all it has: whether
-/// somebody is there already is asked first, and where it is by then when its answer got lost (link.md 2.3).
-/// Ends in Readdressed, AddressChanged or ReaddressFailed.
+/// Gives a module that restarted its address back, and switches it to the chain's rate; or first resets one
+/// module alone (DS-V 5.2, DS-S 5.1 Hard Reset). The other modules are unaffected; the module itself has lost
+/// everything but its type. Or gives a module that answers another address, while it keeps everything else:
+/// it is verified first that the address is free, and where the module is if its answer was lost (link.md
+/// 2.3). Ends in Readdressed, AddressChanged or ReaddressFailed.
 class ReaddressTask : public Task {
 public:
     ReaddressTask(const EngineConfig& config, Chain& chain, RestartSearch& restarts, const Line& line,
                   std::vector<Event>& events)
         : m_config(config), m_chain(chain), m_restarts(restarts), m_line(line), m_events(events) {}
 
-    /// Of one that has restarted by itself. `busy`: something else is going on. Refused with an event when it
-    /// cannot be done: only while nothing moves, since the chain is left alone for as long as it takes.
+    /// For a module that has restarted by itself. `busy`: something else is in progress. Refused with an
+    /// event if not possible: only while nothing moves, because the chain is not polled in the meantime.
     void begin(ModuleIndex module, bool busy);
-    /// Of one that answers, and is told this Hard Reset first; likewise.
+    /// For a module that answers, and is sent this Hard Reset first; under the same conditions as begin().
     void beginReset(ModuleIndex module, const Payload& reset, bool busy);
-    /// Another address, likewise.
+    /// Gives a module another address; under the same conditions as begin().
     void beginMove(ModuleIndex module, BusAddress address, bool busy);
     [[nodiscard]] bool active() const { return m_module.has_value(); }
 
@@ -44,7 +44,7 @@ private:
         Probe,
         Rate,
         Identify,
-        // of another address
+        // for another address
         Free,
         Move,
         There,
@@ -64,12 +64,12 @@ private:
     const Line& m_line;
     std::vector<Event>& m_events;
     std::optional<ModuleIndex> m_module;
-    Payload m_reset;                 ///< of Stage::Reset
-    std::optional<BusAddress> m_to;  ///< another address
-    unsigned m_moves = 0;            ///< so often it was told
-    unsigned m_looks = 0;            ///< at the module where it should be, in vain
+    Payload m_reset;                 ///< for Stage::Reset
+    std::optional<BusAddress> m_to;  ///< the other address
+    unsigned m_moves = 0;            ///< number of times it was sent
+    unsigned m_looks = 0;            ///< queries of the module at its expected address without an answer
     Stage m_stage = Stage::Over;
-    bool m_done = false;  ///< what the stages so far have shown; Over tells it
+    bool m_done = false;  ///< the result of the stages so far; reported in Over
 };
 
 }  // namespace nmc::bus

@@ -7,10 +7,10 @@ namespace nmc::bus {
 
 namespace {
 
-/// Questions in a row that a module in doubt must answer.
+/// Consecutive queries that a module in doubt must answer.
 constexpr unsigned kPasses = 2;
-/// Failed questions until it is given up: three wrong answers, or silence to three questions with the one
-/// that began it.
+/// Failed queries until the module is given up: three wrong answers, or three silences, counting the one that
+/// started the doubt.
 constexpr unsigned kFailures = 3;
 constexpr unsigned kSilentFailures = 2;
 
@@ -25,7 +25,7 @@ void Recovery::reset() {
     m_findings = {};
 }
 
-/// The line is not trusted before a resync, and its module not before a challenge.
+/// The line is not trusted before a resync, and the module not before a challenge.
 Line::Script Recovery::onUnanswered(const Ask& ask, const ReplyEnd& end) {
     if (end.bytes.empty() && ask.module)
         m_silence.onSilence(*ask.module);
@@ -116,14 +116,14 @@ Next Recovery::next(TimePoint /*now*/) {
     return challenge();
 }
 
-/// link.md 2.2, steps 2 and 3. What is in doubt then has to show itself.
+/// Steps 2 and 3 of link.md 2.2. The module in doubt is challenged afterwards.
 Line::Script Recovery::resync() {
     m_state = LineState::Resyncing;
     ++m_line.statistics().resyncs;
     return {Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{}, Line::Lag{kAfterNulls}, DiscardInput{}};
 }
 
-/// link.md 2.2, steps 4 and 5: two questions whose answers differ in length and both tell who it is.
+/// Steps 4 and 5 of link.md 2.2: two queries whose replies differ in length and both contain the identity.
 Ask Recovery::challenge() {
     Doubt& doubt = *m_doubt;
     doubt.witness = std::exchange(doubt.witnessDue, false);
@@ -142,7 +142,7 @@ Ask Recovery::challenge() {
     return ask;
 }
 
-/// Somebody who should answer if the bus is there at all.
+/// A module that should answer if the bus works at all.
 std::optional<ModuleIndex> Recovery::witness() const {
     for (const Chain::Module& module : m_chain.modules()) {
         const ModuleIndex index = module.belief.info().index;
@@ -186,14 +186,15 @@ Line::Script Recovery::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
     return {};
 }
 
-/// The module is what it was, and the answers are its own.
+/// The module is unchanged, and the answers are its own.
 void Recovery::passed(ModuleIndex module, TimePoint now) {
-    // Now it is known that an answer got lost, and not its module.
+    // It is now known that an answer was lost, and not the module.
     const bool gotLost = m_doubt->bySilence;
     m_doubt.reset();
     if (gotLost)
         m_findings.givenUp = note(module, false);
-    // Its replies may have another length by now: that is defined anew before the next No Operation.
+    // Its replies may have another length by now, so the items are defined again before the next No
+    // Operation.
     Belief& belief = m_chain.at(module).belief;
     if (isKnown(belief.info().identity))
         belief.forgetItems();
@@ -205,7 +206,7 @@ void Recovery::passed(ModuleIndex module, TimePoint now) {
     m_events.emplace_back(ModuleUnresponsive{module, false});
 }
 
-/// The module does not answer: it is asked rarely from now on, and the others go on.
+/// The module does not answer: it is polled rarely from now on, and the others continue.
 void Recovery::failed(ModuleIndex module, TimePoint now) {
     m_doubt.reset();
     m_findings.lost = module;
@@ -214,11 +215,11 @@ void Recovery::failed(ModuleIndex module, TimePoint now) {
     lose(module, now);
 }
 
-/// Nobody answers: the line is dead, at least from the modules to here.
+/// No module answers: the line is dead, at least from the modules to the host.
 void Recovery::loseAll(TimePoint now) {
     m_doubt.reset();
     if (m_state == LineState::Suspect)
-        m_state = LineState::Trusted;  // nothing is to be expected, so nothing to be waited for
+        m_state = LineState::Trusted;  // no reply is expected, so there is nothing to wait for
     for (const Chain::Module& module : m_chain.modules())
         if (!module.belief.restarted())
             setUnresponsive(module.belief.info().index, now);

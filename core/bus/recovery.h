@@ -11,44 +11,45 @@
 
 namespace nmc::bus {
 
-/// How far the line is trusted, and the way back after a doubt (link.md 2.2): a quarantine longer than the
-/// latest late reply, nulls, and a challenge of two questions to the module in doubt. A module that fails it
-/// is lost and asked rarely; when nobody answers, the line is. Keeps the health of the link, too
+/// Tracks whether the line is trusted, and the way back after a doubt (link.md 2.2): a quarantine longer than
+/// the latest late reply, nulls, and a challenge of two queries to the module in doubt. A module that fails
+/// it is lost and polled rarely; if no module answers, the line is lost. Also keeps the health of the link
 /// (link.md 2.5).
 ///
-/// Its task is the way back; a stop goes before it, and takes the nulls alone (flush()).
+/// As a task, it runs the way back; a stop takes precedence, and uses only the nulls (flush()).
 class Recovery : public Task {
 public:
     Recovery(Chain& chain, Line& line, std::vector<Event>& events)
         : m_chain(chain), m_line(line), m_events(events) {}
 
-    /// Another chain, or another look for it: nothing is known against the line.
+    /// Call for another chain, or another search for it: there is no evidence against the line.
     void reset();
 
-    // ---- what speaks against the line ----
+    // ---- evidence against the line ----
 
-    /// An exchange ended without a right answer. What is to follow at once, if anything.
+    /// An exchange ended without a right answer. Returns what must follow at once, if anything.
     [[nodiscard]] Line::Script onUnanswered(const Ask& ask, const ReplyEnd& end);
-    /// A silent module answered a poll: it has to show who it is.
+    /// A silent module answered a poll: it must prove its identity.
     void onHeardAgain(ModuleIndex module) { m_doubt = Doubt{module, true}; }
-    /// Something happened to this machine: everything is in doubt.
+    /// Call after an event such as a suspend of the computer: everything is in doubt.
     void distrust();
-    /// A byte came in.
+    /// A byte was received.
     void onByte() { m_silence.heard(); }
-    /// Somebody else was talking, or nobody has for long: nulls before anything that must be heard.
+    /// Another host was sending, or nothing was sent for long: nulls must precede anything that must be
+    /// received.
     void doubtLine() { m_state = LineState::Suspect; }
-    /// Nulls went out with something else; the quarantine is still due.
+    /// Nulls were sent with something else; the quarantine must still follow.
     void flushed() { m_state = LineState::NullsSent; }
 
     [[nodiscard]] bool resyncing() const { return m_state == LineState::Resyncing; }
-    /// A resync is due or under way, or something is in doubt.
+    /// A resync is due or in progress, or something is in doubt.
     [[nodiscard]] bool suspect() const { return m_state != LineState::Trusted || m_lost || m_doubt; }
-    /// Nobody answers.
+    /// No module answers.
     [[nodiscard]] bool lost() const { return m_lost; }
-    /// For what does not wait: nulls that empty half-filled command buffers, where they are needed. Late
-    /// answers are waited for afterwards.
+    /// For tasks that do not wait: the nulls that empty partly filled command buffers, if needed. The wait
+    /// for late answers follows afterwards.
     [[nodiscard]] std::optional<Line::Script> flush();
-    /// Whatever ran is over: the line is free.
+    /// Nothing is in progress any more: the line is free.
     void onFree() {
         if (resyncing())
             m_state = LineState::Trusted;
@@ -57,21 +58,21 @@ public:
     // ---- health ----
 
     struct GivenUp {
-        std::optional<ModuleIndex> module;  ///< the whole link, if none
+        std::optional<ModuleIndex> module;  ///< the whole link, if empty
     };
-    /// An exchange went right or wrong. What has to be given up because of it.
+    /// An exchange went right or wrong. Returns what must be given up as a result.
     [[nodiscard]] std::vector<GivenUp> note(ModuleIndex module, bool right);
-    /// The module is not asked any more.
+    /// The module is not queried any more.
     void dropDoubt(ModuleIndex module);
     void dropDoubt() { m_doubt.reset(); }
-    /// It does not answer, as somebody else has found out: it is silent from now on, and told of as that.
+    /// The module was found elsewhere not to answer: it is silent from now on, and reported as such.
     void lose(ModuleIndex module, TimePoint now);
 
-    // ---- what the way back has shown, for the engine ----
+    // ---- results of the way back, for the engine ----
 
     struct Findings {
         std::optional<ModuleIndex> lost;  ///< it failed a challenge
-        bool allLost = false;             ///< nobody answers any more
+        bool allLost = false;             ///< no module answers any more
         std::vector<GivenUp> givenUp;
     };
     [[nodiscard]] Findings takeFindings() { return std::exchange(m_findings, {}); }
@@ -87,10 +88,11 @@ private:
     enum class LineState : std::uint8_t {
         Trusted,
         Suspect,    ///< a resync is due
-        NullsSent,  ///< something went ahead of the resync with nulls only: the quarantine is still due
+        NullsSent,  ///< nulls alone were sent ahead of the resync: the quarantine must still follow
         Resyncing,
     };
-    /// A module whose last answer was wrong or missing: two right ones, of different length, end that.
+    /// A module whose last answer was wrong or missing: two right ones, of different length, resolve the
+    /// doubt.
     struct Doubt {
         ModuleIndex module;
         bool wasUnresponsive = false;
@@ -98,8 +100,8 @@ private:
         unsigned failures = 0;
         unsigned silences = 0;  ///< of them
         bool bySilence = false;
-        bool witnessDue = false;  ///< first somebody else is asked whether the bus is there at all
-        bool witness = false;     ///< that is the question under way
+        bool witnessDue = false;  ///< another module is queried first, to verify that the bus works at all
+        bool witness = false;     ///< that query is in progress
     };
 
     [[nodiscard]] bool resyncDue() const {
@@ -120,8 +122,8 @@ private:
     Duration m_quarantine = kMinQuarantine;
     std::optional<Doubt> m_doubt;
     Silence m_silence;
-    bool m_lost = false;     ///< all are silent, since loseAll(); until one passes its challenge
-    bool m_givenUp = false;  ///< until reset(): LinkLost is not told any more
+    bool m_lost = false;     ///< all modules are silent, since loseAll(), until one passes its challenge
+    bool m_givenUp = false;  ///< until reset(): LinkLost is not reported any more
     Health m_health;         ///< of the whole link
     Findings m_findings;
 };

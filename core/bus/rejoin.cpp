@@ -31,7 +31,7 @@ std::optional<Rejoined> rejoin(const std::vector<ModuleInfo>& known, const std::
         if (here == found.end())
             rejoined.absent.push_back(info.index);
     }
-    // Modules nearer the host may have gone deaf with it: it is the farthest of those that do not answer.
+    // Modules nearer the host may be cut off with it: it is the farthest of those that do not answer.
     if (unaddressed && !rejoined.absent.empty() &&
         known[rejoined.absent.front().value()].identity == *unaddressed)
         rejoined.restarted = rejoined.absent.front();

@@ -8,21 +8,21 @@
 
 namespace nmc::bus {
 
-/// A chain that was known, as far as a search has found it again: all its modules, in their places.
+/// A known chain, as far as a search has found it again: all its modules, in their places.
 struct Rejoined {
     std::vector<ModuleInfo> modules;
-    std::vector<ModuleIndex> absent;  ///< do not answer at their address
-    /// Of them, the one that has restarted: it answers without an address.
+    std::vector<ModuleIndex> absent;  ///< modules that do not answer at their address
+    /// The absent module that has restarted: it answers without an address.
     std::optional<ModuleIndex> restarted;
 };
 
-/// Whether what two searches found is one module: address, type and version agree.
+/// True if two searches found the same module: address, type and version agree.
 [[nodiscard]] bool sameModule(const ModuleInfo& one, const ModuleInfo& other);
 
-/// Modules are the same where address, type and version are; a place in the chain alone says nothing, since
-/// one that restarted is missing among the addresses and all behind it would move up. Nothing when some
-/// module that was found is not of that chain: then it is another one, and is taken as it was found.
-/// `unaddressed`: what a module without an address says it is, if one answers. Pure.
+/// Matches modules by address, type and version; the place in the chain alone means nothing, because a module
+/// that restarted is missing among the addresses, and all after it would move up. Returns nothing if a found
+/// module does not belong to the known chain: then it is another chain, and is taken as found. `unaddressed`:
+/// the identity of a module that answers without an address, if there is one. Pure.
 [[nodiscard]] std::optional<Rejoined> rejoin(const std::vector<ModuleInfo>& known,
                                              const std::vector<ModuleInfo>& found,
                                              std::optional<ModuleIdentity> unaddressed);

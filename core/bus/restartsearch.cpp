@@ -8,10 +8,10 @@ namespace nmc::bus {
 
 namespace {
 
-/// Probes of silent modules between two looks for one that has restarted.
+/// Number of probes of silent modules between two queries for one that has restarted.
 constexpr unsigned kLookEvery = 4;
-/// It may be in the midst of what it made of the others' bytes, and take the first question for the rest of
-/// that.
+/// The module may be in the middle of what it took for a packet in the others' bytes, and take the first
+/// query for the rest of that.
 constexpr unsigned kAsks = 3;
 
 }  // namespace
@@ -95,7 +95,7 @@ void RestartSearch::onUnaddressed(const ReplyEnd& end) {
             m_others.push_back(module.belief.info().index);
 }
 
-/// Modules nearer the host may have gone deaf with it: it is the farthest of those that do not answer.
+/// Modules nearer the host may be cut off with it: it is the farthest of those that do not answer.
 void RestartSearch::name() {
     const ModuleIdentity identity = *std::exchange(m_unaddressed, std::nullopt);
     auto& modules = m_chain.modules();

@@ -10,10 +10,10 @@
 
 namespace nmc::bus {
 
-/// Why does a module not answer any more? One that restarted has no address and the rate of power-up
-/// (faults.md F-15, F-16). Nobody else has no address, so one question tells; at another rate the chain is
-/// left alone for as long as that takes. Who it is follows from who is silent: so all others are asked first
-/// whether they still answer.
+/// Determines why a module no longer answers. One that restarted has no address and is at the power-up rate
+/// (faults.md F-15, F-16). No other module is without an address, so a single query shows it; if the chain is
+/// at another rate, it is not polled in the meantime. Which module it is follows from which one is silent, so
+/// all others are queried first to verify that they still answer.
 class RestartSearch : public Task {
 public:
     RestartSearch(Chain& chain, Recovery& recovery, const Line& line, std::vector<Event>& events)
@@ -23,10 +23,10 @@ public:
     void onLost(ModuleIndex module);
     /// A silent module did not answer again.
     void onProbeFailed();
-    /// A search has found out that this is what became of the module.
+    /// A search has found that the module has restarted.
     void setRestarted(ModuleIndex module, TimePoint now);
-    /// A module has restarted on a chain at another rate, to which every packet is noise: no more of them.
-    /// Once.
+    /// A module has restarted on a chain at another rate; it receives every packet as noise, so no more are
+    /// sent. Returned once.
     [[nodiscard]] bool takeQuiet() { return std::exchange(m_quiet, false); }
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return m_stage != Stage::None; }
@@ -41,8 +41,8 @@ public:
 private:
     enum class Stage : std::uint8_t {
         None,
-        Ask,     ///< at the rate of power-up: is there a module without an address?
-        Back,    ///< to the rate of the chain
+        Ask,     ///< at the power-up rate: is there a module without an address?
+        Back,    ///< switches back to the chain's rate
         Others,  ///< there is one: do the others still answer?
     };
     void onUnaddressed(const ReplyEnd& end);
@@ -57,10 +57,10 @@ private:
     std::optional<ModuleIndex> m_lookedFor;
     std::optional<ModuleIdentity> m_unaddressed;
     std::vector<ModuleIndex> m_others;
-    bool m_again = false;  ///< the module in front of them has been asked once
-    unsigned m_asks = 0;   ///< at the rate of power-up, in vain, in a row
+    bool m_again = false;  ///< the next of these modules has been queried once
+    unsigned m_asks = 0;   ///< consecutive unanswered ones at the power-up rate
     unsigned m_probes = 0;
-    bool m_quiet = false;  ///< until takeQuiet(); never at the rate of power-up
+    bool m_quiet = false;  ///< until takeQuiet(); never set at the power-up rate
 };
 
 }  // namespace nmc::bus

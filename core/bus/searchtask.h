@@ -11,19 +11,19 @@
 
 namespace nmc::bus {
 
-/// Looks for the chain (discovery.h). What was found, or why nothing was, is for the engine to take.
+/// Searches for the chain (discovery.h). The engine takes what was found, or why nothing was.
 class SearchTask : public Task {
 public:
     explicit SearchTask(std::vector<Event>& events) : m_events(events) {}
 
     void begin(const EngineConfig& config, Discovery::Start start);
-    /// It has given addresses, and goes on with that.
+    /// It has begun to assign addresses, and continues with that.
     [[nodiscard]] bool givesAddresses() const { return m_discovery && m_discovery->givesAddresses(); }
     [[nodiscard]] bool active() const { return m_discovery.has_value(); }
 
-    /// How many modules it has seen so far.
+    /// The number of modules seen so far.
     [[nodiscard]] std::size_t seen() const { return m_discovery ? m_discovery->seen() : 0; }
-    /// It has begun to give addresses: none of the modules there are is what it was. Once.
+    /// It has begun to assign addresses: what was known about the modules no longer holds. Returned once.
     [[nodiscard]] bool takeGivesAddresses() { return std::exchange(m_givesAddresses, false); }
 
     using Result = std::variant<ChainFound, ConnectFailed>;
@@ -31,7 +31,7 @@ public:
         Result result;
         Discovery discovery;
     };
-    /// The end of the search, once.
+    /// The end of the search; returned once.
     [[nodiscard]] std::optional<Ended> takeEnded() { return std::exchange(m_ended, std::nullopt); }
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return active(); }
@@ -47,7 +47,7 @@ private:
     EngineConfig m_config;
     Discovery::Start m_start = Discovery::Start::Look;
     std::optional<Discovery> m_discovery;
-    bool m_givesAddresses = false;  ///< until taken: the first has been given; once a search
+    bool m_givesAddresses = false;  ///< the first address has been assigned; until taken, once per search
     std::optional<Ended> m_ended;
 };
 

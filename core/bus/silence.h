@@ -8,16 +8,16 @@
 
 namespace nmc::bus {
 
-/// Tells a module that does not answer from a line that is dead: nothing but silence, not one byte, from all
+/// Distinguishes a module that does not answer from a dead line: silence, without a single byte, from all
 /// modules in a row. Pure.
 class Silence {
 public:
-    /// So many silent modules in a row make it likely, and the others are asked at once.
+    /// This many consecutive silent modules make it likely; the others are then queried at once.
     static constexpr int kLikely = 3;
-    /// So many questions in a row without a byte.
+    /// Number of consecutive queries without a byte.
     static constexpr unsigned kQuestions = 4;
 
-    /// A byte came in.
+    /// A byte was received.
     void heard() { m_inRow = 0, m_asked = 0; }
     void onSilence(ModuleIndex module) {
         ++m_inRow;
@@ -25,7 +25,7 @@ public:
     }
     [[nodiscard]] bool asked(ModuleIndex module) const { return (m_asked >> module.value() % 32U & 1U) != 0; }
     [[nodiscard]] bool likelyDead() const { return std::popcount(m_asked) >= kLikely; }
-    /// `answering`: how many modules are not known to be silent.
+    /// `answering`: the number of modules not known to be silent.
     [[nodiscard]] bool dead(std::size_t answering) const {
         return answering > 1 && m_inRow >= kQuestions &&
                std::popcount(m_asked) >= static_cast<int>(answering);

@@ -26,8 +26,8 @@ void SineRun::notePoll(const ReplyEnd& end) {
         m_record.polls.push_back({end.latched, *end.report.position});
 }
 
-/// A single report is enough to stop, as everywhere (link.md 2.4). The answer to the first command may have
-/// been put together before that took effect.
+/// As everywhere, a single report is enough to stop (link.md 2.4). The reply to the first command may have
+/// been composed before the command took effect.
 void SineRun::look(const StatusReport& report) {
     const servo::StatusByte status = report.servoStatus();
     if (!m_first) {
@@ -45,7 +45,7 @@ void SineRun::note(const ReplyEnd& end) {
     m_record.commands.push_back({end.latched, m_command.here.value()});
     if (end.report.position)
         m_record.answers.push_back({end.latched, *end.report.position});
-    // By the golden ratio: evenly spread, and never the same again.
+    // Spaced by the golden ratio: evenly spread, and never repeating.
     double whole = 0.0;
     const double part = std::modf(static_cast<double>(m_record.commands.size()) * std::numbers::phi, &whole);
     const Duration spacing = kShortest + fromSeconds(toSeconds(kSpread) * part);

@@ -9,10 +9,10 @@
 
 namespace nmc::bus {
 
-/// A sine that is being commanded: where it is, when it is to be told again, and what came of it. Between two
-/// commands the wire is left to the polls for as long as an exchange takes, so the others stay in sight. No
-/// two times between commands are alike: at a steady rate the steps of the command would be mistaken for the
-/// motor's answer to a slower sine. Pure.
+/// A sine being commanded: its present position, when the next command is due, and the results. Between two
+/// commands, the line is left to the polls for as long as an exchange takes, so that the other modules stay
+/// monitored. The times between commands all differ: at a steady rate, the steps of the command would be
+/// mistaken for the motor's response to a slower sine. Pure.
 class SineRun {
 public:
     static constexpr Duration kShortest = std::chrono::milliseconds(5);
@@ -21,17 +21,17 @@ public:
     /// `centre`: a Stop Here.
     SineRun(const Sine& sine, const ModuleCommand& centre);
 
-    /// The first call begins it.
+    /// The first call begins the sine.
     [[nodiscard]] ModuleCommand commandAt(TimePoint now);
     [[nodiscard]] TimePoint due() const { return m_due; }
-    /// It has lasted long enough.
+    /// True once it has lasted long enough.
     [[nodiscard]] bool over(TimePoint now) const { return m_began && now - *m_began >= m_sine.lasts; }
-    /// The chip has let go or stopped by itself: its servo is off, it has tripped, or a stop that it was told
-    /// to watch for has come (Set Homing Mode). One more Stop Here would switch it on, or move it on.
+    /// The chip has switched off or stopped by itself: its servo is off, it has tripped, or a stop by Set
+    /// Homing Mode has occurred. Another Stop Here would switch it on, or move it further.
     [[nodiscard]] bool endedByChip() const { return m_endedByChip; }
     /// The command was carried out; `end`: of its exchange.
     void note(const ReplyEnd& end);
-    /// A poll from between two commands.
+    /// A poll between two commands was answered.
     void notePoll(const ReplyEnd& end);
     [[nodiscard]] SineRecord takeRecord() { return std::exchange(m_record, {}); }
 
@@ -44,7 +44,7 @@ private:
     std::optional<TimePoint> m_began;
     TimePoint m_due{};
     SineRecord m_record;
-    std::optional<servo::StatusByte> m_first;  ///< with the first command
+    std::optional<servo::StatusByte> m_first;  ///< at the first command
     bool m_endedByChip = false;
 };
 

@@ -9,23 +9,23 @@
 
 namespace nmc {
 
-/// Counts that a servo at rest goes to and fro within its friction.
+/// Counts by which a servo at rest moves to and fro within its friction.
 inline constexpr std::int32_t kStillCounts = 4;
-/// No farther apart than a motor that stands still is from itself.
+/// True if two positions are within standstill tolerance.
 [[nodiscard]] constexpr bool samePlace(std::int32_t a, std::int32_t b) {
     const std::int64_t between = countsBetween(a, b);
     return between >= -kStillCounts && between <= kStillCounts;
 }
 
-/// That a motor stands still, for whoever must be sure: it says so, and its position has stayed for a while.
-/// The bits alone do not tell: a servo that is off coasts, and a PIC-STEP's moving bit is not reliable behind
-/// a smooth stop at home (protocol.md 3). Pure.
+/// Proves that a motor stands still, where certainty is required: it reports so, and its position has stayed
+/// the same for a while. The bits alone are not enough: a servo that is off coasts, and the moving bit of a
+/// PIC-STEP is not reliable after a smooth stop at home (protocol.md 3). Pure.
 class Standstill {
 public:
     static constexpr Duration kFor = std::chrono::milliseconds(60);
 
     void reset() { m_since.reset(); }
-    /// Once per status; true from the look on that proves it.
+    /// Call once per status; returns true from the call on that proves standstill.
     bool look(TimePoint time, std::int32_t position, bool moving) {
         if (moving || !m_since || !samePlace(m_position, position)) {
             m_since = time;

@@ -8,22 +8,22 @@
 
 namespace nmc::bus {
 
-/// What a PIC-STEP is doing (DS-S 5.1, Table 4).
+/// The present mode of a PIC-STEP (DS-S 5.1, Table 4).
 enum class StepperMode : std::uint8_t {
     Stopped,
     Trapezoidal,
     VelocityProfile,
     UnprofiledWithStop,
     Unprofiled,  ///< without a stop
-    Unknown,     ///< it moves, and another host told it how
+    Unknown,     ///< moving in a way that another host commanded
 };
 
-/// The mode that a load leads to from that mode; nothing where Table 4 has no such cell. With a timer count
-/// alone, a move to a position keeps its goal: the sheet allows no unprofiled run from there.
+/// The mode to which a load leads from the given mode; empty if Table 4 has no such cell. With only a timer
+/// count, a move to a position keeps its goal: the data sheet allows no unprofiled run from there.
 [[nodiscard]] std::optional<StepperMode> goalMode(StepperMode from, const stepper::LoadTrajectory& load);
 
-/// Whether a load may be started on a PIC-STEP in that mode; a change of direction in motion is refused (DS-S
-/// 4.1). Pure.
+/// True if a load may be started on a PIC-STEP in that mode; a change of direction in motion is not allowed
+/// (DS-S 4.1). Pure.
 [[nodiscard]] bool mayFollow(StepperMode mode, bool runsReverse, const stepper::LoadTrajectory& load);
 
 }  // namespace nmc::bus

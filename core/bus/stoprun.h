@@ -10,31 +10,31 @@
 
 namespace nmc::bus {
 
-/// One stop of all motors: every stop that is needed first, those that move before the others, then two looks
-/// at each module. Ends when each is confirmed or given up. Pure; StopTask sends.
+/// A stop of all motors: first all stops that are needed, beginning with moving motors, then two queries of
+/// each module. Ends when each module is confirmed or given up. Pure; StopTask sends.
 class StopRun {
 public:
     /// For the whole run.
     static constexpr Duration kLimit = std::chrono::seconds(2);
-    /// A module that answered until now is given up after this long and kSilences time-outs in a row.
+    /// A module that answered until now is given up after this long and kSilences consecutive timeouts.
     static constexpr Duration kSilentFor = std::chrono::milliseconds(500);
     static constexpr unsigned kSilences = 3;
 
     StopRun(const Chain& chain, TimePoint now);
-    /// Asked for again: look at everything anew; the time limit stays.
+    /// The stop was requested again: all modules are treated anew, within the same time limit.
     void restart(const Chain& chain);
 
-    /// Stops to send without waiting for answers, because an answer is under way or the link is in doubt.
+    /// Stops to send without waiting for answers, because a reply is in progress or the link is in doubt.
     [[nodiscard]] std::vector<Order> blindStops(const Chain& chain) const;
 
-    /// Whom to ask now; nothing when the run is over.
+    /// The next module to query; null when the run is over.
     [[nodiscard]] StopTarget* next(TimePoint now);
-    /// Nobody is left who would have to be told, or might.
+    /// True if no module remains that must, or might have to, be sent a stop.
     [[nodiscard]] bool allSent() const;
-    /// The module that was asked did not answer, or did.
+    /// The result of the last query.
     void onReply(StopTarget& asked, const ReplyEnd& end, const Belief& belief, TimePoint now);
-    /// Nothing for a module that is not in it: one that restarted is off, and has no address; one of an
-    /// unknown type can't be told.
+    /// Returns null for a module that is not part of the run: one that restarted is off and has no address,
+    /// and one of unknown type has no stop command.
     [[nodiscard]] StopTarget* find(ModuleIndex module);
 
     [[nodiscard]] StopFinished finished() const;
@@ -51,7 +51,7 @@ private:
 
     TimePoint m_began;
     std::vector<Target> m_targets;
-    std::vector<ModuleIndex> m_wereOff;  ///< when it began
+    std::vector<ModuleIndex> m_wereOff;  ///< when the run began
     std::vector<ModuleIndex> m_restarted;
     std::vector<ModuleIndex> m_noStopKnown;
 };

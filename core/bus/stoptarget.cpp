@@ -9,7 +9,7 @@ namespace nmc::bus {
 
 namespace {
 
-/// So many stops in a row that are not answered, and the module is looked at.
+/// Number of consecutive unanswered stops after which the module is queried.
 constexpr unsigned kStopsInVain = 2;
 
 [[nodiscard]] bool standsStill(const StatusReport& report, ModuleType type,
@@ -18,7 +18,7 @@ constexpr unsigned kStopsInVain = 2;
         case ModuleType::Servo:
             if (!report.servoStatus().moveDone() || report.velocity.value_or(1) != 0)
                 return false;
-            // The velocity item has no fraction: slow motion shows in the position only.
+            // The velocity item has no fraction: slow motion shows only in the position.
             return !before || samePlace(*report.position, *before);
         case ModuleType::Stepper:
             return !report.stepperStatus().moving();
@@ -57,7 +57,7 @@ std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
                 return ServoCommand(servoStop(StopManner::Off, false));
             return std::nullopt;
         case ModuleType::Stepper:
-            // Of one that nothing is known of, a stop would lower AMP_EN: it is looked at first.
+            // On a module in an unknown state, a stop would lower AMP_EN, so it is queried first.
             if (belief.mayBeOn() || (belief.statusTime() && belief.mayMove()))
                 return StepperCommand(stepperStop(manner, belief.mayBeOn()));
             return std::nullopt;
@@ -122,7 +122,8 @@ void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint no
     if (unanswered(end.result)) {
         ++m_silences;
         m_confirmed = 0;
-        // Its stop may not have arrived either. But one that only does not hear stops still says how it is.
+        // Its stop may not have been received either. But a module that only fails to receive stops still
+        // reports its state.
         m_inVain = m_asksStop ? m_inVain + 1 : 0;
         m_needsStop = stop(belief) && m_inVain < kStopsInVain;
         return;
@@ -133,7 +134,7 @@ void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint no
         return;
     if (!m_asksStop)
         return onLook(end.report, belief, now);
-    // A PIC-I/O has its pins to take low, and then its PWM outputs.
+    // A PIC-I/O must take its pins low, and then its PWM outputs.
     m_needsStop = m_type == ModuleType::Io && stop(belief);
     m_lastStop = now;
 }
@@ -147,7 +148,7 @@ void StopTarget::onLook(const StatusReport& report, const Belief& belief, TimePo
     const bool neverTold = !m_lastStop;
     const Duration patience = m_manner == StopManner::Smoothly ? kSmoothPatience : kPatience;
     const bool movesOn = !still && (!m_lastStop || now - *m_lastStop >= patience);
-    // After blind stops, and when it moves on: told again, if it is still on now.
+    // After blind stops, and if the motor continues to move, the stop is repeated if the motor is still on.
     if (stop(belief) && (neverTold || movesOn)) {
         m_needsStop = true;
         m_confirmed = 0;

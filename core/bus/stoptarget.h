@@ -9,29 +9,30 @@
 
 namespace nmc::bus {
 
-/// How a motor is to come to rest.
+/// How a motor is brought to rest.
 enum class StopManner : std::uint8_t {
     Abruptly,
     Smoothly,
-    Off,  ///< a motor that runs the wrong way would run on with its servo on
+    Off,  ///< for a motor that runs the wrong way, which would continue with its servo on
 };
 
-/// What a module has to be told to come to rest; nothing when it is off, because on a PIC-SERVO the stop
-/// would switch the servo on and on a PIC-STEP energise the motor (link.md 2.6). What is on keeps holding,
-/// but for StopManner::Off; a PWM output without servo is switched off.
+/// The command that brings a module to rest; empty if it is off, because the stop would switch on the servo
+/// of a PIC-SERVO, and energise the motor of a PIC-STEP (link.md 2.6). A module that is on continues to hold,
+/// except with StopManner::Off; a PWM output without servo is switched off.
 [[nodiscard]] std::optional<ModuleCommand> stopFor(const Belief& belief,
                                                    StopManner manner = StopManner::Abruptly);
 
-/// Items that tell whether it stands still; `second`: the same in a reply of another length.
+/// Items that show whether the module stands still; `second`: also in a reply of different length.
 [[nodiscard]] StatusItems standstillItems(ModuleType type, bool second);
 
-/// One module on its way to a confirmed stop: told until it answers, then looked at until two looks in a row,
-/// of different length, show it at rest. Told again when it moves on or falls silent. A stop of all has one
-/// of these for each module, and so has a stop that is owed. Pure.
+/// One module on its way to a confirmed stop: the stop is sent until it is answered; the module is then
+/// queried until two consecutive replies of different length show it at rest. The stop is repeated if the
+/// module continues to move or falls silent. A stop of all modules has one of these for each module, and so
+/// has an owed stop. Pure.
 class StopTarget {
 public:
-    /// A motor that has been told to stop abruptly needs some time; then it is told again. One that slows
-    /// down by itself needs more.
+    /// Time after which an abrupt stop is repeated, because the motor needs some time to stop. A motor that
+    /// decelerates by itself needs more.
     static constexpr Duration kPatience = std::chrono::milliseconds(60);
     static constexpr Duration kSmoothPatience = std::chrono::milliseconds(1000);
 
@@ -39,40 +40,40 @@ public:
 
     [[nodiscard]] ModuleIndex module() const { return m_module; }
     [[nodiscard]] StopManner manner() const { return m_manner; }
-    /// What it has to be told, if it is on by now: somebody may have switched it off meanwhile. One of which
-    /// nothing is known, and that does not say, is told to switch off: that ends whatever it does, and never
-    /// switches anything on.
+    /// The stop that must be sent, if the module is on by now; it may have been switched off in the meantime.
+    /// A module in an unknown state that does not report it is sent motor off, which ends whatever it does
+    /// and never switches anything on.
     [[nodiscard]] std::optional<ModuleCommand> stop(const Belief& belief) const;
     [[nodiscard]] bool needsStop() const { return m_needsStop; }
-    /// Nobody knows yet whether it has to be told.
+    /// It is still unknown whether a stop must be sent.
     [[nodiscard]] bool unknown() const { return m_unknown; }
-    /// It was seen at rest, twice.
+    /// The module was seen at rest, twice.
     [[nodiscard]] bool stopped() const { return m_confirmed >= 2; }
-    /// It was seen at rest, once.
+    /// The module was seen at rest, once.
     [[nodiscard]] bool almostStopped() const { return m_confirmed == 1; }
-    /// It has answered since it was told or asked for the first time.
+    /// The module has answered since the first stop or query.
     [[nodiscard]] bool heard() const { return m_heard; }
-    /// Questions in a row without an answer.
+    /// Number of consecutive unanswered queries.
     [[nodiscard]] unsigned silences() const { return m_silences; }
 
-    /// What to ask it next: its stop, or else Read Status with items().
+    /// The next request: a stop, or otherwise Read Status with `items`.
     struct Question {
         std::optional<ModuleCommand> stop;
         StatusItems items;
     };
     [[nodiscard]] Question next(const Belief& belief);
-    /// What came of it; `belief` has the answer already.
+    /// The result of the request; `belief` already includes the answer.
     void onReply(const ReplyEnd& end, const Belief& belief, TimePoint now);
 
-    /// Its stop went out without waiting for an answer: it is looked at before it is told again, since an
-    /// abrupt stop may have tripped the servo, which a second one would switch on. `certain`: it is, when it
-    /// was carried out.
+    /// The stop was sent without waiting for an answer: the module is queried before the stop is repeated,
+    /// because an abrupt stop may have tripped the servo, and a second one would switch it on. `certain`: the
+    /// stop and its latch time, if they are certain.
     struct Blind {
         ModuleCommand stop;
         TimePoint latched;
     };
     void onBlindSent(std::optional<Blind> certain);
-    /// The stop that was sent blind, where it is certain when that was latched; once.
+    /// The stop that was sent blindly, if its latch time is certain; returned once.
     [[nodiscard]] std::optional<Blind> takeBlind();
 
 private:
@@ -81,17 +82,17 @@ private:
     ModuleIndex m_module;
     ModuleType m_type;
     StopManner m_manner;
-    bool m_needsStop;         ///< it is told before it is looked at
-    bool m_unknown;           ///< no status of it was ever believed
-    bool m_asksStop = false;  ///< the question under way
-    bool m_second = false;    ///< layouts take turns
-    unsigned m_inVain = 0;    ///< stops in a row that were not answered
-    bool m_heard = false;     ///< once true, stays so
+    bool m_needsStop;         ///< the stop is sent before the module is queried
+    bool m_unknown;           ///< none of its statuses was ever believed
+    bool m_asksStop = false;  ///< the request in progress is a stop
+    bool m_second = false;    ///< layouts alternate
+    unsigned m_inVain = 0;    ///< consecutive unanswered stops
+    bool m_heard = false;     ///< never cleared
     unsigned m_silences = 0;
     unsigned m_confirmed = 0;
     std::optional<std::int32_t> m_position;
     std::optional<Blind> m_blind;
-    std::optional<TimePoint> m_lastStop;  ///< that was answered
+    std::optional<TimePoint> m_lastStop;  ///< the last one answered
 };
 
 }  // namespace nmc::bus

@@ -16,7 +16,7 @@ void StopTask::begin(TimePoint now) {
     else
         m_run.emplace(m_chain, now);
     m_asked = nullptr;
-    // One packet to all of them is sooner than one to each, even on a line that is free.
+    // A single packet to all modules is faster than one to each, even on a free line.
     m_blindDue =
         m_recovery.suspect() || m_line.busy() || m_chain.size() > 1 || m_line.baud() != m_chain.rate();
 }
@@ -66,14 +66,14 @@ Next StopTask::next(TimePoint now) {
     Ask ask = question.stop ? m_chain.command(Purpose::Stop, {m_asked->module(), *question.stop})
                             : m_chain.status(Purpose::Stop, m_asked->module(), question.items);
     ask.reported = question.stop.has_value();
-    // Asked anew instead: what is wanted may have changed by the next time.
+    // Not retried but sent anew, because what is needed may have changed in the meantime.
     ask.silentRepeats = 0;
     ask.refusedAttempts = 1;
     return ask;
 }
 
-/// Stops without waiting for answers: an answer may still be coming in, and could be taken for that of the
-/// stop.
+/// Sends stops without waiting for answers: a reply may still be arriving, and could be taken for the answer
+/// to the stop.
 Line::Script StopTask::blindScript() {
     Line::Script script{Line::Gap{}};
     const bool strayed = m_line.baud() != m_chain.rate();
@@ -93,7 +93,7 @@ Line::Script StopTask::blindScript() {
     return script;
 }
 
-/// The blind stops are out: what they may have done is believed from now on.
+/// The blind stops have been sent: their possible effect is believed from now on.
 void StopTask::noteBlindStops() {
     const std::vector<Order> orders = std::exchange(m_blind, {});
     const std::vector<TimePoint>& latches = m_line.scriptLatches();
@@ -107,8 +107,8 @@ void StopTask::noteBlindStops() {
     }
 }
 
-/// The first answer after a blind stop, before what it says: a command position that went on until the stop
-/// is acknowledged would be some 20 ms of travel off.
+/// Handles the first answer after a blind stop, before its content is published: otherwise the calculated
+/// command position would continue until the stop is acknowledged, and be some 20 ms of travel off.
 void StopTask::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
     if (m_asked == nullptr)
         return;

@@ -7,7 +7,7 @@ namespace nmc::bus {
 
 namespace {
 
-/// Enough to judge by; noise may bring thousands.
+/// Enough for a decision; noise may produce thousands.
 constexpr std::size_t kRemembered = 64;
 
 template <typename Queue>
@@ -66,7 +66,7 @@ bool StrayFrames::isFrame() const {
     return !sent && sum8(bytes.first(bytes.size() - 1)) == bytes.back();
 }
 
-/// It may be the answer that stayed away longest.
+/// Attributes the frame to the oldest missing answer.
 bool StrayFrames::paidFor() {
     while (!m_missed.empty() && m_last - m_missed.front() > kLatest)
         m_missed.pop_front();

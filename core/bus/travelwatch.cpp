@@ -10,10 +10,10 @@ namespace nmc::bus {
 
 namespace {
 
-/// A command and its reply, and the servo tick after which it takes effect.
+/// Time for a command and its reply, including the servo tick after which it takes effect.
 constexpr Duration kCommand = std::chrono::milliseconds(30);
 
-/// Which way a motion without an end goes, -1 or 1; 0: there is none, or nobody knows.
+/// Direction of a motion without an end, -1 or 1; 0: there is none, or it is unknown.
 [[nodiscard]] int endless(const Belief& belief, double speed) {
     if (!belief.mayMove())
         return 0;
@@ -32,7 +32,8 @@ constexpr Duration kCommand = std::chrono::milliseconds(30);
     return belief.runsReverse() ? -1 : 1;
 }
 
-/// Counts (steps) per second squared of a smooth stop; 0: it has no ramp. `ticks`: per second.
+/// Deceleration of a smooth stop in counts (steps) per second squared; 0: it has no ramp. `ticks`: per
+/// second.
 [[nodiscard]] double rampOf(const Belief& belief, double ticks) {
     if (belief.info().identity.type == ModuleType::Stepper) {
         const StepperRegisters& told = belief.stepperRegisters();
@@ -65,8 +66,8 @@ std::optional<StopManner> TravelWatch::onReport(const StatusReport& report, Time
     const auto& limit = direction < 0 ? m_limits.lowest : m_limits.highest;
     if (direction == 0 || !limit)
         return std::nullopt;
-    // While SR is unknown, the shortest tick is assumed: a ramp takes the same counts at any tick length, and
-    // the motor covers the most distance before the stop arrives.
+    // While SR is unknown, the shortest tick is assumed: a ramp takes the same number of counts at any tick
+    // length, and the motor covers the most distance before the stop arrives.
     const ServoRegisters& told = belief.servoRegisters();
     const double ticks = ticksPerSecond(told.servoRate.value_or(1));
     const double wanted =

@@ -10,22 +10,23 @@
 
 namespace nmc::bus {
 
-/// Stops a motion that has no end of its own before it leaves the limits of travel: a PWM output, which no
-/// chip ends, and a run that was begun before its limits were in force. Only motions that this connection
-/// started are stopped, not those of another host. One object per module. Pure.
+/// Stops a motion without an end of its own before it leaves the travel limits: a PWM output, which no chip
+/// ends, and a run that began before its limits were in force. Only motions that this connection started are
+/// stopped, not those of another host. One object per module. Pure.
 class TravelWatch {
 public:
-    /// From a report to the stop that answers it; or as long as the module is left unasked, if that is
-    /// longer.
+    /// Time from a report to the stop that follows from it; or the time between reports of the module, if
+    /// that is longer.
     static constexpr Duration kLatency = std::chrono::milliseconds(100);
-    /// Speeds are taken over so long at least.
+    /// Minimum time over which a speed is measured.
     static constexpr Duration kSpeedOver = std::chrono::milliseconds(50);
 
     void setLimits(const TravelLimits& limits) { m_limits = limits; }
-    /// The counter was set: limits mean other places now, and are not in force before they are set again.
+    /// The counter was set: the limits denote other positions now, and are not in force until they are set
+    /// again.
     void onCounterSet() { *this = {}; }
-    /// A report that may be believed, which `belief` has already. How the motor has to be stopped; nothing:
-    /// it may go on.
+    /// Takes a believed report, which `belief` already includes. Returns how the motor must be stopped;
+    /// empty: it may continue.
     [[nodiscard]] std::optional<StopManner> onReport(const StatusReport& report, TimePoint latched,
                                                      const Belief& belief);
 
@@ -37,10 +38,10 @@ private:
     void measure(std::int32_t position, TimePoint latched);
 
     TravelLimits m_limits;
-    std::optional<Place> m_from;  ///< what the speed is being taken from
+    std::optional<Place> m_from;  ///< starting point of the speed measurement
     double m_speed = 0;           ///< counts (steps) per second, signed
     std::optional<TimePoint> m_reported;
-    Duration m_between{};  ///< the last two reports
+    Duration m_between{};  ///< time between the last two reports
 };
 
 }  // namespace nmc::bus

@@ -11,7 +11,7 @@ namespace nmc::bus {
 
 namespace {
 
-/// After an answer that was lost: the line is seen to first.
+/// Delay after a lost answer, so that the line is recovered first.
 constexpr Duration kAgain = std::chrono::milliseconds(100);
 
 }  // namespace
@@ -81,7 +81,7 @@ void TrialTask::rejoin(const Chain& before) {
                 module.trial = old.trial;
 }
 
-/// The first reason counts.
+/// Only the first reason counts.
 void TrialTask::goBack(Trial& trial, std::optional<TrialEnd> why) {
     if (trial.phase == Trial::Phase::Returning)
         return;
@@ -140,7 +140,7 @@ Line::Script TrialTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now
     if (!trial)
         return {};
     const bool accepted = end.result == ReplyResult::Accepted;
-    if (!ask.reported) {  // a look
+    if (!ask.reported) {  // a query
         trial->due = accepted ? now : now + kAgain;
         return {};
     }
@@ -162,7 +162,7 @@ Line::Script TrialTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now
     return {};
 }
 
-/// Once.
+/// Reports the end, once.
 void TrialTask::report(ModuleIndex module, Outcome outcome) {
     Trial& trial = *m_chain.at(module).trial;
     if (std::exchange(trial.told, true))

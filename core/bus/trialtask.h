@@ -9,32 +9,33 @@
 
 namespace nmc::bus {
 
-/// Gains that are tried, each on its servo: sends them, watches every position that the module tells, and
-/// sends those from before at the first sign that they do not hold it (trialwatch.h), when the servo goes
-/// off, when the time is over, and when anything else is asked of the module; unless they were kept by then,
-/// or others were set. Here, because a loop runs away within milliseconds, and whoever asked may hang.
+/// Gains being tried, each on its servo: sends them, watches every position that the module reports, and
+/// restores the previous gains at the first sign that the new ones do not hold it (trialwatch.h), when the
+/// servo goes off, when the time is over, and when anything else is requested of the module, unless they have
+/// been kept or others were set by then. This is done here because a loop runs away within milliseconds, and
+/// the requesting thread may hang.
 ///
-/// What was not answered is sent again for as long as the chain is there. Each ends in exactly one
-/// OperationFinished: once the gains from before are in force, or it is not known whether they are.
+/// Commands without an answer are repeated for as long as the chain is there. Each trial ends in exactly one
+/// OperationFinished: once the previous gains are in force, or it is unknown whether they are.
 class TrialTask : public Task {
 public:
     TrialTask(Chain& chain, std::vector<Event>& events) : m_chain(chain), m_events(events) {}
 
-    /// False where the module is not there, or something is being tried on it.
+    /// Returns false if the module is not there, or gains are already being tried on it.
     [[nodiscard]] bool begin(const Operation& operation);
-    /// What is being tried stays; too late it does not.
+    /// Keeps the gains being tried, unless the trial has already ended.
     void keep(ModuleIndex module);
-    /// Something else is asked of them.
+    /// Something else is requested of these modules.
     void leave(const std::vector<ModuleIndex>& modules);
     /// The module has other gains, or none.
     void forget(ModuleIndex module);
-    /// Whoever restarted has no gains; whoever does not answer goes back to those from before once it does.
+    /// A module that restarted has no gains; one that does not answer gets the previous ones once it does.
     void noteLosses();
     void forgetAll();
-    /// The chain was found anew, as it was: what has to go back still has to.
+    /// The chain was found again, unchanged: gains that must be restored still have to be.
     void rejoin(const Chain& before);
 
-    /// What a module says, whoever asked it.
+    /// Takes any report of a module.
     void onReport(ModuleIndex module, const StatusReport& report, TimePoint latched);
 
     [[nodiscard]] bool wants(TimePoint now) const override;

@@ -10,14 +10,14 @@ namespace nmc::bus {
 
 namespace {
 
-/// Counts to either side that are no swing: encoder and friction.
+/// Counts to either side that are not a swing: encoder and friction.
 constexpr double kStill = 1.5;
-/// From which on a half cycle counts: samples miss the peaks of a swing by 8, and a good servo that creeps by
-/// a few counts, for friction and Ki, does not come by from both sides.
+/// Amplitude from which a half cycle counts: samples miss the peaks of a swing by 8, and a well-tuned servo
+/// that creeps by a few counts, because of friction and Ki, does not cross from side to side.
 constexpr double kGate = 6.0;
-constexpr int kHalfCycles = 3;  ///< in a row
+constexpr int kHalfCycles = 3;  ///< consecutive
 constexpr Duration kWindow = std::chrono::seconds(1);
-/// Of the half cycle before: what is less calms down by itself, and has a zeta above 0.05.
+/// Ratio to the previous half cycle: a smaller swing dies down by itself, with a zeta above 0.05.
 constexpr double kStays = 0.85;
 
 }  // namespace

@@ -10,25 +10,25 @@
 
 namespace nmc::bus {
 
-/// Whether gains that are tried hold a servo where it stands (DS-V 4.3), as its positions tell one by one.
-/// Not so where it
+/// Determines from each position whether gains being tried hold a servo where it stands (DS-V 4.3). They do
+/// not if it
 ///
-/// - asks for more PWM than the output limit gives, by the error alone;
-/// - swings three half cycles in a row that do not calm down: a stable loop that was pushed swings less each
-///   time;
+/// - demands more PWM than the output limit allows, by the error alone;
+/// - swings three consecutive half cycles that do not die down: a stable loop that was pushed swings less
+///   each time;
 /// - is too far away.
 ///
-/// Loops that are too stiff swing up from a count to all that their output limit gives within some 20 ms.
-/// Positions in counts. Pure.
+/// Loops that are too stiff swing up from a single count to their output limit within some 20 ms. Positions
+/// in counts. Pure.
 class TrialWatch {
 public:
     TrialWatch(const servo::SetGain& tried, const GainTrial& trial) : m_tried(tried), m_trial(trial) {}
 
-    /// The next position; why the gains are not to stay.
+    /// Takes the next position. Returns why the gains must not stay, if so.
     [[nodiscard]] std::optional<TrialEnd> look(TimePoint time, std::int32_t position);
 
 private:
-    /// From where it stood to one side and back.
+    /// From the starting position to one side and back.
     struct HalfCycle {
         bool ahead = false;
         TimePoint last{};
@@ -38,7 +38,7 @@ private:
 
     servo::SetGain m_tried;
     GainTrial m_trial;
-    std::vector<HalfCycle> m_halfCycles;  ///< oldest first, of the last second
+    std::vector<HalfCycle> m_halfCycles;  ///< oldest first, within the last second
 };
 
 }  // namespace nmc::bus

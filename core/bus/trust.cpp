@@ -5,7 +5,7 @@ namespace nmc::bus {
 
 namespace {
 
-/// Which bits permit something when they are set, and which when they are clear.
+/// The bits that permit something when set, and those that do when clear.
 struct Meaning {
     std::uint8_t whenSet = 0;
     std::uint8_t whenClear = 0;
@@ -13,7 +13,7 @@ struct Meaning {
     [[nodiscard]] std::uint8_t permits(std::uint8_t bits) const {
         return static_cast<std::uint8_t>((bits & whenSet) | (~bits & whenClear));
     }
-    /// The bits with everything withheld that is not granted.
+    /// The bits with everything withheld that has not been granted.
     [[nodiscard]] std::uint8_t withhold(std::uint8_t bits, std::uint8_t granted) const {
         const unsigned without = bits & ~(unsigned{whenSet} & ~unsigned{granted});
         return static_cast<std::uint8_t>(without | (unsigned{whenClear} & ~unsigned{granted}));
@@ -23,7 +23,7 @@ struct Meaning {
 constexpr Meaning kServoStatus{0x01 | 0x08, 0x20 | 0x40 | 0x80};  // move_done, power; limits, homing
 constexpr Meaning kStepperStatus{0x08, 0x01 | 0x80};              // power; moving, homing
 constexpr Meaning kStepperInputs{0x00, 0x01 | 0x08 | 0x10};       // E-stop, limits
-constexpr std::uint8_t kStandstill = 0x01;                        // both chips' bit 0 tells
+constexpr std::uint8_t kStandstill = 0x01;                        // bit 0 on both chips
 
 [[nodiscard]] Meaning statusMeaning(ModuleType type) {
     switch (type) {
@@ -47,7 +47,7 @@ constexpr std::uint8_t kStandstill = 0x01;                        // both chips'
 Trust::Permits Trust::permitsOf(const StatusReport& report) const {
     Permits permits;
     permits.status = statusMeaning(m_module.type).permits(report.status);
-    // Inputs that were not asked for say nothing new.
+    // If the inputs were not requested, nothing changes for them.
     permits.aux = report.aux ? auxMeaning(m_module.type).permits(*report.aux) : m_granted.aux;
     return permits;
 }

@@ -10,19 +10,19 @@
 
 namespace nmc::bus {
 
-/// Asymmetric trust (link.md 2.4): one reply is enough to warn or to stop, two in a row and of different
-/// length are needed to permit. What permits is: stands still, power is on, a limit or the E-stop input is
-/// released, homing is over. Until the second reply such a bit is passed on as it was. One object per module.
-/// Pure.
+/// Asymmetric trust (link.md 2.4): one reply is enough to warn or to stop; two in a row, of different length,
+/// are needed to permit. What permits is: standstill, power on, a limit or the E-stop input released, homing
+/// over. Until the second reply, such a bit is passed on unchanged. One object per module. Pure.
 class Trust {
 public:
     explicit Trust(const ModuleIdentity& module) : m_module(module) {}
 
-    /// The report as it may be believed and shown; nothing for the first of all, which alone permits nothing.
+    /// The report as it may be believed and displayed; empty for the very first one, which alone permits
+    /// nothing.
     [[nodiscard]] std::optional<StatusReport> confirm(const StatusReport& report);
     /// The next reply does not follow the last one without a doubt in between.
     void interrupt() { m_last.reset(); }
-    /// A command that may move the motor goes out: standstill has to be proved again.
+    /// A command that may move the motor is sent: standstill must be proved again.
     void expectMotion();
 
 private:
@@ -37,7 +37,7 @@ private:
     [[nodiscard]] Permits permitsOf(const StatusReport& report) const;
 
     ModuleIdentity m_module;
-    bool m_first = true;  ///< no report yet; the first alone permits nothing
+    bool m_first = true;  ///< no report yet; the first one alone permits nothing
     Permits m_granted;
     std::optional<Last> m_last;
 };

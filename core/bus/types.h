@@ -14,10 +14,10 @@
 #include "bus/rejection.h"
 #include "module/modulecommand.h"
 
-/// What goes into the bus engine and what comes out of it. All values; any thread may hold copies.
+/// Inputs and outputs of the bus engine. Values only; any thread may hold copies.
 namespace nmc::bus {
 
-/// How far an axis may go, as its chip counts now; nothing: no limit on that side.
+/// The travel limits of an axis, in its chip's present counts; empty: no limit on that side.
 struct TravelLimits {
     std::optional<std::int32_t> lowest;
     std::optional<std::int32_t> highest;
@@ -32,77 +32,83 @@ struct Order {
     ModuleCommand command;
 };
 
-/// A command position that swings about one place by Stop Here, to see how a servo follows it (DS-V 5.2).
+/// A sine of the command position about one position, by Stop Here, to see how a servo follows it (DS-V 5.2).
 struct Sine {
     double amplitude = 0.0;  ///< counts
     double frequency = 0.0;  ///< Hz
     Duration lasts{};
 };
 
-/// A command position that a module was told, or a position that it told.
+/// A command position that was sent, or a position that was reported.
 struct SinePoint {
-    TimePoint time;  ///< when the module latched it, +-half a tick
+    TimePoint time;  ///< when the module latched it, +- half a tick
     std::int32_t counts = 0;
 };
-/// What came of a sine, in the order of time.
+/// The results of a sine, in order of time.
 struct SineRecord {
     std::vector<SinePoint> commands;
-    std::vector<SinePoint> answers;  ///< positions in the answers to the commands, latched when these were
-    std::vector<SinePoint> polls;    ///< positions from between the commands
+    std::vector<SinePoint> answers;  ///< positions in the replies to the commands, latched with these
+    std::vector<SinePoint> polls;    ///< positions between the commands
 };
 
-/// Where a servo holds still while gains are tried on it, and what it goes back to (trialtask.h).
+/// Where a servo holds still while gains are tried on it, and what they are restored to (trialtask.h).
 struct GainTrial {
-    servo::SetGain back;     ///< those from before
+    servo::SetGain back;     ///< the previous gains
     std::int32_t stood = 0;  ///< counts
-    double reach = 0.0;      ///< counts that it may go away from there
+    double reach = 0.0;      ///< permitted distance from there, in counts
     Duration lasts{};
 };
 
-/// What became of gains that were tried: all but Kept were taken back.
+/// The outcome of gains that were tried: in all cases except Kept, the previous ones were restored.
 enum class TrialEnd : std::uint8_t { Kept, TimeOver, Swings, Saturates, TooFar, WentOff };
 
-/// What one click asks for: orders that run in order, each after the one before was answered without the
-/// communication-error bit. The first failure ends it, so "load, check, start" never starts on a doubt.
+/// The request of one click: orders carried out in sequence, each after the previous one was answered without
+/// the communication-error bit. The first failure ends it, so that "load, check, start" never starts on a
+/// doubt.
 struct Operation {
     OperationId id;
     std::vector<Order> orders;
-    /// The only order is a Stop Here, and the centre of this: sent again and again, up to 200 times a second,
-    /// with polls between. What else is asked for ends it, as Cancelled; a chip that lets go, as Forbidden.
+    /// The only order is a Stop Here, and the centre of this sine: sent repeatedly, up to 200 times a second,
+    /// with polls in between. Any other request ends it, as Cancelled; a chip that switches off or stops by
+    /// itself, as Forbidden.
     std::optional<Sine> sine{};
-    /// The orders are Add Path Points without points, one to each of its axes: the engine lays the points,
-    /// starts the path and keeps the buffers filled beside whatever else it does (pathtask.h). A stop of any
-    /// of its axes ends it for all, as Cancelled. One path at a time.
+    /// The orders are Add Path Points without points, one to each of its axes: the engine sends the points,
+    /// starts the path and keeps the buffers filled alongside its other work (pathtask.h). A stop of any of
+    /// its axes ends it for all, as Cancelled. Only one path at a time.
     std::shared_ptr<const PathPlan> path{};
     /// The only order is a Set Gain, to be tried.
     std::optional<GainTrial> trial{};
 };
 
-/// The group that a module listens to besides its own address (DS-V 4.1). The leader answers for all.
+/// The group whose commands a module obeys in addition to its own address (DS-V 4.1). The leader answers for
+/// all members.
 struct GroupPlace {
-    std::uint8_t group = 0xFF;  ///< 0x80..0xFF; FF is everybody's after a reset, and never has a leader here
+    std::uint8_t group = 0xFF;  ///< 0x80..0xFF; FF is the default after a reset, and never has a leader here
     bool leader = false;
     bool operator==(const GroupPlace&) const = default;
 };
 
-/// Puts a module into a group; its address stays. Another leader of that group becomes an ordinary member
-/// first.
+/// Puts a module into a group; its address is kept. Another leader of that group is first made a plain
+/// member.
 struct GroupChange {
     ModuleIndex module;
     GroupPlace place;
     bool operator==(const GroupChange&) const = default;
 };
 
-/// One command to all members of a group, carried out in the same tick.
+/// A command to all members of a group, carried out in the same tick.
 struct GroupCommand {
     enum class Action : std::uint8_t {
         StartMotion,      ///< withheld unless each member has confirmed its load; PIC-I/O: Synch Output
         SaveAsHome,       ///< PIC-I/O: Synch Input
         ResetPosition,    ///< withheld while any member moves
         ClearStickyBits,  ///< PIC-SERVO only
-        StopSmoothly,     ///< stops: past all that waits, and never withheld from a member that is known;
-        StopAbruptly,     ///< who is off stays off. Done: each member is owed its stop, and
-        MotorOff,         ///< OwedStopConfirmed follows for each
+        /// A stop overtakes everything that is waiting, is never withheld from a known member, and leaves a
+        /// member that is off as it is. Done: each member is owed its stop, and OwedStopConfirmed follows for
+        /// each.
+        StopSmoothly,
+        StopAbruptly,
+        MotorOff,
     };
     std::uint8_t group = 0xFF;
     Action action = Action::StartMotion;
@@ -123,66 +129,67 @@ enum class Outcome : std::uint8_t {
     Done,
     Refused,    ///< the module answered with the communication-error bit, every time
     NoAnswer,   ///< the command may or may not have been carried out
-    Forbidden,  ///< the command gate: the chip does not allow it in its present state; or the connection is
-                ///< read-only. Nothing was sent
-    Cancelled,  ///< a stop went before it, or the connection ended; whatever moved was stopped
-    QueueFull,  ///< too many requests wait already. Nothing was sent
+    Forbidden,  ///< by the command gate: the chip does not allow it in its present state; or the connection
+                ///< is read-only. Nothing was sent
+    Cancelled,  ///< overtaken by a stop, or the connection ended; any motion has been stopped
+    QueueFull,  ///< too many requests are waiting already. Nothing was sent
 };
 
-/// Where a module is and what it says it is.
+/// The place and identity of a module.
 struct ModuleInfo {
     ModuleIndex index;
     BusAddress address;
     ModuleIdentity identity;
-    /// Nothing: it was left there by another host, or a change was not answered.
+    /// Empty: another host left it there, or a change was not answered.
     std::optional<GroupPlace> group{};
     bool operator==(const ModuleInfo&) const = default;
 };
 
-/// How fast a PIC-STEP goes in velocity profile mode (DS-S 4.2).
+/// Speed of a PIC-STEP in velocity profile mode (DS-S 4.2).
 struct StepperPace {
     std::uint8_t speed = 1;             ///< 1..250
     std::uint8_t accelerationTime = 1;  ///< 1..255
     bool operator==(const StepperPace&) const = default;
 };
 
-/// Motion while it is held (interface.md, "Moving"): a velocity that must be asked for again and again. One
-/// that has ended, whoever ended it, is over until the button was up: nothing but a higher press moves again.
+/// Held motion (interface.md, "Moving"): a velocity that must be requested repeatedly. Once ended for any
+/// reason, it is over until the button is released: only a press with a higher number moves the motor again.
 struct HoldToMove {
     ModuleIndex module;
     CountsPerTick velocity;
     CountsPerTickSquared acceleration;
     bool reverse = false;
-    std::optional<StepperPace> pace{};  ///< of a PIC-STEP, instead of velocity and acceleration
-    std::uint32_t press = 0;            ///< which press of a button it is; each is a higher number
-    /// A limit that it goes towards: it is a move there, from standstill, which the chip ends by itself.
-    /// Empty: it goes on for as long as it is held.
+    std::optional<StepperPace> pace{};  ///< PIC-STEP, instead of velocity and acceleration
+    std::uint32_t press = 0;            ///< number of the button press; increases with each press
+    /// A limit that it moves towards: the motion is a move to it, from standstill, which the chip ends by
+    /// itself. Empty: it continues for as long as it is held.
     std::optional<std::int32_t> goal{};
     bool operator==(const HoldToMove&) const = default;
 };
 
-// ---- out of the engine ----
+// ---- output of the engine ----
 
-/// A reply that is no later than this after the reckoned time is prompt: threads are scheduled so.
+/// A reply no later than this after the calculated time is prompt, because of thread scheduling.
 inline constexpr Duration kPromptWithin = kServoTick / 2;
 
 /// One accepted status reply.
 struct Sample {
     ModuleIndex module;
-    /// When the module latched the status: end of its command on the wire plus half a tick, +-half a tick.
+    /// When the module latched the status: end of its command on the line plus half a tick, +- half a tick.
     TimePoint time;
     StatusReport report;
-    /// Its reply came so much later than wire, tick, the adapter's known latency and kPromptWithin explain.
-    /// Whether the command or the reply was held up cannot be known: it was latched up to so much later than
-    /// half a tick and kPromptWithin behind `time`. Negative: it came before that, and so was it latched.
+    /// Delay of the reply beyond what line, tick, the adapter's known latency and kPromptWithin explain. It
+    /// cannot be known whether the command or the reply was delayed: the status was latched up to this much
+    /// later than half a tick and kPromptWithin after `time`. Negative: the reply arrived, and was latched,
+    /// earlier by this much.
     Duration late{};
-    /// The status byte as it came; `report` withholds what permits until another reply confirms it.
+    /// The status byte as received; `report` withholds what permits until another reply confirms it.
     std::optional<std::uint8_t> heard{};
-    /// Its position does not follow from the one before, and was confirmed: somebody else has set the
+    /// The position does not follow from the previous one, and was confirmed: another host has set the
     /// counter.
     bool jumped = false;
-    /// The answer to a command that came before was lost, and whether that was carried out is being found
-    /// out, or it is about to be repeated.
+    /// The answer to an earlier command was lost, and it is being verified whether that was carried out, or
+    /// it is about to be repeated.
     bool unsettled = false;
 };
 
@@ -192,7 +199,7 @@ struct CommandExecuted {
     TimePoint time;
     ModuleCommand command;
     Duration late{};
-    /// It had been sent before without an answer: so much earlier it may have been carried out already.
+    /// It had been sent before without an answer: it may have been carried out this much earlier.
     Duration early{};
 };
 
@@ -210,38 +217,38 @@ struct ConnectProgress {
     std::uint8_t modules = 0;  ///< found so far
 };
 
-/// Discovery ended well; polling has begun.
+/// Discovery succeeded; polling has begun.
 struct ChainFound {
     std::vector<ModuleInfo> modules;
     std::uint32_t baud = 0;
-    /// The chain had its addresses already and was left as it was: positions, gains and motions are what they
-    /// were, and what cannot be read back is unknown. Otherwise it has just been given addresses.
+    /// The chain already had addresses and was left as it was: positions, gains and motions are unchanged,
+    /// and what cannot be read back is unknown. Otherwise it has just been assigned addresses.
     bool attached = false;
-    /// With `attached`: a module without an address answers too, so one has restarted or is new.
+    /// With `attached`: a module without an address answers as well, so one has restarted or is new.
     bool unaddressed = false;
-    /// Of `modules`: those of the chain known before that do not answer at their address. ModuleUnresponsive
-    /// follows for each, or ModuleRestarted.
+    /// Those of `modules` that belong to the chain known before but do not answer at their address.
+    /// ModuleUnresponsive follows for each, or ModuleRestarted.
     std::vector<ModuleIndex> absent{};
     /// As EngineConfig::readOnly.
     bool readOnly = false;
-    /// The longest pause within a reply that the line was seen to make, and is reckoned with; 0: none.
+    /// The longest pause within a reply seen on the line, which is allowed for; 0: none.
     Duration replyGap{};
 };
 
 enum class ConnectFailure : std::uint8_t {
     NobodyAnswers,
-    RateChange,   ///< some module did not answer at the new rate
-    Garbled,      ///< answers came but could not be read
+    RateChange,   ///< some modules did not answer at the new rate
+    Garbled,      ///< answers were received but could not be read
     Collision,    ///< two modules answer at one address
-    HeldLow,      ///< nothing but zero bytes: the line is held low
-    Echo,         ///< the adapter returns what is sent, and nobody answers behind that
-    Disturbed,    ///< modules that had answered fell silent while addresses were given
-    Unaddressed,  ///< modules without addresses, and a read-only connection gives none
+    HeldLow,      ///< only zero bytes: the line is held low
+    Echo,         ///< the adapter returns what is sent, and no answer follows
+    Disturbed,    ///< modules that had answered fell silent while addresses were being assigned
+    Unaddressed,  ///< modules without addresses, on a read-only connection, which assigns none
 };
 
 struct ConnectFailed {
     ConnectFailure reason;
-    std::vector<ModuleIndex> modules;  ///< those it failed for, where that is known
+    std::vector<ModuleIndex> modules;  ///< the modules concerned, if known
     std::uint32_t baud = 0;            ///< the rate that was tried
 };
 
@@ -250,16 +257,16 @@ struct OperationFinished {
     Outcome outcome;
     ModuleIndex module;               ///< of the order that ended it
     std::uint8_t commandByte = 0;     ///< of that order
-    SineRecord sine{};                ///< of Operation::sine
-    std::optional<TrialEnd> trial{};  ///< of Operation::trial, with Done
+    SineRecord sine{};                ///< for Operation::sine
+    std::optional<TrialEnd> trial{};  ///< for Operation::trial, with Done
 };
 
 enum class MemberOutcome : std::uint8_t {
     Done,
-    NotDone,   ///< certainly not: it stands where it stood, or refused
-    Unknown,   ///< it answers, and that does not tell
+    NotDone,   ///< certainly not: it is at its old position, or refused
+    Unknown,   ///< it answers, but the result is not visible
     NoAnswer,  ///< it may have been carried out
-    Withheld,  ///< because of this module nothing was sent
+    Withheld,  ///< nothing was sent because of this module
 };
 
 struct GroupMember {
@@ -268,129 +275,130 @@ struct GroupMember {
     bool operator==(const GroupMember&) const = default;
 };
 
-/// The end of a GroupOperation, exactly one for each. Done: for all members. NoAnswer: see `members`.
+/// The end of a GroupOperation, exactly one for each. Done: by all members. NoAnswer: see `members`.
 struct GroupFinished {
     OperationId id;
     Outcome outcome;
     std::variant<GroupChange, GroupCommand> what;
     std::vector<GroupMember> members;
-    bool stopped = false;  ///< only some started, so all of them have been told to stop
+    bool stopped = false;  ///< only some members started, so all of them were sent a stop
 };
 
-/// Where a module belongs has changed, or is not known any more.
+/// The group of a module has changed, or has become unknown.
 struct GroupChanged {
     ModuleIndex module;
     std::optional<GroupPlace> place;
 };
 
-/// The whole chain is at another rate, and each module has answered there. Nothing else has changed.
+/// The whole chain is at another rate, at which each module has answered. Nothing else has changed.
 struct RateChanged {
     std::uint32_t baud = 0;
 };
 
-/// The chain is at the rate it was at, but for modules that are lost.
+/// The chain is at its previous rate, except for modules that are lost.
 struct RateChangeFailed {
     enum class Reason : std::uint8_t {
         NoSuchRate,
-        PortCannot,     ///< the host's port does not make it to within 2 %
+        PortCannot,     ///< the host's port cannot set it to within 2 %
         NotNow,         ///< something moves, or is about to; not connected; read-only
         Missing,        ///< `modules` do not answer, and would be left behind
-        GroupsUnknown,  ///< `modules` may be in groups that are not known here, and would not hear it
-        Leader,         ///< `modules` lead a group: their answers would come at once and at the new rate
+        GroupsUnknown,  ///< `modules` may be in unknown groups, and would not receive it
+        Leader,         ///< `modules` are leaders: their answers would collide, at the new rate
         NotHeard,       ///< `modules` did not answer at the new rate
         Interrupted,    ///< by a stop
     };
     Reason reason = Reason::NotNow;
     std::uint32_t wanted = 0;
-    std::uint32_t baud = 0;  ///< as before
+    std::uint32_t baud = 0;  ///< unchanged
     std::vector<ModuleIndex> modules;
     std::vector<ModuleIndex> lost;  ///< do not answer at the old rate either
 };
 
-/// A stop of all motors has run its course. Each module of the chain that was known is in one list.
+/// A stop of all motors has ended. Each module of the known chain is in one list.
 struct StopFinished {
     std::vector<ModuleIndex> stopped;      ///< seen at rest, twice
     std::vector<ModuleIndex> unreached;    ///< did not answer: use the hardware stop
-    std::vector<ModuleIndex> unconfirmed;  ///< was told, but was not seen at rest: use the hardware stop
-    std::vector<ModuleIndex> noStopKnown;  ///< !hasStop(): was not told, use the hardware stop
+    std::vector<ModuleIndex> unconfirmed;  ///< sent a stop, but not seen at rest: use the hardware stop
+    std::vector<ModuleIndex> noStopKnown;  ///< !hasStop(): not sent a stop; use the hardware stop
     Duration took{};
-    std::vector<ModuleIndex> wereOff{};  ///< when it began: they had to be told nothing
-    bool unasked = false;                ///< not the operator's, but before a port is closed, for example
+    std::vector<ModuleIndex> wereOff{};  ///< off when it began: they needed no stop
+    bool unasked = false;                ///< not requested by the user, but for example before closing a port
 
     [[nodiscard]] bool reachedNobody() const {
         return stopped.empty() && unreached.empty() && unconfirmed.empty() && noStopKnown.empty();
     }
 };
 
-/// Why the engine told one module to stop without a stop of all.
+/// Why the engine sent a stop to a module outside a stop of all modules.
 enum class StopCause : std::uint8_t {
     HoldReleased,
     HoldExpired,
     MotionSuspect,
     GroupHalfStarted,
-    LinkGivenUp,  ///< the link, or that to this module: nobody sees what it does any more
-    StopAll,      ///< a stop of all did not see it at rest
+    LinkGivenUp,  ///< the link, or that to this module: its motion is no longer monitored
+    StopAll,      ///< a stop of all modules did not see it at rest
     ForeignTraffic,
-    GroupStop,  ///< the operator stopped its group, or itself while its chain was looked for
+    GroupStop,  ///< the user stopped its group, or the module itself while its chain was being searched for
     PathEnded,  ///< a path ended before its last point
     TravelLimit,
 };
 
-/// The operator wanted the motion to end, or it was on its way out of its limits: he may want another one
-/// before it has.
+/// True if the user wanted the motion to end, or it was about to leave its limits: the user may request
+/// another one before it has ended.
 [[nodiscard]] constexpr bool ofOperator(StopCause cause) {
     return cause == StopCause::HoldReleased || cause == StopCause::HoldExpired ||
            cause == StopCause::GroupStop || cause == StopCause::TravelLimit;
 }
 
-/// A stop that the engine owed to one module is confirmed: the module was seen at rest, twice. Until then it
-/// has been told to stop, and no more than that is known.
+/// A stop that was owed to a module is confirmed: the module was seen at rest, twice. Until then, nothing is
+/// known except that the stop was sent.
 struct OwedStopConfirmed {
     ModuleIndex module;
     StopCause cause = StopCause::HoldReleased;
 };
 
-/// A module stopped answering or answers again.
+/// A module has stopped answering, or answers again.
 struct ModuleUnresponsive {
     ModuleIndex module;
     bool silent;
 };
 
-/// A reply had the communication-error bit; the command was not carried out and is sent again, or given up.
+/// A reply had the communication-error bit: the command was not carried out, and is retried or given up.
 struct CommandRefused {
     ModuleIndex module;
     std::uint8_t attempt;  ///< 1, 2, 3
 };
 
-/// The adapter returns what is sent to it. That is ignored, and the chain works. Once.
+/// The adapter returns what is sent to it. The echo is ignored, and the chain works. Emitted once.
 struct EchoNoticed {};
 
 /// Every module is silent.
 struct LinkLost {};
 
-/// How far the link is to be trusted (link.md 2.5).
+/// How far the link can be trusted (link.md 2.5).
 enum class LinkHealth : std::uint8_t { Good, Doubtful, Lost };
 
-/// Of the whole bus, or of one module. Lost is final: the motors concerned were stopped (not by a read-only
-/// connection) and are not asked any more; another connect() is needed.
+/// For the whole bus, or for one module. When Lost, the motors concerned were stopped (not by a read-only
+/// connection), and are only queried for their presence until they are well again (wellagain.h).
 struct HealthChanged {
     LinkHealth health;
     unsigned wrong = 0;  ///< of the last `of` exchanges
     unsigned of = 0;
-    std::optional<ModuleIndex> module;  ///< it is the link to this one only
+    std::optional<ModuleIndex> module;  ///< if set, only the link to this module
 };
 
 /// A module that stopped answering has restarted: it answers without an address (faults.md F-15, F-16). Its
-/// position, gains and limits are lost and its motor is off; it is left alone until the network is restarted.
+/// position, gains and limits are lost and its motor is off; it is left alone until it is given its address
+/// back, or the network is restarted.
 struct ModuleRestarted {
     ModuleIndex module;
-    /// The bus runs at another rate than the restarted module, to which its traffic is noise: motors were
-    /// stopped (not by a read-only connection) and polling ended.
+    /// The bus runs at another rate than the restarted module, which receives the traffic as noise: motors
+    /// were stopped (not by a read-only connection) and polling ended.
     bool quiet = false;
 };
 
 /// A module that restarted has its address again: it is off, at position 0 and without gains; the others are
-/// as they were. ModuleUnresponsive follows.
+/// unchanged. ModuleUnresponsive follows.
 struct Readdressed {
     ModuleInfo module;
 };
@@ -401,50 +409,49 @@ struct AddressChanged {
     BusAddress address;
 };
 
-/// The module has not been given its address.
+/// The module was not given its address.
 struct ReaddressFailed {
     enum class Reason : std::uint8_t {
-        NotNow,  ///< something moves, or is under way; the module has not restarted; read-only
+        NotNow,  ///< something moves or is in progress; the module has not restarted; read-only
         NoAnswer,
-        Taken,         ///< another module has that address, or no module may have it: 1..127
-        GroupUnknown,  ///< and it would be changed with the address
+        Taken,         ///< another module has that address, or it is outside 1..127
+        GroupUnknown,  ///< the group would be changed with the address
     };
     ModuleIndex module;
     Reason reason = Reason::NotNow;
 };
 
-/// Something about a motion is not as commanded; its module has been told to stop.
+/// A motion is not as commanded; its module was sent a stop.
 struct MotionSuspect {
     enum class Reason : std::uint8_t {
         WrongWay,  ///< away from its goal, or against its direction
-        Overshot,  ///< past its goal by more than an overshoot can be
-        Frozen,    ///< says that it moves, and reports the same position again and again
+        Overshot,  ///< past its goal by more than a plausible overshoot
+        Frozen,    ///< reports motion, but repeatedly the same position
     };
     ModuleIndex module;
     Reason reason = Reason::WrongWay;
     std::int32_t position = 0;
 };
 
-/// A motion without an end was about to leave its limits of travel (travelwatch.h); its module has been told
-/// to stop.
+/// A motion without an end was about to leave its travel limits (travelwatch.h); its module was sent a stop.
 struct StoppedBeforeLimit {
     ModuleIndex module;
 };
 
-/// Modules answer somebody else: another host is on the line (strayframes.h). What was asked for here is
-/// cancelled, and a hold has ended. Once, until nothing has been heard of him for ten seconds.
+/// Modules answer another host, which is on the line (strayframes.h). Requests from here are cancelled, and a
+/// hold has ended. Emitted once, until nothing has been heard of that host for ten seconds.
 struct ForeignTraffic {
     std::vector<ModuleIndex> toldToStop;  ///< motors that were set in motion from here
 };
 
-/// A module moves, and not because of this connection (ownmotion.h); nothing is done about it. Once for each
-/// motion.
+/// A module moves, but not because of this connection (ownmotion.h); nothing is done about it. Emitted once
+/// for each motion.
 struct ForeignMotion {
     ModuleIndex module;
     std::int32_t position = 0;
 };
 
-/// Held motion ended without the operator's release: the evidence stopped coming.
+/// Held motion ended without being released by the user: the evidence stopped coming.
 struct HoldExpired {
     ModuleIndex module;
 };
@@ -456,7 +463,7 @@ using Event =
                  OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion,
                  AddressChanged, PathProgress, StoppedBeforeLimit>;
 
-/// What the engine wants of the transport, to be done in order.
+/// The engine's requests to the transport, to be carried out in order.
 struct SetHostBaud {
     std::uint32_t baud;
 };
@@ -466,8 +473,8 @@ struct Send {
 };
 using Output = std::variant<SetHostBaud, DiscardInput, Send>;
 
-/// Counted since the chain was found: the silence behind its last module is no error. An exchange is a
-/// command that was sent and asked for an answer.
+/// Counted since the chain was found: the silence after its last module is not an error. An exchange is a
+/// command that was sent and expects an answer.
 struct LinkStatistics {
     std::uint64_t exchanges = 0;
     std::uint64_t answered = 0;  ///< accepted replies
@@ -475,14 +482,15 @@ struct LinkStatistics {
     std::uint64_t timeouts = 0;
     std::uint64_t refused = 0;  ///< communication-error bit
     std::uint64_t badChecksum = 0;
-    std::uint64_t surplusBytes = 0;  ///< bytes nobody asked for
-    std::uint64_t staleBytes = 0;    ///< of them: discarded while waiting for a quarantine to pass
-    std::uint64_t rejected = 0;      ///< replies with a right sum that were not believed
-    RejectionCounts rejections{};    ///< the same by rule
+    std::uint64_t surplusBytes = 0;  ///< unexpected bytes
+    std::uint64_t staleBytes = 0;    ///< those of them that arrived outside an exchange
+    std::uint64_t rejected = 0;      ///< implausible replies with a right sum
+    RejectionCounts rejections{};    ///< the number of implausible replies, by rule
     std::uint64_t resyncs = 0;
     Duration roundTripSum{};
     Duration roundTripMax{};
-    Duration wireTime{};  ///< what the answered exchanges take on a perfect line, tick wait included
+    Duration wireTime{};  ///< duration of the answered exchanges on an undisturbed line, including the wait
+                          ///< for the tick
 
     [[nodiscard]] std::uint64_t errors() const { return timeouts + refused + badChecksum + rejected; }
 };

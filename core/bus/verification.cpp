@@ -10,7 +10,7 @@ namespace nmc::bus {
 
 namespace {
 
-/// A reset position differs from what was before by more, or it cannot be told.
+/// A reset can be verified only if the previous position differs from 0 by at least this much.
 constexpr std::int64_t kTellsApart = 10 * kStillCounts;
 
 [[nodiscard]] Carried verifyMotion(const Belief& belief, const Verification& verification) {
@@ -18,7 +18,7 @@ constexpr std::int64_t kTellsApart = 10 * kStillCounts;
         belief.position() && verification.position && !samePlace(*belief.position(), *verification.position);
     if (belief.mayMove() || moved)
         return Carried::Out;
-    // Not carried out, or a move of no length: the module's own word decides.
+    // It was not carried out, or was a move of no length: the module's reply decides.
     return verification.end.result == ReplyResult::Refused ? Carried::NotOut : Carried::Unknown;
 }
 
@@ -26,7 +26,7 @@ constexpr std::int64_t kTellsApart = 10 * kStillCounts;
     if (belief.mayMove() || !belief.position() || !verification.position)
         return Carried::Unknown;
     if (std::abs(std::int64_t{*verification.position}) < kTellsApart)
-        return Carried::NotOut;  // close to 0 either way: once more does no harm
+        return Carried::NotOut;  // close to 0 either way: repeating it is harmless
     if (samePlace(*belief.position(), 0))
         return Carried::Out;
     return samePlace(*belief.position(), *verification.position) ? Carried::NotOut : Carried::Unknown;

@@ -9,12 +9,12 @@
 
 namespace nmc::bus {
 
-/// After a link, or one module of it, was given up for its errors: asks whoever was given up what it is, one
-/// after the other, believes nothing else, and tells when all answers have been right for long enough that
-/// another start is worth while. Nothing but Read Status goes out, and no motor moves. Pure.
+/// After a link, or a single module, was given up because of errors: queries the identity of those given up,
+/// one after the other, believes nothing else, and reports when all answers have been right for long enough
+/// that another start is worthwhile. Only Read Status is sent, and no motor moves. Pure.
 class WellAgain : public Task {
 public:
-    /// Without one wrong or missing answer.
+    /// Required time without a wrong or missing answer.
     static constexpr Duration kWell = std::chrono::seconds(2);
     static constexpr Duration kBetween = std::chrono::milliseconds(100);
 
@@ -22,7 +22,7 @@ public:
 
     /// `whole`: the link was given up, and not single modules.
     void begin(bool whole, TimePoint now);
-    /// The line is well again; once.
+    /// The line is well again; returned once.
     [[nodiscard]] bool takeWell() { return std::exchange(m_well, false); }
 
     // ---- Task ----
@@ -42,8 +42,8 @@ private:
     Chain& m_chain;
     bool m_whole = false;
     std::optional<TimePoint>
-        m_due;  ///< of the next question, from begin() until it is well, or another search
-    std::optional<TimePoint> m_since;  ///< all answers have been right
+        m_due;  ///< of the next query, since begin(), until the line is well or another search
+    std::optional<TimePoint> m_since;  ///< since when all answers have been right
     std::size_t m_at = 0;
     bool m_well = false;
 };

@@ -14,20 +14,20 @@ using enum Evidence;
 using enum When;
 
 constexpr CommandFacts kQuestion{kRepeat, None, Always, Effect::None};
-/// The same however often it is made.
+/// Setting the same value again changes nothing.
 constexpr CommandFacts kSetting{kRepeat, None, Always, Effect::Setting};
-/// Carried out again it would undo what came of the first time: home found, the counter set to 0, outputs set
-/// or inputs latched.
+/// Carrying it out again would undo the outcome of the first time: home found, the counter set to 0, outputs
+/// set or inputs latched.
 constexpr CommandFacts kOnceOnly{kGiveUp, None, Always, Effect::Setting};
 
-/// A command without a row does not compile.
+/// Omitting a command's row is a compile error.
 struct Row {
     CommandFacts operator()(const Nop&) const { return kQuestion; }
     CommandFacts operator()(const ReadStatus&) const { return kQuestion; }
     CommandFacts operator()(const DefineStatus&) const { return kQuestion; }
-    /// Discovery asks at the new address before it sends it again.
+    /// Discovery queries the new address before it sends this command again.
     CommandFacts operator()(const SetAddress&) const { return {kGiveUp, None, Never, Effect::Setting}; }
-    /// No reply by design, and never an exchange.
+    /// Has no reply by design, and is never an exchange.
     CommandFacts operator()(const SetBaud&) const { return {kGiveUp, None, Never, Effect::Setting}; }
     CommandFacts operator()(const HardReset&) const { return {kOnce, None, Never, Effect::Setting}; }
     CommandFacts operator()(const ResetPosition&) const {
@@ -39,7 +39,8 @@ struct Row {
     // ---- PIC-SERVO ----
 
     /// Nothing moves before the start, so a load alone can be sent again, and at any time (DS-V 5.1, note 1).
-    /// A trapezoidal move is never started by the command that loads it: a garbled load moves nothing.
+    /// A trapezoidal move is never started by the command that loads it, so that a garbled load moves
+    /// nothing.
     CommandFacts operator()(const servo::LoadTrajectory& load) const {
         if (!load.startNow)
             return kSetting;
@@ -47,14 +48,14 @@ struct Row {
         return {kGiveUp, None, trapezoidal ? Never : OffThePath, Effect::Start};
     }
     CommandFacts operator()(const servo::SetGain&) const { return kSetting; }
-    /// The place of Stop Here may be another one.
+    /// The position of Stop Here may differ from the present one, so it can start a motion.
     CommandFacts operator()(const servo::StopMotor& stop) const {
         const Effect effect = stop.manner == servo::StopManner::Here            ? Effect::Start
                               : stop.manner == servo::StopManner::AmplifierOnly ? Effect::Setting
                                                                                 : Effect::Stop;
         return {kRepeatAtOnce, None, Always, effect};
     }
-    /// Fast path would change the rate of the points that are in the buffer.
+    /// Fast path would change the rate of the points that are already in the buffer.
     CommandFacts operator()(const servo::IoControl&) const {
         return {kRepeat, None, OffThePath, Effect::Setting};
     }
@@ -68,11 +69,11 @@ struct Row {
     CommandFacts operator()(const servo::SetPosition&) const {
         return {kGiveUp, None, Standstill, Effect::Counter};
     }
-    /// Each of its bits acts at once, and some of them can destroy an amplifier that is on.
+    /// Each bit takes effect at once, and some of them can destroy an amplifier that is on.
     CommandFacts operator()(const servo::ScIoControl&) const {
         return {kRepeat, None, MotorOff, Effect::Setting};
     }
-    /// Points belong to PathTask, which asks mayFollowPath().
+    /// Path points are sent by PathTask, which checks mayFollowPath().
     CommandFacts operator()(const servo::AddPathPoints& add) const {
         return {kOnce, None, Never, add.startsPath() ? Effect::Start : Effect::Setting};
     }

@@ -8,17 +8,17 @@
 
 namespace nmc {
 
-/// A command for one chip or another.
+/// A command for any chip type.
 using ModuleCommand = std::variant<ServoCommand, StepperCommand, IoCommand>;
 
-/// Calls `function` with the struct of the command, of whatever chip.
+/// Calls `function` with the command's struct, whatever the chip.
 template <typename Function>
 decltype(auto) visitCommand(Function&& function, const ModuleCommand& command) {
     return std::visit([&](const auto& chip) -> decltype(auto) { return std::visit(function, chip); },
                       command);
 }
 
-/// Whether it is this command, of whatever chip.
+/// True if `command` is a `Command`, whatever the chip.
 template <typename Command>
 [[nodiscard]] bool is(const ModuleCommand& command) {
     return visitCommand([](const auto& own) { return std::is_same_v<std::decay_t<decltype(own)>, Command>; },

@@ -69,7 +69,7 @@ void StepperRegisters::apply(const StepperCommand& command) {
                        waiting.reset();
                    },
                    [this](const stepper::SetParameters& set) {
-                       // Integer speeds mean something else in another speed mode.
+                       // Integer speeds have another meaning in another speed mode.
                        if (!parameters || parameters->speedMode != set.speedMode)
                            waiting.reset();
                        parameters = set;
@@ -105,7 +105,7 @@ void IoRegisters::apply(const IoCommand& command) {
                        outputs.reset();
                        pwm.reset();
                        if (!stored)
-                           return;  // what another host has stored
+                           return;  // the values that another host has stored are unknown
                        outputs = stored->outputs;
                        pwm = {stored->pwm1, stored->pwm2};
                    },

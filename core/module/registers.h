@@ -7,67 +7,67 @@
 
 #include "protocol/commands.h"
 
-/// What a module keeps of the commands that it carries out. The chips report next to none of it, so this is
-/// the only copy, with one rule for what a command changes. Whoever feeds it decides what counts as carried
-/// out: commands that were answered, or all that were sent. Empty means not known. Values, one class for each
-/// chip; a new object is a module after a reset.
+/// The state that a module keeps from the commands that it carries out. The chips report almost none of it,
+/// so this is the only copy, with a single definition of what each command changes. The caller decides which
+/// commands count as carried out: those answered, or all that were sent. Empty means unknown. Value types,
+/// one class per chip; a new object represents a module after a reset.
 namespace nmc {
 
-/// What I/O Control has to do with paths.
+/// The part of I/O Control that affects paths.
 struct PathControl {
     bool fastPath = false;          ///< 60 and 120 Hz instead of 30 and 60
-    bool stepAndDirection = false;  ///< of an SC: its command position is not the host's alone
+    bool stepAndDirection = false;  ///< SC: the command position is not under the host's sole control
     bool operator==(const PathControl&) const = default;
 };
 
-/// PIC-SERVO (DS-V 5.2).
+/// Registers of a PIC-SERVO (DS-V 5.2).
 struct ServoRegisters {
     void apply(const ServoCommand& command);
-    /// The chip has stopped the motor, by command or by itself: its velocity is 0, and what was loaded does
-    /// not wait any more.
+    /// Call when the chip has stopped the motor, by command or by itself: its velocity is 0, and a loaded
+    /// trajectory no longer waits.
     void stopped();
-    /// What a start would run: the load that came last, and what it kept of those before.
+    /// The trajectory that a start would run: the last load, together with the values kept from earlier ones.
     [[nodiscard]] servo::LoadTrajectory trajectory() const;
-    /// A smooth stop can slow down.
+    /// True if a smooth stop can decelerate.
     [[nodiscard]] bool accelerationLoaded() const { return acceleration && acceleration->value() != 0; }
 
-    servo::LoadTrajectory load;  ///< the last one; its control bits hold until the next
-    bool loadWaiting = false;    ///< for a start
-    std::optional<Counts> goal;  ///< loaded last, but for relative moves
+    servo::LoadTrajectory load;  ///< the last one; its control bits hold until the next load
+    bool loadWaiting = false;    ///< `load` waits for a start
+    std::optional<Counts> goal;  ///< loaded last, except by relative moves
     std::optional<CountsPerTick> velocity;
     std::optional<CountsPerTickSquared> acceleration;
     bool amplifierEnabled = false;
     std::optional<servo::SetGain> gains;
-    /// SR, which goes with the gains; 1 after power-up (DS-V 4.5). Empty: nobody knows how long a tick is.
+    /// SR, which is set with the gains; 1 after power-up (DS-V 4.5). Empty: the length of a tick is unknown.
     std::optional<int> servoRate = 1;
     std::optional<servo::IoControl> io;      ///< versions 1 to 5
-    std::optional<servo::ScIoControl> scIo;  ///< of an SC, instead
+    std::optional<servo::ScIoControl> scIo;  ///< SC, instead of `io`
     std::optional<PathControl> pathControl = PathControl{};
 };
 
-/// PIC-STEP (DS-S 5.1).
+/// Registers of a PIC-STEP (DS-S 5.1).
 struct StepperRegisters {
     void apply(const StepperCommand& command);
 
     std::optional<stepper::SetParameters> parameters;
     std::optional<std::uint8_t> outputs = std::uint8_t{0x10};  ///< OUT5 high, the rest low (DS-S 2.3)
-    std::optional<std::uint8_t> accelerationTime;    ///< of the ramp that the next smooth stop would take
-    std::optional<stepper::LoadTrajectory> waiting;  ///< for a start
+    std::optional<std::uint8_t> accelerationTime;              ///< of the ramp for the next smooth stop
+    std::optional<stepper::LoadTrajectory> waiting;            ///< waits for a start
 };
 
-/// PIC-I/O (docs/family.md). Of masks, bit 0 is IO1.
+/// Registers of a PIC-I/O (docs/family.md). In masks, bit 0 is IO1.
 struct IoRegisters {
     void apply(const IoCommand& command);
-    /// Found as another host left it.
+    /// Call for a module found as another host left it.
     void attached();
-    /// What all pins are to be told so that outputs stay as they are: as they were told, otherwise as they
-    /// read. Empty: nobody knows.
+    /// The levels to send for all pins so that outputs stay as they are: those last set if known, otherwise
+    /// those read. Empty: unknown.
     [[nodiscard]] std::optional<std::uint16_t> levels(const StatusReport& latest) const {
         return outputs ? outputs : latest.pins;
     }
 
-    std::optional<std::uint16_t> inputs = io::kAllPins;  ///< set: an input
-    std::optional<std::uint16_t> outputs;                ///< what outputs were told
+    std::optional<std::uint16_t> inputs = io::kAllPins;  ///< a set bit is an input
+    std::optional<std::uint16_t> outputs;                ///< the levels that outputs were set to
     std::optional<std::array<std::uint8_t, 2>> pwm = std::array<std::uint8_t, 2>{};
     std::optional<io::SetTimerMode> timer = io::SetTimerMode{};
     std::optional<io::SetSynchOutput> stored;  ///< waits for Synch Output

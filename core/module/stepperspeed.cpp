@@ -8,11 +8,11 @@ namespace nmc {
 
 namespace {
 
-/// Of the step timer at 1x, Hz (DS-S 4.1).
+/// Rate of the step timer at 1x, in Hz (DS-S 4.1).
 constexpr double kTimerRate = 625'000.0;
-/// What the timer takes to be loaded again, at 1x.
+/// Timer counts that reloading takes at 1x.
 constexpr double kReload = 2.0;
-/// One unit of acceleration time, s (DS-S 4.2).
+/// One unit of acceleration time, in seconds (DS-S 4.2).
 constexpr double kTimeUnit = 0.00025;
 
 double within(double value, ValueRange range) {
@@ -44,7 +44,7 @@ stepper::TimerCount StepperSpeed::timerFor(double stepsPerSecond) const {
     const double exact = 65'536.0 + kReload * m_multiplier - m_multiplier * kTimerRate / slowest;
     const auto below = static_cast<std::uint16_t>(within(std::floor(exact), stepper::kTimerCountRange));
     const auto above = static_cast<std::uint16_t>(within(std::floor(exact) + 1, stepper::kTimerCountRange));
-    // Nearest in speed, not in count: at high speeds a count is worth a lot.
+    // Nearest in speed, not in count: at high speeds, one count is a large step in speed.
     const bool up = std::abs(ofCount(above) - stepsPerSecond) < std::abs(ofCount(below) - stepsPerSecond);
     const std::uint16_t count = up ? above : below;
     return {count, speedFor(ofCount(count))};

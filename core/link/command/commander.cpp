@@ -16,7 +16,7 @@ namespace nmc {
 namespace {
 
 constexpr int kFocusIntervalMs = 1'000;
-/// For the answer to a limit stop to show in the module's state.
+/// Time for the answer to a limit stop to appear in the module's state.
 constexpr Duration kArmingShows = std::chrono::milliseconds(250);
 
 }  // namespace
@@ -58,7 +58,7 @@ void Commander::carryOut(ModuleIndex index, const Intent& intent) {
     if (std::holds_alternative<intent::CancelProcedure>(intent))
         return;
     if (auto procedure = procedureFor(intent, *module)) {
-        // The one before is still stopping its motor: nothing waits in a queue to move.
+        // The previous procedure is still stopping its motor; a motion must not wait in a queue.
         if (!m_procedures.begin(std::move(procedure)))
             emit refused(index, Refusal::Moving, intent);
         return;
@@ -102,7 +102,7 @@ void Commander::command(const bus::GroupCommand& command) {
     const bool stops = isStop(command.action);
     if (command.action == StartMotion)
         emit aboutToMove(id, members);
-    // As carryOut() does where a module is asked by itself.
+    // The runs end as in carryOut(), where a module is addressed by itself.
     for (const ModuleIndex module : members) {
         if (stops || command.action == ResetPosition)
             m_sequences.takeOver(module, stops);
@@ -119,7 +119,7 @@ void Commander::change(const bus::GroupChange& change) {
     m_worker.submit(bus::GroupOperation{nextId(), change});
 }
 
-/// Those that are known to be in it, and those whose group is not known.
+/// Members known to be in the group, and modules whose group is unknown.
 std::vector<ModuleIndex> Commander::membersOf(std::uint8_t group) const {
     std::vector<ModuleIndex> members;
     for (const ModuleState& module : m_store.link().modules)
@@ -143,7 +143,7 @@ bool Commander::take(const StoreEvent& event) {
     if (std::holds_alternative<bus::ChainFound>(event))
         m_travelLimits.clear();
     if (ends || std::holds_alternative<bus::GroupFinished>(event)) {
-        // It may have set a counter, and then the bus has dropped the limits of that axis.
+        // The operation may have set a counter, in which case the bus has dropped the limits of that axis.
         m_travelLimits.clear();
         sendTravelLimits();
     }
@@ -174,8 +174,8 @@ void Commander::look() {
             keepArmed(module);
 }
 
-/// The bus thread stops what would leave its limits, whether this thread is busy or not. A procedure minds
-/// them itself.
+/// The bus thread stops a motion that would leave its limits, even while this thread is busy. A procedure
+/// observes the limits itself.
 void Commander::sendTravelLimits() {
     std::vector<bus::TravelLimits> limits;
     for (const ModuleState& module : m_store.link().modules) {
@@ -215,7 +215,8 @@ void Commander::noteTest(const ProcedureReport& report) {
         m_focusTimer.start();
 }
 
-/// While another motor moves or is tested it is watched as closely as ever, and this one has fewer samples.
+/// While another motor moves or is tested, that one is polled as often as ever, so this one gets fewer
+/// samples.
 void Commander::shareBus() {
     const std::vector<ModuleState>& modules = m_store.link().modules;
     const bool alone = m_tested.size() == 1 &&

@@ -17,10 +17,10 @@
 
 namespace nmc {
 
-/// Carries out what is asked of modules and groups: as one operation, as a procedure, or as a command to a
-/// group. Whatever ran with the module before gives way, and a stop waits for none of it. It also keeps the
-/// bus informed of what follows from the machine: limits of travel, limit stops that are due, and the module
-/// that a test wants to see closely. GUI thread.
+/// Carries out requests to modules and groups: as an operation, as a procedure, or as a command to a group.
+/// Whatever was running with the module before is ended, and a stop does not wait for any of it. The class
+/// also keeps the bus informed of what follows from the machine: travel limits, limit stops that are due, and
+/// the module that a test needs polled fast. GUI thread.
 class Commander : public QObject {
     Q_OBJECT
 
@@ -31,26 +31,29 @@ public:
     [[nodiscard]] SequenceController& sequences() { return m_sequences; }
     [[nodiscard]] bool anyRunning() const { return m_procedures.anyRunning() || m_sequences.running(); }
 
-    /// sent() or refused() follows, unless it needs no command.
+    /// sent() or refused() follows, unless the intent needs no command.
     void carryOut(ModuleIndex module, const Intent& intent);
-    /// Towards a limit of travel it is a move there. False: it is not possible now, and nothing was sent.
+    /// Towards a travel limit, the held motion becomes a move to it. Returns false if it is not possible now;
+    /// nothing is sent then.
     [[nodiscard]] bool hold(const bus::HoldToMove& wanted);
     void command(const bus::GroupCommand& command);
     void change(const bus::GroupChange& change);
-    /// Procedures and sequences stop their motors, and end.
+    /// Ends procedures and sequences, which stop their motors.
     void stopRuns();
-    /// They end before a stop of all motors, or before an end of the connection that stops them.
+    /// Ends procedures and sequences before a stop of all motors, or before closing a connection, which stops
+    /// them.
     void endRuns();
 
-    /// Every event is to come here first. True: the operation that ended belongs to a procedure or a
-    /// sequence, which reports the outcome.
+    /// Must be called first for every event. Returns true if the operation that ended belongs to a procedure
+    /// or a sequence, which reports the outcome.
     [[nodiscard]] bool take(const StoreEvent& event);
 
 signals:
-    /// The precondition that is not met.
+    /// A precondition of the intent is not met.
     void refused(nmc::ModuleIndex module, nmc::Refusal refusal, const nmc::Intent& intent);
     void sent(nmc::ModuleIndex module, const nmc::Intent& intent);
-    /// What may set these in motion is about to be sent. The operation's end, or the group's, follows.
+    /// A command that may set these modules in motion is about to be sent. The end of the operation or of the
+    /// group command follows.
     void aboutToMove(nmc::bus::OperationId id, const std::vector<nmc::ModuleIndex>& modules);
     void aboutToHold(nmc::ModuleIndex module);
 
@@ -69,10 +72,10 @@ private:
     ProcedureController m_procedures;
     SequenceController m_sequences;
     std::uint32_t m_lastOperation = 0;
-    std::vector<bus::TravelLimits> m_travelLimits;  ///< as sent last; empty: the bus may have others
-    std::map<ModuleIndex, TimePoint> m_armedAt;     ///< when a limit stop was sent last
-    std::set<ModuleIndex> m_tested;                 ///< by procedures that run (isTest)
-    QTimer m_focusTimer;                            ///< the bus takes back a focus that nobody renews
+    std::vector<bus::TravelLimits> m_travelLimits;  ///< as last sent; empty: the bus may have other limits
+    std::map<ModuleIndex, TimePoint> m_armedAt;     ///< when a limit stop was last sent
+    std::set<ModuleIndex> m_tested;                 ///< by running procedures (isTest)
+    QTimer m_focusTimer;                            ///< renews the focus, which the bus otherwise withdraws
 };
 
 }  // namespace nmc

@@ -95,7 +95,7 @@ void ProcedureController::forget() {
     m_timer.stop();
 }
 
-/// The news first: a stop that came from elsewhere must not be followed by a move.
+/// Takes the events first: a stop from elsewhere must not be followed by a move.
 void ProcedureController::look() {
     m_store.drain();
     advance();
@@ -188,12 +188,13 @@ bool ProcedureController::take(const StoreEvent& event) {
                     cancelAll();
             },
             [this](const bus::StopFinished&) {
-                // Also one that nobody here has asked for.
+                // Also applies to a stop that this side did not request.
                 m_stopping = false;
                 overtakeAll();
             },
             [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, PortClosed> auto&) { forget(); },
-            // What these concern ends a procedure's operation, shows in the module, or is no motor's.
+            // These events end a procedure's operation, show in the module's state, or do not concern a
+            // motor.
             [](const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::HoldExpired, bus::GroupFinished,
                            bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
                            bus::ReaddressFailed, bus::AddressChanged, bus::EchoNoticed, SimulatorAnswered,

@@ -14,10 +14,9 @@
 
 namespace nmc {
 
-/// Runs procedures, at most one with each module: asks them what is next whenever there is news, and 20 times
-/// a second. A stop never waits for one: whatever has stopped the motor is told to it afterwards, and all
-/// that it may still send then is that the chip need not look for home any more, or that the motor is off.
-/// GUI thread.
+/// Runs procedures, at most one per module: requests their next step whenever there is an event, and 20 times
+/// a second. A stop never waits for a procedure: after something else has stopped the motor, the procedure is
+/// informed, and may then only cancel the chip's home search or switch the motor off. GUI thread.
 class ProcedureController : public QObject {
     Q_OBJECT
 
@@ -27,29 +26,29 @@ public:
 
     ProcedureController(BusStore& store, Submit submit, QObject* parent = nullptr);
 
-    /// False while one runs with that module already.
+    /// Returns false while a procedure is already running with the module.
     [[nodiscard]] bool begin(std::unique_ptr<Procedure> procedure);
     [[nodiscard]] bool running(ModuleIndex module) const { return m_runs.count(module) != 0; }
     [[nodiscard]] bool anyRunning() const { return !m_runs.empty(); }
 
-    /// The user wants something else of the module, or nothing: its procedure stops the motor, and ends.
+    /// The user requests something else of the module, or nothing: its procedure stops the motor and ends.
     void cancel(ModuleIndex module);
     void cancelAll();
-    /// What is being tried with it is to stay: the bus is asked for that now.
+    /// Keeps what is being tried on the module; the bus has been asked to keep it.
     void keep(ModuleIndex module);
-    /// Other gains for the procedure that runs with it. False: it has no use for them.
+    /// Passes new gains to the procedure running with the module. Returns false if it does not use them.
     [[nodiscard]] bool take(ModuleIndex module, const servo::SetGain& gains);
-    /// The motor has been stopped or switched off by somebody else.
+    /// The motor has been stopped or switched off by something else.
     void overtake(ModuleIndex module);
-    /// A stop of all motors begins; until stopFinished() nothing is sent.
+    /// A stop of all motors begins; nothing is sent until StopFinished.
     void stopAll();
-    /// The connection is over, or another has begun.
+    /// The connection has ended, or another one has begun.
     void forget();
-    /// Sorts the news out; false for the end of an operation that is none of ours.
+    /// Handles an event. Returns false for the end of an operation that is not ours.
     bool take(const StoreEvent& event);
 
 signals:
-    /// The last one that ran is over, and its motor told what it leaves behind.
+    /// The last running procedure has ended, and its final commands have been sent.
     void idle();
     void reported(const nmc::ProcedureReport& report);
 

@@ -46,7 +46,7 @@ void SequenceController::begin(Machine machine, const std::string& sequence, std
     if (running())
         return;
     const LinkState& link = m_store.link();
-    // Homing has a right of its own.
+    // Homing has an operator right of its own.
     auto problems =
         whyNotRun(sequence, row, machine, sequence == kHomeAll ? link.modules : asOfSequence(link.modules));
     if (link.phase != LinkPhase::Connected)
@@ -108,7 +108,7 @@ void SequenceController::stopAll() {
     advance();
 }
 
-/// The news first: a stop that came from elsewhere must not be followed by a move.
+/// Takes the events first: a stop from elsewhere must not be followed by a move.
 void SequenceController::look() {
     m_store.drain();
     advance();
@@ -150,7 +150,7 @@ bool SequenceController::take(const StoreEvent& event) {
     if (const auto* finished = std::get_if<bus::OperationFinished>(&event)) {
         if (!m_run || std::erase(m_operations, finished->id) == 0)
             return false;
-        // A stop that was not carried out is for the user to know of.
+        // A stop that was not carried out must be reported to the user.
         const bool stopFailed = m_run->report().end && finished->outcome != bus::Outcome::Done;
         m_run->onFinished(finished->module, finished->outcome);
         return !stopFailed;

@@ -17,8 +17,8 @@
 
 namespace nmc {
 
-/// Runs one sequence at a time: asks it what is next whenever there is news, and 20 times a second, and
-/// carries that out as the panel's own requests are. Foresees a sequence in the background. GUI thread.
+/// Runs one sequence at a time: requests its next step whenever there is an event, and 20 times a second, and
+/// carries it out like the panel's own requests. Predicts a sequence in the background. GUI thread.
 class SequenceController : public QObject {
     Q_OBJECT
 
@@ -29,30 +29,30 @@ public:
                        QObject* parent = nullptr);
 
     [[nodiscard]] bool running() const { return m_run && !m_run->report().over(); }
-    /// The modules of what runs.
+    /// The modules that take part in the running sequence.
     [[nodiscard]] std::set<ModuleIndex> parts() const {
         return running() ? m_run->parts() : std::set<ModuleIndex>{};
     }
 
-    /// Nothing while another runs. What keeps it from running is told by refused().
+    /// Does nothing while another sequence runs. refused() reports what prevents it from running.
     void start(const Machine& machine, const std::string& sequence, std::size_t row, bool singleStep);
     void goTo(const Machine& machine, const std::string& point);
-    /// One axis after the other, by their recipes.
+    /// Homes one axis after the other, by their recipes.
     void home(const Machine& machine, const std::vector<ModuleIndex>& axes);
     void pause();
     void resume();
     void step();
     void stop();
 
-    /// A dry run of it; foreseen() follows, unless another one is asked for.
+    /// Starts a dry run of the sequence; foreseen() follows unless another one is requested.
     void foresee(const Machine& machine, const std::string& sequence, std::size_t row);
     void endForesight() { m_foresight.cancel(); }
 
-    /// The user wants something of this module; `stops`: that its motor stops.
+    /// The user requests something of this module; `stops`: a stop of its motor.
     void takeOver(ModuleIndex module, bool stops);
     /// A stop of all motors begins.
     void stopAll();
-    /// False for the end of an operation that is none of ours, or of one whose failure is to be told.
+    /// Returns false for the end of an operation that is not ours, or whose failure must be reported.
     bool take(const StoreEvent& event);
 
 signals:

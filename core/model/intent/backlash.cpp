@@ -11,9 +11,9 @@ std::optional<std::int64_t> turningPoint(std::int64_t from, std::int64_t goal, c
     const auto play = static_cast<std::int64_t>(std::llround(module.backlash.distance));
     if (play <= 0 || goal == from)
         return std::nullopt;
-    const int side = module.backlash.fromAbove ? -1 : 1;  // the direction in which it has to arrive
+    const int side = module.backlash.fromAbove ? -1 : 1;  // the direction from which it must arrive
     const std::int64_t distance = (goal - from) * side;
-    // A run that has ended at its limit has come from anywhere.
+    // A run that ended at its limit may have come from either side.
     const auto rests = module.goal();
     const bool takenUp = rests && module.goalReverse() == module.backlash.fromAbove &&
                          rests != travelEnd(module, false) && rests != travelEnd(module, true);

@@ -8,9 +8,10 @@
 
 namespace nmc {
 
-/// Where a move has to turn round, so that it comes to its goal from the side that the axis wants
-/// (BacklashSettings); nothing: it comes from there anyway. A way in that direction that is shorter than the
-/// play may not have taken it up, unless the motor rests where a move from that side has led. Pure.
+/// The position at which a move has to turn round so that it arrives at its goal from the side that the axis
+/// requires (BacklashSettings); empty if it arrives from there anyway. A move in that direction that is
+/// shorter than the play may not take it up, unless the motor already rests where a move from that side has
+/// led. Pure.
 [[nodiscard]] std::optional<std::int64_t> turningPoint(std::int64_t from, std::int64_t goal,
                                                        const ModuleState& module);
 

@@ -40,7 +40,7 @@ struct WhyNot {
             case servo::StopManner::Here:
                 return whyNot(IntentKind::StopHere, module);
         }
-        // A servo that is off is switched on by it (DS-V 5.2).
+        // A stop switches on a servo that is off (DS-V 5.2).
         return whyNot(module.servoOn() ? IntentKind::StopMotion : IntentKind::Enable, module);
     }
     std::optional<Refusal> operator()(const servo::SetHoming& homing) const {
@@ -62,7 +62,7 @@ struct WhyNot {
     std::optional<Refusal> operator()(const servo::ScIoControl&) const {
         return whyNot(IntentKind::ControlSc, module);
     }
-    /// Paths and saved configurations are not for a command alone.
+    /// Paths and saved configurations cannot be sent as single commands.
     std::optional<Refusal> operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
         return Refusal::VersionLacksIt;
     }
@@ -99,7 +99,7 @@ struct WhyNot {
         return whyNot(IntentKind::ControlIo, module);
     }
 
-    // ---- all of them ----
+    // ---- all chips ----
 
     std::optional<Refusal> operator()(const StartMotion&) const {
         return whyNot(IntentKind::StartLoaded, module);
@@ -110,7 +110,7 @@ struct WhyNot {
     std::optional<Refusal> operator()(const SaveAsHome&) const {
         return whyNot(IntentKind::SaveAsHome, module);
     }
-    /// Addresses, rate, reset and the items of a status belong to the bus.
+    /// Addresses, rate, reset and status items belong to the bus.
     std::optional<Refusal> operator()(
         const AnyOf<SetAddress, DefineStatus, ReadStatus, SetBaud, Nop, HardReset> auto&) const {
         return whyInaccessible(IntentKind::StopMotion, module);

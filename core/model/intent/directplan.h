@@ -5,8 +5,8 @@
 
 namespace nmc {
 
-/// Why a command cannot be sent as it stands: the same rules as those of the panel's own controls, and where
-/// these have none, what the data sheets and the bus's gate (bus/gate.h) allow. Pure.
+/// Why a command cannot be sent as it is: the preconditions of the panel's own controls apply, and where
+/// there are none, what the data sheets and the bus's gate (bus/gate.h) allow. Pure.
 [[nodiscard]] std::optional<Refusal> whyNotDirect(const ModuleCommand& command, const ModuleState& module);
 
 }  // namespace nmc

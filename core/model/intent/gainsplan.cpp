@@ -6,7 +6,7 @@ namespace nmc {
 servo::SetGain gainsFor(const ModuleState& module, servo::SetGain gains) {
     if (module.info.identity.version < servo::kDeadbandVersion)
         gains.db.reset();
-    // Without its byte an SC takes 1; who has tuned it did not mean that.
+    // Without this byte an SC takes 1, which is not what the user tuned.
     if (!isSc(module.info.identity))
         gains.sm.reset();
     else if (!gains.sm && module.gains)

@@ -5,13 +5,13 @@
 
 #include "model/intent/intent.h"
 
-/// What gains need before they can be sent or tried. Pure.
+/// Preconditions for sending and trying gains. Pure.
 namespace nmc {
 
-/// As this version takes them: DB came with version 4 (DS-V 5.2).
+/// Reduces the gains to those that the module's version has: DB came with version 4 (DS-V 5.2).
 [[nodiscard]] servo::SetGain gainsFor(const ModuleState& module, servo::SetGain gains);
 
-/// A try needs gains to go back to, and a motor that holds still, so that whatever moves is their doing.
+/// A trial needs gains to go back to, and a motor at standstill, so that any motion is due to the gains.
 [[nodiscard]] std::optional<Refusal> whyNot(const intent::TryGains& wanted, const ModuleState& module);
 
 }  // namespace nmc

@@ -138,7 +138,7 @@ HomingRecipe effective(HomingRecipe recipe, const ModuleIdentity& identity) {
         recipe.onHomeSwitch = false;
         if (recipe.onPositionError)
             recipe.stop = HomingRecipe::Stop::MotorOff;
-        // The index alone has no neighbourhood to find first.
+        // A search for the index alone has no vicinity to find first.
         if (recipe.onIndex)
             recipe.thenIndex = false;
     }

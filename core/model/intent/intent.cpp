@@ -24,12 +24,12 @@ Orders stepsFor(const ModuleState& module, Commands... commands) {
 }
 
 bool gainsAct(const ModuleState& module) {
-    // With Kd alone the servo brakes, and holds nothing: how a new motor is tuned first. Without an output
-    // limit above 0 nothing drives it.
+    // With Kd alone, the servo brakes but holds nothing, which is how a new motor is tuned first. Without an
+    // output limit above 0, nothing drives it.
     return module.gains && (module.gains->kp != 0 || module.gains->kd != 0) && module.gains->ol != 0;
 }
 
-/// -1 or 1: which way it would go from where it is; 0: nowhere.
+/// Direction of the motion from the present position, -1 or 1; 0: none.
 int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
     if (!load.servo || load.profile == servo::ProfileMode::Velocity)
         return load.reverse ? -1 : 1;
@@ -41,7 +41,8 @@ int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
     return distance > 0 ? 1 : distance < 0 ? -1 : 0;
 }
 
-/// Applies the rule first, so that what a control greys out is never sent from elsewhere either.
+/// Checks the precondition first, so that a command whose control is greyed out is not sent from anywhere
+/// else either.
 template <typename MakeOrders>
 Plan allowed(IntentKind kind, const ModuleState& module, MakeOrders makeOrders) {
     if (const auto refusal = whyNot(kind, module))
@@ -49,7 +50,7 @@ Plan allowed(IntentKind kind, const ModuleState& module, MakeOrders makeOrders) 
     return makeOrders();
 }
 
-/// An SC that minds its limits would not start, and would not say so (docs/family.md).
+/// An SC with limit protection would not start, and would not report it (docs/family.md).
 bool startsIntoLimit(const Orders& orders, const ModuleState& module) {
     for (const bus::Order& step : orders)
         if (const auto* command = std::get_if<ServoCommand>(&step.command))
@@ -65,8 +66,9 @@ struct Planner {
     Plan operator()(const intent::AskAnew&) const { return Orders{}; }
 
     Plan operator()(const intent::Enable&) const {
-        // One Stop Motor sets AMP_EN and lets the servo hold where it is (DS-V 5.2). The position error bit
-        // is set as long as a servo is off, and stays: cleared, its next edge is a trip.
+        // A single Stop Motor sets AMP_EN and makes the servo hold its present position (DS-V 5.2). The
+        // position error bit is set while a servo is off, and remains set; once it is cleared, its next edge
+        // is a trip.
         return allowed(IntentKind::Enable, module, [this] {
             return stepsFor(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}},
                             servo::ClearStickyBits{});
@@ -114,7 +116,7 @@ struct Planner {
     }
 
     Plan operator()(const intent::StopSmoothly&) const {
-        // With acceleration 0 the chip could not slow down (link.md 2.6).
+        // With acceleration 0, the chip could not decelerate (link.md 2.6).
         const auto manner =
             module.accelerationLoaded() ? servo::StopManner::Smoothly : servo::StopManner::Abruptly;
         return stop(manner);
@@ -147,7 +149,7 @@ struct Planner {
                        [this] { return stepsFor(module, nmc::SaveAsHome{}); });
     }
 
-    /// It is for whoever keeps the module's state.
+    /// Sends nothing; the owner of the module's state handles it.
     Plan operator()(const intent::DeclarePosition&) const {
         return unless(whyNot(IntentKind::DeclarePosition, module));
     }
@@ -167,7 +169,7 @@ struct Planner {
         return allowed(IntentKind::DrivePwm, module, [&]() -> Orders {
             if (module.amplifierEnabled)
                 return stepsFor(module, load, StartMotion{});
-            // Without AMP_EN nothing would turn.
+            // Without AMP_EN, the motor would not turn.
             return stepsFor(module, servo::StopMotor{true, servo::StopManner::MotorOff, {}}, load,
                             StartMotion{});
         });
@@ -189,7 +191,8 @@ struct Planner {
         });
     }
 
-    // Procedures have their own way (model/procedure/procedures.h): here is only why one is not possible.
+    // Procedures are planned elsewhere (model/procedure/procedures.h); this only determines why one is not
+    // possible.
     Plan operator()(const intent::Home& home) const { return unless(whyNotHome(home.recipe, module)); }
     Plan operator()(const intent::MoveBy& moveBy) const {
         if (const auto refusal = lacking({{}, moveBy.velocity, moveBy.acceleration}))
@@ -215,7 +218,7 @@ struct Planner {
 
     Plan operator()(const In<AnyModuleIntent> auto&) const {
         return Orders{};
-    }  // planned for all chips alike
+    }  // planned for all chips in plan()
     Plan operator()(const In<StepperIntent> auto&) const { return tl::unexpected(Refusal::NotAStepper); }
     Plan operator()(const In<IoIntent> auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
 
@@ -268,7 +271,7 @@ tl::expected<Orders, Refusal> plan(const Intent& intent, const ModuleState& modu
             return tl::unexpected(*refusal);
         return Orders{{module.info.index, direct->command}};
     }
-    // The bus does it (bus/readdresstask.h).
+    // The bus carries this out (bus/readdresstask.h).
     if (std::holds_alternative<intent::ResetModule>(intent))
         return allowed(IntentKind::ResetModule, module, [] { return Orders{}; });
     if (module.isIo())
@@ -318,7 +321,7 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
             if (!module.speedsKnown())
                 return Refusal::ServoRateUnknown;
             return limitStopDue(module) ? std::optional(Refusal::LimitStopDue) : std::nullopt;
-        case IntentKind::StopMotion:  // to a servo that is off a stop would switch it on
+        case IntentKind::StopMotion:  // a stop would switch on a servo that is off
             return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
         case IntentKind::ResetPosition:
         case IntentKind::ResetModule:
@@ -363,7 +366,7 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
             return module.info.identity.version < servo::kAutoStopVersion
                        ? std::optional(Refusal::VersionLacksIt)
                        : std::nullopt;
-        case IntentKind::Home:  // above
+        case IntentKind::Home:  // handled above
         case IntentKind::SaveAsHome:
         case IntentKind::SetAmplifier:
         case IntentKind::MotorOff:

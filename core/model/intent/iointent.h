@@ -5,13 +5,13 @@
 
 #include "protocol/iocommands.h"
 
-/// What the operator asks of one PIC-I/O. Pins and PWM outputs are numbered from 0.
+/// Requests of the operator to a PIC-I/O. Pins and PWM outputs are numbered from 0.
 namespace nmc::iointent {
 
 struct SetDirection {
     std::uint16_t inputs = io::kAllPins;
 };
-/// One output; the others stay as they are.
+/// Sets a single output; the others stay as they are.
 struct SetOutput {
     unsigned pin = 0;
     bool high = false;
@@ -20,16 +20,16 @@ struct SetPwm {
     unsigned output = 0;
     std::uint8_t value = 0;
 };
-/// The count starts at 0.
+/// Sets the timer mode; the count starts at 0.
 struct SetTimer {
     io::SetTimerMode mode;
 };
-/// For SynchOutput, of this module or of its group.
+/// Stores outputs for SynchOutput, of this module or of its group.
 struct StoreOutputs {
     io::SetSynchOutput outputs;
 };
 struct SynchOutput {};
-/// Latches pins and counter, and reads what was latched.
+/// Latches pins and counter, and reads the latched values.
 struct SynchInput {};
 
 }  // namespace nmc::iointent

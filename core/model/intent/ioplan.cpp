@@ -16,8 +16,8 @@ struct IoPlanner {
     Plan operator()(const iointent::SetDirection& set) const {
         return allowed(IntentKind::ControlIo, [&] {
             Orders orders = {step(io::SetDirection{set.inputs})};
-            // Whether an input keeps what it was told as an output is not said: what becomes an output is
-            // told its level on both sides of that.
+            // It is not documented whether an input retains the level that it was sent as an output, so new
+            // outputs are sent their level both before and after the change of direction.
             if (const auto levels = module.pins.levels(*module.latest)) {
                 orders.insert(orders.begin(), step(io::SetOutput{*levels}));
                 orders.push_back(step(io::SetOutput{*levels}));
@@ -79,7 +79,7 @@ std::optional<Refusal> whyNotIo(IntentKind kind, const ModuleState& module) {
         case IntentKind::ControlIo:
         case IntentKind::ResetModule:
             return whyInaccessible(kind, module);
-        case IntentKind::StartLoaded:  // of its group: Synch Output
+        case IntentKind::StartLoaded:  // started with its group by Synch Output
             if (const auto refusal = whyInaccessible(kind, module))
                 return refusal;
             return module.pins.stored ? std::nullopt : std::optional(Refusal::NothingLoaded);

@@ -5,7 +5,7 @@
 
 namespace nmc {
 
-/// plan() and whyNot() of a PIC-I/O. Pure.
+/// plan() and whyNot() for a PIC-I/O. Pure.
 [[nodiscard]] tl::expected<std::vector<bus::Order>, Refusal> planIo(const Intent& intent,
                                                                     const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNotIo(IntentKind kind, const ModuleState& module);

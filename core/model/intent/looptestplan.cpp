@@ -11,8 +11,8 @@ namespace nmc {
 
 namespace {
 
-/// What every test needs: a servo that holds with known gains, where its position error may be `error`
-/// counts, and where it may go to `low` and `high` counts off the position that it holds.
+/// Preconditions of every loop test: a servo that holds with known gains, whose position error may be `error`
+/// counts, and which may move to `low` and `high` counts off the position that it holds.
 [[nodiscard]] std::optional<Refusal> whyNotTest(const ModuleState& module,
                                                 const std::optional<servo::SetGain>& gains,
                                                 std::int64_t error, std::int64_t low, std::int64_t high) {
@@ -71,7 +71,7 @@ std::optional<Refusal> whyNot(const intent::StepSeries& wanted, const ModuleStat
         return refusal;
     if (const auto problem = travelProblem(wanted, module))
         return problem->refusal;
-    // Without Stop Here nobody knows to the count where the next one would begin.
+    // Without Stop Here, the exact starting position of the next step would be unknown.
     const bool stopsHere = each.method == ResponseMethod::StopHere || wanted.counts.size() > 1;
     if (stopsHere && module.info.identity.version < servo::kStopHereVersion)
         return Refusal::VersionLacksIt;
@@ -92,7 +92,7 @@ std::optional<Refusal> whyNot(const intent::SquareWave& wanted, const ModuleStat
     return inRange ? std::nullopt : std::optional(Refusal::TestOutOfRange);
 }
 
-/// Where the motor is half a turn behind the command, the error is twice the amplitude.
+/// Where the motor lags the command by half a turn, the error is twice the amplitude.
 std::optional<Refusal> whyNot(const intent::FrequencyResponse& wanted, const ModuleState& module) {
     const std::int64_t amplitude = wanted.amplitude;
     if (const auto refusal = whyNotTest(module, module.gains, 2 * std::abs(amplitude), -amplitude, amplitude))

@@ -7,7 +7,7 @@ namespace nmc {
 
 MoveForecast forecast(double distance, double velocity, double acceleration, double perSecond) {
     const double length = std::abs(distance);
-    // Speeding up and slowing down take v^2 / 2a each.
+    // Acceleration and deceleration take a distance of v^2 / 2a each.
     const bool triangular = length < velocity * velocity / acceleration;
     const double peak = triangular ? std::sqrt(length * acceleration) : velocity;
     if (peak == 0.0)

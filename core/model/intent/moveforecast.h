@@ -3,7 +3,7 @@
 
 namespace nmc {
 
-/// What a trapezoidal move from standstill will be like (DS-V 4.4), before it is started.
+/// The predicted duration and peak velocity of a trapezoidal move from standstill (DS-V 4.4).
 struct MoveForecast {
     double seconds = 0.0;
     double peakVelocity = 0.0;  ///< native

@@ -10,16 +10,16 @@ namespace nmc {
 
 /// How the command position of a PIC-SERVO is made to jump.
 enum class ResponseMethod : std::uint8_t {
-    Profile,   ///< a move so fast that the profile is at its goal in a single tick (DS-V 4.3)
+    Profile,   ///< a move so fast that the profile reaches its goal in a single tick (DS-V 4.3)
     StopHere,  ///< Stop Motor with a position, which has no profile (DS-V 5.2); not version 1
 };
 
-/// A step that a motor was told to make, and what is needed to measure it.
+/// A step that a motor was commanded to make, and the data needed to evaluate it.
 struct ResponseTaken {
-    TimePoint at;           ///< when the module latched the command, +-half a tick
+    TimePoint at;           ///< when the module latched the command, +- half a tick
     std::int32_t from = 0;  ///< the position that the servo held
     std::int32_t goal = 0;  ///< where the command position jumped to
-    double record = 0.0;    ///< s, from `at` on; then the motor was told to hold
+    double record = 0.0;    ///< s, from `at` on; after that, the motor was commanded to hold
     ResponseMethod method = ResponseMethod::Profile;
     servo::SetGain gains;  ///< in force
 

@@ -28,7 +28,7 @@ bool allows(const OperatorRights& rights, IntentKind kind) {
         case IntentKind::SetOutputs:
             return rights.outputs;
         case IntentKind::ApplyGains:
-        case IntentKind::StopHere:  // it lets the motor turn to another place
+        case IntentKind::StopHere:  // it lets the motor turn to another position
         case IntentKind::DrivePwm:
         case IntentKind::CheckDirection:
         case IntentKind::SetAmplifier:

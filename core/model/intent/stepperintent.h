@@ -6,35 +6,36 @@
 #include "model/intent/rounds.h"
 #include "model/intent/steppermotion.h"
 
-/// What the operator asks of one PIC-STEP, beside what both chips understand (intent.h).
+/// Requests of the operator to a PIC-STEP, besides those that both motor chips have (intent.h).
 namespace nmc::stepperintent {
 
-/// Needed before any motion (DS-S 5.1).
+/// Sets the parameters, which is required before any motion (DS-S 5.1).
 struct SetParameters {
     stepper::SetParameters parameters;
 };
-/// OUT1..OUT5, all at once, as bits 0..4.
+/// Sets OUT1..OUT5, all at once, as bits 0..4.
 struct SetOutputs {
     std::uint8_t outputs = 0;
 };
 struct Move {
     StepperMotion motion;
 };
-/// As Move, to be started by intent::StartLoaded.
+/// A motion like Move, to be started by intent::StartLoaded.
 struct LoadMove {
     StepperMotion motion;
 };
-/// A procedure: stop, wait until it stands, then Move. For what Table 4 does not allow in motion.
+/// Stops, waits for standstill, then does a Move, for changes that Table 4 does not allow in motion. A
+/// procedure.
 struct ChangeMotion {
     StepperMotion motion;
 };
-/// As intent::MoveBy. A procedure.
+/// Makes moves by a distance, like intent::MoveBy. A procedure.
 struct MoveBy {
     Rounds moves;
     std::uint8_t speed = 1;  ///< 1..250
     std::uint8_t accelerationTime = 1;
 };
-/// As intent::GoHome.
+/// Moves to the known home, like intent::GoHome.
 struct GoHome {
     std::uint8_t speed = 1;  ///< 1..250
     std::uint8_t accelerationTime = 1;

@@ -7,32 +7,32 @@
 #include "bus/steppergate.h"
 #include "protocol/steppercommands.h"
 
-/// The four ways a PIC-STEP moves, as values (DS-S 4.1 to 4.3).
+/// The four kinds of motion of a PIC-STEP, as values (DS-S 4.1 to 4.3).
 namespace nmc::steppermotion {
 
-/// Accelerates, runs, decelerates, and ends at the position.
+/// Accelerates, runs, decelerates and ends at the position.
 struct Trapezoid {
     std::int32_t position = 0;  ///< steps
-    bool relative = false;      ///< from where it stands when it starts
+    bool relative = false;      ///< relative to the position when it starts
     std::uint8_t speed = 1;     ///< 1..250
     std::uint8_t accelerationTime = 1;
     bool operator==(const Trapezoid&) const = default;
 };
-/// Ramps to a speed and keeps it until it is stopped.
+/// Ramps to a speed and keeps it until stopped.
 struct VelocityProfile {
     std::uint8_t speed = 1;
     std::uint8_t accelerationTime = 1;
     bool reverse = false;
     bool operator==(const VelocityProfile&) const = default;
 };
-/// At one speed to the position, where it stops at once.
+/// Moves at constant speed to the position, where it stops at once.
 struct UnprofiledMove {
     std::int32_t position = 0;
     bool relative = false;
     stepper::TimerCount timer;
     bool operator==(const UnprofiledMove&) const = default;
 };
-/// At one speed until it is stopped.
+/// Runs at constant speed until stopped.
 struct UnprofiledRun {
     stepper::TimerCount timer;
     bool reverse = false;

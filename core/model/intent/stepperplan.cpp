@@ -39,7 +39,7 @@ struct GoalOf {
     }
 };
 
-/// What keeps it from moving at all, whatever is asked for.
+/// What prevents any motion, whatever the request.
 [[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module, IntentKind as) {
     const StepperState& stepper = module.stepper;
     if (const auto refusal = whyInaccessible(as, module))
@@ -68,7 +68,7 @@ struct GoalOf {
 }
 
 struct LoadOf {
-    std::int32_t goal;  ///< of those that have one
+    std::int32_t goal;  ///< for motions that have one
     bool reverse;
 
     stepper::LoadTrajectory operator()(const steppermotion::Trapezoid& move) const {
@@ -110,8 +110,8 @@ struct LoadOf {
         motion);
 }
 
-/// What is only loaded changes nothing until it is started (DS-S 5.1); but from where it then is, nobody
-/// knows now.
+/// A load changes nothing until it is started (DS-S 5.1), but the position from which it will start is
+/// unknown while the motor moves.
 [[nodiscard]] std::optional<Refusal> whyNotLoaded(const StepperMotion& motion, const ModuleState& module) {
     if (isRelative(motion) && module.stepper.moving())
         return Refusal::NeedsStop;
@@ -122,7 +122,7 @@ struct StepperPlanner {
     const ModuleState& module;
 
     Plan operator()(const intent::Enable&) const {
-        // Nothing but AMP_EN: it stands, and is held by the holding current (DS-S 5.1, 4.6).
+        // Only sets AMP_EN: the motor stands still and is held by the holding current (DS-S 5.1, 4.6).
         return allowed(whyNotStep(IntentKind::Enable, module), [this] {
             return stepperStepsFor(module, stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
         });
@@ -176,11 +176,11 @@ struct StepperPlanner {
         return allowed(whyNotLoaded(load.motion, module),
                        [&] { return stepperStepsFor(module, boundedLoad(load.motion)); });
     }
-    /// Takes more than one operation: procedures.h.
+    /// Takes more than one operation; see procedures.h.
     Plan operator()(const stepperintent::ChangeMotion& change) const {
         return tl::unexpected(whyNotFromStandstill(change.motion, module).value_or(Refusal::NeedsStop));
     }
-    /// A procedure again: why its first move is not possible.
+    /// Also a procedure; determines only why its first move is not possible.
     Plan operator()(const stepperintent::MoveBy& moveBy) const {
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
@@ -198,7 +198,7 @@ struct StepperPlanner {
     }
     Plan operator()(const In<AnyModuleIntent> auto&) const {
         return Orders{};
-    }  // planned for all chips alike
+    }  // planned for all chips in plan()
     Plan operator()(const In<ServoIntent> auto&) const { return tl::unexpected(Refusal::NotAServo); }
     Plan operator()(const In<IoIntent> auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
 
@@ -208,7 +208,7 @@ private:
     }
 };
 
-/// Whether what was loaded may start now.
+/// Why the loaded motion cannot start now.
 [[nodiscard]] std::optional<Refusal> whyNotStart(const ModuleState& module) {
     if (!module.stepper.waiting())
         return Refusal::NothingLoaded;
@@ -221,7 +221,7 @@ private:
     const StepperState& stepper = module.stepper;
     if (!stepper.powered())
         return Refusal::NoPower;
-    // The holding current is 0 before they are set: nothing would hold.
+    // Before the parameters are set, the holding current is 0, so nothing would hold.
     if (!stepper.parameters())
         return Refusal::ParametersUnknown;
     if (stepper.tooHot())
@@ -269,7 +269,7 @@ double speedOf(const stepper::LoadTrajectory& load, const ModuleState& module) {
     const StepperSpeed mode(parameters->speedMode);
     if (load.timer)
         return mode.ofCount(load.timer->count);
-    // The chip goes no slower in a profile (DS-S 5.1).
+    // In a profile, the chip runs no slower than this (DS-S 5.1).
     return load.speed ? mode.ofSpeed(std::max(*load.speed, parameters->minimumProfileSpeed)) : 0.0;
 }
 
@@ -345,10 +345,10 @@ std::optional<Refusal> whyNot(const StepperMotion& wanted, const ModuleState& mo
     const StepperState& stepper = module.stepper;
     if (!stepper.moving())
         return std::nullopt;
-    // Who started it is not known, so neither is its direction.
+    // The motion was started by another host, so its direction is unknown.
     if (!stepper.runsReverse())
         return Refusal::NeedsStop;
-    // From a motion that ends at a goal, a timer count alone keeps that goal: it would not run on.
+    // In a motion that ends at a goal, a load with only a timer count keeps that goal and would not run on.
     const bool hasGoal =
         stepper.mode() == StepperMode::Trapezoidal || stepper.mode() == StepperMode::UnprofiledWithStop;
     if (hasGoal && std::holds_alternative<steppermotion::UnprofiledRun>(motion))

@@ -15,7 +15,7 @@ namespace nmc {
 namespace {
 
 constexpr double kFixedPoint = 65'536.0;
-/// What rounding to the chip's numbers may add.
+/// The error that rounding to the chip's numbers may add.
 constexpr double kGrain = 1.0 / kFixedPoint;
 
 [[nodiscard]] double native(CountsPerTick velocity) {
@@ -34,13 +34,13 @@ constexpr double kGrain = 1.0 / kFixedPoint;
     return module.latest ? module.latest->position : std::nullopt;
 }
 
-/// What an intent does to its axis.
+/// The effect of an intent on its axis.
 struct Course {
     std::optional<std::int64_t> goal{};
-    std::optional<bool> reverse{};       ///< of a motion without a goal
-    double velocity = 0.0;               ///< native; 0: none that is limited
-    std::optional<std::int32_t> from{};  ///< other than where it is now
-    bool turns = false;                  ///< where there is backlash to be taken up
+    std::optional<bool> reverse{};       ///< for a motion without a goal
+    double velocity = 0.0;               ///< native; 0: none that is subject to the limit
+    std::optional<std::int32_t> from{};  ///< if not the present position
+    bool turns = false;                  ///< takes up backlash, if the axis has any
 };
 
 struct CourseOf {
@@ -49,7 +49,7 @@ struct CourseOf {
     std::optional<Course> operator()(const intent::GoTo& goTo) const {
         return Course{.goal = goTo.position.value(), .velocity = native(goTo.velocity), .turns = true};
     }
-    /// What is started by others goes straight.
+    /// A loaded move is started separately, so it goes straight to its goal without taking up backlash.
     std::optional<Course> operator()(const intent::LoadMove& load) const {
         return Course{.goal = load.move.position.value(), .velocity = native(load.move.velocity)};
     }
@@ -69,7 +69,7 @@ struct CourseOf {
         return Course{.velocity = recipe.thenIndex ? std::max(recipe.velocity, recipe.indexVelocity)
                                                    : recipe.velocity};
     }
-    /// As far as the last of its moves, from where the first one starts.
+    /// The course extends to the last of the moves, from where the first one starts.
     std::optional<Course> operator()(const intent::MoveBy& step) const {
         return of(step.moves, native(step.velocity));
     }
@@ -81,7 +81,7 @@ struct CourseOf {
         return motion ? of(*motion, true) : std::nullopt;
     }
     std::optional<Course> operator()(const intent::StepResponse& step) const { return about(step.counts); }
-    /// To its farther side; whyNot() looks at both.
+    /// The course extends to the farther side; whyNot() checks both.
     std::optional<Course> operator()(const intent::SquareWave& wave) const { return about(wave.counts / 2); }
     std::optional<Course> operator()(const intent::FrequencyResponse& sines) const {
         return about(sines.amplitude);
@@ -91,8 +91,8 @@ struct CourseOf {
     std::optional<Course> operator()(const stepperintent::ChangeMotion& change) const {
         return of(change.motion);
     }
-    // Of the others, StartLoaded, Direct, StepSeries and CheckDirection are in travelProblem(), and the
-    // points of a path in planPath().
+    // StartLoaded, Direct, StepSeries and CheckDirection are handled in travelProblem(), and the points of a
+    // path in planPath().
     template <typename T>
     requires In<T, AnyModuleIntent> || In<T, MotorIntent> || In<T, ServoSetting> || In<T, StepperSetting> ||
         In<T, IoIntent> ||
@@ -151,7 +151,7 @@ private:
         return std::nullopt;
     const auto turn = course.turns ? turningPoint(*position, *course.goal, module) : std::nullopt;
     if (auto problem = turn ? beyondTravel(*position, *turn, *range) : std::nullopt) {
-        // It has to turn round before the limit.
+        // The move must turn round before the limit.
         problem->nearest = static_cast<std::int32_t>(problem->limit + (*course.goal - *turn));
         if (!beyondTravel(*position, *course.goal, *range))
             problem->turn = static_cast<std::int32_t>(*turn);
@@ -160,7 +160,7 @@ private:
     return beyondTravel(*position, *course.goal, *range);
 }
 
-/// The problem of the first step that leaves the travel. Each step begins where the one before ends.
+/// The problem of the first step that leaves the travel. Each step begins where the previous one ends.
 [[nodiscard]] std::optional<TravelProblem> problemOf(const intent::StepSeries& series,
                                                      const ModuleState& module) {
     const auto range = travelRange(module);
@@ -176,7 +176,7 @@ private:
     return std::nullopt;
 }
 
-/// What a load does once it is started.
+/// The effect of a load once it is started.
 [[nodiscard]] Course courseOf(const servo::LoadTrajectory& load, const ModuleState& module) {
     Course course;
     if (!load.servo || load.profile == servo::ProfileMode::Velocity)
@@ -199,20 +199,20 @@ private:
     return course;
 }
 
-/// Of a load that is sent or started as it is: a run would not end at the limit ahead.
+/// The problem of a load that is sent or started unchanged: a run would not end at the limit ahead.
 [[nodiscard]] std::optional<TravelProblem> asItStands(const Course& course, const ModuleState& module) {
     if (const auto end = course.reverse ? travelEnd(module, *course.reverse) : std::nullopt)
         return TravelProblem{.refusal = Refusal::AtTravelEnd, .lowest = *course.reverse, .limit = *end};
     return problemOf(course, module);
 }
 
-/// Of the commands of either chip, those that may move it at once.
+/// The problem of a single command of either chip, if it may move the motor at once.
 struct DirectProblem {
     const ModuleState& module;
 
     std::optional<TravelProblem> operator()(const servo::LoadTrajectory& load) const {
         if (!load.startNow)
-            return std::nullopt;  // its start is judged
+            return std::nullopt;  // checked when it is started
         const Course course = courseOf(load, module);
         return load.servo ? asItStands(course, module) : problemOf(course, module);
     }
@@ -231,7 +231,7 @@ struct DirectProblem {
     }
 };
 
-/// A push may go either way.
+/// A push may go in either direction.
 [[nodiscard]] std::optional<TravelProblem> problemOf(const intent::CheckDirection& check,
                                                      const ModuleState& module) {
     const auto position = positionOf(module);
@@ -280,7 +280,7 @@ TravelPlace travelPlace(const ModuleState& module) {
 }
 
 std::optional<TravelProblem> beyondTravel(std::int64_t from, std::int64_t goal, const TravelRange& range) {
-    // From outside the way back is allowed, and no farther away.
+    // From outside the limits, a move may lead back, but no farther away.
     if (range.highest && goal > std::max<std::int64_t>(*range.highest, from))
         return TravelProblem{.lowest = false, .limit = *range.highest, .nearest = *range.highest};
     if (range.lowest && goal < std::min<std::int64_t>(*range.lowest, from))

@@ -8,18 +8,20 @@
 
 #include "model/intent/intent.h"
 
-/// How far and how fast an axis may go (TravelSettings): the one owner of that rule. Whoever moves a motor
-/// asks here: plans, procedures, held motion, the panels. Positions are the chip's, as it counts now.
+/// How far and how fast an axis may move (TravelSettings); the only place that decides this. Everything that
+/// moves a motor uses it: plans, procedures, held motion, the panels. Positions are in terms of the chip's
+/// present counter.
 ///
-/// Limits count from home, so they are in force only while home is known (model/module/homefact.h). From
-/// within a motion ends within, and from outside it goes back towards them only. What has no end of its own,
-/// a run or a held motion, is sent as a move to the limit ahead, from standstill (DS-V 4.4, DS-S Table 4):
-/// the chip itself ends it there, whatever becomes of this program. Pure.
+/// Limits are relative to home, so they are in force only while home is known (model/module/homefact.h). A
+/// motion that starts within the limits ends within them, and one that starts outside may only lead back
+/// towards them. A motion without an end, a run or a held motion, is sent as a move to the limit ahead, from
+/// standstill (DS-V 4.4, DS-S Table 4): the chip itself ends it there, whatever happens to this program.
+/// Pure.
 namespace nmc {
 
 enum class TravelForce : std::uint8_t {
     NotSet,
-    HomeUnknown,  ///< set, and not in force
+    HomeUnknown,  ///< limits are set, but not in force
     InForce,
 };
 [[nodiscard]] TravelForce travelForce(const ModuleState& module);
@@ -29,41 +31,42 @@ struct TravelRange {
     std::optional<std::int32_t> highest;
     bool operator==(const TravelRange&) const = default;
 };
-/// Nothing: no limits, or not in force. What the counter does not reach is as far as it does.
+/// Empty: no limits, or not in force. A limit beyond the counter's range is reduced to the range.
 [[nodiscard]] std::optional<TravelRange> travelRange(const ModuleState& module);
-/// Where a motion in that direction has to end; nothing: no limit is ahead.
+/// The position at which a motion in this direction must end; empty: there is no limit ahead.
 [[nodiscard]] std::optional<std::int32_t> travelEnd(const ModuleState& module, bool reverse);
 
-/// Where a motor is, seen from its limits.
+/// The motor's place relative to its limits.
 enum class TravelPlace : std::uint8_t { Within, AtLowest, AtHighest, BelowLowest, AboveHighest };
-/// Within where no limits are in force. A servo at rest swings by a few counts about its limit.
+/// Within if no limits are in force. At* allows for a servo at rest, which swings by a few counts about its
+/// limit.
 [[nodiscard]] TravelPlace travelPlace(const ModuleState& module);
 
-/// Why a motion is refused, and what would not be.
+/// Why a motion is not allowed, and what would be.
 struct TravelProblem {
     Refusal refusal = Refusal::BeyondTravel;
     bool lowest = false;     ///< which limit
-    std::int32_t limit = 0;  ///< the limit itself, as it was set
-    /// The goal nearest to what was asked for that is allowed: the limit, but for the axis' backlash.
+    std::int32_t limit = 0;  ///< the limit itself, without allowance for backlash
+    /// The allowed goal nearest to the requested one: the limit, except for the axis's backlash.
     std::int32_t nearest = 0;
-    /// Where the move would turn round to take up the backlash, where that is what is beyond the limit.
+    /// Where the move would turn round to take up the backlash, if only that is beyond the limit.
     std::optional<std::int32_t> turn{};
-    double velocity = 0.0;  ///< of TooFast: native, what was asked for
-    double fastest = 0.0;   ///< the same, what is allowed
+    double velocity = 0.0;  ///< for TooFast: the requested velocity, native
+    double fastest = 0.0;   ///< for TooFast: the allowed velocity, native
     bool operator==(const TravelProblem&) const = default;
 };
-/// Of a move from one position to another.
+/// The problem of a move from one position to another.
 [[nodiscard]] std::optional<TravelProblem> beyondTravel(std::int64_t from, std::int64_t goal,
                                                         const TravelRange& range);
-/// Whatever of an intent is against the rule; nothing for one that moves nothing.
+/// The problem of an intent; empty for one that moves nothing.
 [[nodiscard]] std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleState& module);
-/// Of what was loaded and waits for its start.
+/// The problem of the load that waits for its start.
 [[nodiscard]] std::optional<TravelProblem> loadedProblem(const ModuleState& module);
 
-/// Held motion as it may be sent: with the limit ahead as its goal.
+/// The held motion as it may be sent: with the limit ahead as its goal.
 [[nodiscard]] tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold,
                                                                         const ModuleState& module);
-/// The same of a PIC-STEP's motion.
+/// The motion of a PIC-STEP as it may be sent: with the limit ahead as its goal.
 [[nodiscard]] StepperMotion withinTravel(const StepperMotion& motion, const ModuleState& module);
 
 }  // namespace nmc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Takes the files of this program apart that are JSON. For .cpp files of core/model only.
+// Reads the JSON files of this program. For .cpp files of core/model only.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ namespace nmc::layout {
 
 inline constexpr std::size_t kMaxQuoted = 40;
 
-/// Not longer than a sentence can bear, and not cut within a character.
+/// Shortens text to what fits in a sentence, without cutting within a character.
 [[nodiscard]] inline std::string quoted(const std::string& text) {
     if (text.size() <= kMaxQuoted)
         return text;
@@ -36,7 +36,7 @@ inline constexpr std::size_t kMaxQuoted = 40;
     });
 }
 
-/// Takes an object of the file apart, into the members of a struct. The first problem ends it.
+/// Reads the members of a struct from an object of the file. The first problem ends it.
 class FieldReader {
 public:
     using Kind = FileProblem::Kind;
@@ -59,7 +59,7 @@ public:
         if (m_object.find(key) != nullptr)
             this->flag(key, flag.emplace());
     }
-    /// A flag that is left out where it is false.
+    /// A flag that is omitted when false.
     void mark(std::string_view key, bool& flag) {
         if (m_object.find(key) != nullptr)
             this->flag(key, flag);
@@ -154,7 +154,7 @@ public:
             if (is(key, value->items[i], JsonValue::Kind::Text, Wanted::Text))
                 take(key, value->items[i], names[i]);
     }
-    /// Many of them, in one text.
+    /// Reads many numbers from a single text.
     void numbers(std::string_view key, std::vector<double>& numbers, std::size_t most) {
         const JsonValue* value = typed(key, JsonValue::Kind::Text, Wanted::Text, Need::Required);
         if (value == nullptr)
@@ -192,7 +192,7 @@ public:
         whole(key, number, {1, static_cast<double>(most)});
         row = number - 1;
     }
-    /// The one of a variant that its word stands for.
+    /// Selects the alternative of the variant for its word.
     template <typename... T>
     void alternative(std::string_view key, std::variant<T...>& into,
                      const std::array<std::string_view, sizeof...(T)>& words) {
@@ -234,7 +234,7 @@ private:
         refuse(key, value, {.kind = Kind::WrongType, .wanted = wanted});
         return false;
     }
-    /// Null after a problem, and for what may be missing and is.
+    /// Returns null after a problem, and for an optional field that is missing.
     const JsonValue* typed(std::string_view key, JsonValue::Kind kind, Wanted wanted, Need need) {
         if (m_problem)
             return nullptr;
@@ -290,7 +290,7 @@ private:
     bool m_steps;
 };
 
-/// Nothing where the file says that it is one of `format`, and of a version up to `newest`.
+/// Returns nothing if the file is of `format` and its version is at most `newest`.
 [[nodiscard]] inline std::optional<FileProblem> wrongFormat(const JsonValue& file, std::string_view format,
                                                             int newest) {
     const JsonValue* said = file.find("format");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Puts the files of this program together that are JSON. For .cpp files of core/model only.
+// Writes the JSON files of this program. For .cpp files of core/model only.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace nmc::layout {
 
 inline constexpr int kIndent = 2;
 
-/// A file never has characters that its reader refuses; they can only have been pasted.
+/// Replaces characters that the reader does not accept; they can only come from pasted text.
 [[nodiscard]] inline std::string withoutControls(std::string text) {
     std::replace_if(
         text.begin(), text.end(),
@@ -27,8 +27,8 @@ inline constexpr int kIndent = 2;
     return text;
 }
 
-/// Puts the members of a struct into an object of the file, each where it stood, and leaves alone whatever
-/// else is there.
+/// Writes the members of a struct into an object of the file, each in its previous place, and leaves
+/// everything else in the object alone.
 class FieldWriter {
 public:
     using Json = nlohmann::ordered_json;
@@ -141,7 +141,7 @@ public:
     }
     void module(std::string_view key, ModuleIndex module) { at(key) = module.value() + 1; }
     void row(std::string_view key, std::size_t row, std::size_t /*most*/) { at(key) = row + 1; }
-    /// A row that does something else now keeps nothing of what stood there.
+    /// A row that now has a different action keeps nothing of its previous contents.
     template <typename... T>
     void alternative(std::string_view key, const std::variant<T...>& from,
                      const std::array<std::string_view, sizeof...(T)>& words) {
@@ -167,7 +167,7 @@ private:
     bool m_steps;
 };
 
-/// For people, too: one key a line.
+/// One key per line, so that people can read it.
 [[nodiscard]] inline std::string fileText(const FieldWriter::Json& file) {
     return file.dump(kIndent, ' ', false, FieldWriter::Json::error_handler_t::replace) + '\n';
 }

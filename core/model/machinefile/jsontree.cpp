@@ -12,13 +12,14 @@ namespace nmc {
 namespace {
 
 using Kind = FileProblem::Kind;
-constexpr int kOutOfNumbers = 406;  // of nlohmann's exceptions
+constexpr int kOutOfNumbers = 406;  // an exception ID of nlohmann
 
-/// How far the parser has come in the text.
+/// The parser's progress in the text.
 struct Progress {
-    int line = 1;        ///< of the next character
-    int lastLine = 1;    ///< of the last one that is not a blank: a number is known by what follows it
-    bool ended = false;  ///< the parser wanted more than there is
+    int line = 1;  ///< of the next character
+    /// Line of the last non-blank character: the end of a number is detected only by what follows it.
+    int lastLine = 1;
+    bool ended = false;  ///< the parser reached the end of the text
 
     void passed(char c) {
         if (c == '\n')
@@ -28,7 +29,7 @@ struct Progress {
     }
 };
 
-/// Gives the parser its characters and keeps the progress.
+/// Feeds characters to the parser and records its progress.
 class Cursor {
 public:
     using iterator_category = std::input_iterator_tag;
@@ -59,7 +60,7 @@ private:
     Progress* m_progress;
 };
 
-/// The letters around a place: what the parser stumbled over.
+/// The letters around a position where the parser failed.
 std::string wordAt(std::string_view text, std::size_t place) {
     const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
     std::size_t begin = std::min(place, text.size());
@@ -83,7 +84,7 @@ public:
     using Json = nlohmann::json;
     TreeBuilder(std::string_view text, const Progress& progress) : m_text(text), m_progress(progress) {}
 
-    // What nlohmann's SAX interface asks for; false ends the parsing.
+    // Required by nlohmann's SAX interface; returning false ends the parsing.
     bool null() { return add({JsonValue::Kind::Null, line()}); }
     bool boolean(bool flag) {
         JsonValue value(JsonValue::Kind::Flag, line());
@@ -156,7 +157,7 @@ private:
         m_open.pop_back();
         return true;
     }
-    /// Where the next value goes. An open list or object stays where it is until it is closed.
+    /// The position for the next value. An open list or object stays in place until it is closed.
     JsonValue& place() {
         if (m_open.empty())
             return m_root;
@@ -172,7 +173,7 @@ private:
     int m_values = 0;
 };
 
-/// The bytes that may follow a lead byte, and how many follow (Unicode, table 3-7).
+/// The valid range of the first byte after a lead byte, and how many bytes follow (Unicode, table 3-7).
 struct Utf8Sequence {
     std::size_t following;
     unsigned char low = 0x80;  ///< of the first of them
@@ -193,7 +194,7 @@ std::optional<Utf8Sequence> sequenceOf(unsigned char lead) {
     return std::nullopt;
 }
 
-/// The first byte that is not UTF-8. A sequence that the end of the text cuts is not wrong, only short.
+/// Returns the first byte that is not UTF-8. A sequence cut by the end of the text is not wrong, only short.
 std::optional<std::size_t> firstWrongByte(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto sequence = sequenceOf(static_cast<unsigned char>(text[i]));

@@ -12,10 +12,10 @@ namespace nmc {
 namespace {
 
 using Json = layout::FieldWriter::Json;
-/// What one side of a comparison has is `file` of each; where nothing is set, nothing.
+/// The values of one side of a comparison, in the member `file` of each; empty if nothing is set.
 using Fields = std::vector<FieldDifference>;
 
-/// What a part consists of: its keys in what the writer writes, by which it is compared and listed, and the
+/// The contents of a part: its keys in the writer's output, by which it is compared and listed, and the
 /// members that are taken with it.
 template <typename Whole>
 struct PartMembers {
@@ -29,7 +29,7 @@ void takeMembers(const Whole& from, Whole& into) {
     ((into.*Members = from.*Members), ...);
 }
 
-// In the order in which the user sees them.
+// In the order of display.
 constexpr PartMembers<Machine> kMachineParts[] = {
     {MachinePart::MachineName, {"name"}, takeMembers<&Machine::name>},
     {MachinePart::Rate, {"rate_bd"}, takeMembers<&Machine::baud>},
@@ -69,8 +69,8 @@ Json written(const Whole& whole) {
     return json;
 }
 
-/// With a servo's keys whatever the chip is, and with all pins there can be, so that both sides of a
-/// comparison have the same names for the same things.
+/// Writes an axis with a servo's keys for any chip, and with all possible pins, so that both sides of a
+/// comparison use the same names.
 Json writtenAxis(AxisSettings axis) {
     axis.expected.reset();
     PinSettings& pins = axis.pins ? *axis.pins : axis.pins.emplace();
@@ -83,7 +83,7 @@ Json writtenAxis(AxisSettings axis) {
     return json;
 }
 
-/// One text for all of it: what differs in anything differs here. What is empty is left out.
+/// Converts a value to a single text, so that any difference in it shows. Empty members are omitted.
 std::string inOneText(const Json& value) {
     if (value.is_boolean())
         return value.get<bool>() ? "yes" : "no";
@@ -100,7 +100,7 @@ std::string inOneText(const Json& value) {
     return text;
 }
 
-/// What the end of a key says of its number.
+/// The quantity indicated by the end of a key.
 struct KeyEnding {
     std::string_view text;
     Quantity quantity;
@@ -113,7 +113,7 @@ constexpr KeyEnding kKeyEndings[] = {{layout::kServoSuffixes.distance, Quantity:
 FieldDifference numberField(MachinePart part, std::string key, double number) {
     Quantity quantity = Quantity::Plain;
     for (const KeyEnding& ending : kKeyEndings)
-        // Gains are the module's own numbers, whatever unit the axis has.
+        // Gains are the module's own numbers, whatever the unit of the axis.
         if (part != MachinePart::Gains && key.ends_with(ending.text)) {
             key.resize(key.size() - ending.text.size());
             quantity = ending.quantity;
@@ -130,8 +130,8 @@ FieldDifference textField(std::string key, const std::string& text) {
     return {std::move(key), Quantity::Plain, text.empty() ? std::nullopt : std::optional<FieldValue>(text)};
 }
 
-/// A list whose items are fields of their own: what they are called, and the member that tells them apart;
-/// without one it is their place.
+/// A list whose items are separate fields: how they are called, and the member that identifies them; without
+/// one, it is their index.
 struct ItemKey {
     std::string_view list;
     std::string_view called;
@@ -155,8 +155,7 @@ void addItems(Fields& fields, const ItemKey& naming, const Json& items) {
             rest.erase(naming.by);
             rest.erase("scale");
         }
-        // A single member needs no word for it, and an item with a name is there even if it says nothing
-        // more.
+        // A single member is not labelled, and a named item is listed even if it contains nothing else.
         const std::string text = inOneText(rest.size() == 1 ? rest.front() : rest);
         fields.push_back(textField(key, named && text.empty() ? "-" : text));
         if (items[i].contains("scale"))
@@ -164,7 +163,7 @@ void addItems(Fields& fields, const ItemKey& naming, const Json& items) {
     }
 }
 
-/// Without words of the file, so that the table can say it in the user's language.
+/// Uses no words of the file, so that the table can express it in the user's language.
 void addGroup(Fields& fields, const Json& group) {
     const std::string address = inOneText(group["address"]);
     const std::string name = inOneText(group["name"]);
@@ -220,13 +219,13 @@ const ModuleState* connected(const std::vector<ModuleState>& modules, ModuleInde
     return index.value() < modules.size() ? &modules[index.value()] : nullptr;
 }
 
-/// Whether an axis of the file meets a module that it is not for.
+/// True if an axis of the file meets a module for which it is not intended.
 bool forOther(const AxisSettings& axis, const ModuleState* module) {
     return module != nullptr && axis.expected && *axis.expected != module->info.identity;
 }
 
-/// With the gains as this module takes them: an old one has no deadband, and only an SC a step multiplier,
-/// which stays where the file does not say it (gainsplan.cpp).
+/// The axis with its gains reduced to those that this module has: old ones lack the deadband, and only an SC
+/// has a step multiplier, which is kept if the file does not specify it (gainsplan.cpp).
 AxisSettings asTaken(AxisSettings axis, const ModuleState* module) {
     if (!axis.gains || module == nullptr)
         return axis;
@@ -239,7 +238,7 @@ AxisSettings asTaken(AxisSettings axis, const ModuleState* module) {
     return axis;
 }
 
-/// What the module was told in this connection; what is not there is unknown.
+/// What the module was sent in this connection; missing values are unknown.
 AxisSettings toldTo(const ModuleState& module) {
     AxisSettings told;
     told.gains = module.gains;
@@ -263,7 +262,7 @@ std::optional<Intent> intentOf(const AxisSettings& axis, MachinePart part, const
         return std::nullopt;
     if (!isSc(module.info.identity))
         return axis.io ? std::optional<Intent>(intent::ControlIo{*axis.io}) : std::nullopt;
-    // I/O Control of an SC applies every bit: nothing while the others are not known.
+    // I/O Control of an SC sets every bit, so it is not sent while the others are unknown.
     if (!axis.fastPath || !module.scIo)
         return std::nullopt;
     servo::ScIoControl io = *module.scIo;
@@ -279,7 +278,7 @@ std::optional<Refusal> whyNotSent(MachinePart part, const ModuleState& module) {
     return whyNot(isSc(module.info.identity) ? IntentKind::ControlSc : IntentKind::ControlIo, module);
 }
 
-/// In the words of the file, for the table.
+/// Uses the words of the file, for the table.
 std::optional<FieldValue> identityText(const std::optional<ModuleIdentity>& identity) {
     if (!identity)
         return std::nullopt;
@@ -288,7 +287,8 @@ std::optional<FieldValue> identityText(const std::optional<ModuleIdentity>& iden
            inOneText(json["version"]);
 }
 
-/// In which module the file and the chain differ here; nothing where nothing is connected.
+/// The difference between the module in the file and the one in the chain; empty if there is none, or if the
+/// file's module is absent and nothing is connected.
 std::optional<Difference> hardwareDifference(ModuleIndex index, const Machine& file,
                                              const std::vector<ModuleState>& modules) {
     const ModuleState* module = connected(modules, index);
@@ -327,7 +327,7 @@ void compareAxis(std::vector<Difference>& rows, ModuleIndex index, const AxisSet
         if (isSent(members.part) && module == nullptr)
             row.applying = Applying::KeepsUnsent;
         else if (isSent(members.part) && inFile.empty())
-            continue;  // the file has nothing for it, and what was sent is never taken back
+            continue;  // the file has no value for it, and what was sent is never revoked
         else if (isSent(members.part))
             if (Fields toSend = differing(inFile, fieldsOf(members, toldJson)); !toSend.empty()) {
                 row.fields = std::move(toSend);
@@ -351,7 +351,7 @@ bool saysNothing(AxisSettings axis) {
     return axis == AxisSettings{};
 }
 
-/// The possible ones of these.
+/// Keeps the chosen rows that are possible.
 std::vector<Difference> chosenOf(std::vector<Difference> rows, const std::vector<PartId>& chosen) {
     std::erase_if(rows, [&chosen](const Difference& row) {
         return !row.possible() || std::find(chosen.begin(), chosen.end(), row.id) == chosen.end();
@@ -398,7 +398,7 @@ Machine applied(const Machine& file, const Machine& now, const std::vector<Modul
     for (std::size_t i = 0; i < file.axes.size(); ++i)
         if (!forOther(file.axes[i], connected(modules, ModuleIndex(static_cast<std::uint8_t>(i)))))
             machine.axes[i].expected = file.axes[i].expected;
-    // What the file does not have, and of which nothing else is known any more.
+    // Drops axes that are neither in the file nor connected, and of which nothing else is known any more.
     while (machine.axes.size() > std::max(file.axes.size(), modules.size()) &&
            saysNothing(machine.axes.back()))
         machine.axes.pop_back();

@@ -9,10 +9,10 @@
 #include "model/intent/intent.h"
 #include "model/settings/machine.h"
 
-/// What opening a machine file would change, before anything is changed. Pure.
+/// Determines what opening a machine file would change, before anything is changed. Pure.
 namespace nmc {
 
-/// What is applied, or not, as one.
+/// A unit that is applied, or not, as a whole.
 enum class MachinePart : std::uint8_t {
     MachineName,
     Rate,
@@ -20,7 +20,7 @@ enum class MachinePart : std::uint8_t {
     Program,  ///< points and sequences, which belong together
     HomeOrder,
     OperatorRights,
-    Hardware,  ///< which module the file is for; applying changes nothing
+    Hardware,  ///< the module that the file is for; applying it changes nothing
     AxisName,
     Unit,
     Motion,
@@ -31,19 +31,19 @@ enum class MachinePart : std::uint8_t {
     Analog,
     PinNames,
     AccelerationTime,
-    Gains,       ///< sent
-    Io,          ///< sent
-    Parameters,  ///< sent
+    Gains,       ///< sent to the module
+    Io,          ///< sent to the module
+    Parameters,  ///< sent to the module
 };
 
-/// A part of the machine, or of one axis.
+/// Identifies a part of the machine, or of one axis.
 struct PartId {
     std::optional<ModuleIndex> module{};
     MachinePart part = MachinePart::MachineName;
     bool operator==(const PartId&) const = default;
 };
 
-/// What a number is of, for the unit it is shown in.
+/// The physical quantity of a number, which determines the unit it is shown in.
 enum class Quantity : std::uint8_t { Plain, Distance, Place, Velocity, Acceleration, Seconds };
 
 using FieldValue = std::variant<bool, double, std::string>;
@@ -55,13 +55,13 @@ struct FieldDifference {
     std::optional<FieldValue> now{};   ///< empty: unknown, or not set
 };
 
-/// What applying a part does.
+/// The effect of applying a part.
 enum class Applying : std::uint8_t {
-    ChangesPanel,   ///< only what the panel shows and knows; nothing is sent
-    Sends,          ///< the module is told, too
-    KeepsUnsent,    ///< it goes into the fields and waits there: not connected, or `refusal`
-    NotInFile,      ///< nothing: the module is not in the file, and stays as it is
-    OtherHardware,  ///< nothing: the file's axis is for another type or version
+    ChangesPanel,   ///< only what the panel displays and stores; nothing is sent
+    Sends,          ///< also sent to the module
+    KeepsUnsent,    ///< goes into the fields and waits there: not connected, or `refusal`
+    NotInFile,      ///< no effect: the module is not in the file, and stays as it is
+    OtherHardware,  ///< no effect: the file's axis is for another type or version
     NotThere,       ///< the module does not answer; its names and values are kept for when it does
 };
 
@@ -69,10 +69,10 @@ struct Difference {
     PartId id;
     std::vector<FieldDifference> fields;
     Applying applying = Applying::ChangesPanel;
-    std::optional<Refusal> refusal{};  ///< why it would not be sent now
-    /// Ticked at first: everything that is possible, but nothing that is sent to a module that is on.
+    std::optional<Refusal> refusal{};  ///< the precondition that prevents sending it now
+    /// Ticked by default: everything possible, except what would be sent to a module that is on.
     bool wanted = true;
-    AxisScale scale{};  ///< what the numbers are shown in
+    AxisScale scale{};  ///< the scale in which the numbers are shown
 
     [[nodiscard]] bool possible() const {
         return applying == Applying::ChangesPanel || applying == Applying::Sends ||
@@ -80,11 +80,11 @@ struct Difference {
     }
 };
 
-/// In the order of the machine's modules. `modules`: what is connected; empty: nothing.
+/// Returns the differences in the order of the machine's modules. `modules`: the connected ones; empty: none.
 [[nodiscard]] std::vector<Difference> compare(const Machine& file, const Machine& now,
                                               const std::vector<ModuleState>& modules);
 
-/// `now` with the chosen parts of the file. Parts of axes that are for other hardware stay as they are.
+/// Returns `now` with the chosen parts of the file. Parts of axes for other hardware stay as they are.
 [[nodiscard]] Machine applied(const Machine& file, const Machine& now,
                               const std::vector<ModuleState>& modules, const std::vector<PartId>& chosen);
 
@@ -92,13 +92,14 @@ struct ModuleIntent {
     ModuleIndex module;
     Intent intent;
 };
-/// What the chosen parts send, by the same rules; a part that cannot be sent now sends nothing.
+/// Returns what applying the chosen parts would send, by the same rules; a part that cannot be sent now sends
+/// nothing.
 [[nodiscard]] std::vector<ModuleIntent> sendings(const Machine& file, const Machine& now,
                                                  const std::vector<ModuleState>& modules,
                                                  const std::vector<PartId>& chosen);
 
-/// The machine with what the connected chain says of itself where the user has not said anything: which
-/// modules are expected, and the rate. To be saved.
+/// Fills in what the connected chain reports about itself where the user has set nothing: the expected
+/// modules and the rate. Used for saving.
 [[nodiscard]] Machine withChain(Machine machine, const std::vector<ModuleState>& modules, std::uint32_t baud);
 
 }  // namespace nmc

@@ -13,13 +13,13 @@ namespace nmc {
 
 /// Longer files are not read.
 inline constexpr std::size_t kMaxMachineFile = 1'000'000;
-/// How the name of a machine file ends.
+/// File name extension of machine files.
 inline constexpr std::string_view kMachineFileSuffix = "json";
 
-/// What a file has beside what this program knows: keys of newer programs, or of people. It is written again
-/// where it stood.
+/// The contents of a file that this program does not know: keys of newer programs, or of people. They are
+/// written back in place.
 struct UnknownKeys {
-    std::string text{};  ///< the whole file as it was read; empty: nothing is there to be kept
+    std::string text{};  ///< the whole file as read; empty: nothing to preserve
     bool operator==(const UnknownKeys&) const = default;
 };
 
@@ -28,11 +28,11 @@ struct ParsedMachine {
     UnknownKeys unknown;
 };
 
-/// The whole machine, or why not: nothing is taken from a file that is wrong somewhere. Numbers keep the
-/// chips' units and their data sheets' ranges. Pure.
+/// Returns the whole machine or the problem: nothing is taken from a file with an error anywhere. Numbers are
+/// in the chips' units and the ranges of their data sheets. Pure.
 [[nodiscard]] tl::expected<ParsedMachine, FileProblem> parseMachine(std::string_view text);
 
-/// JSON for people, too: one key a line. Reading it gives the same machine again, to the last bit.
+/// Writes JSON that people can read: one key per line. Reading it yields exactly the same machine.
 [[nodiscard]] std::string writeMachine(const Machine& machine, const UnknownKeys& unknown = {});
 
 }  // namespace nmc

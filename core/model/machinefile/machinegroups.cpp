@@ -7,7 +7,7 @@ namespace nmc {
 
 namespace {
 
-/// Everybody's, where all begin.
+/// The group of all modules, in which each one starts.
 constexpr std::uint8_t kNoGroup = 0xFF;
 
 [[nodiscard]] bus::GroupPlace placeOf(ModuleIndex module, const Machine& machine) {

@@ -8,12 +8,13 @@
 
 namespace nmc {
 
-/// What puts the modules into the groups of a machine, and out of all others: those that are somewhere else
-/// or nobody knows where, the leaders last; none where the connection only looks. Pure; nothing moves by it.
+/// The changes that put the modules into the groups of a machine and out of all others: for modules in a
+/// different or unknown group, leaders last; none on a read-only connection. Pure; nothing moves as a result.
 [[nodiscard]] std::vector<bus::GroupChange> groupChanges(const Machine& machine,
                                                          const std::vector<ModuleState>& modules);
 
-/// Keeps what a module was told in the machine's groups; those without a member and a name go.
+/// Records the change that a module was sent in the machine's groups; groups without members and name are
+/// removed.
 void noteGroup(Machine& machine, const bus::GroupChange& change);
 void nameGroup(Machine& machine, std::uint8_t address, const std::string& name);
 

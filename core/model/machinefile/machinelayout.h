@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a machine file consists of, said once: the reader and the writer are "forms" that are led through it.
-// Machines are compared by what the writer writes. For .cpp files of core/model only.
+// The layout of a machine file, defined once: reader and writer are "forms" that are passed through it.
+// Machines are compared by the writer's output. For .cpp files of core/model only.
 //
-// The structured bindings name every member, so that a member that is added to a struct of
-// model/settings/machine.h and forgotten here does not compile.
+// The structured bindings name every member, so that adding a member to a struct of model/settings/machine.h
+// without adding it here is a compile error.
 
 #include <array>
 #include <concepts>
@@ -22,7 +22,7 @@ inline constexpr int kVersion = 1;
 inline constexpr std::string_view kFormat = "nmc-panel-machine";
 inline constexpr std::size_t kMaxAxes = 32;    ///< modules on a line (DS-V 4.1)
 inline constexpr std::size_t kMaxGroups = 32;  ///< each module is in one
-inline constexpr std::size_t kMaxPins = 12;    ///< of a PIC-I/O; with 2 PWM outputs and 3 A/D inputs
+inline constexpr std::size_t kMaxPins = 12;  ///< of a PIC-I/O, which also has 2 PWM outputs and 3 A/D inputs
 inline constexpr std::size_t kMaxPwm = 2;
 inline constexpr std::size_t kMaxAnalog = 3;
 inline constexpr std::size_t kMaxPoints = 200;
@@ -32,19 +32,19 @@ inline constexpr std::size_t kMaxRows = 200;
 struct Bounds {
     double min;
     double max;
-    bool ofModule = false;    ///< what the module takes
-    bool eitherSign = false;  ///< the same below 0
+    bool ofModule = false;    ///< the range is that of the module
+    bool eitherSign = false;  ///< the range applies to the magnitude
 };
 
 [[nodiscard]] constexpr Bounds takenByModule(ValueRange range) {
     return {static_cast<double>(range.min), static_cast<double>(range.max), true};
 }
 
-/// 16.16 fixed point (DS-V 4.4).
+/// The largest 16.16 fixed-point number (DS-V 4.4).
 inline constexpr double kMaxServoNumber = 0x7FFFFFFF / 65'536.0;
 /// 250 units of 200 steps/s (DS-S 4.1).
 inline constexpr double kMaxStepSpeed = 50'000.0;
-/// One such unit in 0.25 ms.
+/// One unit of 200 steps/s every 0.25 ms.
 inline constexpr double kMaxStepAcceleration = 800'000.0;
 inline constexpr Bounds kDistance{0, 0x7FFFFFFF, true};
 inline constexpr Bounds kPlace{-0x7FFFFFFF, 0x7FFFFFFF, true};
@@ -59,7 +59,7 @@ inline constexpr Bounds kAnyNumber{-1e12, 1e12};
     return {0, steps ? kMaxStepAcceleration : kMaxServoNumber, true};
 }
 
-/// What the ends of keys say of the numbers' units.
+/// Endings of keys that state the units of their numbers.
 struct UnitSuffixes {
     std::string_view distance;
     std::string_view velocity;
@@ -74,7 +74,7 @@ inline constexpr UnitSuffixes kStepperSuffixes{"_steps", "_steps_per_s", "_steps
     return steps ? kStepperSuffixes : kServoSuffixes;
 }
 
-/// Whether an object may lack a field; it then keeps its default.
+/// Whether a field may be missing from an object; it then keeps its default.
 enum class Need : std::uint8_t { Required, Optional };
 
 template <typename T, typename U>
@@ -99,7 +99,7 @@ inline constexpr Word<stepper::SpeedMode> kSpeedWords[] = {{stepper::SpeedMode::
                                                            {stepper::SpeedMode::X2, "2x"},
                                                            {stepper::SpeedMode::X4, "4x"},
                                                            {stepper::SpeedMode::X8, "8x"}};
-/// Any other type is its number.
+/// Any other type is written as its number.
 inline constexpr Word<ModuleType> kTypeWords[] = {{ModuleType::Servo, "PIC-SERVO"},
                                                   {ModuleType::Adc, "PIC-ADC"},
                                                   {ModuleType::Io, "PIC-I/O"},
@@ -255,7 +255,7 @@ void fields(Form& form, T& axis) {
            parameters, accelerationTime, outputNames, inputNames, pins] = axis;
     form.text("name", name);
     form.part("expected", expected);
-    // From here on the names of the numbers say what this chip counts in.
+    // From here on, the names of the numbers depend on the chip's units.
     form.setSteps(expected.has_value() && expected->type == ModuleType::Stepper);
     form.part("unit", unit);
     form.part("motion", motion);
@@ -309,7 +309,7 @@ void fields(Form& form, T& point) {
     form.list("axes", axes, kMaxAxes);
 }
 
-/// What a row does, in the order of Action.
+/// The actions of a row, in the order of Action.
 inline constexpr std::array<std::string_view, std::variant_size_v<Action>> kActionWords{
     "move to", "wait", "wait for arrival", "wait for input", "set output", "home",
     "repeat",  "call", "wait for A/D"};

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = FileProblem::Kind;
 
-/// Limits that leave no place to be.
+/// Finds travel limits that leave no room between them.
 std::optional<FileProblem> crossedLimits(const Machine& machine, const JsonValue& file) {
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
         const TravelSettings& travel = machine.axes[i].travel;
@@ -25,7 +25,7 @@ std::optional<FileProblem> crossedLimits(const Machine& machine, const JsonValue
     return std::nullopt;
 }
 
-/// What the groups say of each other.
+/// Finds contradictions between groups.
 std::optional<FileProblem> contradiction(const Machine& machine, const JsonValue& file) {
     std::array<bool, layout::kMaxAxes> taken{};
     for (std::size_t i = 0; i < machine.groups.size(); ++i) {
@@ -84,7 +84,7 @@ Kind fileKind(SequenceProblem::Kind kind) {
     return Kind::NameMissing;
 }
 
-/// What points and sequences say of each other, with the line of the point, the sequence or its row.
+/// Finds contradictions between points and sequences, with the line of the point, the sequence or its row.
 std::optional<FileProblem> programProblem(const Program& program, const JsonValue& file) {
     const auto problem = contradiction(program);
     if (!problem)
@@ -106,7 +106,7 @@ std::optional<FileProblem> programProblem(const Program& program, const JsonValu
                                                 : layout::quoted(problem->name)};
 }
 
-/// An axis has one place in the order.
+/// An axis must occur only once in the order.
 std::optional<FileProblem> orderProblem(const Machine& machine, const JsonValue& file) {
     for (std::size_t i = 0; i < machine.homeOrder.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)

@@ -10,13 +10,13 @@
 
 namespace nmc {
 
-// What the file consists of, said once for reading and writing, as in model/machinefile/machinelayout.h.
+// The layout of the file, defined once for reading and writing, as in model/machinefile/machinelayout.h.
 namespace layout {
 
 namespace {
 constexpr int kRunsVersion = 1;
 constexpr std::string_view kRunsFormat = "nmc-panel-step-runs";
-/// Of a run: four times as many samples as the bus gives in the longest record.
+/// Per run: four times the number of samples that the bus provides in the longest record.
 constexpr std::size_t kMostPoints = 20'000;
 constexpr Word<ResponseMethod> kMethodWords[] = {{ResponseMethod::Profile, "profile"},
                                                  {ResponseMethod::StopHere, "stop here"}};

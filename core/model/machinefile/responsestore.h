@@ -15,28 +15,28 @@
 
 namespace nmc {
 
-/// So many are kept of a machine.
+/// The number of runs stored for a machine.
 inline constexpr std::size_t kMaxKeptRuns = 100;
-/// Longer files are not read; as many runs of the longest record do not fill it.
+/// Longer files are not read; kMaxKeptRuns runs of the longest record stay below this.
 inline constexpr std::size_t kMaxRunFile = 32'000'000;
-/// How the name of a file of runs ends.
+/// File name extension of run files.
 inline constexpr std::string_view kRunFileSuffix = "runs";
 
-/// JSON, as a machine file. Reading it gives the same runs again, to the last bit; their time of the step,
-/// which is of one session, is not there.
+/// Writes JSON, like a machine file. Reading it yields exactly the same runs, except for the time of the
+/// step, which is meaningful only within one session and is not stored.
 [[nodiscard]] std::string writeResponses(std::span<const KeptResponse> runs);
-/// All of them, as runs of an earlier session, or why not.
+/// Returns all runs, marked as runs of an earlier session, or the problem.
 [[nodiscard]] tl::expected<std::vector<KeptResponse>, FileProblem> readResponses(std::string_view text);
 
-/// By which a run is known, whatever number it has.
+/// Identifies a run, whatever its number.
 [[nodiscard]] std::string idOf(const KeptResponse& run);
 
-/// Takes the oldest off until there are kMaxKeptRuns, those that nobody has named or made a note of before
-/// the others; none of `needed`.
+/// Removes the oldest runs until kMaxKeptRuns are left, those without name and note first, but none that is
+/// `needed`.
 void dropOldest(std::vector<KeptResponse>& runs, const std::function<bool(const KeptResponse&)>& needed = {});
 
-/// What the file is to hold: `ours`, and of what is in it already, which another session may have written,
-/// all but `gone`. Oldest first; of a number that is taken it gets the next that is free.
+/// Merges the runs for the file: `ours`, and those already in it, which another session may have written,
+/// except `gone`. Oldest first; a run whose number is taken gets the next number.
 [[nodiscard]] std::vector<KeptResponse> together(std::vector<KeptResponse> ours,
                                                  const std::vector<KeptResponse>& there,
                                                  const std::set<std::string>& gone);

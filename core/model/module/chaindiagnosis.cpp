@@ -39,7 +39,7 @@ std::optional<ModuleIndex> firstWith(const std::vector<ChainPlace>& places, Chai
     return place == places.end() ? std::nullopt : std::optional(place->module);
 }
 
-/// The modules found are the last ones expected, one place after the other.
+/// True if the modules found are the last ones expected, in the same order.
 bool isTail(const ChainDiagnosis& chain) {
     if (chain.found == 0 || chain.found >= chain.expected)
         return false;

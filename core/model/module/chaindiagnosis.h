@@ -11,14 +11,14 @@
 
 namespace nmc {
 
-/// One place of the chain: what the user's machine has there, and what answers.
+/// One place in the chain: the module that the user's machine has there, and the one that answers.
 struct ChainPlace {
     enum class State : std::uint8_t {
         Fine,
         New,           ///< nothing was expected here
         Different,     ///< another type or version
-        Missing,       ///< expected, and did not answer when the chain was found
-        Unresponsive,  ///< was found, and does not answer any more
+        Missing,       ///< expected, but did not answer when the chain was found
+        Unresponsive,  ///< was found, but no longer answers
         Restarted,
     };
     ModuleIndex module;
@@ -30,22 +30,23 @@ struct ChainPlace {
     bool operator==(const ChainPlace&) const = default;
 };
 
-/// Expected against found, and where the chain probably breaks. Addresses are given from the far end on: the
-/// module farthest from the PC is the first, and each lets the next one towards the PC speak (DS-V 4.1).
+/// Compares the expected chain with the one found, and locates the probable break. Addresses are assigned
+/// from the far end: the module farthest from the PC is the first, and each one enables the next towards the
+/// PC (DS-V 4.1).
 struct ChainDiagnosis {
     enum class Finding : std::uint8_t {
         NotConnected,
-        Looking,  ///< again, for the modules that are known
+        Looking,  ///< searching again for the known modules
         Fine,
-        NothingExpected,  ///< nobody has said yet what belongs there
+        NothingExpected,  ///< the machine does not state yet what belongs there
         NobodyAnswers,
-        BreakBehind,     ///< the first places answer: look between `at` and the next one towards the PC
-        FarEndMissing,   ///< what answers are the last ones expected: the far end was cut off at a new first
-                         ///< module
-        OtherHardware,   ///< types or versions are others, from `at` on
-        MoreThanBefore,  ///< `at` is the first new one
-        Unresponsive,    ///< `at` and perhaps others stopped answering
-        Restarted,       ///< `at` did, and what lies behind it towards the PC may be deaf
+        BreakBehind,     ///< the first places answer: check between `at` and the next one towards the PC
+        FarEndMissing,   ///< the last ones expected answer: the far end is cut off, and a new first module
+                         ///< begins the chain
+        OtherHardware,   ///< types or versions differ from `at` on
+        MoreThanBefore,  ///< `at` is the first new module
+        Unresponsive,    ///< `at`, and perhaps others, stopped answering
+        Restarted,       ///< `at` restarted; modules between it and the PC may not receive anything
     };
     Finding finding = Finding::NotConnected;
     std::optional<ModuleIndex> at;
@@ -56,9 +57,9 @@ struct ChainDiagnosis {
     bool operator==(const ChainDiagnosis&) const = default;
 };
 
-/// How long the chain is that the machine expects; 0: it expects nothing.
+/// The length of the chain that the machine expects; 0: it expects nothing.
 [[nodiscard]] unsigned expectedModules(const Machine& machine);
-/// Pure.
+/// Compares the machine with the chain found. Pure.
 [[nodiscard]] ChainDiagnosis diagnose(const Machine& machine, const LinkState& link);
 
 }  // namespace nmc

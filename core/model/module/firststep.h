@@ -9,12 +9,11 @@
 
 namespace nmc {
 
-/// The way from a servo that was just found to one that moves; each needs those before it.
+/// The steps from a servo that was just found to one that moves; each requires the previous ones.
 enum class FirstStep : std::uint8_t { FillInGains, ApplyGains, Enable, Jog };
 
-/// The one that comes next: the first whose outcome can't be seen in `module` and `axis`. Empty: a servo that
-/// has its gains and was given an acceleration, as every motion gives it one; and what is no servo. Pure; any
-/// thread.
+/// The next step: the first whose outcome is not visible in `module` and `axis`. Empty for a servo that has
+/// gains and an acceleration, which every motion loads, and for other modules. Pure; any thread.
 [[nodiscard]] std::optional<FirstStep> nextFirstStep(const ModuleState& module, const AxisSettings& axis);
 
 }  // namespace nmc

@@ -10,7 +10,7 @@ namespace nmc {
 
 namespace {
 
-/// An older position does not tell where the motor stood when its counter was set to 0.
+/// An older position does not show where the motor was when its counter was set to 0.
 constexpr Duration kFresh = std::chrono::seconds(2);
 
 }  // namespace
@@ -86,7 +86,7 @@ void HomeFact::apply(const bus::Sample& sample) {
     }
     if (sample.report.home)
         m_register = sample.report.home;
-    // The answer to the command itself may have been put together before it took effect.
+    // The reply to the command itself may have been composed before the command took effect.
     if (!m_saved || sample.time <= *m_saved || !sample.report.home)
         return;
     const auto before = std::exchange(m_reading, sample.report.home);

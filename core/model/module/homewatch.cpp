@@ -23,7 +23,7 @@ void HomeWatch::apply(const bus::CommandExecuted& executed) {
             onSetHoming(*homing, executed.time, inputs || homing->onPositionError || homing->onCurrentLimit);
             m_positionError = homing->onPositionError;
             m_currentLimit = homing->onCurrentLimit;
-            // The position error does so by itself.
+            // A position error switches the servo off by itself.
             m_switchesOff = m_switchesOff || homing->onPositionError;
         }
     } else if (const auto* step = std::get_if<StepperCommand>(&executed.command)) {
@@ -34,7 +34,7 @@ void HomeWatch::apply(const bus::CommandExecuted& executed) {
 }
 
 bool HomeWatch::apply(const bus::Sample& sample) {
-    // The answer to the command itself may have been put together before the command took effect.
+    // The reply to the command itself may have been composed before the command took effect.
     if (m_state != State::Armed || sample.time <= m_since || (sample.report.status & 0x80U) != 0)
         return false;  // the same bit on both chips
     m_state = State::Tripped;

@@ -8,30 +8,30 @@
 
 namespace nmc {
 
-/// What a module was last told by Set Homing Mode, and what has come of it (DS-V 5.2, DS-S 5.1): the chip
-/// shows only whether it still watches. A belief, as all of ModuleState.
+/// What Set Homing Mode last requested from a module, and the outcome (DS-V 5.2, DS-S 5.1): the chip reports
+/// only whether it is still watching. A belief, like all of ModuleState.
 class HomeWatch {
 public:
     enum class State : std::uint8_t {
-        Idle,     ///< not told, or cancelled
-        Armed,    ///< watches
-        Tripped,  ///< a condition came: the position was captured, and the motor stopped if that was wanted
+        Idle,     ///< not commanded, or cancelled
+        Armed,    ///< watching
+        Tripped,  ///< a condition occurred: the position was captured, and the motor stopped if so requested
     };
 
     void apply(const bus::CommandExecuted& executed);
-    /// True when this sample tells that it has just tripped.
+    /// Returns true when this sample shows that a condition has just occurred.
     bool apply(const bus::Sample& sample);
 
     [[nodiscard]] State state() const { return m_state; }
-    /// Of Armed and Tripped.
+    /// Valid while Armed or Tripped.
     [[nodiscard]] bool onLimit1() const { return m_limit1; }
     [[nodiscard]] bool onLimit2() const { return m_limit2; }
-    /// PIC-SERVO.
+    /// PIC-SERVO only.
     [[nodiscard]] bool onPositionError() const { return m_positionError; }
     [[nodiscard]] bool onCurrentLimit() const { return m_currentLimit; }
-    /// The chip itself stops the motor, or switches it off, when a condition comes.
+    /// True if the chip itself stops the motor, or switches it off, when a condition occurs.
     [[nodiscard]] bool stops() const { return m_stops; }
-    /// A servo that is found off may have been switched off by it.
+    /// True if a servo that is found off may have been switched off by homing.
     [[nodiscard]] bool switchesOff() const { return m_switchesOff; }
 
 private:

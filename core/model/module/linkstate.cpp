@@ -33,8 +33,8 @@ bool isMissing(const ModuleState& module) {
 
 namespace {
 
-/// Between two polls of a module, as they are planned: on a bad line they come through more rarely, and what
-/// it said last is old all the same.
+/// The planned interval between two polls of a module. On a bad line, replies arrive more rarely, but the
+/// latest one is out of date all the same.
 [[nodiscard]] Duration expectedPollOf(const LinkState& link, const ModuleState& module) {
     if (link.focused && link.focused != module.info.index)
         return bus::PollSchedule::kInSight;
@@ -53,7 +53,7 @@ namespace {
 }  // namespace
 
 bool isLive(const LinkState& link, const ModuleState& module) {
-    /// Below it nothing is called old.
+    /// Never treats a status as out of date before this.
     constexpr Duration kOldAfter = std::chrono::milliseconds(500);
     constexpr int kPeriods = 3;
     if (link.phase != LinkPhase::Connected || module.silent || module.positionDoubtful())

@@ -12,7 +12,7 @@ namespace {
 using namespace std::chrono_literals;
 constexpr Duration kAnchored = 100ms;
 constexpr Duration kShortestSpan = 50ms;
-/// After a silence the way between is no speed.
+/// After a silence, the distance covered in between is not a speed.
 constexpr Duration kTooLongAgo = 1s;
 }  // namespace
 
@@ -38,7 +38,7 @@ std::optional<double> MeasuredSpeed::perSecond() const {
     if (!from || m_latest->time - from->time < kShortestSpan)
         return std::nullopt;
     const std::int32_t distance = countsBetween(from->position, m_latest->position);
-    // A shaft that is held between two counts shows now the one, now the other.
+    // A shaft held between two counts alternates between the two.
     if (std::abs(std::int64_t{distance}) <= 1)
         return 0.0;
     return distance / toSeconds(m_latest->time - from->time);

@@ -8,17 +8,17 @@
 
 namespace nmc {
 
-/// How fast a shaft turns, from where it was 0.1 to 0.2 s before: what the chip itself says is whole counts
-/// per tick, 0 up to 1950 counts/s. Pure.
+/// Measures the speed of a shaft from its position 0.1 to 0.2 s before: the chip itself reports whole counts
+/// per tick, which is 0 up to 1950 counts/s. Pure.
 class MeasuredSpeed {
 public:
-    /// Of status replies, as they come.
+    /// Call for each status reply, in order.
     void apply(TimePoint time, std::int32_t position);
-    /// A counter that was set is no motion.
+    /// Discards the readings after a command that sets the counter, because the jump is not a motion.
     void apply(const bus::CommandExecuted& executed);
     void forget() { *this = {}; }
 
-    /// Counts (steps) a second. Empty: it was not looked at for long enough.
+    /// Counts (steps) per second. Empty: the readings do not span enough time.
     [[nodiscard]] std::optional<double> perSecond() const;
 
 private:
@@ -27,8 +27,8 @@ private:
         std::int32_t position = 0;
     };
     std::optional<Reading> m_latest;
-    std::optional<Reading> m_anchor;  ///< at most 0.1 s before the latest
-    std::optional<Reading> m_before;  ///< the anchor before that
+    std::optional<Reading> m_anchor;  ///< at most 0.1 s older than the latest
+    std::optional<Reading> m_before;  ///< the previous anchor
 };
 
 }  // namespace nmc

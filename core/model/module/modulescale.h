@@ -7,7 +7,8 @@
 
 namespace nmc {
 
-/// A PIC-SERVO counts in ticks that its servo rate stretches; a PIC-STEP in seconds.
+/// The scale of an axis: a PIC-SERVO counts in ticks, whose length depends on the servo rate; a PIC-STEP in
+/// seconds.
 [[nodiscard]] inline AxisScale scaleOf(const ModuleState& module, const AxisSettings& settings) {
     if (!module.isServo())
         return AxisScale::step(settings.unit);

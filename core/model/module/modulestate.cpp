@@ -9,8 +9,8 @@
 
 namespace nmc {
 
-/// Whether a motor moves that was set in motion by somebody else, or is off: a velocity below one count a
-/// tick reads 0, so the position has to tell.
+/// Detects motion of a motor that is off or was set in motion by another host: a velocity below one count per
+/// tick reads 0, so only the position shows it.
 void ModuleState::watchDrift(const bus::Sample& sample, bool wasOn) {
     constexpr Duration kLately = std::chrono::seconds(1);
     if (!servoOn())
@@ -32,7 +32,7 @@ void ModuleState::watchDrift(const bus::Sample& sample, bool wasOn) {
 }
 
 void ModuleState::apply(const bus::Sample& sample) {
-    // Told so, or seen twice: a single answer may be that of another module, which another host has asked.
+    // Commanded, or seen twice: a single reply may come from another module, which another host has queried.
     const bool wasOn = servoOn() && (m_looksWhileOn > 1 || motion != MotionMode::None);
     const bool wasMoving = moving();
     const HomeWatch watchBefore = homing;
@@ -84,7 +84,7 @@ void ModuleState::apply(const bus::Sample& sample) {
         swing.look(sample.time, *sample.report.position);
 }
 
-/// Where a path has ended is what it holds.
+/// The servo holds the position where a path has ended.
 void ModuleState::watchPath(const StatusReport& report) {
     if (report.position && report.positionError)
         m_commandPosition = static_cast<std::int32_t>(static_cast<std::uint32_t>(*report.position) +
@@ -95,8 +95,8 @@ void ModuleState::watchPath(const StatusReport& report) {
     m_goal = m_commandPosition;
 }
 
-/// One answer may be that of another module, or damaged. `byHome`: home may have done it, and that it was
-/// found shows two replies later (bus/trust.h).
+/// A single reply may come from another module, or be damaged. `byHome`: homing may have switched the motor
+/// off, and whether home was found shows only two replies later (bus/trust.h).
 void ModuleState::maybeWentOff(bool byHome) {
     constexpr unsigned kLooks = 2;
     constexpr unsigned kLooksAtHome = 4;
@@ -105,7 +105,7 @@ void ModuleState::maybeWentOff(bool byHome) {
     m_causeSeen = causeOfTrip();
 }
 
-/// As the present answer shows it: later ones have the motor running down.
+/// Uses the present reply: in later ones the motor is already coasting.
 TripCause ModuleState::causeOfTrip() const {
     if (limitEnds(1) || limitEnds(-1))
         return limitEnds(1) ? TripCause::OffAtLimit1 : TripCause::OffAtLimit2;
@@ -127,7 +127,7 @@ TripWatch::Reading ModuleState::tripLook() const {
     return {latestTime, *latest->position, limit1, limit2};
 }
 
-/// Those of a PIC-STEP that are told to be ignored are as good as open.
+/// Limits of a PIC-STEP that are set to be ignored count as open.
 LimitWatch::Limits ModuleState::closedLimits() const {
     if (isStepper())
         return {stepper.limitActs(false), stepper.limitActs(true)};
@@ -148,7 +148,7 @@ bool ModuleState::limitEnds(int direction) const {
     return (direction > 0 && status.limit1()) || (direction < 0 && status.limit2());
 }
 
-/// The chip has stopped it by itself: it holds there, and what was loaded is not reached any more.
+/// Handles a stop by the chip itself: it holds there, and the loaded goal is no longer reached.
 void ModuleState::endAtLimit() {
     if (!servoOn() || !latest->servoStatus().moveDone() || !limitEnds(direction()))
         return;
@@ -169,14 +169,14 @@ void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before, std::opti
                   .expected = {watched && before.onLimit1(), watched && before.onLimit2()}});
 }
 
-/// Before the command has changed anything here.
+/// Call before the command has changed any state here.
 void ModuleState::noteCommand(TimePoint time, int direction, double countsPerTick) {
     const double perSecond = servoRate ? ticksPerSecond(*servoRate) : 0.0;
     m_trip.apply({time, !servoOn(), !moving(), direction, std::abs(countsPerTick) * perSecond});
 }
 
-/// The chip has stopped the motor by itself, or switched it off, because it was told to (DS-V 5.2).
-/// True when this sample tells that it has just come to that.
+/// Handles a stop or switch-off by the chip itself that was requested by Set Homing Mode (DS-V 5.2). Returns
+/// true when this sample shows that home was just found.
 bool ModuleState::watchHome(const bus::Sample& sample) {
     const bool found = homing.apply(sample);
     if (!found || !isServo())
@@ -277,8 +277,8 @@ void ModuleState::confirmedAtRest() {
     stopped();
     m_motionUnknown = m_drifts = false;
     m_restedAt.reset();
-    // A stop that nobody has heard an answer to may have cut a move short. Of one that was carried out it is
-    // known what it left.
+    // A stop whose answer was lost may have cut a move short. The outcome of a stop that was carried out is
+    // known.
     if (motion != MotionMode::Velocity)
         m_goal.reset();
 }
@@ -343,7 +343,8 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
     if (stop.manner == servo::StopManner::MotorOff) {
         motion = MotionMode::None;
         offCommanded = true;
-        // Whoever switches the motor off has seen that it is off: an earlier trip is acknowledged.
+        // Switching the motor off implies that the user has noticed that it is off, so it acknowledges an
+        // earlier trip.
         switchedItselfOff = powerLostWhileOn = false;
     } else {
         motion = MotionMode::Velocity;
@@ -351,15 +352,15 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
     }
 }
 
-/// DS-V 5.2, Stop Motor: switched on by a stop, a servo holds the position at which it is. One that is at
-/// rest already goes on holding what it held, which its position need not be.
+/// DS-V 5.2, Stop Motor: a servo switched on by a stop holds its present position. A servo already at rest
+/// continues to hold its goal, which may differ from its present position.
 std::optional<ModuleState::Held> ModuleState::heldThroughStop() const {
     if (!latest || !latest->position)
         return std::nullopt;
     const std::int32_t stood = *latest->position;
     if (!servoOn())
         return Held{stood, stood, 0};
-    // A move may have begun since the last status, a stop leaves nothing that could.
+    // A move may have begun since the last status; a stop leaves nothing that could begin.
     const bool rests = !moving() && !m_motionUnknown &&
                        (motion == MotionMode::Velocity || latestTime - motionCommandedAt > SwingWatch::kCalm);
     if (!rests || !m_goal)
@@ -395,7 +396,7 @@ bool ModuleState::headsFor(std::int32_t goal) const {
 }
 
 bool ModuleState::positionDoubtful() const {
-    // A line on which answers go astray is well again when none has for so long.
+    // An unreliable line counts as well again after this long without a misdirected reply.
     constexpr Duration kWell = std::chrono::seconds(2);
     return m_jumpedAt && latestTime - *m_jumpedAt < kWell;
 }
@@ -450,7 +451,7 @@ Activity ModuleState::activityWhileOff() const {
     return m_drifts ? Activity::Turned : Activity::ServoOff;
 }
 
-/// What moves more slowly than that is not at speed.
+/// A motor whose position changes more rarely than this is not at speed.
 bool ModuleState::changedPlaceLately() const {
     constexpr Duration kLately = std::chrono::milliseconds(250);
     return m_changedPlaceAt && latestTime - *m_changedPlaceAt <= kLately;

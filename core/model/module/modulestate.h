@@ -22,120 +22,123 @@
 
 namespace nmc {
 
-/// What the last motion command of this connection asked for.
+/// The mode that the last motion command of this connection requested.
 enum class MotionMode : std::uint8_t { None, Trapezoidal, Velocity, Pwm, Path };
 
-/// Everything known of one module: a value, fed by the engine's events, shown by the panels.
-/// Values that the module cannot be asked for are beliefs, from what was sent and confirmed in this
-/// connection.
+/// Everything known about one module: a value, updated by the engine's events and displayed by the panels.
+/// Values that cannot be queried from the module are beliefs, derived from what was sent and confirmed in
+/// this connection.
 ///
-/// The registers of a PIC-SERVO are public members of it, as confirmed in this connection.
+/// The registers of a PIC-SERVO are public members, as confirmed in this connection.
 struct ModuleState : ServoRegisters {
     bus::ModuleInfo info;
     /// Latest value of every item; an item never reported is empty.
     std::optional<StatusReport> latest;
     TimePoint latestTime;
-    /// Status replies per second, as of the last second.
+    /// Status replies in the last second.
     double repliesPerSecond = 0.0;
     bool silent = false;
-    /// The chain is looked for where it was: this is what the module said last, and it takes stops only.
+    /// The chain is being searched for at its last addresses: this is the last reported state, and only stops
+    /// are accepted.
     bool lookedFor = false;
     bool hasRestarted = false;
-    /// Of a read-only connection: it is told nothing (faults.md H-02).
+    /// Part of a read-only connection: it is sent no commands (faults.md H-02).
     bool readOnly = false;
-    /// What an operator may ask of it; empty: the panel is not locked.
+    /// What an operator may request from it; empty: the panel is not locked.
     std::optional<OperatorRights> rights;
-    /// What it was asked for last by this panel, as long as that has not ended; stops apart.
+    /// The last operation that this panel requested from it, until that has ended; stops do not count.
     std::optional<bus::OperationId> awaited;
-    /// Gains from before those; empty: unknown.
+    /// The gains before the present ones; empty: unknown.
     std::optional<servo::SetGain> gainsBefore;
     MotionMode motion = MotionMode::None;
-    /// Goal velocity of velocity mode, counts/tick, signed; for telling "at speed" from "at rest".
+    /// Goal velocity of velocity mode, counts/tick, signed; distinguishes "at speed" from "at rest".
     double goalVelocity = 0.0;
-    /// PIC-SERVO: when the last command was latched that started or stopped a motion.
+    /// PIC-SERVO: when the last command that started or stopped a motion was latched.
     TimePoint motionCommandedAt;
-    /// How far the last path is of which this is the first axis.
+    /// Progress of the last path in which this is the first axis.
     std::optional<bus::PathProgress> path;
-    /// What Set Homing Mode last told it.
+    /// The state of what Set Homing Mode last requested.
     HomeWatch homing;
     LimitWatch limits;
-    /// Where home is, which is not what the chip's register says.
+    /// The home position, which is not the content of the chip's home register.
     HomeFact home;
-    // How it may move, as the user has set it: the rules of model/intent ask these.
+    // How the axis may move, as set by the user; the preconditions in model/intent check these.
     UnitKind unit = UnitKind::Native;
     TravelSettings travel;
     BacklashSettings backlash;
     LimitStopSettings limitStop;
     MeasuredSpeed speed;
-    /// PIC-SERVO: whether it swings where it is to hold.
+    /// PIC-SERVO: whether it oscillates where it should hold.
     SwingWatch swing;
-    /// The servo went off without a command of ours while it was on, as two answers in a row say, and has not
-    /// been on since.
+    /// The servo went off while it was on, without a command of ours, according to two replies in a row, and
+    /// has not been on since.
     bool switchedItselfOff = false;
-    /// Of switchedItselfOff, on a PIC-SERVO: why, as far as that can be told.
+    /// PIC-SERVO: the cause of switchedItselfOff, as far as it can be determined.
     TripCause tripCause = TripCause::Unknown;
-    /// As above, and motor power was missing when it was noticed.
+    /// The servo switched itself off, and motor power was missing when this was noticed.
     bool powerLostWhileOn = false;
-    /// The last command that concerns the servo switched it off.
+    /// The last command that affects the servo switched it off.
     bool offCommanded = false;
-    /// PIC-STEP: what it was told, and does.
+    /// PIC-STEP: what it was sent, and what it does.
     StepperState stepper;
-    /// PIC-I/O: what it was told, and how fast its counter counts.
+    /// PIC-I/O: what it was sent, and the rate of its counter.
     IoRegisters pins;
     MeasuredSpeed counting;
 
     void apply(const bus::Sample& sample);
     void apply(const bus::CommandExecuted& executed);
-    /// It lost everything it was told.
+    /// The module lost all its settings.
     void restarted();
-    /// It was found as another host left it: what moves it is not known until it is stopped, moved or off.
+    /// The module was found as another host left it: whether it moves is unknown until it is stopped, moved
+    /// or off.
     void attached();
-    /// It may have been told what nobody has heard an answer to: as above, whatever was believed before.
+    /// A command may have reached the module, but its answer was lost: whether it moves is unknown, whatever
+    /// was believed before.
     void doubtMotion();
-    /// It was sent gains, and nobody has heard whether it took them.
+    /// Gains were sent, but whether the module accepted them is unknown.
     void doubtGains();
-    /// The bus has seen it at rest, twice, after a stop.
+    /// The bus has seen the module at rest, twice, after a stop.
     void confirmedAtRest();
 
-    /// Of a version that is known here; others are only looked at.
+    /// True only for versions known here; modules of other versions are only monitored.
     [[nodiscard]] bool isServo() const { return info.identity.type == ModuleType::Servo && isKnown(); }
     [[nodiscard]] bool isStepper() const { return info.identity.type == ModuleType::Stepper && isKnown(); }
     [[nodiscard]] bool isIo() const { return info.identity.type == ModuleType::Io && isKnown(); }
     [[nodiscard]] bool isKnown() const { return nmc::isKnown(info.identity); }
     [[nodiscard]] bool servoOn() const;
-    /// PIC-SERVO: it has limited the motor's current since that was cleared last.
+    /// PIC-SERVO: the motor's current has been limited since this was last cleared.
     [[nodiscard]] bool currentWasLimited() const;
-    /// The position that the motor holds or will, to the count: the goal of its last move or of a Stop Here,
-    /// or where it stood when it was switched on.
-    /// CMC and SC tell it themselves.
+    /// The exact position that the motor holds or will hold: the goal of its last move or of a Stop Here, or
+    /// its position when it was switched on. CMC and SC report it themselves.
     [[nodiscard]] std::optional<std::int32_t> goal() const;
-    /// CMC and SC: what the servo holds or follows, as it told last; nothing while it is off.
+    /// CMC and SC: the position that the servo holds or follows, as last reported; empty while it is off.
     [[nodiscard]] std::optional<std::int32_t> commandPosition() const {
         return servoOn() ? m_commandPosition : std::nullopt;
     }
-    /// The direction of the move that leads to goal(); nothing: there is none, or it was no move.
+    /// The direction of the move that leads to goal(); empty: there is none, or it was not a move.
     [[nodiscard]] std::optional<bool> goalReverse() const;
-    /// What moves it, or holds it, is still the move to there that was commanded last. A stop ends that even
-    /// where it changes nothing, since it may have been meant for more than this motor.
+    /// True if the motor moves to `goal`, or holds there, because of the last motion command. A stop ends
+    /// that even where it changes nothing, because it may have been meant for more than this motor.
     [[nodiscard]] bool headsFor(std::int32_t goal) const;
-    /// PIC-SERVO: what a start would run, if a load waits for one.
+    /// PIC-SERVO: what a start would run, if a load is waiting for one.
     [[nodiscard]] std::optional<servo::LoadTrajectory> waiting() const {
         return isServo() && loadWaiting ? std::optional(trajectory()) : std::nullopt;
     }
-    /// What the user reads as a velocity is what the chip would be sent: not where the axis is read in units
-    /// per second and nobody knows how long its ticks are.
+    /// True if the velocity that the user reads is the one that the chip would be sent. False if the axis is
+    /// read in units per second and the length of its ticks is unknown.
     [[nodiscard]] bool speedsKnown() const { return !isServo() || servoRate || unit == UnitKind::Native; }
-    /// Its position jumped lately where no motion leads to: another module of its type may have answered for
-    /// it, and nothing but its positions tells the two apart.
+    /// The position recently jumped where no motion leads: another module of the same type may have answered
+    /// in its place, and only the position distinguishes the two.
     [[nodiscard]] bool positionDoubtful() const;
-    /// The servo is on, or the amplifier of a stepper: the motor holds or moves.
+    /// The servo, or the amplifier of a stepper, is on: the motor holds or moves.
     [[nodiscard]] bool driveOn() const;
-    /// SC: it minds its limits (I/O Control), and that in this direction, -1 or 1, is closed; forward is
-    /// limit 1.
+    /// SC: limit protection is enabled (I/O Control), and the limit in this direction, -1 or 1, is closed;
+    /// forward is limit 1.
     [[nodiscard]] bool limitEnds(int direction) const;
-    /// CMC and SC: it runs through path points.
+    /// CMC and SC: it is running path points.
     [[nodiscard]] bool onPath() const;
-    /// A motion that must not be disturbed: a trapezoidal move under way, or any command velocity but 0.
+    /// A motion that must not be disturbed: a trapezoidal move in progress, or any command velocity other
+    /// than 0.
     [[nodiscard]] bool moving() const;
     [[nodiscard]] Activity activity() const;
 
@@ -146,7 +149,7 @@ private:
     void watchPath(const StatusReport& report);
     void watchDrift(const bus::Sample& sample, bool wasOn);
     [[nodiscard]] bool watchHome(const bus::Sample& sample);
-    /// -1 or 1: where a motion of ours goes; 0: nobody knows.
+    /// Direction of a motion that we started, -1 or 1; 0: unknown.
     [[nodiscard]] int direction() const;
     void endAtLimit();
     void watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore);
@@ -160,10 +163,11 @@ private:
     [[nodiscard]] Activity activityWhileOff() const;
     [[nodiscard]] Activity activityWhileOn() const;
 
-    std::optional<std::int32_t> m_goal;  ///< as goal() says
-    std::optional<bool> m_goalReverse;   ///< likewise
+    std::optional<std::int32_t> m_goal;  ///< see goal()
+    std::optional<bool> m_goalReverse;   ///< see goalReverse()
     std::optional<std::int32_t> m_commandPosition;
-    /// What it will hold by a stop, if the next status shows it within that many counts of where it stood.
+    /// The position that a stop will make it hold, if the next status shows it within `within` counts of
+    /// `stood`.
     struct Held {
         std::int32_t goal = 0;
         std::int32_t stood = 0;
@@ -172,18 +176,18 @@ private:
     [[nodiscard]] std::optional<Held> heldThroughStop() const;
     std::optional<Held> m_held;
     unsigned m_looksWhileOn = 0;   ///< in a row
-    unsigned m_looksWhileOff = 0;  ///< in a row, that say that it went off by itself, until that is a fact
-    unsigned m_looksToBeOff = 0;   ///< how many make it one
-    TripCause m_causeSeen = TripCause::Unknown;  ///< by the first of them
-    std::optional<TimePoint> m_jumpedAt;         ///< last
-    std::optional<TimePoint> m_changedPlaceAt;   ///< last, while watchDrift() looks
+    unsigned m_looksWhileOff = 0;  ///< in a row, that show it went off by itself, until that is certain
+    unsigned m_looksToBeOff = 0;   ///< how many make it certain
+    TripCause m_causeSeen = TripCause::Unknown;  ///< according to the first of them
+    std::optional<TimePoint> m_jumpedAt;         ///< the last time
+    std::optional<TimePoint> m_changedPlaceAt;   ///< the last time, while watchDrift() is active
     bool m_motionUnknown = false;
-    bool m_drifts = false;  ///< its position has changed lately; slow velocities read 0
+    bool m_drifts = false;  ///< its position has changed recently; slow velocities read 0
     std::optional<bus::Sample> m_restedAt;
     TripWatch m_trip;
 };
 
-/// Null: the chain has no such module.
+/// Returns null if the chain has no such module.
 [[nodiscard]] inline const ModuleState* moduleAt(ModuleIndex index, std::span<const ModuleState> modules) {
     return index.value() < modules.size() ? &modules[index.value()] : nullptr;
 }

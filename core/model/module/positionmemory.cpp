@@ -15,7 +15,7 @@ using Number = std::int64_t;
 
 constexpr std::size_t kMostModules = 32;
 
-/// The names of the numbers of one axis, each with its bounds.
+/// The name of a number of an axis in the file, with its bounds.
 struct Field {
     const char* key;
     Number min;
@@ -32,7 +32,7 @@ constexpr Field kSaved{"home_saved", 0, 1};
 constexpr Field kSeen{"seen", 0, std::numeric_limits<Number>::max()};
 constexpr Field kMoving{"moving", 0, 1};
 
-/// Nothing where one number is missing or out of bounds.
+/// Reads the numbers of one axis; right() is false once a number is missing or out of bounds.
 class MemoryReader {
 public:
     explicit MemoryReader(const Json& object) : m_object(object) {}
@@ -62,7 +62,7 @@ std::vector<PositionMemory::Offer> PositionMemory::look(const LinkState& link, s
     std::vector<Offer> offers;
     for (const ModuleState& module : link.modules) {
         const ModuleIndex index = module.info.index;
-        // A jump has withdrawn its home, and what is remembered goes with it.
+        // A jump has withdrawn the axis's home, so what is remembered is dropped as well.
         if (module.positionDoubtful() && !module.home.place() && !module.home.offered())
             m_remembered.erase(index);
         if (!isLive(link, module) || !module.latest || !module.latest->position)
@@ -99,7 +99,7 @@ void PositionMemory::follow(const ModuleState& module, std::int64_t now) {
     const auto& place = module.home.place();
     if (!place && !module.home.offered()) {
         if (before != m_remembered.end())
-            m_remembered.erase(before);  // from here on it would be a guess
+            m_remembered.erase(before);  // from here on, it would be a guess
         return;
     }
     const std::int32_t position = *module.latest->position;
@@ -114,7 +114,7 @@ void PositionMemory::follow(const ModuleState& module, std::int64_t now) {
     const std::int32_t fromHome = countsBetween(place ? place->counts : *module.home.offered(), position);
     const bool samePlaces = before != m_remembered.end() && samePlace(news.fromHome, fromHome) &&
                             samePlace(news.counter, position);
-    // What moves is where it comes to rest, and a servo at rest hunts.
+    // A moving axis is recorded where it comes to rest, and a servo at rest hunts.
     if (sameMotion && (news.moving || samePlaces) && news == before->second)
         return;
     news.fromHome = fromHome;

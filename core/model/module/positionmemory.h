@@ -12,42 +12,42 @@
 
 namespace nmc {
 
-/// Where an axis was seen last, counted from its home. Kept beyond the session: a module that restarts has
-/// forgotten it, because its counter begins at 0 then (DS-V 5.2, DS-S 5.1 Hard Reset).
+/// The last known position of an axis, counted from its home. It outlives the session, because a module that
+/// restarts begins counting at 0 (DS-V 5.2, DS-S 5.1 Hard Reset).
 struct RememberedPosition {
     ModuleIdentity identity;
     std::int32_t fromHome = 0;                           ///< counts (steps), at rest
-    std::int32_t counter = 0;                            ///< as the chip counted
-    HomeFact::Source source = HomeFact::Source::Search;  ///< of that home
+    std::int32_t counter = 0;                            ///< value of the chip's counter
+    HomeFact::Source source = HomeFact::Source::Search;  ///< how that home was determined
     std::int64_t seen = 0;                               ///< s since 1970, UTC
-    bool moving = false;                                 ///< then: where it came to rest is not known
+    bool moving = false;  ///< it was moving, so where it came to rest is unknown
     bool operator==(const RememberedPosition&) const = default;
 };
 
 using RememberedPositions = std::map<ModuleIndex, RememberedPosition>;
 
-/// Follows the axes of a port, and says where home of each would be if what was remembered is still true. It
-/// does not apply that: HomeFact holds it as an offer. Nothing is said of an axis that moved when it was seen
-/// last, nor of one whose counter was set unseen. Pure.
+/// Tracks the axes of a port and computes where the home of each would be if what was remembered still holds.
+/// It does not apply that; HomeFact keeps it as an offer. There is no offer for an axis that was moving when
+/// last seen, or whose counter was set unseen. Pure.
 class PositionMemory {
 public:
     struct Offer {
         ModuleIndex module;
-        std::int32_t home = 0;  ///< counts, as the chip counts now
+        std::int32_t home = 0;  ///< in terms of the chip's present counter
         RememberedPosition remembered;
         bool operator==(const Offer&) const = default;
     };
 
     void begin(RememberedPositions remembered) { m_remembered = std::move(remembered); }
-    /// A chain was found; `attached` as in bus::ChainFound: counters go on where they were.
+    /// A chain was found; `attached` as in bus::ChainFound: counters continue where they were.
     void found(const std::vector<bus::ModuleInfo>& modules, bool attached);
-    /// This one answers at its address again, and counts from 0.
+    /// The module answers at its address again and counts from 0.
     void restarted(ModuleIndex module) { m_new[module] = Counter::Began; }
-    /// Of everything that is told of the link. What is offered now is to be put into the home of its module
-    /// before the next look; `now`: s since 1970, UTC.
+    /// Call after every change of the link. The caller must store each returned offer in the home of its
+    /// module before the next call. `now`: s since 1970, UTC.
     [[nodiscard]] std::vector<Offer> look(const LinkState& link, std::int64_t now);
 
-    /// To be kept.
+    /// The positions to store.
     [[nodiscard]] const RememberedPositions& remembered() const { return m_remembered; }
 
 private:
@@ -57,17 +57,17 @@ private:
     void follow(const ModuleState& module, std::int64_t now);
 
     RememberedPositions m_remembered;
-    std::map<ModuleIndex, Counter> m_new;  ///< since it was found nothing has been said of it
+    std::map<ModuleIndex, Counter> m_new;  ///< found, but not yet seen with a position
 };
 
-/// What is remembered of the chain at one port.
+/// What is remembered about the chain at one port.
 struct RememberedChain {
-    std::string machine;  ///< its name; empty: it had none
+    std::string machine;  ///< name of the machine; empty: it had none
     RememberedPositions positions;
     bool operator==(const RememberedChain&) const = default;
 };
 
-/// As text, for a file; what is no such text is nothing.
+/// Converts to and from the text of a file; any other text reads as an empty chain.
 [[nodiscard]] std::string writeRemembered(const RememberedChain& chain);
 [[nodiscard]] RememberedChain readRemembered(std::string_view text);
 

@@ -7,27 +7,28 @@
 
 #include "model/settings/machine.h"
 
-/// How a servo moves by hand while the user has said nothing. Counts per tick: about 1950, 980 and 490
-/// counts/s at the fastest servo rate; a slow turn of a common encoder.
+/// Default motion of a servo for which the user has set nothing. Counts per tick: about 1950, 980 and 490
+/// counts/s at the fastest servo rate, a slow turn for a common encoder.
 namespace nmc::servodefaults {
 
 inline constexpr double kVelocity = 1.0;
 inline constexpr double kRunVelocity = 0.5;
 inline constexpr double kHoldVelocity = 0.25;
 inline constexpr double kAcceleration = 0.002;
-/// Hold to move goes no faster until an engineer says so.
+/// Hold to move is limited to this velocity until an engineer changes it.
 inline constexpr double kHoldCap = 2.0;
-/// 16.16 fixed point (DS-V 4.4).
+/// Range of 16.16 fixed point (DS-V 4.4).
 inline constexpr double kFixedPoint = 65536.0;
 inline constexpr double kLargest = 32767.0;
 inline constexpr double kSmallest = 1.0 / kFixedPoint;
 
-/// No field takes more of this axis.
+/// The highest velocity that any field accepts for this axis, counts/tick.
 [[nodiscard]] inline double fastest(const AxisSettings& settings) {
     return settings.travel.fastest > 0.0 ? settings.travel.fastest : kLargest;
 }
 
-/// What is not set is replaced by the above; what was set stays, though the axis may not go so fast any more.
+/// Replaces values that are not set by the defaults above. Values that were set are kept even if the axis may
+/// no longer move that fast, except for the limit of hold to move.
 [[nodiscard]] inline MotionSettings motionOf(const AxisSettings& settings) {
     MotionSettings motion = settings.motion;
     const auto begin = [most = fastest(settings)](double& value, double first) {

@@ -8,32 +8,32 @@
 #include "model/settings/machine.h"
 #include "module/stepperspeed.h"
 
-/// Where a PIC-STEP begins that nothing was set for: slow, whatever motor it drives. Steps/s.
+/// Default motion of a PIC-STEP for which nothing was set: slow, whatever motor it drives. Steps/s.
 namespace nmc::stepperdefaults {
 
 inline constexpr double kMove = 400;
 inline constexpr double kRun = 200;
 inline constexpr double kHold = 100;
 inline constexpr double kHoldCap = 1'000;
-inline constexpr int kAccelerationTime = 40;  ///< 10 ms from one speed to the next
+inline constexpr int kAccelerationTime = 40;  ///< 10 ms from one integer speed to the next
 
 [[nodiscard]] inline int accelerationTime(const AxisSettings& settings) {
     const bool set = settings.accelerationTime >= 1 && settings.accelerationTime <= 255;
     return set ? static_cast<int>(std::lround(settings.accelerationTime)) : kAccelerationTime;
 }
-/// Of the parameters in force; before there are any, of those that stand in the fields.
+/// The speed mode of the parameters in force; before any are in force, of those in the settings.
 [[nodiscard]] inline StepperSpeed speedMode(const StepperState& stepper, const AxisSettings& settings) {
     if (stepper.parameters())
         return StepperSpeed(stepper.parameters()->speedMode);
     return StepperSpeed(settings.parameters ? settings.parameters->speedMode : stepper::SpeedMode::X1);
 }
 
-/// The chip goes no slower in a profile than this (DS-S 5.1).
+/// The lowest speed that the chip runs in a profile (DS-S 5.1).
 [[nodiscard]] inline double slowestProfile(const StepperState& stepper, const AxisSettings& settings) {
     const StepperSpeed mode = speedMode(stepper, settings);
     return stepper.parameters() ? mode.ofSpeed(stepper.parameters()->minimumProfileSpeed) : mode.slowest();
 }
-/// As fast as that, or as the axis may go.
+/// `speed`, limited to the fastest that the axis may move.
 [[nodiscard]] inline double atMost(double speed, const AxisSettings& settings) {
     return settings.travel.fastest > 0 ? std::min(speed, settings.travel.fastest) : speed;
 }

@@ -16,7 +16,7 @@ void StepperState::restarted() {
     m_registers.outputs.reset();
 }
 
-// ---- What the module says ----
+// ---- Status ----
 
 void StepperState::apply(const StatusReport& latest, TimePoint time, bool homeFound) {
     const bool wasMoving = moving();
@@ -32,7 +32,7 @@ void StepperState::apply(const StatusReport& latest, TimePoint time, bool homeFo
         m_on = m_status.amplifierEnabled();
         watchAmplifier(wasOn);
     }
-    // A smaller count is a slower timer.
+    // A smaller count means a slower timer.
     m_slowing = m_timer && latest.timerCount && *latest.timerCount < *m_timer;
     m_timer = latest.timerCount;
     watchMotion(wasMoving, homeFound);
@@ -42,7 +42,7 @@ void StepperState::watchAmplifier(bool wasOn) {
     if (m_on) {
         m_offOnce = false;
         if (std::exchange(m_offByItself, false))
-            m_ended.reset();  // it was another module's answer, or an old one
+            m_ended.reset();  // it was another module's reply, or an old one
         return;
     }
     if (m_offCommanded || !(wasOn || m_offOnce))
@@ -60,7 +60,7 @@ void StepperState::watchAmplifier(bool wasOn) {
     m_ended = m_offCause ? *m_offCause : whatActs().value_or(Activity::WentOff);
 }
 
-/// What may have switched it off, worst first.
+/// What may have switched the amplifier off, most serious first.
 std::optional<Activity> StepperState::whatActs() const {
     if (!powered())
         return Activity::PowerLost;
@@ -73,7 +73,7 @@ std::optional<Activity> StepperState::whatActs() const {
     return std::nullopt;
 }
 
-/// A switch that was looked for is home, and no limit that was run into.
+/// A switch that homing watched for is home, and not a limit that was run into.
 void StepperState::watchMotion(bool wasMoving, bool homeFound) {
     if (moving())
         return;
@@ -130,7 +130,7 @@ Activity StepperState::activity() const {
     return m_slowing ? Activity::Decelerating : Activity::Accelerating;
 }
 
-// ---- What it was told ----
+// ---- Commands ----
 
 struct StepperState::Executed {
     StepperState& s;
@@ -156,7 +156,7 @@ void StepperState::apply(const StepperCommand& executed, TimePoint time) {
 
 void StepperState::started(const stepper::LoadTrajectory& load, TimePoint time) {
     m_goalMode = bus::goalMode(mode(), load);
-    // With a timer count alone, a motion that ends at a goal still does (DS-S Table 4).
+    // A load with only a timer count leaves the goal of a motion that ends at one (DS-S Table 4).
     const bool keepsGoal = m_goalMode == bus::StepperMode::UnprofiledWithStop && !load.position;
     if (!keepsGoal) {
         m_goal.reset();
@@ -175,7 +175,7 @@ void StepperState::stopped(const stepper::StopMotor& stop, TimePoint time) {
     m_on = stop.amplifierEnable;
     m_switchedAt = time;
     m_offCommanded = !stop.amplifierEnable;
-    // Whoever tells it to stop, or switches it, has seen what happened before.
+    // Stopping or switching the motor implies that the user has noticed what happened before.
     m_offByItself = m_offOnce = false;
     m_ended.reset();
     if (stop.manner == stepper::StopManner::AmplifierOnly)

@@ -11,60 +11,60 @@
 
 namespace nmc {
 
-/// What a PIC-STEP was told in this connection, and what follows from that and its status: a part of
-/// ModuleState. The chip puts the answer to a command together before it carries the command out, so only
-/// what is latched later shows its effect.
+/// What a PIC-STEP was sent in this connection, and what follows from that and its status; a part of
+/// ModuleState. The chip composes the reply to a command before it carries the command out, so only a status
+/// latched later shows its effect.
 class StepperState {
 public:
-    /// Found as another host left it.
+    /// The module was found as another host left it.
     void attached();
-    /// It lost everything it was told.
+    /// The module lost all its settings.
     void restarted();
-    /// `latest` has every item ever reported, `time` is when its status was latched. `homeFound`: it tells
-    /// that what homing watched for has just come.
+    /// `latest` has every item ever reported; `time` is when its status was latched. `homeFound`: this status
+    /// shows that what homing watched for has just occurred.
     void apply(const StatusReport& latest, TimePoint time, bool homeFound = false);
     void apply(const StepperCommand& executed, TimePoint time);
 
-    /// Empty: not set in this connection, so nothing may move.
+    /// Empty: not set in this connection, so motion is not allowed.
     [[nodiscard]] const std::optional<stepper::SetParameters>& parameters() const {
         return m_registers.parameters;
     }
     /// OUT1..OUT5 as bits 0..4; empty: unknown.
     [[nodiscard]] std::optional<std::uint8_t> outputs() const { return m_registers.outputs; }
-    /// Of the ramp that the next smooth stop would take; empty: unknown.
+    /// Acceleration time of the ramp for the next smooth stop; empty: unknown.
     [[nodiscard]] std::optional<std::uint8_t> accelerationTime() const {
         return m_registers.accelerationTime;
     }
-    /// A load that was confirmed and waits for a start.
+    /// A confirmed load that waits for a start.
     [[nodiscard]] const std::optional<stepper::LoadTrajectory>& waiting() const {
         return m_registers.waiting;
     }
 
     [[nodiscard]] bool amplifierOn() const { return m_on; }
-    /// It switched its amplifier off without being told to, as two answers in a row say, and has not been on
-    /// since.
+    /// The module switched its amplifier off without a command, according to two replies in a row, and has
+    /// not been on since.
     [[nodiscard]] bool offByItself() const { return m_offByItself; }
     [[nodiscard]] bool moving() const { return m_startedAt || m_status.moving(); }
     [[nodiscard]] bus::StepperMode mode() const;
-    /// Direction of the present motion; empty: it stands, or another host started it.
+    /// Direction of the present motion; empty: it stands still, or another host started it.
     [[nodiscard]] std::optional<bool> runsReverse() const { return moving() ? m_reverse : std::nullopt; }
 
-    /// Of the last motion, if it has one.
+    /// Goal of the last motion, if it has one.
     [[nodiscard]] std::optional<std::int32_t> goal() const { return m_goal; }
     /// The direction of the last motion; empty: another host started it.
     [[nodiscard]] std::optional<bool> lastReverse() const { return m_reverse; }
-    /// What ended the last motion, or switched the amplifier off, unless it was told to; until it is told to
-    /// move, to stop or to switch.
+    /// What ended the last motion, or switched the amplifier off, unless commanded; reset by the next command
+    /// to move, stop or switch.
     [[nodiscard]] std::optional<Activity> ended() const { return m_ended; }
     [[nodiscard]] bool powered() const { return m_status.powerOn(); }
     [[nodiscard]] bool estopActs() const;
-    /// The limit switch of that direction is active, and stops the motor.
+    /// The limit switch in that direction is active and stops the motor.
     [[nodiscard]] bool limitActs(bool reverse) const;
     [[nodiscard]] bool tooHot() const;
     [[nodiscard]] std::optional<std::int32_t> position() const { return m_position; }
     [[nodiscard]] stepper::InputsByte inputs() const { return m_inputs; }
 
-    /// Of a module that answers.
+    /// For a module that answers.
     [[nodiscard]] Activity activity() const;
 
 private:
@@ -85,13 +85,13 @@ private:
     std::optional<bus::StepperMode> m_goalMode;
     std::optional<std::int32_t> m_goal;
     std::optional<bool> m_reverse;
-    std::optional<TimePoint> m_startedAt;   ///< no later status has come yet
-    std::optional<TimePoint> m_switchedAt;  ///< the amplifier, likewise
+    std::optional<TimePoint> m_startedAt;   ///< a motion was started, and no later status has arrived
+    std::optional<TimePoint> m_switchedAt;  ///< the amplifier was switched, and no later status has arrived
     bool m_on = false;
     bool m_offCommanded = false;
     bool m_offByItself = false;
-    bool m_offOnce = false;              ///< one answer says so, and the next has not come yet
-    std::optional<Activity> m_offCause;  ///< what that one answer tells of it
+    bool m_offOnce = false;  ///< one reply shows it off by itself, and the next has not arrived yet
+    std::optional<Activity> m_offCause;  ///< cause according to that reply
     bool m_homingSwitchesOff = false;
     bool m_stopping = false;  ///< smoothly, by command
     bool m_slowing = false;   ///< between the last two statuses

@@ -15,23 +15,24 @@ namespace {
 constexpr Duration kWindow = std::chrono::milliseconds(1'000);
 constexpr Duration kMinSpan = std::chrono::milliseconds(800);
 constexpr Duration kBetween = std::chrono::milliseconds(200);
-/// Where it is looked at rarely, they go farther back than the window.
+/// At slow polling, readings reach back beyond the window to keep this many.
 constexpr std::ptrdiff_t kFewestReadings = 12;
 constexpr std::size_t kFewestForRate = 16;
-/// Counts to either side: friction and Ki make a good servo creep by a few.
+/// Counts to either side: friction and Ki make even a well-tuned servo creep by a few.
 constexpr double kMinAmplitude = 8.0;
-/// Less than that of the half second before: it calms down by itself.
+/// A swing below this fraction of that in the previous half second is dying down by itself.
 constexpr double kStays = 0.7;
-/// Hunting: more than an encoder between two counts tells, and seen to and fro twice.
+/// Hunting: each turn must exceed the jitter of an encoder between two counts, and two full cycles must be
+/// seen.
 constexpr std::int64_t kTurnedBy = 3;
 constexpr std::size_t kTurnsKept = 4;
 constexpr double kShortestHalf = 0.1, kLongestHalf = 10.0;  // s
-/// So many halves after the last turn it has come to rest.
+/// Without a turn for this many half periods, the motor has come to rest.
 constexpr double kOverdue = 2.5;
-/// Of all that is seen, what one sine has to account for.
+/// The share of the variance that a single sine must explain.
 constexpr double kOneRate = 0.5;
 
-/// Half of the way from the lowest to the highest.
+/// Half the distance from the lowest to the highest position.
 template <typename Readings>
 double reach(const Readings& begin, const Readings& end) {
     const auto [low, high] =
@@ -39,7 +40,7 @@ double reach(const Readings& begin, const Readings& end) {
     return (static_cast<double>(high->position) - static_cast<double>(low->position)) / 2.0;
 }
 
-/// From one side to the other, by at least `gate` to either.
+/// Counts the changes from one side to the other, by at least `gate` to either.
 int turns(const std::vector<double>& off, double gate) {
     int count = 0, side = 0;
     for (const double one : off) {
@@ -56,9 +57,9 @@ struct Sine {
     double share = 0.0;  ///< of the variance
 };
 
-/// The best of the sines about the mean whose rates begin at `from` and lie `step` apart (least squares; the
-/// times are uneven). From one rate to the next each reading is turned on by a product: sines and cosines
-/// anew would hold the window up.
+/// Finds the best-fitting sine about the mean among frequencies from `from` in steps of `step` (least
+/// squares; the times are uneven). From one frequency to the next, each reading's phasor is rotated by
+/// multiplication: computing sines and cosines anew would block the window.
 Sine bestSine(const std::vector<double>& seconds, const std::vector<double>& off, double from, double to,
               double step) {
     struct Turning {
@@ -171,7 +172,7 @@ std::optional<SwingWatch::Swing> SwingWatch::lookInto() const {
     for (const Reading& one : m_readings)
         mean += one.position;
     mean /= static_cast<double>(m_readings.size());
-    // A creep to one side is none: it has to come by from both sides, again and again.
+    // A creep to one side is not a swing: the position must cross from side to side repeatedly.
     std::vector<double> seconds, off;
     for (const Reading& one : m_readings) {
         off.push_back(one.position - mean);
@@ -183,7 +184,7 @@ std::optional<SwingWatch::Swing> SwingWatch::lookInto() const {
         return Swing{now, std::nullopt};
     const double span = seconds.back();
     const double between = span / static_cast<double>(seconds.size() - 1);
-    // Coarsely first, then to a quarter of what the window tells apart.
+    // Coarse search first, then to a quarter of the window's frequency resolution.
     const double fine = 0.25 / span;
     const double lowest = 1.5 / span;
     const double highest = 0.45 / between;

@@ -11,15 +11,15 @@ namespace nmc {
 
 namespace {
 
-/// With motor or encoder reversed the loop amplifies the first count that it is off by: it is over at once.
+/// With motor or encoder reversed, the loop amplifies the first count of error, so the trip follows at once.
 constexpr Duration kAtOnce = std::chrono::seconds(1);
-/// Parts of the error limit, and of the speed, that are nothing to speak of.
+/// Fractions of the error limit, and of the speed, below this reciprocal are negligible.
 constexpr int kPart = 10;
 
 [[nodiscard]] bool ranAwayFromHold(const TripFacts& f, std::int64_t little) {
     if (!f.enabled || f.since > kAtOnce || std::abs(f.moved) < f.errorLimit / 2)
         return false;
-    // One that swings to both sides is not stable, which gains do as well.
+    // A motor that swings to both sides is unstable, which gains can cause as well.
     return std::min(f.farthest, -f.rearmost) <= little;
 }
 

@@ -9,47 +9,46 @@
 
 namespace nmc {
 
-/// Why a PIC-SERVO probably exceeded its position error limit (DS-V 4.3, 5.2 Set Gain). What the chip says is
-/// only that it did; the rest is a judgement, made to be advice.
+/// Why a PIC-SERVO probably exceeded its position error limit (DS-V 4.3, 5.2 Set Gain). The chip reports only
+/// that it did; the cause is a diagnosis, meant as advice.
 enum class TripCause : std::uint8_t {
-    Unknown,   ///< nothing that tells
-    Reversed,  ///< it ran away as soon as it was enabled, or against what it was told
-    Jam,       ///< it was driven and stood
-    Limit1,    ///< a limit switch closed on the way
+    Unknown,   ///< no evidence
+    Reversed,  ///< it ran away as soon as it was enabled, or moved against its command
+    Jam,       ///< it was driven but stood still
+    Limit1,    ///< a limit switch closed during the motion
     Limit2,
-    OffAtLimit1,  ///< SC: told to switch off at a closed limit (I/O Control)
+    OffAtLimit1,  ///< SC: set to switch off at a closed limit (I/O Control)
     OffAtLimit2,
-    Behind,  ///< it went the right way, too slowly
+    Behind,  ///< it moved in the right direction, but too slowly
 };
 
-/// What is known of a servo at its trip. Counts; positive is forward.
+/// What is known about a servo at its trip. Counts; positive is forward.
 struct TripFacts {
     std::int32_t errorLimit = 0;
-    /// It was off before, and was told to hold: since then it has only been that.
+    /// The servo was off before and was commanded to hold, and nothing else since.
     bool enabled = false;
-    /// Where the motion that was under way was to go: -1, 0 or 1; 0 for one that did not begin at rest, too.
+    /// Direction of the motion in progress: -1, 0 or 1; also 0 for a motion that did not begin at rest.
     int direction = 0;
-    double velocity = 0.0;      ///< of that motion, the most it was to have; counts per s
+    double velocity = 0.0;      ///< maximum of that motion; counts per s
     Duration since{};           ///< from the command to the trip
     std::int64_t moved = 0;     ///< from the command to the trip
-    std::int64_t farthest = 0;  ///< forward of where it was at the command
-    std::int64_t rearmost = 0;  ///< in reverse of that, negative
-    double speed = 0.0;         ///< between the last two readings, counts per s; its magnitude
+    std::int64_t farthest = 0;  ///< forward of the position at the command
+    std::int64_t rearmost = 0;  ///< in reverse of the position at the command; negative
+    double speed = 0.0;         ///< magnitude, between the last two readings; counts per s
     bool limit1Closed = false;  ///< since the command
     bool limit2Closed = false;
 };
 
-/// Pure.
+/// Diagnoses the probable cause of a trip. Pure.
 [[nodiscard]] TripCause diagnose(const TripFacts& facts);
 
-/// Keeps of a servo what diagnose() will want to know of it. Part of ModuleState; told in the order of
-/// events. Pure.
+/// Keeps the facts about a servo that diagnose() needs. Part of ModuleState; apply events in order. Pure.
 class TripWatch {
 public:
     struct Reading {
         TimePoint time;
         std::int32_t position = 0;
-        bool limit1 = false;  ///< active, of an input
+        bool limit1 = false;  ///< active; only for a pin that is an input
         bool limit2 = false;
     };
     struct Command {
@@ -61,16 +60,17 @@ public:
     };
 
     void apply(const Command& command);
-    /// Of every status.
+    /// Call for each status.
     void apply(const Reading& reading);
-    /// Its position was set: what was seen before does not count.
+    /// The position was set: earlier readings no longer count.
     void forget() { *this = {}; }
-    /// `off`: the status that told of the trip, not applied yet. Nothing before a command of this connection.
+    /// `off`: the status that showed the trip, not yet applied. Empty before the first command of this
+    /// connection.
     [[nodiscard]] std::optional<TripFacts> facts(const Reading& off, std::int32_t errorLimit) const;
 
 private:
     std::optional<Command> m_command;
-    std::optional<Reading> m_first;  ///< of the command
+    std::optional<Reading> m_first;  ///< at the command
     std::optional<Reading> m_last;
     std::int64_t m_farthest = 0;
     std::int64_t m_rearmost = 0;
