@@ -120,6 +120,15 @@ TEST_F(PathDrawing, SaysWhatMakesNoPath) {
               (DrawingProblem{DrawingFault::NoPathAxis, {}, 0, ModuleIndex(0)}));
 }
 
+/// Each by itself is short, and together they are a million rows without a point.
+TEST_F(PathDrawing, ATreeOfCallsIsTooMuchToo) {
+    for (int i = 0; i < 20; ++i) {
+        const Action next = i == 19 ? Action(action::Wait{0}) : Action(action::Call{std::to_string(i + 1)});
+        machine.program.sequences.push_back({std::to_string(i), {next, next}});
+    }
+    EXPECT_EQ(problem({action::MoveTo{"There"}, action::Call{"0"}})->kind, DrawingFault::TooManyPoints);
+}
+
 /// A third of a millimetre is no finite decimal number, and a count is what has to come back.
 TEST(PathText, ReadsBackToTheCount) {
     const std::vector<PathColumn> axes{

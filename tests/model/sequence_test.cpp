@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points and sequences as values: their editing, what contradicts, what keeps one from being run, and what
-// rows leave behind. Expected values by hand.
+// Points and sequences as values: their editing, the order of their rows, what contradicts, what keeps one
+// from being run, and what rows leave behind. Expected values by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -123,6 +123,47 @@ TEST(SequenceEdit, ANewNameIsOneEverywhere) {
     EXPECT_EQ(freeName(program.points, "Fetch"), "Fetch 2");
 }
 
+TEST(SequenceWalk, GoesBackAndIntoCallsAndOutOfThem) {
+    Program program;
+    program.sequences = {{"Main", {action::Call{"Part"}, action::Repeat{0, 2}, action::Wait{3}}},
+                         {"Part", {action::Wait{1}, action::Repeat{0, 2}, action::Call{"Nothing"}}},
+                         {"Nothing", {}}};
+    std::vector<std::pair<std::string, std::size_t>> way;
+    std::vector<RowPlace> places{RowPlace{"Main"}};
+    for (; rowAt(program, places.back()) != nullptr; goOn(program, places)) {
+        ASSERT_LT(way.size(), 100U);
+        way.emplace_back(places.back().sequence, places.back().row);
+    }
+    const std::pair<std::string, std::size_t> call{"Main", 0}, wait{"Part", 0}, again{"Part", 1},
+        nothing{"Part", 2}, twice{"Main", 1}, last{"Main", 2};
+    EXPECT_THAT(way, ElementsAre(call, wait, again, wait, again, nothing, twice, call, wait, again, wait,
+                                 again, nothing, twice, last));
+    EXPECT_EQ(places, std::vector{(RowPlace{"Main", 3})}) << "and every round is counted off";
+}
+
+TEST(SequenceWalk, CountsTheRoundsOfARepeatForEver) {
+    Program program;
+    program.sequences = {{"Main", {action::Wait{1}, action::Repeat{0, 0}}}};
+    std::vector<RowPlace> places{RowPlace{"Main"}};
+    for (int row = 0; row < 2 * 7; ++row)
+        goOn(program, places);
+    EXPECT_EQ(places, std::vector{(RowPlace{"Main", 0, {{1, 7}}})});
+}
+
+TEST(SequenceWalk, EachSequenceIsGoneIntoOnce) {
+    Program program;
+    program.sequences = {{"Main", {action::Call{"Part"}, action::Wait{1}, action::Call{"Part"}}},
+                         {"Part", {action::Wait{2}, action::Wait{3}}}};
+    EXPECT_THAT(rowsFrom(program, {"Main", 0}),
+                ElementsAre(RowPlace{"Main", 0}, RowPlace{"Part", 0}, RowPlace{"Part", 1},
+                            RowPlace{"Main", 1}, RowPlace{"Main", 2}));
+    EXPECT_THAT(rowsAbove(program, {"Main", 3}),
+                ElementsAre(RowPlace{"Main", 2}, RowPlace{"Part", 1}, RowPlace{"Part", 0},
+                            RowPlace{"Main", 1}, RowPlace{"Main", 0}))
+        << "the last time";
+    EXPECT_THAT(rowsAbove(program, {"Main", 0}), IsEmpty());
+}
+
 TEST(Contradiction, NamesItsRow) {
     EXPECT_FALSE(contradiction(twoPoints()));
     Program program = twoPoints();
@@ -168,6 +209,14 @@ TEST(WhyNotRun, NamesEachRowAndAxis) {
     EXPECT_EQ(problems[0].refusal, Refusal::ServoOff);
     EXPECT_EQ(problems[1].module, kY);
     EXPECT_EQ(problems[2].row, 1U);
+}
+
+TEST(WhyNotRun, ACalledSequenceWithoutRowsIsNamedOnce) {
+    Program program = twoPoints();
+    program.sequences = {{"Main", {action::Call{"Nothing"}, action::Call{"Nothing"}}}, {"Nothing", {}}};
+    const auto problems = whyNotRun("Main", 0, machineOf(program), chain());
+    ASSERT_THAT(kinds(problems), ElementsAre(SequenceFault::NoRows));
+    EXPECT_EQ(problems[0].sequence, "Nothing");
 }
 
 TEST(WhyNotRun, PointsBeyondTheChipAndWithoutHome) {
@@ -305,6 +354,43 @@ TEST(EntryStates, StartInTheMiddleOnlyWhereAFreshRunWouldBe) {
     Machine forEver = machine;
     insertRow(forEver.program.sequences[0], 1, action::Repeat{0, 0});
     EXPECT_EQ(kinds(whyNotRun("Main", 2, forEver, modules)), std::vector{SequenceFault::Unreachable});
+}
+
+TEST(EntryStates, TheLastCallIsTheOneThatCounts) {
+    Program program = twoPoints();
+    program.sequences = {{"Fetch", {action::MoveTo{"Pick"}, action::SetOutput{kY, 1, true}}},
+                         {"Main",
+                          {action::Call{"Fetch"}, action::MoveTo{"Place"}, action::SetOutput{kY, 1, false},
+                           action::Call{"Fetch"}, action::Wait{1}}}};
+    const EntryState before = entryState(machineOf(program), "Main", 3);
+    EXPECT_EQ(before.places.at(kX).point, "Place");
+    EXPECT_EQ(before.places.at(kY).point, "Pick");
+    EXPECT_FALSE(before.outputs.at({kY, 1U}));
+    const EntryState behind = entryState(machineOf(program), "Main", 4);
+    EXPECT_EQ(behind.places.at(kX).point, "Pick");
+    EXPECT_TRUE(behind.outputs.at({kY, 1U}));
+}
+
+/// Without a move to home the axis stands wherever its switch was found, and no more where a row above had
+/// moved it.
+TEST(EntryStates, ASearchForHomeLeavesItsAxisAnywhere) {
+    Program program = twoPoints();
+    program.sequences = {{"Search", {action::Home{kX}}},
+                         {"Direct", {action::MoveTo{"Pick"}, action::Home{kX}, action::Wait{1}}},
+                         {"Called", {action::MoveTo{"Pick"}, action::Call{"Search"}, action::Wait{1}}}};
+    Machine machine = machineOf(program);
+    machine.axes.resize(1);
+    HomingRecipe recipe;
+    recipe.goToHome = false;
+    machine.axes[0].homing = recipe;
+    for (const char* sequence : {"Direct", "Called"}) {
+        const EntryState entry = entryState(machine, sequence, 2);
+        EXPECT_FALSE(entry.places.contains(kX)) << sequence;
+        EXPECT_EQ(entry.places.at(kY).point, "Pick") << sequence;
+        EXPECT_THAT(entry.homed, ElementsAre(kX)) << sequence;
+    }
+    machine.axes[0].homing->goToHome = true;
+    EXPECT_EQ(entryState(machine, "Called", 2).places.at(kX), (EntryState::Place{"", {kX, 0, true}}));
 }
 
 /// A tree of calls that would take longer than the universe to go through.

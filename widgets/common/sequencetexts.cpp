@@ -107,7 +107,7 @@ QString why(const SequenceReport& report) {
 /// "Main, row 3", "Main, row 3, Pick, row 1": with those that were called.
 QString runPlace(const SequenceReport& report) {
     QStringList parts;
-    for (const SequenceReport::Place& place : report.places) {
+    for (const RowPlace& place : report.places) {
         QString part = Texts::tr("%1, row %2").arg(QString::fromStdString(place.sequence)).arg(place.row + 1);
         for (const auto& [row, rounds] : place.rounds)
             part = Texts::tr("%1, pass %2").arg(part).arg(rounds + 1);

@@ -175,31 +175,23 @@ RowsModel::Cell RowsModel::cell(std::size_t row, int column) const {
 }
 
 RowsModel::Cell RowsModel::what(std::size_t row) const {
-    const auto ofModule = [this](ModuleIndex module) {
-        Cell cell{moduleNames(), module.value()};
-        if (module.value() >= m_modules)
-            cell.text = texts::moduleName(module);
-        return cell;
-    };
-    return std::visit(Overloaded{
-                          [this](const action::MoveTo& move) {
-                              const auto names = pointNames(m_program);
-                              return Cell{toList(names), indexOfName(names, move.point)};
-                          },
-                          [this](const action::Call& call) {
-                              return Cell{toList(m_callable), indexOfName(m_callable, call.sequence)};
-                          },
-                          [row](const action::Repeat& repeat) {
-                              Cell cell{{}, static_cast<int>(repeat.from)};
-                              for (std::size_t i = 0; i < row; ++i)
-                                  cell.choices << tr("from row %1 on").arg(i + 1);
-                              return cell;
-                          },
-                          [&](const AnyOf<action::WaitForInput, action::SetOutput, action::Home,
-                                          action::WaitForAnalog> auto& one) { return ofModule(one.module); },
-                          [](const AnyOf<action::Wait, action::WaitForArrival> auto&) { return Cell{}; },
-                      },
-                      m_rows[row]);
+    const Action& action = m_rows[row];
+    Cell cell;
+    if (const auto module = moduleOf(action)) {
+        cell = {moduleNames(), module->value()};
+        if (module->value() >= m_modules)
+            cell.text = texts::moduleName(*module);
+    } else if (const auto* move = std::get_if<action::MoveTo>(&action)) {
+        const auto names = pointNames(m_program);
+        cell = {toList(names), indexOfName(names, move->point)};
+    } else if (const auto* call = std::get_if<action::Call>(&action)) {
+        cell = {toList(m_callable), indexOfName(m_callable, call->sequence)};
+    } else if (const auto* repeat = std::get_if<action::Repeat>(&action)) {
+        cell.chosen = static_cast<int>(repeat->from);
+        for (std::size_t i = 0; i < row; ++i)
+            cell.choices << tr("from row %1 on").arg(i + 1);
+    }
+    return cell;
 }
 
 /// A module's pins or outputs, each with both levels; a PIC-I/O says them as its sheet does.

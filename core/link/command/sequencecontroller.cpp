@@ -30,31 +30,31 @@ SequenceController::SequenceController(BusStore& store, ProcedureController& pro
 
 void SequenceController::start(const Machine& machine, const std::string& sequence, std::size_t row,
                                bool singleStep) {
-    begin(machine, sequence, row, [&] { return SequenceRun(machine, sequence, row, singleStep); });
+    begin(SequenceRun(machine, sequence, row, singleStep));
 }
 
 void SequenceController::goTo(const Machine& machine, const std::string& point) {
-    begin(withMoveTo(machine, point), kMoveToPoint, 0, [&] { return SequenceRun::toPoint(machine, point); });
+    begin(SequenceRun::toPoint(machine, point));
 }
 
 void SequenceController::home(const Machine& machine, const std::vector<ModuleIndex>& axes) {
-    begin(withHoming(machine, axes), kHomeAll, 0, [&] { return SequenceRun::homing(machine, axes); });
+    begin(SequenceRun::homing(machine, axes));
 }
 
-void SequenceController::begin(Machine machine, const std::string& sequence, std::size_t row,
-                               const std::function<SequenceRun()>& make) {
+void SequenceController::begin(SequenceRun run) {
     if (running())
         return;
     const LinkState& link = m_store.link();
+    const auto& [sequence, row, rounds] = run.report().places.front();
     // Homing has an operator right of its own.
-    auto problems =
-        whyNotRun(sequence, row, machine, sequence == kHomeAll ? link.modules : asOfSequence(link.modules));
+    auto problems = whyNotRun(sequence, row, run.machine(),
+                              sequence == kHomeAll ? link.modules : asOfSequence(link.modules));
     if (link.phase != LinkPhase::Connected)
         problems = {{.kind = SequenceProblem::Kind::Refused,
                      .sequence = sequence,
                      .row = row,
                      .refusal = Refusal::NotConnected}};
-    for (const ModuleIndex module : modulesOf(machine.program, sequence))
+    for (const ModuleIndex module : run.parts())
         if (problems.empty() && m_procedures.running(module))
             problems.push_back({.kind = SequenceProblem::Kind::Refused,
                                 .sequence = sequence,
@@ -66,7 +66,7 @@ void SequenceController::begin(Machine machine, const std::string& sequence, std
         return;
     }
     m_operations.clear();
-    m_run.emplace(make());
+    m_run = std::move(run);
     m_reported.reset();
     m_timer.start();
     advance();

@@ -61,8 +61,7 @@ signals:
     void foreseen(const nmc::DryRun& dryRun);
 
 private:
-    void begin(Machine machine, const std::string& sequence, std::size_t row,
-               const std::function<SequenceRun()>& make);
+    void begin(SequenceRun run);
     void look();
     void advance();
     void obey(const SequenceRun::Ask& ask);

@@ -50,7 +50,8 @@ private:
     }
     void step(TimePoint end) {
         TimePoint next = end;
-        for (const auto& candidate : {m_engine.nextDeadline(), m_chain.nextEvent(), arrival()})
+        const auto arrival = m_arriving.empty() ? std::nullopt : std::optional(m_arriving.front().due);
+        for (const auto& candidate : {m_engine.nextDeadline(), m_chain.nextEvent(), arrival})
             if (candidate)
                 next = std::min(next, *candidate);
         m_now = std::max(m_now, next);
@@ -66,11 +67,6 @@ private:
         if (const auto deadline = m_engine.nextDeadline(); deadline && *deadline <= m_now)
             m_engine.onDeadline(m_now);
         carryOut();
-    }
-    [[nodiscard]] std::optional<TimePoint> arrival() const {
-        if (m_arriving.empty())
-            return std::nullopt;
-        return m_arriving.front().due;
     }
     void carryOut() {
         for (const bus::Output& output : m_engine.takeOutput())
@@ -181,45 +177,38 @@ private:
                                                 m_modules[index.value()].latestTime);
     }
     void setPins(const ModuleState& real) {
-        const auto set = [&](sim::Input input, bool level) {
-            m_bus.simulated().set(real.info.index, input, level ? 1.0 : 0.0, m_bus.now());
-        };
-        if (real.isServo() && real.latest) {
-            set(sim::Input::Limit1, real.latest->servoStatus().limit1());
-            set(sim::Input::Limit2, real.latest->servoStatus().limit2());
-        }
-        if (real.isIo() && real.latest)
-            setIo(index(real), *real.latest);
-        if (!real.isStepper())
-            return;
-        const stepper::InputsByte inputs = real.stepper.inputs();
-        set(sim::Input::Limit1, inputs.limit1());
-        set(sim::Input::Limit2, inputs.limit2());
-        set(sim::Input::In1, inputs.in1());
-        set(sim::Input::In2, inputs.in2());
-        set(sim::Input::HomeSwitch, inputs.homeSwitch());
-        set(sim::Input::Estop, inputs.estop());
+        const ModuleIndex index = real.info.index;
+        for (unsigned i = 0; i <= static_cast<unsigned>(InputPin::Io12); ++i)
+            if (const auto level = readPin(static_cast<InputPin>(i), real))
+                setPin(index, static_cast<InputPin>(i), *level);
+        for (unsigned input = 1; input <= io::kAnalogInputs; ++input)
+            if (const auto value = readAnalog(input, real))
+                simulate(index, sim::Input::Analog, *value, input);
+        if (real.isStepper())
+            simulate(index, sim::Input::Estop, real.stepper.inputs().estop() ? 1.0 : 0.0);
     }
-    static ModuleIndex index(const ModuleState& real) { return real.info.index; }
-    void setIo(ModuleIndex index, const StatusReport& real) {
-        for (unsigned pin = 0; real.pins && pin < io::kPins; ++pin)
-            m_bus.simulated().set(index, sim::Input::Pin, unsigned{*real.pins} >> pin & 1U, m_bus.now(),
-                                  pin + 1);
-        for (unsigned i = 0; i < real.analogs.size(); ++i)
-            if (const auto& value = real.analogs.at(i))
-                m_bus.simulated().set(index, sim::Input::Analog, *value, m_bus.now(), i + 1);
+    void setPin(ModuleIndex index, InputPin pin, bool level) {
+        constexpr sim::Input kInputs[] = {sim::Input::Limit1, sim::Input::Limit2, sim::Input::In1,
+                                          sim::Input::In2, sim::Input::HomeSwitch};
+        const auto number = ioPin(pin);
+        simulate(index, number ? sim::Input::Pin : kInputs[static_cast<std::size_t>(pin)], level ? 1.0 : 0.0,
+                 number ? *number + 1 : 0);
+    }
+    void simulate(ModuleIndex index, sim::Input input, double value, unsigned number = 0) {
+        m_bus.simulated().set(index, input, value, m_bus.now(), number);
     }
     /// Sets the pin directions and the output levels. If they are unknown, they are unknown to the copy as
     /// well.
     void setDirections(const ModuleState& real) {
         if (!real.isIo() || !real.pins.inputs || !real.latest)
             return;
-        tell(index(real), iointent::SetDirection{*real.pins.inputs});
+        const ModuleIndex index = real.info.index;
+        tell(index, iointent::SetDirection{*real.pins.inputs});
         const unsigned outputs = io::kAllPins & ~unsigned{*real.pins.inputs};
         const unsigned levels = real.pins.levels(*real.latest).value_or(0);
         for (unsigned pin = 0; pin < io::kPins; ++pin)
             if ((outputs & levels) >> pin & 1U)
-                tell(index(real), iointent::SetOutput{pin, true});
+                tell(index, iointent::SetOutput{pin, true});
     }
     void tell(ModuleIndex index, const Intent& intent) {
         if (auto orders = plan(intent, m_modules[index.value()])) {
@@ -232,8 +221,8 @@ private:
 
     bool turn() {
         take(m_bus.runFor(kTurn));
-        if (const Action* row = currentRow())
-            assumeWaited(*row);
+        if (m_run->row() != nullptr)
+            assumeWaited(*m_run->row());
         SequenceRun::Next next = m_run->next(m_modules, m_bus.now());
         if (auto* send = std::get_if<SequenceRun::Send>(&next))
             for (std::vector<bus::Order>& orders : send->operations)
@@ -242,37 +231,18 @@ private:
             assumeHome(*ask);
         return !m_run->report().over();
     }
-    [[nodiscard]] const Action* currentRow() const {
-        const SequenceReport::Place& place = m_run->report().places.back();
-        const Sequence* sequence = m_run->machine().program.sequence(place.sequence);
-        return sequence != nullptr && place.row < sequence->rows.size() ? &sequence->rows[place.row]
-                                                                        : nullptr;
-    }
-    /// Makes the input that a row waits for occur at once.
+    /// Makes the input that a row waits for occur at once. An analog value goes to the end of the converter's
+    /// range, because one count beyond the level does not exist there.
     void assumeWaited(const Action& row) {
-        if (const auto* wait = std::get_if<action::WaitForInput>(&row)) {
-            if (readPin(wait->pin, m_modules[wait->module.value()]) != wait->active)
-                assumeInput(*wait);
-        } else if (const auto* analog = std::get_if<action::WaitForAnalog>(&row)) {
-            if (!isMet(*analog, m_modules[analog->module.value()]))
-                assumeAnalog(*analog);
+        const auto lacks = [this](const auto& wait) { return !isMet(wait, m_modules[wait.module.value()]); };
+        if (const auto* wait = std::get_if<action::WaitForInput>(&row); wait != nullptr && lacks(*wait)) {
+            setPin(wait->module, wait->pin, wait->active);
+            m_result.inputsAssumed = true;
         }
-    }
-    void assumeInput(const action::WaitForInput& wait) {
-        constexpr sim::Input kInputs[] = {sim::Input::Limit1, sim::Input::Limit2, sim::Input::In1,
-                                          sim::Input::In2, sim::Input::HomeSwitch};
-        const auto pin = ioPin(wait.pin);
-        m_bus.simulated().set(wait.module,
-                              pin ? sim::Input::Pin : kInputs[static_cast<std::size_t>(wait.pin)],
-                              wait.active ? 1.0 : 0.0, m_bus.now(), pin ? *pin + 1 : 0);
-        m_result.inputsAssumed = true;
-    }
-    /// Sets the input to the end of the converter's range: one count beyond the level would be enough, but
-    /// does not exist at the end of the range.
-    void assumeAnalog(const action::WaitForAnalog& wait) {
-        m_bus.simulated().set(wait.module, sim::Input::Analog, wait.above ? 255.0 : 0.0, m_bus.now(),
-                              wait.input);
-        m_result.inputsAssumed = true;
+        if (const auto* wait = std::get_if<action::WaitForAnalog>(&row); wait != nullptr && lacks(*wait)) {
+            simulate(wait->module, sim::Input::Analog, wait->above ? 255.0 : 0.0, wait->input);
+            m_result.inputsAssumed = true;
+        }
     }
     /// The position of the home switch is unknown; the position of home may be known.
     void assumeHome(const SequenceRun::Ask& ask) {
@@ -285,20 +255,17 @@ private:
         if (!module.home.place())
             module.home.found(module.latest->position.value_or(0), module.latestTime);
         if (home->recipe.goToHome) {
-            const auto move =
-                moveIntent({ask.module, 0, true}, 100, module, m_start.machine.axis(ask.module));
-            if (const auto orders = move ? plan(*move, module) : tl::unexpected(move.error()); orders)
-                m_bus.submit(*orders);
-            for (const TimePoint end = m_bus.now() + kPatience; m_bus.now() < end && !m_cancelled;) {
+            const PointAxis atHome{ask.module, 0, true};
+            if (const auto move = moveIntent(atHome, 100, module, m_start.machine.axis(ask.module)))
+                tell(ask.module, *move);
+            for (const TimePoint end = m_bus.now() + kPatience;
+                 module.moving() && m_bus.now() < end && !m_cancelled;)
                 take(m_bus.runFor(kSettling));
-                if (!module.moving())
-                    break;
-            }
         }
-        ProcedureReport report;
-        report.module = ask.module;
-        report.stage = ProcedureStage::Done;
-        m_run->onProcedure(report);
+        ProcedureReport done;
+        done.module = ask.module;
+        done.stage = ProcedureStage::Done;
+        m_run->onProcedure(done);
     }
 
     // ---- Events from the copy ----

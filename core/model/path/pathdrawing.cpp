@@ -76,21 +76,10 @@ public:
     /// A path needs no wait for arrival: its axes are always at the command position.
     void operator()(const action::WaitForArrival& /*wait*/) {}
     void operator()(const action::Repeat& repeat) {
-        unsigned& done = m_rounds[&repeat];
         if (repeat.times == 0)
-            return fail(DrawingProblem::Kind::Endless);
-        if (++done >= repeat.times)
-            m_rounds.erase(&repeat);
-        else
-            m_next = repeat.from;
+            fail(DrawingProblem::Kind::Endless);
     }
-    void operator()(const action::Call& call) {
-        const DrawingProblem at = m_at;
-        const std::size_t next = m_next;
-        run(call.sequence);
-        m_at = at;
-        m_next = next;
-    }
+    void operator()(const action::Call& /*call*/) {}
     /// Rows that cannot be expressed as path points.
     void operator()(const auto& /*other*/) { fail(DrawingProblem::Kind::NotDrawn); }
 
@@ -115,15 +104,15 @@ private:
     }
 
     void run(const std::string& name) {
-        const Sequence* sequence = m_machine.program.sequence(name);
+        std::vector<RowPlace> places{{name}};
         std::size_t steps = 0;
-        for (m_next = 0; sequence != nullptr && m_next < sequence->rows.size() && !m_problem;) {
-            m_at = {.sequence = name, .row = m_next};
-            const Action& row = sequence->rows[m_next++];
-            std::visit(*this, row);
+        while (const Action* row = m_problem ? nullptr : rowAt(m_machine.program, places.back())) {
+            m_at = {.sequence = places.back().sequence, .row = places.back().row};
+            std::visit(*this, *row);
             // Moves to the present position yield no points, however often they are repeated.
             if (!m_problem && ++steps > kMaxPathPoints)
                 fail(DrawingProblem::Kind::TooManyPoints);
+            goOn(m_machine.program, places);
         }
     }
 
@@ -143,8 +132,6 @@ private:
     const std::vector<ModuleState>& m_modules;
     PathTable m_table;
     std::map<ModuleIndex, std::int32_t> m_places;
-    std::map<const action::Repeat*, unsigned> m_rounds;
-    std::size_t m_next = 0;
     DrawingProblem m_at;
     std::optional<DrawingProblem> m_problem;
 };

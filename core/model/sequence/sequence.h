@@ -127,6 +127,18 @@ using Action =
     std::variant<action::MoveTo, action::Wait, action::WaitForArrival, action::WaitForInput,
                  action::SetOutput, action::Home, action::Repeat, action::Call, action::WaitForAnalog>;
 
+/// The one module that a row sets, homes or waits for.
+[[nodiscard]] inline std::optional<ModuleIndex> moduleOf(const Action& row) {
+    return std::visit(
+        [](const auto& action) -> std::optional<ModuleIndex> {
+            if constexpr (requires { action.module; })
+                return action.module;
+            else
+                return std::nullopt;
+        },
+        row);
+}
+
 struct Sequence {
     std::string name;  ///< UTF-8; not empty, and no other sequence has it
     std::vector<Action> rows;

@@ -13,27 +13,13 @@ namespace nmc {
 
 namespace {
 
-bool hasBit(std::uint16_t mask, unsigned bit) {
-    return ((unsigned{mask} >> bit) & 1U) != 0;
+bool hasBit(unsigned mask, unsigned bit) {
+    return ((mask >> bit) & 1U) != 0;
 }
 
 /// As it was told in this connection; `pin` from 0.
 bool isIoOutput(unsigned pin, const ModuleState& module) {
     return pin < io::kPins && module.pins.inputs && !hasBit(*module.pins.inputs, pin);
-}
-
-/// Whether `wanted` is called by the rows of `sequence`, or is it.
-bool leadsTo(const Program& program, const std::string& sequence, const std::string& wanted,
-             std::set<std::string>& seen) {
-    if (sequence == wanted)
-        return true;
-    const Sequence* called = program.sequence(sequence);
-    if (called == nullptr || !seen.insert(sequence).second)
-        return false;
-    return std::ranges::any_of(called->rows, [&](const Action& row) {
-        const auto* call = std::get_if<action::Call>(&row);
-        return call != nullptr && leadsTo(program, call->sequence, wanted, seen);
-    });
 }
 
 template <typename Named>
@@ -64,28 +50,25 @@ std::optional<SequenceProblem> wrongPoint(const Program& program, std::size_t i)
 
 /// What the row refers to.
 std::optional<SequenceProblem> wrongRow(const Program& program, const Sequence& sequence, std::size_t row) {
-    SequenceProblem problem{.sequence = sequence.name, .row = row};
+    using Kind = SequenceProblem::Kind;
+    const auto wrong = [&](Kind kind, const std::string& name = {}) {
+        return SequenceProblem{.kind = kind, .sequence = sequence.name, .row = row, .name = name};
+    };
     const Action& action = sequence.rows[row];
-    if (const auto* move = std::get_if<action::MoveTo>(&action)) {
-        problem.kind = SequenceProblem::Kind::NoSuchPoint;
-        problem.name = move->point;
-        return program.point(move->point) == nullptr ? std::optional(problem) : std::nullopt;
+    if (const auto* move = std::get_if<action::MoveTo>(&action))
+        if (program.point(move->point) == nullptr)
+            return wrong(Kind::NoSuchPoint, move->point);
+    if (const auto* repeat = std::get_if<action::Repeat>(&action))
+        if (repeat->from >= row)
+            return wrong(Kind::RepeatsBelow);
+    if (const auto* call = std::get_if<action::Call>(&action)) {
+        if (program.sequence(call->sequence) == nullptr)
+            return wrong(Kind::NoSuchSequence, call->sequence);
+        const auto called = rowsFrom(program, {call->sequence});
+        if (std::ranges::find(called, sequence.name, &RowPlace::sequence) != called.end())
+            return wrong(Kind::CallsItself, sequence.name);
     }
-    if (const auto* repeat = std::get_if<action::Repeat>(&action)) {
-        problem.kind = SequenceProblem::Kind::RepeatsBelow;
-        return repeat->from >= row ? std::optional(problem) : std::nullopt;
-    }
-    const auto* call = std::get_if<action::Call>(&action);
-    if (call == nullptr)
-        return std::nullopt;
-    problem.name = call->sequence;
-    problem.kind = SequenceProblem::Kind::NoSuchSequence;
-    if (program.sequence(call->sequence) == nullptr)
-        return problem;
-    problem.kind = SequenceProblem::Kind::CallsItself;
-    problem.name = sequence.name;
-    std::set<std::string> seen;
-    return leadsTo(program, call->sequence, sequence.name, seen) ? std::optional(problem) : std::nullopt;
+    return std::nullopt;
 }
 
 /// Of a move that is not the first of its axis: what depends on where it will be then.
@@ -94,21 +77,20 @@ bool mayChange(Refusal refusal) {
            refusal == Refusal::Limit2Active || refusal == Refusal::TooFar;
 }
 
-/// Goes through the rows as a run would, each once: what is done again changes nothing.
+/// Checks what the program says against the machine as it is now. A row that is done again is checked as it
+/// is done first: nothing else would be found.
 class Checker {
 public:
     Checker(const Machine& machine, const std::vector<ModuleState>& modules)
         : m_machine(machine), m_modules(modules) {}
 
     void check(const std::string& name, std::size_t first) {
-        const Sequence* sequence = m_machine.program.sequence(name);
-        if (sequence == nullptr || !m_seen.insert(name).second)
-            return;
-        if (sequence->rows.empty())
-            m_problems.push_back({.kind = SequenceProblem::Kind::NoRows, .sequence = name});
-        for (std::size_t row = first; row < sequence->rows.size(); ++row) {
-            m_at = {.sequence = name, .row = row};
-            std::visit(*this, sequence->rows[row]);
+        checkHasRows(name);
+        for (const RowPlace& place : rowsFrom(m_machine.program, {name, first})) {
+            m_at = {.sequence = place.sequence, .row = place.row};
+            const Action& row = *rowAt(m_machine.program, place);
+            if (const auto module = moduleOf(row); !module || present(*module) != nullptr)
+                std::visit(*this, row);
         }
     }
     /// What a run from the top would have done by then.
@@ -123,10 +105,8 @@ public:
                 report(SequenceProblem::Kind::NotThere, index, place.point);
         for (const auto& [which, on] : entry.outputs)
             if (const ModuleState* module = moduleAt(which.first, m_modules);
-                module != nullptr && outputIs(which.second, *module) != on) {
-                report(SequenceProblem::Kind::NotSet, which.first);
-                m_problems.back().output = which.second;
-            }
+                module != nullptr && outputIs(which.second, *module) != on)
+                report(SequenceProblem::Kind::NotSet, which.first).output = which.second;
         for (const ModuleIndex index : entry.homed)
             if (const ModuleState* module = moduleAt(index, m_modules);
                 module != nullptr && !module->home.place())
@@ -135,78 +115,65 @@ public:
     std::vector<SequenceProblem> problems() && { return std::move(m_problems); }
 
     void operator()(const action::MoveTo& move) {
-        const Point* point = m_machine.program.point(move.point);
-        if (point == nullptr)
-            return;
-        if (point->axes.empty())
+        const std::vector<PointAxis>& axes = m_machine.program.point(move.point)->axes;
+        if (axes.empty())
             report(SequenceProblem::Kind::NoAxes, {}, move.point);
-        for (const PointAxis& axis : point->axes)
-            checkMove(axis, move);
+        for (const PointAxis& axis : axes)
+            if (const ModuleState* module = present(axis.module))
+                checkMove(axis, *module, move);
     }
     void operator()(const action::WaitForInput& wait) {
-        const ModuleState* module = present(wait.module);
-        if (module == nullptr || readPin(wait.pin, *module))
+        const ModuleState& module = m_modules[wait.module.value()];
+        if (readPin(wait.pin, module))
             return;
         const bool limit = wait.pin == InputPin::Limit1 || wait.pin == InputPin::Limit2;
-        const bool output = (limit && module->isServo()) || (ioPin(wait.pin) && module->isIo());
+        const bool output = (limit && module.isServo()) || (ioPin(wait.pin) && module.isIo());
         report(output ? SequenceProblem::Kind::NotAnInput : SequenceProblem::Kind::NoSuchPin, wait.module);
     }
     void operator()(const action::WaitForAnalog& wait) {
-        const ModuleState* module = present(wait.module);
-        if (module != nullptr && !readAnalog(wait.input, *module))
+        if (!readAnalog(wait.input, m_modules[wait.module.value()]))
             report(SequenceProblem::Kind::NoSuchPin, wait.module);
     }
     void operator()(const action::SetOutput& set) {
-        const ModuleState* module = present(set.module);
-        if (module == nullptr)
-            return;
-        if (const auto intent = outputIntent(set, *module)) {
-            if (const auto steps = plan(*intent, *module); !steps)
-                refuse(set.module, steps.error());
-            return;
-        }
-        const bool servoPin = module->isServo() && set.output <= 2;
-        const bool stepperPin = module->isStepper() && set.output <= 5;
-        const bool ioPin = module->isIo() && set.output <= io::kPins;
-        report(stepperPin || (ioPin && !module->pins.inputs) ? SequenceProblem::Kind::OutputsUnknown
-               : servoPin || ioPin                           ? SequenceProblem::Kind::NotAnOutput
-                                                             : SequenceProblem::Kind::NoSuchPin,
-               set.module);
-        m_problems.back().output = set.output;
+        const ModuleState& module = m_modules[set.module.value()];
+        const auto wanted = outputIntent(set, module);
+        if (!wanted)
+            report(wanted.error(), set.module).output = set.output;
+        else if (const auto steps = plan(*wanted, module); !steps)
+            refuse(set.module, steps.error());
     }
     void operator()(const action::Home& home) {
-        const ModuleState* module = present(home.module);
-        if (module == nullptr)
-            return;
-        const AxisSettings& settings = m_machine.axis(home.module);
-        if (!settings.homing)
+        const auto& recipe = m_machine.axis(home.module).homing;
+        if (!recipe)
             report(SequenceProblem::Kind::NoRecipe, home.module);
-        else if (const auto refusal = whyNotHome(*settings.homing, *module))
+        else if (const auto refusal = whyNotHome(*recipe, m_modules[home.module.value()]))
             if (!m_moved.contains(home.module) || !mayChange(*refusal))
                 refuse(home.module, *refusal);
         m_homed.insert(home.module);
         m_moved.insert(home.module);
     }
-    void operator()(const action::Call& call) {
-        const SequenceProblem at = m_at;
-        check(call.sequence, 0);
-        m_at = at;
-    }
+    void operator()(const action::Call& call) { checkHasRows(call.sequence); }
     void operator()(const AnyOf<action::Wait, action::WaitForArrival, action::Repeat> auto&) {}
 
 private:
-    void report(SequenceProblem::Kind kind, std::optional<ModuleIndex> module = {},
-                const std::string& name = {}) {
-        SequenceProblem problem = m_at;
+    SequenceProblem& report(SequenceProblem::Kind kind, std::optional<ModuleIndex> module = {},
+                            const std::string& name = {}) {
+        SequenceProblem& problem = m_problems.emplace_back(m_at);
         problem.kind = kind;
         problem.module = module;
         problem.name = name;
-        m_problems.push_back(problem);
+        return problem;
     }
     void refuse(ModuleIndex module, Refusal refusal) {
-        report(SequenceProblem::Kind::Refused, module);
-        m_problems.back().refusal = refusal;
+        report(SequenceProblem::Kind::Refused, module).refusal = refusal;
     }
+    /// Of a sequence that is called more than once, it is said once.
+    void checkHasRows(const std::string& name) {
+        const SequenceProblem none{.kind = SequenceProblem::Kind::NoRows, .sequence = name};
+        if (m_machine.program.sequence(name)->rows.empty() && !std::ranges::count(m_problems, none))
+            m_problems.push_back(none);
+    }
+    /// Null, and reported: it is not there, or is told nothing.
     const ModuleState* present(ModuleIndex index) {
         const ModuleState* module = moduleAt(index, m_modules);
         if (module == nullptr)
@@ -217,19 +184,18 @@ private:
         }
         return module;
     }
-    void checkMove(const PointAxis& axis, const action::MoveTo& move) {
-        const ModuleState* module = present(axis.module);
-        if (module == nullptr)
-            return;
+    void checkMove(const PointAxis& axis, const ModuleState& module, const action::MoveTo& move) {
         const bool homed = m_homed.contains(axis.module);
         const bool first = m_moved.insert(axis.module).second;
-        if (!axis.fromHome && (homed || module->home.place()))
-            return report(SequenceProblem::Kind::TaughtElsewhere, axis.module, move.point);
+        if (!axis.fromHome && (homed || module.home.place())) {
+            report(SequenceProblem::Kind::TaughtElsewhere, axis.module, move.point);
+            return;
+        }
         PointAxis place = axis;
-        if (homed && !module->home.place())
+        if (homed && !module.home.place())
             place.fromHome = false;  // where home will be is not known yet: as if it were at 0
-        const auto wanted = moveIntent(place, move.percent, *module, m_machine.axis(axis.module));
-        const auto steps = wanted ? plan(*wanted, *module) : tl::unexpected(wanted.error());
+        const auto steps = moveIntent(place, move.percent, module, m_machine.axis(axis.module))
+                               .and_then([&](const Intent& wanted) { return plan(wanted, module); });
         if (!steps && (first || !mayChange(steps.error())))
             refuse(axis.module, steps.error());
     }
@@ -242,78 +208,22 @@ private:
                off <= std::max(kStillCounts, homeTolerance(m_machine.axis(place.axis.module).unit));
     }
     static std::optional<bool> outputIs(unsigned output, const ModuleState& module) {
-        if (module.isStepper()) {
-            const auto outputs = module.stepper.outputs();
-            return outputs ? std::optional((unsigned{*outputs} >> (output - 1U) & 1U) != 0) : std::nullopt;
-        }
-        if (module.isIo()) {
-            const auto levels = module.latest ? module.pins.levels(*module.latest) : std::nullopt;
-            return levels ? std::optional(hasBit(*levels, output - 1U)) : std::nullopt;
-        }
-        if (!module.io)
-            return std::nullopt;
-        return output == 1 ? module.io->limit1Output : module.io->limit2Output;
+        if (module.isServo() && module.io)
+            return output == 1 ? module.io->limit1Output : module.io->limit2Output;
+        std::optional<unsigned> levels;
+        if (module.isStepper())
+            levels = module.stepper.outputs();
+        else if (module.isIo() && module.latest)
+            levels = module.pins.levels(*module.latest);
+        return levels ? std::optional(hasBit(*levels, output - 1U)) : std::nullopt;
     }
 
     const Machine& m_machine;
     const std::vector<ModuleState>& m_modules;
     std::vector<SequenceProblem> m_problems;
     SequenceProblem m_at;
-    std::set<std::string> m_seen;
     std::set<ModuleIndex> m_homed;
     std::set<ModuleIndex> m_moved;
-};
-
-/// Adds up what rows leave behind. What a sequence leaves does not depend on what was before, so each is
-/// gone through once.
-class Effects {
-public:
-    explicit Effects(const Machine& machine) : m_machine(machine) {}
-
-    const EntryState& of(const std::string& name) {
-        const auto known = m_known.find(name);
-        if (known != m_known.end())
-            return known->second;
-        m_known[name] = {};  // of one that calls itself
-        const Sequence* sequence = m_machine.program.sequence(name);
-        return m_known[name] = upTo(name, sequence != nullptr ? sequence->rows.size() : 0);
-    }
-    EntryState upTo(const std::string& name, std::size_t rows) {
-        EntryState state;
-        const Sequence* sequence = m_machine.program.sequence(name);
-        for (std::size_t row = 0; sequence != nullptr && row < std::min(rows, sequence->rows.size()); ++row)
-            add(sequence->rows[row], state);
-        return state;
-    }
-
-private:
-    void add(const Action& row, EntryState& state) {
-        if (const auto* move = std::get_if<action::MoveTo>(&row)) {
-            if (const Point* point = m_machine.program.point(move->point))
-                for (const PointAxis& axis : point->axes)
-                    state.places[axis.module] = {point->name, axis};
-        } else if (const auto* set = std::get_if<action::SetOutput>(&row)) {
-            state.outputs[{set->module, set->output}] = set->on;
-        } else if (const auto* home = std::get_if<action::Home>(&row)) {
-            state.homed.insert(home->module);
-            state.places.erase(home->module);
-            if (const auto& recipe = m_machine.axis(home->module).homing; recipe && recipe->goToHome)
-                state.places[home->module] = {{}, {home->module, 0, true}};
-        } else if (const auto* repeat = std::get_if<action::Repeat>(&row)) {
-            state.reached = state.reached && repeat->times != 0;
-        } else if (const auto* call = std::get_if<action::Call>(&row)) {
-            const EntryState& called = of(call->sequence);
-            for (const auto& [module, place] : called.places)
-                state.places.insert_or_assign(module, place);
-            for (const auto& [output, on] : called.outputs)
-                state.outputs.insert_or_assign(output, on);
-            state.homed.insert(called.homed.begin(), called.homed.end());
-            state.reached = state.reached && called.reached;
-        }
-    }
-
-    const Machine& m_machine;
-    std::map<std::string, EntryState> m_known;
 };
 
 }  // namespace
@@ -353,14 +263,6 @@ Machine withMoveTo(Machine machine, const std::string& point) {
     return machine;
 }
 
-Machine withHoming(Machine machine, const std::vector<ModuleIndex>& axes) {
-    Sequence homing{kHomeAll, {}};
-    for (const ModuleIndex axis : axes)
-        homing.rows.emplace_back(action::Home{axis});
-    machine.program.sequences.push_back(std::move(homing));
-    return machine;
-}
-
 std::vector<ModuleIndex> axesToHome(const Machine& machine, const std::vector<ModuleState>& modules) {
     std::vector<ModuleIndex> order = machine.homeOrder;
     for (const ModuleState& module : modules)
@@ -373,7 +275,32 @@ std::vector<ModuleIndex> axesToHome(const Machine& machine, const std::vector<Mo
 }
 
 EntryState entryState(const Machine& machine, const std::string& sequence, std::size_t row) {
-    return Effects(machine).upTo(sequence, row);
+    EntryState state;
+    std::set<ModuleIndex> settled;  // a row nearer to this one says where it is, or that nobody knows
+    for (const RowPlace& above : rowsAbove(machine.program, {sequence, row}))
+        std::visit(
+            Overloaded{
+                [&](const action::MoveTo& move) {
+                    if (const Point* point = machine.program.point(move.point))
+                        for (const PointAxis& axis : point->axes)
+                            if (settled.insert(axis.module).second)
+                                state.places[axis.module] = {point->name, axis};
+                },
+                [&](const action::SetOutput& set) {
+                    state.outputs.try_emplace({set.module, set.output}, set.on);
+                },
+                [&](const action::Home& home) {
+                    state.homed.insert(home.module);
+                    const auto& recipe = machine.axis(home.module).homing;
+                    if (settled.insert(home.module).second && recipe && recipe->goToHome)
+                        state.places[home.module] = {{}, {home.module, 0, true}};
+                },
+                [&](const action::Repeat& repeat) { state.reached = state.reached && repeat.times != 0; },
+                [](const AnyOf<action::Wait, action::WaitForArrival, action::WaitForInput,
+                               action::WaitForAnalog, action::Call> auto&) {},
+            },
+            *rowAt(machine.program, above));
+    return state;
 }
 
 tl::expected<std::int32_t, Refusal> goalOf(const PointAxis& axis, const ModuleState& module) {
@@ -425,32 +352,8 @@ std::optional<bool> readPin(InputPin pin, const ModuleState& module) {
     if (!module.isStepper())
         return std::nullopt;
     const stepper::InputsByte inputs = module.stepper.inputs();
-    switch (pin) {
-        case InputPin::Limit1:
-            return inputs.limit1();
-        case InputPin::Limit2:
-            return inputs.limit2();
-        case InputPin::In1:
-            return inputs.in1();
-        case InputPin::In2:
-            return inputs.in2();
-        case InputPin::HomeSwitch:
-            return inputs.homeSwitch();
-        case InputPin::Io1:
-        case InputPin::Io2:
-        case InputPin::Io3:
-        case InputPin::Io4:
-        case InputPin::Io5:
-        case InputPin::Io6:
-        case InputPin::Io7:
-        case InputPin::Io8:
-        case InputPin::Io9:
-        case InputPin::Io10:
-        case InputPin::Io11:
-        case InputPin::Io12:
-            break;
-    }
-    return std::nullopt;
+    const bool levels[] = {inputs.limit1(), inputs.limit2(), inputs.in1(), inputs.in2(), inputs.homeSwitch()};
+    return ioPin(pin) ? std::nullopt : std::optional(levels[static_cast<std::size_t>(pin)]);
 }
 
 std::optional<unsigned> readAnalog(unsigned input, const ModuleState& module) {
@@ -459,31 +362,37 @@ std::optional<unsigned> readAnalog(unsigned input, const ModuleState& module) {
     return module.latest->analogs.at(input - 1);
 }
 
+bool isMet(const action::WaitForInput& wait, const ModuleState& module) {
+    return readPin(wait.pin, module) == wait.active;
+}
+
 bool isMet(const action::WaitForAnalog& wait, const ModuleState& module) {
     const auto value = readAnalog(wait.input, module);
     return value && (wait.above ? *value > wait.level : *value < wait.level);
 }
 
-std::optional<Intent> outputIntent(const action::SetOutput& set, const ModuleState& module) {
-    if (module.isStepper() && set.output >= 1 && set.output <= 5 && module.stepper.outputs()) {
-        const unsigned bit = 1U << (set.output - 1U);
-        const unsigned now = *module.stepper.outputs();
-        return stepperintent::SetOutputs{static_cast<std::uint8_t>(set.on ? now | bit : now & ~bit)};
+tl::expected<Intent, SequenceProblem::Kind> outputIntent(const action::SetOutput& set,
+                                                         const ModuleState& module) {
+    using Kind = SequenceProblem::Kind;
+    const unsigned pin = set.output - 1U;
+    if (module.isStepper() && pin < 5) {
+        const auto now = module.stepper.outputs();
+        if (!now)
+            return tl::unexpected(Kind::OutputsUnknown);
+        const unsigned others = *now & ~(1U << pin);
+        return stepperintent::SetOutputs{static_cast<std::uint8_t>(others | (set.on ? 1U << pin : 0U))};
     }
-    if (module.isIo()) {
-        const unsigned pin = set.output - 1U;
-        return isIoOutput(pin, module) ? std::optional<Intent>(iointent::SetOutput{pin, set.on})
-                                       : std::nullopt;
+    if (module.isIo() && pin < io::kPins) {
+        if (!isIoOutput(pin, module))
+            return tl::unexpected(module.pins.inputs ? Kind::NotAnOutput : Kind::OutputsUnknown);
+        return iointent::SetOutput{pin, set.on};
     }
-    if (!module.isServo() || !module.io)
-        return std::nullopt;
-    servo::IoControl io = *module.io;
-    if (set.output == 1 && !io.limit1IsInput)
-        io.limit1Output = set.on;
-    else if (set.output == 2 && !io.limit2IsInput)
-        io.limit2Output = set.on;
-    else
-        return std::nullopt;
+    if (!module.isServo() || pin >= 2)
+        return tl::unexpected(Kind::NoSuchPin);
+    servo::IoControl io = module.io.value_or(servo::IoControl{});
+    if (pin == 0 ? io.limit1IsInput : io.limit2IsInput)
+        return tl::unexpected(Kind::NotAnOutput);
+    (pin == 0 ? io.limit1Output : io.limit2Output) = set.on;
     return intent::ControlIo{io};
 }
 
@@ -502,31 +411,6 @@ std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes, const std::ve
         taught.push_back({index, home ? countsBetween(home->counts, position) : position, home.has_value()});
     }
     return taught;
-}
-
-std::set<ModuleIndex> modulesOf(const Program& program, const std::string& sequence) {
-    std::set<ModuleIndex> modules;
-    std::set<std::string> seen;
-    const auto collect = [&](const auto& self, const std::string& name) -> void {
-        const Sequence* found = program.sequence(name);
-        if (found == nullptr || !seen.insert(name).second)
-            return;
-        for (const Action& row : found->rows)
-            std::visit(Overloaded{
-                           [&](const action::MoveTo& move) {
-                               if (const Point* point = program.point(move.point))
-                                   for (const PointAxis& axis : point->axes)
-                                       modules.insert(axis.module);
-                           },
-                           [&](const AnyOf<action::WaitForInput, action::SetOutput, action::Home,
-                                           action::WaitForAnalog> auto& one) { modules.insert(one.module); },
-                           [&](const action::Call& call) { self(self, call.sequence); },
-                           [](const AnyOf<action::Wait, action::WaitForArrival, action::Repeat> auto&) {},
-                       },
-                       row);
-    };
-    collect(collect, sequence);
-    return modules;
 }
 
 }  // namespace nmc

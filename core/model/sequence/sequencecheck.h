@@ -14,7 +14,7 @@
 
 #include "model/intent/intent.h"
 #include "model/module/modulestate.h"
-#include "model/sequence/sequence.h"
+#include "model/sequence/sequencewalk.h"
 #include "model/settings/machine.h"
 
 /// What is wrong with points and sequences, before anything moves. Pure.
@@ -72,9 +72,8 @@ struct SequenceProblem {
 /// name.
 inline const std::string kMoveToPoint = "\n";
 [[nodiscard]] Machine withMoveTo(Machine machine, const std::string& point);
-/// The same with a row for each axis that is to find its home.
+/// Of the sequence with a row for each axis that is to find its home.
 inline const std::string kHomeAll = "\n\n";
-[[nodiscard]] Machine withHoming(Machine machine, const std::vector<ModuleIndex>& axes);
 /// Those that have a recipe, in the order that the machine keeps.
 [[nodiscard]] std::vector<ModuleIndex> axesToHome(const Machine& machine,
                                                   const std::vector<ModuleState>& modules);
@@ -106,14 +105,14 @@ struct EntryState {
 /// Of 255. Nothing: the module has no such input.
 [[nodiscard]] std::optional<unsigned> readAnalog(unsigned input, const ModuleState& module);
 /// Whether what is waited for is there.
+[[nodiscard]] bool isMet(const action::WaitForInput& wait, const ModuleState& module);
 [[nodiscard]] bool isMet(const action::WaitForAnalog& wait, const ModuleState& module);
-/// Nothing: there is no such output, or how the others are is not known.
-[[nodiscard]] std::optional<Intent> outputIntent(const action::SetOutput& set, const ModuleState& module);
+/// Otherwise NoSuchPin, NotAnOutput, or OutputsUnknown: it is told with the others, as they are.
+[[nodiscard]] tl::expected<Intent, SequenceProblem::Kind> outputIntent(const action::SetOutput& set,
+                                                                       const ModuleState& module);
 [[nodiscard]] intent::Home homeIntent(const AxisSettings& settings);
 /// Where the chosen axes stand; an axis whose position is not known is left out.
 [[nodiscard]] std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes,
                                            const std::vector<ModuleState>& modules);
-/// All modules that a sequence moves, sets or waits for, with those that it calls.
-[[nodiscard]] std::set<ModuleIndex> modulesOf(const Program& program, const std::string& sequence);
 
 }  // namespace nmc

@@ -33,12 +33,13 @@ std::optional<RowPlace> userOf(const Program& program, const std::string& name) 
     return std::nullopt;
 }
 
-bool repeatsGoUp(const Sequence& sequence) {
+/// The first repeat that goes back to itself or to a row below.
+std::optional<std::size_t> strayRepeat(const Sequence& sequence) {
     for (std::size_t row = 0; row < sequence.rows.size(); ++row)
         if (const auto* repeat = std::get_if<action::Repeat>(&sequence.rows[row]);
             repeat != nullptr && repeat->from >= row)
-            return false;
-    return true;
+            return row;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -51,10 +52,8 @@ void insertRow(Sequence& sequence, std::size_t at, Action row) {
 void removeRow(Sequence& sequence, std::size_t at) {
     sequence.rows.erase(sequence.rows.begin() + static_cast<std::ptrdiff_t>(at));
     follow(sequence, [at](std::size_t place) { return place > at ? place - 1 : place; });
-    for (std::size_t row = at; row < sequence.rows.size(); ++row)
-        if (const auto* repeat = std::get_if<action::Repeat>(&sequence.rows[row]);
-            repeat != nullptr && repeat->from >= row)
-            return removeRow(sequence, row);
+    if (const auto stray = strayRepeat(sequence))
+        removeRow(sequence, *stray);
 }
 
 bool moveRow(Sequence& sequence, std::size_t from, std::size_t to) {
@@ -74,7 +73,7 @@ bool moveRow(Sequence& sequence, std::size_t from, std::size_t to) {
             return place - 1;
         return to <= place && place < from ? place + 1 : place;
     });
-    if (!repeatsGoUp(moved))
+    if (strayRepeat(moved))
         return false;
     sequence = std::move(moved);
     return true;

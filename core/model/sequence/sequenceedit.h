@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "model/sequence/sequence.h"
+#include "model/sequence/sequencewalk.h"
 
 /// Changes that keep a program's rows and names in step: a repeat goes back to the row it was told of
 /// wherever that is now, and a new name is one everywhere. Pure.
@@ -22,11 +22,6 @@ void removeRow(Sequence& sequence, std::size_t at);
 void renamePoint(Program& program, const std::string& from, const std::string& to);
 void renameSequence(Program& program, const std::string& from, const std::string& to);
 
-struct RowPlace {
-    std::string sequence;
-    std::size_t row = 0;
-    bool operator==(const RowPlace&) const = default;
-};
 /// The first row that moves to it; nothing: it can go.
 [[nodiscard]] std::optional<RowPlace> userOfPoint(const Program& program, const std::string& name);
 /// The first row that calls it.

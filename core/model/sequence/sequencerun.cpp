@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/overloaded.h"
 #include "model/intent/homingplan.h"
 
 namespace nmc {
@@ -24,13 +25,24 @@ std::vector<bus::Order> stopOf(ModuleState module) {
     return steps ? std::move(*steps) : std::vector<bus::Order>{};
 }
 
+SequenceEnd timeoutOf(const action::WaitForInput& /*wait*/) {
+    return SequenceEnd::InputTimeout;
+}
+SequenceEnd timeoutOf(const action::WaitForAnalog& /*wait*/) {
+    return SequenceEnd::AnalogTimeout;
+}
+
+/// Of a row that has nothing to send: it is done when what it waits for is there.
+std::optional<SequenceRun::Next> waitUntil(bool there) {
+    return there ? std::nullopt : std::optional<SequenceRun::Next>(SequenceRun::Wait{});
+}
+
 }  // namespace
 
 SequenceRun::SequenceRun(Machine machine, const std::string& sequence, std::size_t row, bool singleStep)
     : m_machine(std::move(machine)),
       m_parts(modulesOf(m_machine.program, sequence)),
-      m_pauseWanted(singleStep),
-      m_singleStep(singleStep) {
+      m_pauseWanted(singleStep) {
     m_report.places.push_back({sequence, row});
 }
 
@@ -41,7 +53,11 @@ SequenceRun SequenceRun::toPoint(Machine machine, const std::string& point) {
 }
 
 SequenceRun SequenceRun::homing(Machine machine, const std::vector<ModuleIndex>& axes) {
-    return {withHoming(std::move(machine), axes), kHomeAll, 0};
+    Sequence homing{kHomeAll, {}};
+    for (const ModuleIndex axis : axes)
+        homing.rows.emplace_back(action::Home{axis});
+    machine.program.sequences.push_back(std::move(homing));
+    return {std::move(machine), kHomeAll, 0};
 }
 
 // ---- what it is told ----
@@ -107,7 +123,7 @@ void SequenceRun::pause() {
 }
 
 void SequenceRun::resume() {
-    m_pauseWanted = m_singleStep = false;
+    m_pauseWanted = false;
     if (m_report.stage == SequenceStage::Pausing || m_report.stage == SequenceStage::Paused)
         m_report.stage = SequenceStage::Running;
 }
@@ -115,7 +131,7 @@ void SequenceRun::resume() {
 void SequenceRun::step() {
     if (m_report.stage != SequenceStage::Paused)
         return;
-    m_singleStep = m_pauseWanted = true;
+    m_pauseWanted = true;
     m_report.stage = SequenceStage::Running;
 }
 
@@ -127,14 +143,14 @@ void SequenceRun::stop() {
 
 SequenceRun::Next SequenceRun::next(const Modules& modules, TimePoint now) {
     if (m_report.over())
-        return End{};
+        return Wait{};
     if (!ending())
         watch(modules, now);
     if (m_inFlight > 0 && !m_saysNothingMore)
         return Wait{};
     if (ending())
         return finishEnding(modules);
-    if (m_report.stage == SequenceStage::Pausing && !m_rowBegan && currentRow() != nullptr) {
+    if (m_report.stage == SequenceStage::Pausing && !m_row.began && row() != nullptr) {
         m_report.stage = m_moves.empty() ? SequenceStage::Paused : SequenceStage::Pausing;
         return Wait{};
     }
@@ -162,7 +178,7 @@ SequenceRun::Next SequenceRun::finishEnding(const Modules& modules) {
             return send(std::move(stops));
     }
     m_report.stage = SequenceStage::Over;
-    return End{};
+    return Wait{};
 }
 
 /// What is not as this run left it ends it, whoever did that.
@@ -178,66 +194,46 @@ void SequenceRun::watch(const Modules& modules, TimePoint now) {
     if (m_inFlight > 0)
         return;
     for (auto move = m_moves.begin(); move != m_moves.end() && !ending();) {
-        const ModuleState& module = modules[move->first.value()];
-        watchMove(module, move->second, now);
-        const bool arrived =
-            !ending() && move->second.since && module.latestTime > *move->second.since &&
-            module.latest->position &&
-            move->second.standstill.look(module.latestTime, *module.latest->position, module.moving());
-        if (arrived && module.isStepper() && module.stepper.position() != move->second.goal)
-            return endBy(SequenceEnd::NotArrived, move->first);
+        const bool arrived = hasArrived(modules[move->first.value()], move->second, now);
         move = arrived ? m_moves.erase(move) : std::next(move);
     }
 }
 
-void SequenceRun::watchMove(const ModuleState& module, Move& move, TimePoint now) {
+/// Where it never will, the run ends.
+bool SequenceRun::hasArrived(const ModuleState& module, Move& move, TimePoint now) {
     const ModuleIndex index = module.info.index;
     if (!move.since)
         move.since = now;
     // One that was closed before lets the motor leave it.
     for (std::size_t limit = 0; limit < move.closedBefore.size(); ++limit)
         if (module.limits.ranInto(limit) && !move.closedBefore[limit])
-            return endBy(SequenceEnd::LimitClosed, index);
+            endBy(SequenceEnd::LimitClosed, index);
     // Its goal is not ours any more: something else moves it or has stopped it.
-    if (module.isServo() && !module.headsFor(move.goal)) {
+    if (!ending() && module.isServo() && !module.headsFor(move.goal)) {
         m_leftAlone.insert(index);
         endBy(SequenceEnd::NotArrived, index);
     }
+    if (ending() || module.latestTime <= *move.since || !module.latest->position ||
+        !move.standstill.look(module.latestTime, *module.latest->position, module.moving()))
+        return false;
+    if (!module.isStepper() || module.stepper.position() == move.goal)
+        return true;
+    endBy(SequenceEnd::NotArrived, index);
+    return false;
 }
 
 SequenceRun::Next SequenceRun::proceed(const Modules& modules, TimePoint now) {
-    const Action* row = currentRow();
-    if (row == nullptr) {
-        if (!m_moves.empty())
-            return Wait{};
-        m_report.stage = SequenceStage::Done;
-        return End{};
+    if (row() == nullptr) {
+        if (m_moves.empty())
+            m_report.stage = SequenceStage::Done;
+        return Wait{};
     }
-    if (!m_rowBegan)
-        m_rowBegan = now;
-    return std::visit([&](const auto& action) { return perform(action, modules, now); }, *row);
-}
-
-/// Behind the last row of a called sequence its caller goes on; null behind that of the first one.
-const Action* SequenceRun::currentRow() {
-    for (;;) {
-        SequenceReport::Place& place = m_report.places.back();
-        const Sequence* sequence = m_machine.program.sequence(place.sequence);
-        if (sequence != nullptr && place.row < sequence->rows.size())
-            return &sequence->rows[place.row];
-        if (m_report.places.size() == 1)
-            return nullptr;
-        m_report.places.pop_back();
-        ++m_report.places.back().row;
-    }
-}
-
-/// The place is the next row's already, or that of a sequence that was called.
-SequenceRun::Next SequenceRun::rowDone() {
-    m_rowSent = false;
-    m_rowAxis = 0;
-    m_rowBegan.reset();
-    std::ignore = currentRow();
+    if (!m_row.began)
+        m_row.began = now;
+    if (RowNext wanted = perform(*row(), modules, now))
+        return *std::move(wanted);
+    m_row = {};
+    goOn(m_machine.program, m_report.places);
     if (m_pauseWanted)
         m_report.stage = SequenceStage::Pausing;
     return Wait{};
@@ -258,30 +254,47 @@ SequenceRun::Next SequenceRun::refused(ModuleIndex module, Refusal refusal) {
 
 // ---- the rows ----
 
-bool SequenceRun::anyMoves(const std::vector<PointAxis>& axes) const {
+/// watch() has seen to it that all of its modules are there.
+SequenceRun::RowNext SequenceRun::perform(const Action& row, const Modules& modules, TimePoint now) {
+    const double seconds = toSeconds(now - *m_row.began);
+    return std::visit(
+        Overloaded{
+            [&](const action::MoveTo& move) { return moveTo(move, modules); },
+            [&](const action::Wait& wait) { return waitUntil(seconds >= wait.seconds); },
+            [&](const action::WaitForArrival&) { return waitUntil(m_moves.empty()); },
+            [&](const AnyOf<action::WaitForInput, action::WaitForAnalog> auto& wait) {
+                const bool met = isMet(wait, modules[wait.module.value()]);
+                if (!met && seconds >= wait.timeout)
+                    endBy(timeoutOf(wait), wait.module);
+                return waitUntil(met);
+            },
+            [&](const action::SetOutput& set) { return setOutput(set, modules[set.module.value()]); },
+            [&](const action::Home& home) { return findHome(home); },
+            [](const AnyOf<action::Repeat, action::Call> auto&) { return RowNext(); },
+        },
+        row);
+}
+
+bool SequenceRun::anyMoves(std::span<const PointAxis> axes) const {
     return std::ranges::any_of(axes, [this](const PointAxis& axis) { return m_moves.contains(axis.module); });
 }
 
-SequenceRun::Next SequenceRun::sendMoves(const std::vector<PointAxis>& axes, unsigned percent,
+SequenceRun::Next SequenceRun::sendMoves(std::span<const PointAxis> axes, unsigned percent,
                                          const Modules& modules) {
     std::vector<bus::Order> steps;
     std::map<ModuleIndex, Move> moves;
     for (const PointAxis& axis : axes) {
-        const ModuleState* module = moduleAt(axis.module, modules);
-        if (module == nullptr)
-            return refused(axis.module, Refusal::Unresponsive);
-        const auto wanted = moveIntent(axis, percent, *module, m_machine.axis(axis.module));
-        if (!wanted)
-            return refused(axis.module, wanted.error());
-        auto planned = plan(*wanted, *module);
+        const ModuleState& module = modules[axis.module.value()];
+        const auto planned = moveIntent(axis, percent, module, m_machine.axis(axis.module))
+                                 .and_then([&](const Intent& wanted) { return plan(wanted, module); });
         if (!planned)
             return refused(axis.module, planned.error());
-        const std::int32_t goal = *goalOf(axis, *module);
+        const std::int32_t goal = *goalOf(axis, module);
         m_on.insert(axis.module);
-        if (module->isStepper() && module->stepper.position() == goal)
+        if (module.isStepper() && module.stepper.position() == goal)
             continue;  // it is there, and a motion of no steps is none
         moves[axis.module] = {.goal = goal,
-                              .closedBefore = {module->limits.ranInto(0), module->limits.ranInto(1)}};
+                              .closedBefore = {module.limits.ranInto(0), module.limits.ranInto(1)}};
         steps.insert(steps.end(), planned->begin(), planned->end());
     }
     if (steps.empty())
@@ -291,95 +304,36 @@ SequenceRun::Next SequenceRun::sendMoves(const std::vector<PointAxis>& axes, uns
     return send({std::move(steps)});
 }
 
-SequenceRun::Next SequenceRun::perform(const action::MoveTo& move, const Modules& modules,
-                                       TimePoint /*now*/) {
-    const Point* point = m_machine.program.point(move.point);
-    const std::vector<PointAxis>& axes = point->axes;
-    if (move.together) {
-        if (!m_rowSent) {
-            if (anyMoves(axes))
-                return Wait{};  // of a row above that was not waited for
-            m_rowSent = true;
-            return sendMoves(axes, move.percent, modules);
-        }
-        if (move.waits && anyMoves(axes))
-            return Wait{};
-    } else {
-        if (m_rowAxis < axes.size()) {
-            const bool before = m_rowAxis > 0 && m_moves.contains(axes[m_rowAxis - 1].module);
-            if (before || m_moves.contains(axes[m_rowAxis].module))
-                return Wait{};
-            return sendMoves({axes[m_rowAxis++]}, move.percent, modules);
-        }
-        if (move.waits && anyMoves(axes))
-            return Wait{};
-    }
-    ++m_report.places.back().row;
-    return rowDone();
-}
-
-SequenceRun::Next SequenceRun::perform(const action::Wait& wait, const Modules& /*modules*/, TimePoint now) {
-    if (toSeconds(now - *m_rowBegan) < wait.seconds)
+SequenceRun::RowNext SequenceRun::moveTo(const action::MoveTo& move, const Modules& modules) {
+    const std::span<const PointAxis> axes = m_machine.program.point(move.point)->axes;
+    if (m_row.sent == axes.size())
+        return waitUntil(!move.waits || !anyMoves(axes));
+    const std::size_t count = move.together ? axes.size() : 1;
+    // A row above may have moved them and not waited; one after the other, this one did.
+    const std::size_t before = m_row.sent > 0 ? 1 : 0;
+    if (anyMoves(axes.subspan(m_row.sent - before, before + count)))
         return Wait{};
-    ++m_report.places.back().row;
-    return rowDone();
+    return sendMoves(axes.subspan(std::exchange(m_row.sent, m_row.sent + count), count), move.percent,
+                     modules);
 }
 
-SequenceRun::Next SequenceRun::perform(const action::WaitForArrival& /*wait*/, const Modules& /*modules*/,
-                                       TimePoint /*now*/) {
-    if (!m_moves.empty())
-        return Wait{};
-    ++m_report.places.back().row;
-    return rowDone();
+SequenceRun::RowNext SequenceRun::setOutput(const action::SetOutput& set, const ModuleState& module) {
+    if (m_row.sent++ > 0)
+        return std::nullopt;
+    const auto intent = outputIntent(set, module);
+    if (!intent)
+        return refused(set.module, Refusal::NotAStepper);
+    auto steps = plan(*intent, module);
+    if (!steps)
+        return refused(set.module, steps.error());
+    return send({std::move(*steps)});
 }
 
-SequenceRun::Next SequenceRun::perform(const action::WaitForInput& wait, const Modules& modules,
-                                       TimePoint now) {
-    const ModuleState* module = moduleAt(wait.module, modules);
-    const auto level = module != nullptr ? readPin(wait.pin, *module) : std::nullopt;
-    if (level != wait.active) {
-        if (toSeconds(now - *m_rowBegan) >= wait.timeout)
-            endBy(SequenceEnd::InputTimeout, wait.module);
-        return Wait{};
-    }
-    ++m_report.places.back().row;
-    return rowDone();
-}
-
-SequenceRun::Next SequenceRun::perform(const action::WaitForAnalog& wait, const Modules& modules,
-                                       TimePoint now) {
-    const ModuleState* module = moduleAt(wait.module, modules);
-    if (module == nullptr || !isMet(wait, *module)) {
-        if (toSeconds(now - *m_rowBegan) >= wait.timeout)
-            endBy(SequenceEnd::AnalogTimeout, wait.module);
-        return Wait{};
-    }
-    ++m_report.places.back().row;
-    return rowDone();
-}
-
-SequenceRun::Next SequenceRun::perform(const action::SetOutput& set, const Modules& modules,
-                                       TimePoint /*now*/) {
-    if (!std::exchange(m_rowSent, true)) {
-        const ModuleState& module = modules[set.module.value()];
-        const auto intent = outputIntent(set, module);
-        if (!intent)
-            return refused(set.module, Refusal::NotAStepper);
-        auto steps = plan(*intent, module);
-        if (!steps)
-            return refused(set.module, steps.error());
-        return send({std::move(*steps)});
-    }
-    ++m_report.places.back().row;
-    return rowDone();
-}
-
-SequenceRun::Next SequenceRun::perform(const action::Home& home, const Modules& /*modules*/,
-                                       TimePoint /*now*/) {
-    if (!m_rowSent) {
+SequenceRun::RowNext SequenceRun::findHome(const action::Home& home) {
+    if (m_row.sent == 0) {
         if (m_moves.contains(home.module))
             return Wait{};
-        m_rowSent = true;
+        m_row.sent = 1;
         m_on.erase(home.module);  // finding home may switch it off for a while
         m_procedure = home.module;
         m_procedureEnd.reset();
@@ -392,30 +346,7 @@ SequenceRun::Next SequenceRun::perform(const action::Home& home, const Modules& 
         endBy(SequenceEnd::NotHomed, home.module);
     else if (m_procedureEnd->stage == ProcedureStage::Cancelled)
         endBy(SequenceEnd::TakenOver, home.module);
-    if (ending())
-        return Wait{};
-    ++m_report.places.back().row;
-    return rowDone();
-}
-
-SequenceRun::Next SequenceRun::perform(const action::Repeat& repeat, const Modules& /*modules*/,
-                                       TimePoint /*now*/) {
-    SequenceReport::Place& place = m_report.places.back();
-    const unsigned done = place.rounds[place.row] + 1;
-    if (repeat.times != 0 && done >= repeat.times) {
-        place.rounds.erase(place.row);
-        ++place.row;
-    } else {
-        place.rounds[place.row] = done;
-        place.row = repeat.from;
-    }
-    return rowDone();
-}
-
-SequenceRun::Next SequenceRun::perform(const action::Call& call, const Modules& /*modules*/,
-                                       TimePoint /*now*/) {
-    m_report.places.push_back({call.sequence, 0});
-    return rowDone();
+    return waitUntil(!ending());
 }
 
 }  // namespace nmc

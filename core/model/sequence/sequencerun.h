@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -53,15 +54,9 @@ enum class SequenceEnd : std::uint8_t {
 
 /// What the window shows of a run.
 struct SequenceReport {
-    struct Place {
-        std::string sequence;
-        std::size_t row = 0;
-        std::map<std::size_t, unsigned> rounds{};  ///< by the row of a repeat: how often its rows were done
-        bool operator==(const Place&) const = default;
-    };
     SequenceStage stage = SequenceStage::Running;
     /// The sequence that was started, then those that it called; each with the row that is next or under way.
-    std::vector<Place> places;
+    std::vector<RowPlace> places;
     std::string point{};  ///< of a run that only goes there
     std::optional<SequenceEnd> end{};
     std::optional<ModuleIndex> module{};
@@ -90,8 +85,7 @@ public:
         ModuleIndex module;
         Intent intent;
     };
-    struct End {};
-    using Next = std::variant<Wait, Send, Ask, End>;
+    using Next = std::variant<Wait, Send, Ask>;
 
     /// whyNotRun() has nothing against it. `machine` stays as it is for this run. `singleStep`: it pauses
     /// behind each row.
@@ -101,7 +95,8 @@ public:
     /// The homes of these axes, one after the other.
     [[nodiscard]] static SequenceRun homing(Machine machine, const std::vector<ModuleIndex>& axes);
 
-    /// After every news of a module, and at least ten times a second. `modules`: of the whole chain.
+    /// After every news of a module, and at least ten times a second, until report() is over. `modules`: of
+    /// the whole chain.
     [[nodiscard]] Next next(const std::vector<ModuleState>& modules, TimePoint now);
 
     /// Of an operation that it sent.
@@ -127,6 +122,8 @@ public:
 
     [[nodiscard]] const SequenceReport& report() const { return m_report; }
     [[nodiscard]] const Machine& machine() const { return m_machine; }
+    /// The one that is next or under way; null behind the last one.
+    [[nodiscard]] const Action* row() const { return rowAt(m_machine.program, m_report.places.back()); }
     [[nodiscard]] bool takesPart(ModuleIndex module) const { return m_parts.contains(module); }
     /// All modules that it may ever ask something of.
     [[nodiscard]] const std::set<ModuleIndex>& parts() const { return m_parts; }
@@ -138,37 +135,34 @@ private:
         std::optional<TimePoint> since{};   ///< statuses that are not later tell nothing of it
         Standstill standstill{};
     };
+    /// What has been done of the present row.
+    struct Row {
+        std::size_t sent = 0;  ///< axes of a move, or the one command that another row consists of
+        std::optional<TimePoint> began{};
+    };
     using Modules = std::vector<ModuleState>;
+    /// What a row wants next; nothing: it is done.
+    using RowNext = std::optional<Next>;
 
     void endBy(SequenceEnd end, std::optional<ModuleIndex> module = {}, std::optional<Refusal> refusal = {});
     [[nodiscard]] Next finishEnding(const Modules& modules);
     void watch(const Modules& modules, TimePoint now);
-    void watchMove(const ModuleState& module, Move& move, TimePoint now);
+    [[nodiscard]] bool hasArrived(const ModuleState& module, Move& move, TimePoint now);
     [[nodiscard]] Next proceed(const Modules& modules, TimePoint now);
-    [[nodiscard]] Next sendMoves(const std::vector<PointAxis>& axes, unsigned percent,
-                                 const Modules& modules);
-    [[nodiscard]] bool anyMoves(const std::vector<PointAxis>& axes) const;
+    [[nodiscard]] RowNext perform(const Action& row, const Modules& modules, TimePoint now);
+    [[nodiscard]] RowNext moveTo(const action::MoveTo& move, const Modules& modules);
+    [[nodiscard]] RowNext setOutput(const action::SetOutput& set, const ModuleState& module);
+    [[nodiscard]] RowNext findHome(const action::Home& home);
+    [[nodiscard]] Next sendMoves(std::span<const PointAxis> axes, unsigned percent, const Modules& modules);
+    [[nodiscard]] bool anyMoves(std::span<const PointAxis> axes) const;
     [[nodiscard]] Next refused(ModuleIndex module, Refusal refusal);
     [[nodiscard]] Next send(std::vector<std::vector<bus::Order>> operations);
-    [[nodiscard]] Next rowDone();
-    [[nodiscard]] const Action* currentRow();
     [[nodiscard]] bool ending() const { return m_report.end.has_value() || m_report.over(); }
-
-    [[nodiscard]] Next perform(const action::MoveTo& move, const Modules& modules, TimePoint now);
-    [[nodiscard]] Next perform(const action::Wait& wait, const Modules& modules, TimePoint now);
-    [[nodiscard]] Next perform(const action::WaitForArrival& wait, const Modules& modules, TimePoint now);
-    [[nodiscard]] Next perform(const action::WaitForInput& wait, const Modules& modules, TimePoint now);
-    [[nodiscard]] Next perform(const action::WaitForAnalog& wait, const Modules& modules, TimePoint now);
-    [[nodiscard]] Next perform(const action::SetOutput& set, const Modules& modules, TimePoint now);
-    [[nodiscard]] Next perform(const action::Home& home, const Modules& modules, TimePoint now);
-    [[nodiscard]] Next perform(const action::Repeat& repeat, const Modules& modules, TimePoint now);
-    [[nodiscard]] Next perform(const action::Call& call, const Modules& modules, TimePoint now);
 
     Machine m_machine;
     std::set<ModuleIndex> m_parts;  ///< all that it may ever ask something of
     SequenceReport m_report;
     bool m_pauseWanted = false;
-    bool m_singleStep = false;
     unsigned m_inFlight = 0;
     std::map<ModuleIndex, Move> m_moves;  ///< under way
     std::set<ModuleIndex> m_on;           ///< those that it has moved, which stay on
@@ -178,10 +172,7 @@ private:
     bool m_cancelled = false;
     bool m_stopsSent = false;
     std::set<ModuleIndex> m_leftAlone;  ///< by the last word: another has told them what to do
-    // Of the present row:
-    bool m_rowSent = false;
-    std::size_t m_rowAxis = 0;  ///< of a move one after the other
-    std::optional<TimePoint> m_rowBegan;
+    Row m_row;
 };
 
 }  // namespace nmc
