@@ -104,10 +104,34 @@ TEST_F(DryRuns, TakeHomeWhereItIsKnown) {
     EXPECT_EQ(foreseen.axes[0].highest, 120);
 }
 
-/// A PIC-I/O module, of which there is no data sheet here and nothing in the simulator.
+/// IO3 is its only output.
+TEST_F(DryRuns, DoWhatTheRowsAskOfAPicIo) {
+    constexpr ModuleIndex kBox{3};
+    ModuleState box;
+    box.info = {kBox, BusAddress(4), {ModuleType::Io, 1}};
+    StatusReport report;
+    report.pins = 0x0001;
+    report.analogs = {0, 100, 255};
+    box.latest = report;
+    box.apply(bus::CommandExecuted{kBox, TimePoint{}, IoCommand(io::SetDirection{0x0FFB})});
+    bench.modules.push_back(box);
+    bench.machine.program.sequences = {
+        {"There", {action::WaitForInput{kBox, InputPin::Io1, true, 5}, action::SetOutput{kBox, 3, true}}},
+        {"Not there", {action::WaitForInput{kBox, InputPin::Io12, true, 5}}},
+        {"Not above", {action::WaitForAnalog{kBox, 2, true, 100, 5}}}};
+    for (const auto& [sequence, rows] : bench.machine.program.sequences) {
+        const DryRun foreseen = dryRun({bench.machine, bench.modules, sequence}, cancelled);
+        EXPECT_TRUE(foreseen.done()) << sequence;
+        EXPECT_EQ(foreseen.inputsAssumed, sequence != "There") << sequence;
+        EXPECT_LT(foreseen.seconds, 1.0) << sequence;
+    }
+    bench.modules.pop_back();
+}
+
+/// Of which there is no data sheet here and nothing in the simulator.
 TEST_F(DryRuns, LeaveOutAModuleThatIsNotKnownHere) {
     ModuleState other;
-    other.info = {ModuleIndex(3), BusAddress(4), {ModuleType::Io, 1}};
+    other.info = {ModuleIndex(3), BusAddress(4), {ModuleType::Adc, 1}};
     bench.modules.push_back(other);
     EXPECT_TRUE(dry("Main").done());
     bench.modules.pop_back();

@@ -92,8 +92,7 @@ private:
 std::vector<ModuleIdentity> identitiesOf(const std::vector<ModuleState>& modules) {
     std::vector<ModuleIdentity> identities;
     for (const ModuleState& module : modules)
-        identities.push_back(module.isServo() || module.isStepper() ? module.info.identity
-                                                                    : ModuleIdentity{ModuleType::Servo, 4});
+        identities.push_back(module.isKnown() ? module.info.identity : ModuleIdentity{ModuleType::Servo, 4});
     return identities;
 }
 
