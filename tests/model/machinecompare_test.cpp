@@ -176,6 +176,7 @@ TEST(MachineCompare, PinsThatWereSetAreNamedOneByOne) {
     ASSERT_EQ(rows[0].fields.size(), 2U);
     EXPECT_EQ(rows[0].fields[0].key, "IO3");
     EXPECT_EQ(rows[0].fields[0].file, FieldValue(std::string("name Lamp, asks yes, off_at_stop no")));
+    EXPECT_FALSE(rows[0].fields[0].now) << "nobody has set it";
     EXPECT_EQ(rows[0].fields[1].key, "AD2");
     EXPECT_EQ(rows[0].fields[1].file, FieldValue(std::string("Pressure")));
     EXPECT_EQ(applied(file, Machine{}, {}, ids(rows)), file);

@@ -145,6 +145,13 @@ const ItemKey kItemKeys[] = {{"points", "point ", "name"},
                              {"pwm", "PWM"},
                              {"analog", "AD"}};
 
+/// A pin that nobody has set has no name, and its flags are off.
+bool saysNothing(const Json& item) {
+    return item.is_object() && std::all_of(item.begin(), item.end(), [](const Json& member) {
+               return member == false || inOneText(member).empty();
+           });
+}
+
 void addItems(Fields& fields, const ItemKey& naming, const Json& items) {
     for (std::size_t i = 0; i < items.size(); ++i) {
         Json rest = items[i];
@@ -156,7 +163,7 @@ void addItems(Fields& fields, const ItemKey& naming, const Json& items) {
             rest.erase("scale");
         }
         // A single member is not labelled, and a named item is listed even if it contains nothing else.
-        const std::string text = inOneText(rest.size() == 1 ? rest.front() : rest);
+        const std::string text = saysNothing(rest) ? "" : inOneText(rest.size() == 1 ? rest.front() : rest);
         fields.push_back(textField(key, named && text.empty() ? "-" : text));
         if (items[i].contains("scale"))
             fields.push_back(textField(key + " scale", inOneText(items[i]["scale"])));
@@ -346,7 +353,7 @@ void makeRoom(Machine& machine, std::size_t axes) {
         machine.axes.resize(axes);
 }
 
-bool saysNothing(AxisSettings axis) {
+bool isUnset(AxisSettings axis) {
     axis.expected.reset();
     return axis == AxisSettings{};
 }
@@ -399,8 +406,7 @@ Machine applied(const Machine& file, const Machine& now, const std::vector<Modul
         if (!forOther(file.axes[i], connected(modules, ModuleIndex(static_cast<std::uint8_t>(i)))))
             machine.axes[i].expected = file.axes[i].expected;
     // Drops axes that are neither in the file nor connected, and of which nothing else is known any more.
-    while (machine.axes.size() > std::max(file.axes.size(), modules.size()) &&
-           saysNothing(machine.axes.back()))
+    while (machine.axes.size() > std::max(file.axes.size(), modules.size()) && isUnset(machine.axes.back()))
         machine.axes.pop_back();
     return machine;
 }
