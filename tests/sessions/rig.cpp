@@ -405,8 +405,11 @@ void Rig::chainFound(const ChainFound& found) {
             everOn[place] = found.attached ? everOn[place] || isOn(place) : isOn(place);
         }
         const std::string address = std::to_string(module.address);
+        // One that was reset, by a restart of the network that a stop has interrupted say, is known to be
+        // absent.
+        const bool absent = std::ranges::count(found.absent, info.index) != 0;
         // Another host's modules may answer in the place of whoever was asked.
-        if (there != 1 && !m_powerCycled && !m_foreignHost)
+        if (there != 1 && !absent && !m_powerCycled && !m_foreignHost)
             complain("chain: " + std::to_string(there) + " modules have the address " + address);
         else if (there == 1 && bus.chain.identity(ModuleIndex(module.place)) != info.identity)
             complain("chain: address " + address + " is not what it is said to be");
