@@ -216,7 +216,7 @@ private:
         }
     }
 
-    // ---- the run ----
+    // ---- The run ----
 
     bool turn() {
         take(m_bus.runFor(kTurn));
@@ -243,7 +243,8 @@ private:
             m_result.inputsAssumed = true;
         }
     }
-    /// The position of the home switch is unknown; the position of home may be known.
+    /// Replaces a home search, which cannot be simulated because the position of the home switch is unknown.
+    /// Home is where it is known to be, otherwise at the present position.
     void assumeHome(const SequenceRun::Ask& ask) {
         const auto* home = std::get_if<intent::Home>(&ask.intent);
         ModuleState& module = m_modules[ask.module.value()];

@@ -11,14 +11,14 @@
 
 #include "base/strong.h"
 
-/// Taught points, and the tables of rows that are run between them. Values only; part of the machine.
+/// Taught points, and the sequences of rows that move between them. Values only; part of the machine.
 namespace nmc {
 
-/// Where one axis stands at a point.
+/// The position of one axis at a point.
 struct PointAxis {
     ModuleIndex module;
-    /// Counts (steps) from home as HomeFact knows it, which goes along when the counter is set to 0. Without
-    /// a known home they are the counter's own: of use until home is found or the counter is set.
+    /// Counts (steps) from home as given by HomeFact, which is adjusted when the counter is set to 0. If home
+    /// was unknown, this is the value of the counter itself, valid until home is found or the counter is set.
     std::int32_t counts = 0;
     bool fromHome = true;
 
@@ -26,14 +26,14 @@ struct PointAxis {
 };
 
 struct Point {
-    std::string name;  ///< UTF-8; not empty, and no other point has it
+    std::string name;  ///< UTF-8; not empty; unique among the points
     std::vector<PointAxis> axes;
 
     bool operator==(const Point&) const = default;
 };
 
-/// What a sequence can wait for: a limit pin of either chip that is an input, the others of a PIC-STEP, and
-/// the pins of a PIC-I/O.
+/// Pins that a sequence can wait for: the limit pins of a PIC-SERVO or PIC-STEP that are inputs, the other
+/// inputs of a PIC-STEP, and the pins of a PIC-I/O.
 enum class InputPin : std::uint8_t {
     Limit1,
     Limit2,
@@ -54,7 +54,7 @@ enum class InputPin : std::uint8_t {
     Io12
 };
 
-/// Which of a PIC-I/O's pins, from 0; nothing: of another chip.
+/// The number of a PIC-I/O's pin, from 0; empty for a pin of another chip.
 [[nodiscard]] constexpr std::optional<unsigned> ioPin(InputPin pin) {
     if (pin < InputPin::Io1)
         return std::nullopt;
@@ -66,11 +66,11 @@ enum class InputPin : std::uint8_t {
 
 /// The rows of a sequence.
 namespace action {
-/// At the axes' own velocity and acceleration (MotionSettings).
+/// Moves to a point at the axes' own velocity and acceleration (MotionSettings).
 struct MoveTo {
     std::string point;
-    bool together = true;    ///< all axes start at once; otherwise each waits for the one before
-    bool waits = true;       ///< until they are there; otherwise the next row begins at once
+    bool together = true;    ///< all axes start at once; otherwise each waits for the previous one
+    bool waits = true;       ///< until the axes arrive; otherwise the next row begins at once
     unsigned percent = 100;  ///< of the velocity, 1..100
     bool operator==(const MoveTo&) const = default;
 };
@@ -78,7 +78,7 @@ struct Wait {
     double seconds = 1.0;
     bool operator==(const Wait&) const = default;
 };
-/// Of all moves that were not waited for.
+/// Waits for the arrival of all moves that were not waited for.
 struct WaitForArrival {
     bool operator==(const WaitForArrival&) const = default;
 };
@@ -89,30 +89,30 @@ struct WaitForInput {
     double timeout = 10.0;  ///< s; then the sequence fails
     bool operator==(const WaitForInput&) const = default;
 };
-/// OUT1..OUT5 of a PIC-STEP; IO1..IO12 of a PIC-I/O and the limit pins 1 and 2 of a PIC-SERVO, where they are
-/// outputs (DS-V 5.2).
+/// Sets OUT1..OUT5 of a PIC-STEP, or IO1..IO12 of a PIC-I/O and the limit pins 1 and 2 of a PIC-SERVO if
+/// they are outputs (DS-V 5.2).
 struct SetOutput {
     ModuleIndex module;
     unsigned output = 1;
     bool on = true;
     bool operator==(const SetOutput&) const = default;
 };
-/// By the axis's own recipe.
+/// Homes an axis by its own recipe.
 struct Home {
     ModuleIndex module;
     bool operator==(const Home&) const = default;
 };
-/// Back to a row above, until it was done that many times.
+/// Goes back to a row above until the rows from there on have run `times` times.
 struct Repeat {
     std::size_t from = 0;
-    unsigned times = 2;  ///< 0: for ever
+    unsigned times = 2;  ///< in total; 0: forever
     bool operator==(const Repeat&) const = default;
 };
 struct Call {
     std::string sequence;
     bool operator==(const Call&) const = default;
 };
-/// Of a PIC-I/O: until it is above the level, or below.
+/// Waits until an analog input of a PIC-I/O is above the level, or below it.
 struct WaitForAnalog {
     ModuleIndex module;
     unsigned input = 1;  ///< 1..3
@@ -127,7 +127,7 @@ using Action =
     std::variant<action::MoveTo, action::Wait, action::WaitForArrival, action::WaitForInput,
                  action::SetOutput, action::Home, action::Repeat, action::Call, action::WaitForAnalog>;
 
-/// The one module that a row sets, homes or waits for.
+/// The one module that a row sets, homes or waits for; empty for other rows.
 [[nodiscard]] inline std::optional<ModuleIndex> moduleOf(const Action& row) {
     return std::visit(
         [](const auto& action) -> std::optional<ModuleIndex> {
@@ -140,7 +140,7 @@ using Action =
 }
 
 struct Sequence {
-    std::string name;  ///< UTF-8; not empty, and no other sequence has it
+    std::string name;  ///< UTF-8; not empty; unique among the sequences
     std::vector<Action> rows;
 
     bool operator==(const Sequence&) const = default;
@@ -151,11 +151,12 @@ struct Program {
     std::vector<Point> points;
     std::vector<Sequence> sequences;
 
-    /// Null for none of that name.
+    /// Returns null if no point has this name.
     [[nodiscard]] const Point* point(const std::string& name) const {
         const auto found = std::ranges::find(points, name, &Point::name);
         return found != points.end() ? &*found : nullptr;
     }
+    /// Returns null if no sequence has this name.
     [[nodiscard]] const Sequence* sequence(const std::string& name) const {
         const auto found = std::ranges::find(sequences, name, &Sequence::name);
         return found != sequences.end() ? &*found : nullptr;

@@ -17,7 +17,7 @@ bool hasBit(unsigned mask, unsigned bit) {
     return ((mask >> bit) & 1U) != 0;
 }
 
-/// As it was told in this connection; `pin` from 0.
+/// True if the pin was set to be an output in this connection. `pin` counts from 0.
 bool isIoOutput(unsigned pin, const ModuleState& module) {
     return pin < io::kPins && module.pins.inputs && !hasBit(*module.pins.inputs, pin);
 }
@@ -48,7 +48,7 @@ std::optional<SequenceProblem> wrongPoint(const Program& program, std::size_t i)
     return std::nullopt;
 }
 
-/// What the row refers to.
+/// Checks what the row refers to.
 std::optional<SequenceProblem> wrongRow(const Program& program, const Sequence& sequence, std::size_t row) {
     using Kind = SequenceProblem::Kind;
     const auto wrong = [&](Kind kind, const std::string& name = {}) {
@@ -71,14 +71,15 @@ std::optional<SequenceProblem> wrongRow(const Program& program, const Sequence& 
     return std::nullopt;
 }
 
-/// Of a move that is not the first of its axis: what depends on where it will be then.
+/// True if the refusal depends on where the axis is at the time; it then counts only for the first row that
+/// moves the axis.
 bool mayChange(Refusal refusal) {
     return refusal == Refusal::Moving || refusal == Refusal::NeedsStop || refusal == Refusal::Limit1Active ||
            refusal == Refusal::Limit2Active || refusal == Refusal::TooFar;
 }
 
-/// Checks what the program says against the machine as it is now. A row that is done again is checked as it
-/// is done first: nothing else would be found.
+/// Checks the program against the machine in its present state. A row that runs more than once is checked
+/// only for the first time, because the other times would yield nothing else.
 class Checker {
 public:
     Checker(const Machine& machine, const std::vector<ModuleState>& modules)
@@ -93,7 +94,7 @@ public:
                 std::visit(*this, row);
         }
     }
-    /// What a run from the top would have done by then.
+    /// Checks that the machine is in the state in which a run from the top would reach the row.
     void checkEntry(const std::string& name, std::size_t row) {
         m_at = {.sequence = name, .row = row};
         const EntryState entry = entryState(m_machine, name, row);
@@ -167,13 +168,13 @@ private:
     void refuse(ModuleIndex module, Refusal refusal) {
         report(SequenceProblem::Kind::Refused, module).refusal = refusal;
     }
-    /// Of a sequence that is called more than once, it is said once.
+    /// Reports an empty sequence only once, even if it is called more than once.
     void checkHasRows(const std::string& name) {
         const SequenceProblem none{.kind = SequenceProblem::Kind::NoRows, .sequence = name};
         if (m_machine.program.sequence(name)->rows.empty() && !std::ranges::count(m_problems, none))
             m_problems.push_back(none);
     }
-    /// Null, and reported: it is not there, or is told nothing.
+    /// Reports a module that is missing or may not be sent anything, and returns null for it.
     const ModuleState* present(ModuleIndex index) {
         const ModuleState* module = moduleAt(index, m_modules);
         if (module == nullptr)
@@ -193,7 +194,7 @@ private:
         }
         PointAxis place = axis;
         if (homed && !module.home.place())
-            place.fromHome = false;  // where home will be is not known yet: as if it were at 0
+            place.fromHome = false;  // where home will be is unknown yet; 0 is assumed
         const auto steps = moveIntent(place, move.percent, module, m_machine.axis(axis.module))
                                .and_then([&](const Intent& wanted) { return plan(wanted, module); });
         if (!steps && (first || !mayChange(steps.error())))
@@ -276,7 +277,7 @@ std::vector<ModuleIndex> axesToHome(const Machine& machine, const std::vector<Mo
 
 EntryState entryState(const Machine& machine, const std::string& sequence, std::size_t row) {
     EntryState state;
-    std::set<ModuleIndex> settled;  // a row nearer to this one says where it is, or that nobody knows
+    std::set<ModuleIndex> settled;  // a row nearer to this one sets its place, or leaves it unknown
     for (const RowPlace& above : rowsAbove(machine.program, {sequence, row}))
         std::visit(
             Overloaded{

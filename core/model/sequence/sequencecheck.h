@@ -17,40 +17,41 @@
 #include "model/sequence/sequencewalk.h"
 #include "model/settings/machine.h"
 
-/// What is wrong with points and sequences, before anything moves. Pure.
+/// Finds what is wrong with points and sequences before anything moves. Pure.
 namespace nmc {
 
-/// Why a program is none, or a sequence cannot be started now; the window's texts have a sentence for each.
+/// Why a program is invalid, or a sequence cannot be started now. The window's texts have a sentence for
+/// each.
 struct SequenceProblem {
     enum class Kind : std::uint8_t {
-        // Of the program by itself; a machine file that has one is refused.
+        // Problems of the program itself; a machine file that has one is refused.
         NoName,          ///< of a point or a sequence
         NameTwice,       ///< `name`
         AxisTwice,       ///< `module`, in point `name`
         NoSuchPoint,     ///< `name`
         NoSuchSequence,  ///< `name`
-        CallsItself,     ///< sequence `name`, here or through others
-        RepeatsBelow,    ///< it goes back to itself or to a row below
-        // Of this machine, as it is now.
+        CallsItself,     ///< sequence `name`, directly or through others
+        RepeatsBelow,    ///< a repeat goes back to itself or to a row below
+        // Problems with this machine in its present state.
         NoRows,
         NoAxes,           ///< point `name` has none
         NoSuchModule,     ///< `module` is not in the chain
-        Refused,          ///< `module`, for `refusal`
-        TaughtElsewhere,  ///< point `name`: `module` was taught before its home was known, and now it is
-        NoRecipe,         ///< `module` has not been told how to find home
-        NoSuchPin,        ///< `module` does not have it
-        NotAnInput,       ///< a limit pin, or one of a PIC-I/O, that is an output
-        NotAnOutput,      ///< a limit pin, or one of a PIC-I/O, that is an input
-        OutputsUnknown,   ///< `module` was not told its outputs, or their directions, in this connection
-        // Of starting in the middle: what a run from the top would have done before that row.
-        Unreachable,  ///< a repeat for ever stands above
-        NotThere,     ///< `module` does not stand where the rows above leave it: at point `name`, or its home
+        Refused,          ///< `module`, because of `refusal`
+        TaughtElsewhere,  ///< point `name`: `module` was taught with home unknown, but it is known by then
+        NoRecipe,         ///< `module` has no homing recipe
+        NoSuchPin,        ///< `module` has no such pin
+        NotAnInput,       ///< a limit pin or a PIC-I/O pin that is an output
+        NotAnOutput,      ///< a limit pin or a PIC-I/O pin that is an input
+        OutputsUnknown,   ///< `module` was not sent its outputs, or their directions, in this connection
+        // Problems with a start in the middle: what a run from the top would have done before that row.
+        Unreachable,  ///< an endless repeat precedes the row
+        NotThere,     ///< `module` is not where the rows above leave it: at point `name`, or at its home
         NotSet,       ///< output `output` of `module` is not as the rows above leave it
     };
     Kind kind = Kind::NoRows;
     std::string sequence{};
     std::size_t row = 0;
-    bool ofPoint = false;  ///< `row` is the point's place among the points
+    bool ofPoint = false;  ///< `row` is the index of a point
     std::optional<ModuleIndex> module{};
     std::string name{};
     std::optional<Refusal> refusal{};
@@ -59,59 +60,62 @@ struct SequenceProblem {
     bool operator==(const SequenceProblem&) const = default;
 };
 
-/// What points and sequences say of each other; the first that cannot be.
+/// The first error within or between points and sequences, independent of the machine; empty if none.
 [[nodiscard]] std::optional<SequenceProblem> contradiction(const Program& program);
 
-/// Everything that keeps a sequence from being run from this row of it on, in the order of the rows.
-/// `modules`: of the chain that is connected.
+/// All problems that prevent the sequence from being run from this row on, in the order of the rows.
+/// `modules`: those of the connected chain.
 [[nodiscard]] std::vector<SequenceProblem> whyNotRun(const std::string& sequence, std::size_t row,
                                                      const Machine& machine,
                                                      const std::vector<ModuleState>& modules);
 
-/// The machine with a sequence of one row that moves to this point, all axes at once; nobody can type its
-/// name.
+/// Name of the sequence that withMoveTo() adds; it cannot be typed.
 inline const std::string kMoveToPoint = "\n";
+/// Returns the machine with an additional sequence, whose only row moves all axes to this point at once.
 [[nodiscard]] Machine withMoveTo(Machine machine, const std::string& point);
-/// Of the sequence with a row for each axis that is to find its home.
+/// Name of the sequence with a row for each axis to be homed; it cannot be typed.
 inline const std::string kHomeAll = "\n\n";
-/// Those that have a recipe, in the order that the machine keeps.
+/// The axes that have a homing recipe, in the machine's order (Machine::homeOrder).
 [[nodiscard]] std::vector<ModuleIndex> axesToHome(const Machine& machine,
                                                   const std::vector<ModuleState>& modules);
 
-/// What the rows above one leave behind, whatever was before: a fresh run comes to that row so.
+/// The state in which a run from the top reaches a row: what the rows above leave behind, whatever the state
+/// before them.
 struct EntryState {
     struct Place {
-        std::string point;  ///< empty: its home
+        std::string point;  ///< empty: the axis's home
         PointAxis axis;
         bool operator==(const Place&) const = default;
     };
     std::map<ModuleIndex, Place> places;
     std::map<std::pair<ModuleIndex, unsigned>, bool> outputs;
     std::set<ModuleIndex> homed;
-    bool reached = true;  ///< false: a repeat for ever stands above
+    bool reached = true;  ///< false: an endless repeat precedes the row
 
     bool operator==(const EntryState&) const = default;
 };
 [[nodiscard]] EntryState entryState(const Machine& machine, const std::string& sequence, std::size_t row);
 
-/// The counter's value of a place on an axis as it is now.
+/// The counter value of a point on this axis, in the axis's present state.
 [[nodiscard]] tl::expected<std::int32_t, Refusal> goalOf(const PointAxis& axis, const ModuleState& module);
-/// What the panel's own "Go to" would ask for, at that share of the axis's velocity.
+/// What the panel's own "Go to" would request, at this percentage of the axis's velocity.
 [[nodiscard]] tl::expected<Intent, Refusal> moveIntent(const PointAxis& axis, unsigned percent,
                                                        const ModuleState& module,
                                                        const AxisSettings& settings);
-/// Nothing: the module has no such pin, or it is an output.
+/// The level of an input; empty if the module has no such pin or the pin is an output, or before its first
+/// status.
 [[nodiscard]] std::optional<bool> readPin(InputPin pin, const ModuleState& module);
-/// Of 255. Nothing: the module has no such input.
+/// The value of an analog input, 0..255; empty if the module has no such input, or before its first status.
 [[nodiscard]] std::optional<unsigned> readAnalog(unsigned input, const ModuleState& module);
-/// Whether what is waited for is there.
+/// True if the condition that the row waits for is met.
 [[nodiscard]] bool isMet(const action::WaitForInput& wait, const ModuleState& module);
 [[nodiscard]] bool isMet(const action::WaitForAnalog& wait, const ModuleState& module);
-/// Otherwise NoSuchPin, NotAnOutput, or OutputsUnknown: it is told with the others, as they are.
+/// The error is NoSuchPin, NotAnOutput or OutputsUnknown. An output is sent together with the others, which
+/// keep their state.
 [[nodiscard]] tl::expected<Intent, SequenceProblem::Kind> outputIntent(const action::SetOutput& set,
                                                                        const ModuleState& module);
 [[nodiscard]] intent::Home homeIntent(const AxisSettings& settings);
-/// Where the chosen axes stand; an axis whose position is not known is left out.
+/// The present positions of these axes; an axis that is silent or whose position is unknown is left out.
 [[nodiscard]] std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes,
                                            const std::vector<ModuleState>& modules);
 

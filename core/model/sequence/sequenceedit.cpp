@@ -7,7 +7,7 @@ namespace nmc {
 
 namespace {
 
-/// Tells every repeat where the row is now that it goes back to.
+/// Updates every repeat with the new place of the row that it goes back to.
 template <typename NewPlace>
 void follow(Sequence& sequence, NewPlace newPlace) {
     for (Action& row : sequence.rows)

@@ -6,8 +6,8 @@
 
 namespace nmc {
 
-/// Tells a run what of the bus's news concerns it: for std::visit. The ends of its own operations and
-/// procedures are told to it by whoever carried them out.
+/// Visitor for std::visit that informs a run of the bus events that concern it. The ends of the run's own
+/// operations and procedures are reported to it by whoever carried them out.
 struct SequenceNews {
     SequenceRun& run;
 
@@ -24,7 +24,7 @@ struct SequenceNews {
                                 bus::HoldExpired> auto& news) const {
         run.onTakenOver(news.module);
     }
-    /// Those that were set in motion from here have been told to stop.
+    /// The motors that were set in motion from here have been sent a stop.
     void operator()(const AnyOf<bus::ForeignTraffic, bus::StopFinished> auto&) const { run.onStopOfAll(); }
     void operator()(const bus::GroupFinished& finished) const {
         for (const bus::GroupMember& member : finished.members)

@@ -12,13 +12,13 @@ namespace nmc {
 
 namespace {
 
-/// Motions begin only when all of them are loaded: a load that is refused leaves every motor where it is.
+/// Puts the starts after all loads, so that a refused load leaves every motor where it is.
 void startsLast(std::vector<bus::Order>& steps) {
     std::stable_partition(steps.begin(), steps.end(),
                           [](const bus::Order& step) { return !is<StartMotion>(step.command); });
 }
 
-/// What stops its motor, tried whatever is believed of it; nothing where nothing is on.
+/// The commands that stop the motor, even if the module is believed silent; empty if nothing is on.
 std::vector<bus::Order> stopOf(ModuleState module) {
     module.silent = false;
     auto steps = plan(intent::StopSmoothly{}, module);
@@ -32,7 +32,7 @@ SequenceEnd timeoutOf(const action::WaitForAnalog& /*wait*/) {
     return SequenceEnd::AnalogTimeout;
 }
 
-/// Of a row that has nothing to send: it is done when what it waits for is there.
+/// For a row that has nothing to send and is done as soon as its condition is met.
 std::optional<SequenceRun::Next> waitUntil(bool there) {
     return there ? std::nullopt : std::optional<SequenceRun::Next>(SequenceRun::Wait{});
 }
@@ -60,7 +60,7 @@ SequenceRun SequenceRun::homing(Machine machine, const std::vector<ModuleIndex>&
     return {std::move(machine), kHomeAll, 0};
 }
 
-// ---- what it is told ----
+// ---- Results and events ----
 
 void SequenceRun::endBy(SequenceEnd end, std::optional<ModuleIndex> module, std::optional<Refusal> refusal) {
     if (ending())
@@ -76,7 +76,7 @@ void SequenceRun::onFinished(ModuleIndex module, bus::Outcome outcome) {
     if (outcome == bus::Outcome::Done)
         return;
     if (outcome == bus::Outcome::Cancelled)
-        endBy(SequenceEnd::TakenOver, module);  // by a stop of whatever kind
+        endBy(SequenceEnd::TakenOver, module);  // by a stop of any kind
     else
         endBy(SequenceEnd::NotExecuted, module);
 }
@@ -139,7 +139,7 @@ void SequenceRun::stop() {
     endBy(SequenceEnd::ByUser);
 }
 
-// ---- what is next ----
+// ---- The next request ----
 
 SequenceRun::Next SequenceRun::next(const Modules& modules, TimePoint now) {
     if (m_report.over())
@@ -160,7 +160,7 @@ SequenceRun::Next SequenceRun::next(const Modules& modules, TimePoint now) {
     return m_report.end ? finishEnding(modules) : next;
 }
 
-/// A procedure stops its own motor; the others that may move are told to.
+/// A procedure stops its own motor; the other motors that may be moving are sent a stop.
 SequenceRun::Next SequenceRun::finishEnding(const Modules& modules) {
     if (m_procedure && !m_procedureEnd && !m_saysNothingMore) {
         if (std::exchange(m_cancelled, true))
@@ -181,7 +181,7 @@ SequenceRun::Next SequenceRun::finishEnding(const Modules& modules) {
     return Wait{};
 }
 
-/// What is not as this run left it ends it, whoever did that.
+/// Ends the run if a module is no longer as the run left it, whatever the cause.
 void SequenceRun::watch(const Modules& modules, TimePoint now) {
     for (const ModuleIndex index : m_parts) {
         const ModuleState* module = moduleAt(index, modules);
@@ -199,16 +199,16 @@ void SequenceRun::watch(const Modules& modules, TimePoint now) {
     }
 }
 
-/// Where it never will, the run ends.
+/// Ends the run if the motor can no longer arrive.
 bool SequenceRun::hasArrived(const ModuleState& module, Move& move, TimePoint now) {
     const ModuleIndex index = module.info.index;
     if (!move.since)
         move.since = now;
-    // One that was closed before lets the motor leave it.
+    // A limit that was closed before the move does not count, because the motor may be leaving it.
     for (std::size_t limit = 0; limit < move.closedBefore.size(); ++limit)
         if (module.limits.ranInto(limit) && !move.closedBefore[limit])
             endBy(SequenceEnd::LimitClosed, index);
-    // Its goal is not ours any more: something else moves it or has stopped it.
+    // The goal is no longer that of this run: something else moves the motor or has stopped it.
     if (!ending() && module.isServo() && !module.headsFor(move.goal)) {
         m_leftAlone.insert(index);
         endBy(SequenceEnd::NotArrived, index);
@@ -252,9 +252,9 @@ SequenceRun::Next SequenceRun::refused(ModuleIndex module, Refusal refusal) {
     return Wait{};
 }
 
-// ---- the rows ----
+// ---- The rows ----
 
-/// watch() has seen to it that all of its modules are there.
+/// All modules of the run are present: watch() has checked that.
 SequenceRun::RowNext SequenceRun::perform(const Action& row, const Modules& modules, TimePoint now) {
     const double seconds = toSeconds(now - *m_row.began);
     return std::visit(
@@ -292,7 +292,7 @@ SequenceRun::Next SequenceRun::sendMoves(std::span<const PointAxis> axes, unsign
         const std::int32_t goal = *goalOf(axis, module);
         m_on.insert(axis.module);
         if (module.isStepper() && module.stepper.position() == goal)
-            continue;  // it is there, and a motion of no steps is none
+            continue;  // already there; a move of zero steps is not a motion
         moves[axis.module] = {.goal = goal,
                               .closedBefore = {module.limits.ranInto(0), module.limits.ranInto(1)}};
         steps.insert(steps.end(), planned->begin(), planned->end());
@@ -309,7 +309,8 @@ SequenceRun::RowNext SequenceRun::moveTo(const action::MoveTo& move, const Modul
     if (m_row.sent == axes.size())
         return waitUntil(!move.waits || !anyMoves(axes));
     const std::size_t count = move.together ? axes.size() : 1;
-    // A row above may have moved them and not waited; one after the other, this one did.
+    // A row above may have moved these axes without waiting. If axes move one after the other, this row has
+    // moved the previous one.
     const std::size_t before = m_row.sent > 0 ? 1 : 0;
     if (anyMoves(axes.subspan(m_row.sent - before, before + count)))
         return Wait{};
@@ -334,7 +335,7 @@ SequenceRun::RowNext SequenceRun::findHome(const action::Home& home) {
         if (m_moves.contains(home.module))
             return Wait{};
         m_row.sent = 1;
-        m_on.erase(home.module);  // finding home may switch it off for a while
+        m_on.erase(home.module);  // the procedure may switch the motor off for a while
         m_procedure = home.module;
         m_procedureEnd.reset();
         return Ask{home.module, homeIntent(m_machine.axis(home.module))};

@@ -22,31 +22,31 @@ namespace nmc {
 
 enum class SequenceStage : std::uint8_t {
     Running,
-    Pausing,   ///< the present row is finished first
-    Paused,    ///< goes on where it is
-    Stopping,  ///< it has ended, and its motors are told to stop
+    Pausing,   ///< the current row is finished first
+    Paused,    ///< can be resumed where it is
+    Stopping,  ///< the run has ended, and its motors are being stopped
     Done,
-    Over,  ///< before its end, for SequenceReport::end
+    Over,  ///< ended early; SequenceReport::end is the reason
 };
 
-/// Why a run is over before its end.
+/// Why a run ended early.
 enum class SequenceEnd : std::uint8_t {
     ByUser,
     StopOfAll,
-    TakenOver,    ///< `module` was told something else, or moves because of somebody else
-    LimitClosed,  ///< a limit switch of `module` closed on its way
-    NotArrived,   ///< `module` stopped on its way
-    WentOff,      ///< the motor of `module` went off by itself
-    Refused,      ///< for `refusal`
+    TakenOver,    ///< `module` was sent something else, or is moved by something else
+    LimitClosed,  ///< a limit switch of `module` closed during the move
+    NotArrived,   ///< `module` stopped before its goal, or was given another one
+    WentOff,      ///< the motor of `module` is unexpectedly off
+    Refused,      ///< because of `refusal`
     InputTimeout,
     AnalogTimeout,
     NotHomed,  ///< `module` has not found its home
-    // Doubts: nothing is known to be wrong with the machine.
+    // Doubts: the machine itself has no known fault.
     LinkInDoubt,
     Unresponsive,  ///< `module` does not answer, or has restarted
     NotExecuted,   ///< a command was refused or not answered
 };
-/// It may be started again from a row when the doubt is gone.
+/// True if the sequence may be started again from a row once the doubt is resolved.
 [[nodiscard]] constexpr bool isDoubt(SequenceEnd end) {
     return end == SequenceEnd::LinkInDoubt || end == SequenceEnd::Unresponsive ||
            end == SequenceEnd::NotExecuted;
@@ -55,9 +55,10 @@ enum class SequenceEnd : std::uint8_t {
 /// What the window shows of a run.
 struct SequenceReport {
     SequenceStage stage = SequenceStage::Running;
-    /// The sequence that was started, then those that it called; each with the row that is next or under way.
+    /// The sequence that was started, then the called sequences, each with the row that is next or in
+    /// progress.
     std::vector<RowPlace> places;
-    std::string point{};  ///< of a run that only goes there
+    std::string point{};  ///< set in a run that only moves to this point
     std::optional<SequenceEnd> end{};
     std::optional<ModuleIndex> module{};
     std::optional<Refusal> refusal{};
@@ -66,82 +67,82 @@ struct SequenceReport {
     bool operator==(const SequenceReport&) const = default;
 };
 
-/// One run of a sequence: it is told what the modules say, how what it asked for has ended, and the time, and
-/// says what to do next. It asks for what the panel asks for, by plan() and procedureFor(). Pure; the
-/// sequence controller runs it on the GUI thread.
+/// One run of a sequence. From the state of the modules, the results of its requests, and the time, it
+/// determines what to do next. Its requests are planned like the panel's own, by plan() and procedureFor().
+/// Pure; the sequence controller runs it on the GUI thread.
 ///
-/// Any stop ends it, and so does any doubt about the link: its motors are told to stop, and it never moves
-/// one again. To go on is another run, from a chosen row, which whyNotRun() lets begin only where a fresh run
-/// would come to that row in the same state. A pause in between rows keeps the run.
+/// Any stop ends the run, and so does any doubt about the link: its motors are sent a stop, and it never
+/// moves one again. To continue takes a new run from a chosen row, which whyNotRun() permits only if a run
+/// from the top would reach that row in the same state. A pause between rows does not end the run.
 class SequenceRun {
 public:
     struct Wait {};
-    /// To be submitted, each by itself; as many onFinished() follow.
+    /// Operations, each to be submitted separately; onFinished() follows for each.
     struct Send {
         std::vector<std::vector<bus::Order>> operations;
     };
-    /// A procedure to begin or to cancel; onProcedure() follows until it is over, or onNotBegun().
+    /// A procedure to be started or cancelled; onProcedure() follows until it is over, or onNotBegun().
     struct Ask {
         ModuleIndex module;
         Intent intent;
     };
     using Next = std::variant<Wait, Send, Ask>;
 
-    /// whyNotRun() has nothing against it. `machine` stays as it is for this run. `singleStep`: it pauses
-    /// behind each row.
+    /// Requires that whyNotRun() finds no problem. `machine` is used unchanged for the whole run.
+    /// `singleStep`: the run pauses after each row.
     SequenceRun(Machine machine, const std::string& sequence, std::size_t row, bool singleStep = false);
-    /// To a point and no farther, all axes at once.
+    /// A run that only moves to a point, all axes at once.
     [[nodiscard]] static SequenceRun toPoint(Machine machine, const std::string& point);
-    /// The homes of these axes, one after the other.
+    /// A run that homes these axes, one after the other.
     [[nodiscard]] static SequenceRun homing(Machine machine, const std::vector<ModuleIndex>& axes);
 
-    /// After every news of a module, and at least ten times a second, until report() is over. `modules`: of
-    /// the whole chain.
+    /// Call after every event of a module, and at least ten times a second, until report() is over.
+    /// `modules`: those of the whole chain.
     [[nodiscard]] Next next(const std::vector<ModuleState>& modules, TimePoint now);
 
-    /// Of an operation that it sent.
+    /// An operation of this run has ended.
     void onFinished(ModuleIndex module, bus::Outcome outcome);
     void onProcedure(const ProcedureReport& report);
     void onNotBegun(ModuleIndex module, Refusal refusal);
-    /// The link is in doubt, or that to one module.
+    /// The link as a whole, or to one module, is in doubt.
     void onLinkSuspect();
-    /// This module is told something else, or was stopped by somebody else; nothing if it takes no part.
-    /// `sees`: whoever does that sees to its motor; otherwise that is told to stop with the others.
+    /// The module is sent something else, or was stopped by something else. This has no effect if it takes no
+    /// part. `sees`: its motor is taken care of elsewhere; otherwise it is sent a stop with the others.
     void onTakenOver(ModuleIndex module, bool sees = true);
-    /// All motors have been stopped, or are about to be: nothing more is sent.
+    /// All motors have been stopped, or are about to be; nothing more is sent.
     void onStopOfAll();
-    /// The connection is over.
+    /// The connection has ended.
     void onClosed();
 
-    /// Finishes the present row, then waits.
+    /// Finishes the current row, then waits.
     void pause();
     void resume();
-    /// One row, then waits again.
+    /// Runs one row, then waits again.
     void step();
     void stop();
 
     [[nodiscard]] const SequenceReport& report() const { return m_report; }
     [[nodiscard]] const Machine& machine() const { return m_machine; }
-    /// The one that is next or under way; null behind the last one.
+    /// The row that is next or in progress; null past the last one.
     [[nodiscard]] const Action* row() const { return rowAt(m_machine.program, m_report.places.back()); }
     [[nodiscard]] bool takesPart(ModuleIndex module) const { return m_parts.contains(module); }
-    /// All modules that it may ever ask something of.
+    /// All modules that this run may ever use.
     [[nodiscard]] const std::set<ModuleIndex>& parts() const { return m_parts; }
 
 private:
     struct Move {
         std::int32_t goal = 0;
-        LimitWatch::Limits closedBefore{};  ///< and while it moved
-        std::optional<TimePoint> since{};   ///< statuses that are not later tell nothing of it
+        LimitWatch::Limits closedBefore{};  ///< closed by an earlier motion (LimitWatch::ranInto)
+        std::optional<TimePoint> since{};   ///< only later statuses show the result of the move
         Standstill standstill{};
     };
-    /// What has been done of the present row.
+    /// Progress of the current row.
     struct Row {
-        std::size_t sent = 0;  ///< axes of a move, or the one command that another row consists of
+        std::size_t sent = 0;  ///< axes of a move, or the single command of any other row
         std::optional<TimePoint> began{};
     };
     using Modules = std::vector<ModuleState>;
-    /// What a row wants next; nothing: it is done.
+    /// What a row needs next; empty: the row is done.
     using RowNext = std::optional<Next>;
 
     void endBy(SequenceEnd end, std::optional<ModuleIndex> module = {}, std::optional<Refusal> refusal = {});
@@ -160,18 +161,18 @@ private:
     [[nodiscard]] bool ending() const { return m_report.end.has_value() || m_report.over(); }
 
     Machine m_machine;
-    std::set<ModuleIndex> m_parts;  ///< all that it may ever ask something of
+    std::set<ModuleIndex> m_parts;
     SequenceReport m_report;
     bool m_pauseWanted = false;
     unsigned m_inFlight = 0;
-    std::map<ModuleIndex, Move> m_moves;  ///< under way
-    std::set<ModuleIndex> m_on;           ///< those that it has moved, which stay on
+    std::map<ModuleIndex, Move> m_moves;  ///< in progress
+    std::set<ModuleIndex> m_on;           ///< modules that this run has moved, which stay on
     std::optional<ModuleIndex> m_procedure;
     std::optional<ProcedureReport> m_procedureEnd;
-    bool m_saysNothingMore = false;  ///< somebody else sees to the motors
+    bool m_saysNothingMore = false;  ///< the motors are taken care of elsewhere
     bool m_cancelled = false;
     bool m_stopsSent = false;
-    std::set<ModuleIndex> m_leftAlone;  ///< by the last word: another has told them what to do
+    std::set<ModuleIndex> m_leftAlone;  ///< not sent the final stop: something else controls them
     Row m_row;
 };
 
