@@ -17,6 +17,7 @@
 #include "link/connection/simulatortransport.h"
 #include "tests/link/connection.h"
 #include "tests/support/leaverunning.h"
+#include "tests/support/nmcsimprocess.h"
 
 namespace nmc {
 namespace {
