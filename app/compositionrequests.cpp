@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Requests to a module, and the progress of procedures.
 #include <QDateTime>
-#include <algorithm>
 #include <utility>
 
 #include "app/composition.h"

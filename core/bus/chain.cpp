@@ -88,6 +88,25 @@ std::size_t Chain::longestReply() const {
     return longest;
 }
 
+Ask Chain::next(StopTarget& target) const {
+    const ModuleIndex module = target.module();
+    const StopTarget::Question question = target.next(belief(module));
+    Ask ask = question.stop ? command(Purpose::Stop, {module, *question.stop})
+                            : status(Purpose::Stop, module, question.items);
+    ask.reported = question.stop.has_value();
+    ask.silentRepeats = 0;
+    ask.refusedAttempts = 1;
+    return ask;
+}
+
+std::optional<CommandExecuted> Chain::takeBlindStop(StopTarget& target) {
+    const auto blind = target.takeBlind();
+    if (!blind)
+        return std::nullopt;
+    const ModuleIndex module = target.module();
+    return CommandExecuted{module, blind->latched, blind->stop, {}, takeUnanswered(module, blind->latched)};
+}
+
 void Chain::noteSent(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
     Module& module = at(index);
     module.belief.onSent(command, latched);

@@ -93,6 +93,11 @@ public:
         const auto since = std::exchange(at(module).unanswered, std::nullopt);
         return since && *since < latched ? latched - *since : Duration{};
     }
+    /// What to ask a module next on its way to a confirmed stop. It is not retried: the next request is made
+    /// for the state that the module is in by then.
+    [[nodiscard]] Ask next(StopTarget& target) const;
+    /// The event for a stop that was sent blind, at the first answer after it.
+    [[nodiscard]] std::optional<CommandExecuted> takeBlindStop(StopTarget& target);
 
     [[nodiscard]] bool empty() const { return m_modules.empty(); }
     [[nodiscard]] std::size_t size() const { return m_modules.size(); }

@@ -577,7 +577,7 @@ void Engine::halt(ModuleIndex module, StopCause cause, StopManner manner) {
 }
 
 void Engine::haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, StopManner manner) {
-    notify({Change::Kind::Taken, modules});
+    notify({Change::Kind::Stopped, modules});
     for (const ModuleIndex module : modules) {
         const auto& owed = m_chain.at(module).owed;
         if (!owed || ofOperator(owed->cause) || manner == StopManner::Off)

@@ -37,11 +37,10 @@ namespace nmc::bus {
 /// clock. After every call, the caller carries out takeOutput() in order and sets a timer for nextDeadline().
 /// Used by a single thread (the bus thread, or a test).
 ///
-/// With EngineConfig::readOnly it changes nothing, for its whole lifetime. It sends only No Operation, Read
-/// Status and nulls, whatever happens, and, after stopAll() was called and until each module has confirmed,
-/// what stops a module. Submit, changeRate, readdress and hold end at once as refused (Forbidden, NotNow). It
-/// stops no motor on its own initiative and suspects no motion, because other hosts are responsible for all
-/// of them.
+/// With EngineConfig::readOnly the engine never changes a module. It sends only No Operation, Read Status and
+/// nulls, whatever happens; from stopAll() until each module has confirmed, it also sends what stops a
+/// module. Submit, changeRate, readdress and hold end at once as refused (Forbidden, NotNow). It stops no
+/// motor on its own initiative and suspects no motion, because other hosts are responsible for all of them.
 class Engine {
 public:
     explicit Engine(EngineConfig config);

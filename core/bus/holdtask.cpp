@@ -125,7 +125,7 @@ Next HoldTask::sendOrder(const Order& order) {
     if (mayStartMotion(order.command))
         m_lane.onStartSent();
     ask.reported = true;
-    // Not retried but sent anew, because what is wanted may have changed in the meantime.
+    // Not retried: the next request is made for the state that the module is in by then.
     ask.silentRepeats = 0;
     ask.refusedAttempts = 1;
     return ask;

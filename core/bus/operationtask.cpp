@@ -21,7 +21,7 @@ constexpr unsigned kRepeatsAfterLook = 2;
 
 bool OperationTask::onChange(const Change& change) {
     if (!change.cancelsAll())
-        return change.kind == Change::Kind::Taken && cancelFor(change.modules);
+        return change.kind == Change::Kind::Stopped && cancelFor(change.modules);
     for (Event& event : m_commands.cancelAll())
         m_events.emplace_back(std::move(event));
     m_verification.reset();

@@ -64,15 +64,9 @@ Next OwedStops::next(TimePoint now) {
         return Idle{};
     if (auto nulls = m_recovery.flush())
         return std::move(*nulls);
-    const StopTarget::Question question = asked->owed->target.next(asked->belief);
-    const ModuleIndex module = asked->belief.info().index;
-    Ask ask = question.stop ? m_chain.command(Purpose::Stop, {module, *question.stop})
-                            : m_chain.status(Purpose::Stop, module, question.items);
-    ask.reported = question.stop.has_value();
+    Ask ask = m_chain.next(asked->owed->target);
     ask.retry = asked->owed->target.silences() > 0;
-    ask.silentRepeats = 0;
-    ask.refusedAttempts = 1;
-    ask.handlesFailure = !m_chain.answers(module);
+    ask.handlesFailure = !m_chain.answers(asked->owed->target.module());
     return ask;
 }
 
@@ -134,12 +128,8 @@ Next OwedStops::blindScript(TimePoint now) {
 /// Handles the first answer after a stop that was sent to the whole group.
 void OwedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
     auto& owed = m_chain.at(*ask.module).owed;
-    if (const auto blind = owed ? owed->target.takeBlind() : std::nullopt)
-        m_events.emplace_back(CommandExecuted{*ask.module,
-                                              blind->latched,
-                                              blind->stop,
-                                              {},
-                                              m_chain.takeUnanswered(*ask.module, blind->latched)});
+    if (auto executed = owed ? m_chain.takeBlindStop(owed->target) : std::nullopt)
+        m_events.emplace_back(std::move(*executed));
 }
 
 Line::Script OwedStops::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {

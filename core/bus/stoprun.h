@@ -21,7 +21,7 @@ public:
     static constexpr unsigned kSilences = 3;
 
     StopRun(const Chain& chain, TimePoint now);
-    /// The stop was requested again: all modules are treated anew, within the same time limit.
+    /// The stop was requested again: every module starts over, within the same time limit.
     void restart(const Chain& chain);
 
     /// Stops to send without waiting for answers, because a reply is in progress or the link is in doubt.

@@ -62,14 +62,7 @@ Next StopTask::next(TimePoint now) {
         finish(now);
         return Again{};
     }
-    const StopTarget::Question question = m_asked->next(m_chain.belief(m_asked->module()));
-    Ask ask = question.stop ? m_chain.command(Purpose::Stop, {m_asked->module(), *question.stop})
-                            : m_chain.status(Purpose::Stop, m_asked->module(), question.items);
-    ask.reported = question.stop.has_value();
-    // Not retried but sent anew, because what is needed may have changed in the meantime.
-    ask.silentRepeats = 0;
-    ask.refusedAttempts = 1;
-    return ask;
+    return m_chain.next(*m_asked);
 }
 
 /// Sends stops without waiting for answers: a reply may still be arriving, and could be taken for the answer
@@ -109,15 +102,11 @@ void StopTask::noteBlindStops() {
 
 /// Handles the first answer after a blind stop, before its content is published: otherwise the calculated
 /// command position would continue until the stop is acknowledged, and be some 20 ms of travel off.
-void StopTask::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
+void StopTask::onAnswer(const Ask& /*ask*/, const ReplyEnd& /*end*/) {
     if (m_asked == nullptr)
         return;
-    if (const auto blind = m_asked->takeBlind())
-        m_events.emplace_back(CommandExecuted{*ask.module,
-                                              blind->latched,
-                                              blind->stop,
-                                              {},
-                                              m_chain.takeUnanswered(*ask.module, blind->latched)});
+    if (auto executed = m_chain.takeBlindStop(*m_asked))
+        m_events.emplace_back(std::move(*executed));
 }
 
 Line::Script StopTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {

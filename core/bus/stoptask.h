@@ -19,7 +19,7 @@ public:
     StopTask(Chain& chain, Recovery& recovery, const Line& line, std::vector<Event>& events)
         : m_chain(chain), m_recovery(recovery), m_line(line), m_events(events) {}
 
-    /// Stops the chain; if a stop is in progress, all modules are treated anew.
+    /// Stops the chain; if a stop is in progress, every module starts over.
     void begin(TimePoint now);
     /// No module is known yet: the stop begins when the search is over.
     void beginAfterSearch(TimePoint now);

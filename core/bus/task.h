@@ -50,11 +50,11 @@ struct Change {
         Search,       ///< the chain is searched for again
         GivenUp,      ///< the link is given up: only stops are sent from now on
         Cancelled,    ///< nothing that was requested so far continues
-        Taken,        ///< `modules` are being stopped
+        Stopped,      ///< `modules` are stopped for a cause of their own
         Interrupted,  ///< what was on the line was dropped, and its reply never comes
     };
     Kind kind;
-    std::vector<ModuleIndex> modules{};  ///< of Taken
+    std::vector<ModuleIndex> modules{};  ///< of Stopped
 
     /// Everything that was requested, of any module, is over.
     [[nodiscard]] bool cancelsAll() const {

@@ -88,9 +88,9 @@ TEST_F(CommanderTest, AStopWaitsForNoProcedureAndEndsIt) {
     EXPECT_LT(position(), 2'000);
     EXPECT_GT(ofOthers, 0);
     const int there = position();
-    connection.waitUntil([this, until = connection.store().link().modules[0].latestTime] {
+    ASSERT_TRUE(connection.waitUntil([this, until = connection.module(0).latestTime] {
         return connection.module(0).latestTime > until + std::chrono::seconds(1);
-    });
+    }));
     EXPECT_NEAR(position(), there, 4) << "nothing follows";
 }
 
