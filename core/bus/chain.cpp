@@ -30,11 +30,12 @@ bool Chain::anyRestarted() const {
 
 void Chain::forgetStates() {
     for (Module& module : m_modules) {
-        const auto owed = module.owed;
+        auto owed = module.owed;
         module = Module(module.belief);
         module.belief.forgetItems();
         if (owed)
-            module.owed = OwedStop{StopTarget(module.belief), owed->cause};
+            owed->target = StopTarget(module.belief, owed->target.manner());
+        module.owed = owed;
     }
 }
 
@@ -132,8 +133,11 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
         return;  // it has no stop command
     if (m_readOnly && cause != StopCause::StopAll)
         return;  // nobody asked
-    const StopCause first = module.owed ? module.owed->cause : cause;
-    module.owed = OwedStop{StopTarget(module.belief, manner), first};
+    const auto before = std::exchange(module.owed, OwedStop{StopTarget(module.belief, manner), cause});
+    if (before && before->standsAlone()) {
+        module.owed->cause = before->cause;
+        module.owed->outstanding = before->outstanding;
+    }
 }
 
 void Chain::hurryOwedStop(ModuleIndex index, TimePoint now) {

@@ -20,13 +20,17 @@
 
 namespace nmc::bus {
 
-/// A stop that is owed to one module (the end of a hold, a motion that strays, a stop of all modules that was
-/// not confirmed): repeated while the port is open, and ended only by a confirmation. Sent by OwedStops.
+/// A stop that is owed to one module (the end of a hold, a motion that strays, a stop of all modules):
+/// repeated while the port is open, and ended only by a confirmation. Sent by StopLane.
 struct OwedStop {
     StopTarget target;
     StopCause cause;
-    TimePoint due{};     ///< of the next query; initially at once
-    unsigned looks = 0;  ///< at a motor that continued to move
+    TimePoint due{};           ///< of the next query; initially at once
+    unsigned looks = 0;        ///< at a motor that continued to move
+    bool outstanding = false;  ///< a stop of all modules has ended without its confirmation
+
+    /// It is owed for more than a stop of all modules that is still in progress.
+    [[nodiscard]] bool standsAlone() const { return outstanding || cause != StopCause::StopAll; }
 };
 
 /// Gains that are being tried on one module, supervised by TrialTask.
@@ -139,8 +143,9 @@ public:
     /// module must allow for it.
     void noteSent(ModuleIndex module, const ModuleCommand& command, TimePoint latched);
 
-    /// Makes a stop owed to the module from now on. If one is owed already, its cause is kept. On a read-only
-    /// connection, only the remainder of a stop of all modules can be owed.
+    /// Makes a stop owed to the module from now on, unless it has no stop command, or is off because it
+    /// restarted. If one is owed already for a cause of its own, that cause is kept. On a read-only
+    /// connection, only a stop of all modules can be owed.
     void owe(ModuleIndex module, StopCause cause, StopManner manner = StopManner::Abruptly);
 
     /// The module was heard again after a silence: the stop owed to it is due at once.

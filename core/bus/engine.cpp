@@ -88,7 +88,7 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
     if (start == Discovery::Start::Look && m_search.givesAddresses())
         return;
     cancelAll(Change::Kind::Search);
-    if (m_stop.running()) {
+    if (m_stops.running()) {
         m_recovery.dropDoubt();  // the stop continues, and comes first
     } else {
         interrupt(now);
@@ -99,7 +99,7 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
     EngineConfig config = m_config;
     config.known = knownModules();
     m_search.begin(config, start);
-    m_owedStops.setBlind(true);
+    m_stops.onSearchBegun();
     proceed(now);
 }
 
@@ -179,15 +179,15 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
         finished.members.push_back({info.index, MemberOutcome::Done});
     }
     haltAxes(members, StopCause::GroupStop, manner);
-    m_owedStops.sendTogether(std::move(members));
+    m_stops.sendTogether(std::move(members));
     if (finished.members.empty())
         finished.outcome = Outcome::Forbidden;
     return finished;
 }
 
 void Engine::changeRate(std::uint32_t baud, TimePoint now) {
-    m_rate.begin(baud, !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() ||
-                           m_owedStops.due());
+    m_rate.begin(
+        baud, !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() || m_stops.due());
     proceed(now);
 }
 
@@ -235,10 +235,10 @@ void Engine::release(TimePoint now) {
 bool Engine::stopUnasked(TimePoint now) {
     if (m_config.readOnly)
         return false;
-    const bool asked = m_stop.active();
+    const bool asked = m_stops.stopping();
     stopAll(now);
     if (!asked)
-        m_stop.noteUnasked();
+        m_stops.noteUnasked();
     return true;
 }
 
@@ -249,12 +249,12 @@ void Engine::stopAll(TimePoint now) {
     if (!m_chain.empty()) {
         if (m_search.active() || !m_connected)
             m_recovery.doubtLine();
-        m_stop.begin(now);
+        m_stops.stopAll(now);
         interrupt(now);
     } else if (m_search.active()) {
-        m_stop.beginAfterSearch(now);
+        m_stops.stopAllAfterSearch(now);
     } else {
-        m_stop.begin(now);  // nobody is known that could be stopped, and StopFinished says so
+        m_stops.stopAll(now);  // nobody is known that could be stopped, and StopFinished says so
     }
     proceed(now);
 }
@@ -262,7 +262,7 @@ void Engine::stopAll(TimePoint now) {
 void Engine::distrust(TimePoint now) {
     if (!m_connected || m_search.active() || m_chain.empty())
         return;
-    if (!m_stop.running())  // a stop is not delayed by any doubt
+    if (!m_stops.running())  // a stop is not delayed by any doubt
         interrupt(now);
     m_recovery.distrust();
     proceed(now);
@@ -316,7 +316,7 @@ std::optional<TimePoint> Engine::nextDeadline() const {
     consider(m_hold.expiry());
     consider(m_path.foreseeAt());
     if (m_line.idle()) {
-        consider(m_owedStops.due());
+        consider(m_stops.due());
         consider(m_wellAgain.due());
         if (m_connected) {
             consider(m_trials.due());
@@ -343,7 +343,7 @@ void Engine::proceed(TimePoint now) {
     m_path.foresee(now);
     stopPath();
     // An owed stop does not wait for a quarantine.
-    if (m_recovery.resyncing() && m_owedStops.anyUnsent())
+    if (m_recovery.resyncing() && m_stops.anyUnsent())
         interrupt(now);
     do
         takeEnds(now);
@@ -354,7 +354,7 @@ void Engine::proceed(TimePoint now) {
 bool Engine::dispatch(TimePoint now) {
     if (m_line.idle())
         m_recovery.onFree();
-    m_stopAsked = m_stopAsked && (m_stop.active() || m_owedStops.due());
+    m_stopAsked = m_stopAsked && (m_stops.stopping() || m_stops.due());
     if (m_config.readOnly && m_stopAsked)
         m_line.permit(Line::Permit::QuestionsAndStops, m_chain.outputStops());
     else if (m_config.readOnly)
@@ -367,14 +367,12 @@ bool Engine::dispatch(TimePoint now) {
     };
     Turn taken = turn(m_wayBack);
     // A servo that swings is not seen at rest before its gains are restored.
-    if (taken == Turn::Nobody && m_stop.allSent() && m_connected)
+    if (taken == Turn::Nobody && m_stops.allSent() && m_connected)
         taken = turn(m_trials);
     if (taken == Turn::Nobody)
-        taken = turn(m_stop);
+        taken = turn(m_stops);
     if (taken == Turn::Nobody)
         taken = repeat(true, now);
-    if (taken == Turn::Nobody)
-        taken = turn(m_owedStops);
     if (taken == Turn::Nobody && live)
         taken = turn(m_recovery, m_restartSearch);
     if (taken == Turn::Nobody)
@@ -474,7 +472,6 @@ void Engine::takeFindings(TimePoint now) {
 }
 
 void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
-    m_owedStops.setBlind(false);
     if (const auto* found = std::get_if<ChainFound>(&ended.result)) {
         adopt(*found, ended.discovery, now);
     } else {
@@ -482,14 +479,14 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
         for (const Chain::Module& module : m_chain.modules())
             m_chain.schedule().lose(module.belief.info().index, now);
         // Any module that was seen at all can be sent a stop.
-        if (m_stop.waits())
+        if (m_stops.waits())
             m_chain = Chain(ended.discovery.modules(), m_line.baud(), m_config.readOnly);
         auto failed = std::get<ConnectFailed>(std::move(ended.result));
         if (failed.reason == ConnectFailure::NobodyAnswers && m_line.echoes())
             failed.reason = ConnectFailure::Echo;
         m_events.emplace_back(std::move(failed));
     }
-    m_stop.onSearchOver(now);
+    m_stops.onSearchOver(now);
 }
 
 /// The modules of the present chain, or of the chain last used at this port.
@@ -578,11 +575,15 @@ void Engine::halt(ModuleIndex module, StopCause cause, StopManner manner) {
 
 void Engine::haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, StopManner manner) {
     notify({Change::Kind::Stopped, modules});
-    for (const ModuleIndex module : modules) {
-        const auto& owed = m_chain.at(module).owed;
-        if (!owed || ofOperator(owed->cause) || manner == StopManner::Off)
+    for (const ModuleIndex module : modules)
+        if (mayOwe(module, manner))
             m_chain.owe(module, cause, manner);
-    }
+}
+
+bool Engine::mayOwe(ModuleIndex module, StopManner manner) const {
+    const auto& owed = m_chain.at(module).owed;
+    return !owed || ofOperator(owed->cause) ||
+           (manner == StopManner::Off && owed->target.manner() != StopManner::Off);
 }
 
 /// It is unknown which commands of the two hosts were lost, so what was requested here does not continue.
@@ -601,7 +602,8 @@ void Engine::onForeignTraffic() {
 /// Commands may still get through (faults.md F-11).
 void Engine::onLinkLost() {
     for (const Order& stop : m_chain.stops())
-        m_chain.owe(stop.module, StopCause::LinkGivenUp);
+        if (!m_chain.at(stop.module).owed)
+            m_chain.owe(stop.module, StopCause::LinkGivenUp);
 }
 
 void Engine::giveUp(const Recovery::GivenUp& what, TimePoint now) {
@@ -636,9 +638,9 @@ void Engine::goQuiet(TimePoint now) {
     m_connected = false;
     cancelAll(Change::Kind::GivenUp);
     m_again.reset();
-    if (!m_stop.active() && !m_config.readOnly) {
-        m_stop.begin(now);
-        m_stop.noteUnasked();
+    if (!m_stops.stopping() && !m_config.readOnly) {
+        m_stops.stopAll(now);
+        m_stops.noteUnasked();
     }
 }
 
@@ -847,7 +849,7 @@ void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport
     if (known.ownMotion.onReport(end.report, end.latched, mayMove))
         m_events.emplace_back(ForeignMotion{module, trusted.position.value_or(0)});
     if (const auto manner = known.travel.onReport(trusted, end.latched, known.belief);
-        manner && (!known.owed || known.owed->cause != StopCause::TravelLimit)) {
+        manner && mayOwe(module, *manner) && !(known.owed && known.owed->cause == StopCause::TravelLimit)) {
         m_events.emplace_back(StoppedBeforeLimit{module});
         haltAxes({module}, StopCause::TravelLimit, *manner);
     }
@@ -889,7 +891,7 @@ void Engine::stopPath() {
     dropWorkOf(m_path);
     for (const ModuleIndex module : stops.modules)
         m_chain.owe(module, StopCause::PathEnded, stops.manner);
-    m_owedStops.sendTogether(std::move(stops.modules));
+    m_stops.sendTogether(std::move(stops.modules));
 }
 
 }  // namespace nmc::bus

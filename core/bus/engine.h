@@ -16,7 +16,6 @@
 #include "bus/holdtask.h"
 #include "bus/line.h"
 #include "bus/operationtask.h"
-#include "bus/owedstops.h"
 #include "bus/pathtask.h"
 #include "bus/polltask.h"
 #include "bus/ratetask.h"
@@ -24,7 +23,7 @@
 #include "bus/recovery.h"
 #include "bus/restartsearch.h"
 #include "bus/searchtask.h"
-#include "bus/stoptask.h"
+#include "bus/stoplane.h"
 #include "bus/trialtask.h"
 #include "bus/types.h"
 #include "bus/wellagain.h"
@@ -103,7 +102,7 @@ public:
     /// progress continues.
     bool stopUnasked(TimePoint now);
     /// True while a stop of all modules is in progress.
-    [[nodiscard]] bool stopping() const { return m_stop.active(); }
+    [[nodiscard]] bool stopping() const { return m_stops.stopping(); }
 
     /// Call after an event such as a suspend of the computer: the link is checked before anything is
     /// believed.
@@ -139,7 +138,7 @@ public:
     /// Number of modules that a stop would reach now: those that answer.
     [[nodiscard]] std::size_t stopReach() const { return m_chain.schedule().answering(); }
     /// A stop is waiting for a search that has seen modules, which it may still reach.
-    [[nodiscard]] bool stopMayStillReach() const { return m_stop.waits() && m_search.seen() > 0; }
+    [[nodiscard]] bool stopMayStillReach() const { return m_stops.waits() && m_search.seen() > 0; }
     /// A motor moves, or may move.
     [[nodiscard]] bool anythingMoves() const { return m_chain.anythingMoves() || m_operations.swings(); }
     /// A motor moves, or may move, that stopUnasked() would stop.
@@ -177,7 +176,7 @@ private:
     void leavePath(const std::vector<ModuleIndex>& stopped);
     /// Owes a stop to the modules of a path that has ended early.
     void stopPath();
-    [[nodiscard]] bool settled() const { return m_connected && !m_search.active() && !m_stop.active(); }
+    [[nodiscard]] bool settled() const { return m_connected && !m_search.active() && !m_stops.stopping(); }
     /// Something is in progress that a change of the chain must not interrupt.
     [[nodiscard]] bool busy() const;
     /// Operations that change a module are accepted now.
@@ -217,9 +216,10 @@ private:
     void adopt(ChainFound found, const Discovery& discovery, TimePoint now);
     void takeHeard(ModuleIndex module, const ReplyEnd& end);
     void halt(ModuleIndex module, StopCause cause, StopManner manner);
-    /// Stops these modules and cancels all other work for them. A stop owed because of a fault is not
-    /// weakened.
+    /// Stops these modules and cancels all other work for them.
     void haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, StopManner manner);
+    /// A stop owed because of a fault, or in a stop of all modules, is not weakened.
+    [[nodiscard]] bool mayOwe(ModuleIndex module, StopManner manner) const;
     void onForeignTraffic();
     void onLinkLost();
     void giveUp(const Recovery::GivenUp& what, TimePoint now);
@@ -245,12 +245,11 @@ private:
     std::deque<Work> m_works;  ///< oldest first: at most one, and one that only awaits surplus bytes
 
     Recovery m_recovery{m_chain, m_line, m_events};
-    StopTask m_stop{m_chain, m_recovery, m_line, m_events};
-    OwedStops m_owedStops{m_chain, m_recovery, m_line, m_events};
+    StopLane m_stops{m_chain, m_recovery, m_line, m_events};
     RestartSearch m_restartSearch{m_chain, m_recovery, m_line, m_events};
     SearchTask m_search{m_events};
     RateTask m_rate{m_config, m_chain, m_events};
-    WayBack m_wayBack{m_rate, m_chain, m_stop, m_recovery, m_line};
+    WayBack m_wayBack{m_rate, m_chain, m_stops, m_recovery, m_line};
     ReaddressTask m_readdress{m_config, m_chain, m_restartSearch, m_line, m_events};
     TrialTask m_trials{m_chain, m_events};
     HoldTask m_hold{m_config, m_chain, m_events};
@@ -258,9 +257,9 @@ private:
     PathTask m_path{m_chain, m_line, m_events};
     PollTask m_polls{m_chain, m_recovery, m_restartSearch};
     WellAgain m_wellAgain{m_chain};
-    std::array<Task*, 14> m_tasks{&m_trials,    &m_operations,    &m_path,      &m_hold,     &m_rate,
-                                  &m_readdress, &m_restartSearch, &m_search,    &m_recovery, &m_wayBack,
-                                  &m_wellAgain, &m_stop,          &m_owedStops, &m_polls};
+    std::array<Task*, 13> m_tasks{&m_trials,    &m_operations,    &m_path,   &m_hold,     &m_rate,
+                                  &m_readdress, &m_restartSearch, &m_search, &m_recovery, &m_wayBack,
+                                  &m_wellAgain, &m_stops,         &m_polls};
     std::optional<Work> m_again;  ///< waits to be repeated
     /// The stop of each module and its address, at the last call of changedStopBurst().
     std::vector<std::pair<BusAddress, std::optional<ModuleCommand>>> m_burstStops;

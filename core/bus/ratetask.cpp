@@ -125,9 +125,9 @@ Next WayBack::next(TimePoint /*now*/) {
     const std::uint32_t there = here == change->from() ? change->to() : change->from();
     Line::Script script{Line::Gap{}};
     const auto add = [&](const Line::Script& more) { script.insert(script.end(), more.begin(), more.end()); };
-    const std::vector<Order> stops = m_stop.blindStops();
-    if (m_stop.active())
-        m_stop.onBlindSent();
+    const std::vector<Order> stops = m_stops.blindStops();
+    if (m_stops.stopping())
+        m_stops.onBlindSent();
     if (!stops.empty()) {
         script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});
         add(m_chain.stopScript(stops));

@@ -8,7 +8,7 @@
 #include "bus/engineconfig.h"
 #include "bus/ratechange.h"
 #include "bus/recovery.h"
-#include "bus/stoptask.h"
+#include "bus/stoplane.h"
 #include "bus/task.h"
 
 namespace nmc::bus {
@@ -47,8 +47,8 @@ private:
 /// stop is confirmed as usual. Takes precedence over everything, including the stop.
 class WayBack : public Task {
 public:
-    WayBack(RateTask& rate, Chain& chain, StopTask& stop, Recovery& recovery, const Line& line)
-        : m_rate(rate), m_chain(chain), m_stop(stop), m_recovery(recovery), m_line(line) {}
+    WayBack(RateTask& rate, Chain& chain, StopLane& stops, Recovery& recovery, const Line& line)
+        : m_rate(rate), m_chain(chain), m_stops(stops), m_recovery(recovery), m_line(line) {}
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return m_rate.m_abandoned.has_value(); }
     [[nodiscard]] Next next(TimePoint now) override;
@@ -60,7 +60,7 @@ public:
 private:
     RateTask& m_rate;
     Chain& m_chain;
-    StopTask& m_stop;
+    StopLane& m_stops;
     Recovery& m_recovery;
     const Line& m_line;
     bool m_underWay = false;  ///< its script is on the line, so a change is abandoned

@@ -110,15 +110,18 @@ StopTarget::StopTarget(const Belief& belief, StopManner manner)
       m_unknown(!belief.statusTime() && !m_needsStop) {}
 
 StopTarget::Question StopTarget::next(const Belief& belief) {
-    const auto toTell = m_needsStop ? stop(belief) : std::nullopt;
-    m_asksStop = m_needsStop = toTell.has_value();
+    const auto toSend = m_needsStop ? stop(belief) : std::nullopt;
+    m_asked = true;
+    m_asksStop = m_needsStop = toSend.has_value();
     if (m_asksStop)
-        return {toTell, {}};
+        return {toSend, {}};
     m_second = !m_second;
     return {std::nullopt, standstillItems(m_type, m_second)};
 }
 
 void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint now) {
+    if (!std::exchange(m_asked, false))
+        return;  // it was requested before this stop was
     if (unanswered(end.result)) {
         ++m_silences;
         m_confirmed = 0;

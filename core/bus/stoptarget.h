@@ -84,7 +84,8 @@ private:
     StopManner m_manner;
     bool m_needsStop;         ///< the stop is sent before the module is queried
     bool m_unknown;           ///< none of its statuses was ever believed
-    bool m_asksStop = false;  ///< the request in progress is a stop
+    bool m_asked = false;     ///< a request is in progress
+    bool m_asksStop = false;  ///< that request is a stop
     bool m_second = false;    ///< layouts alternate
     unsigned m_inVain = 0;    ///< consecutive unanswered stops
     bool m_heard = false;     ///< never cleared

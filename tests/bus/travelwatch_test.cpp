@@ -101,6 +101,22 @@ TEST_F(TravelLimit, LeavesAMoveAloneThatEndsByItself) {
     EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 0U);
 }
 
+/// The stop of all modules does what the limit asks for.
+TEST_F(TravelLimit, IsSilentWhileEverythingIsBeingStopped) {
+    enableFirst();
+    ASSERT_EQ(bus.perform({run()}), Outcome::Done);
+    bus.runFor(1s);
+    bus.onCommand = [](std::vector<std::uint8_t>& command) {
+        if (command.size() > 2 && command[2] == 0x17)
+            command.clear();  // no stop arrives
+    };
+    bus.engine.stopAll(bus.now);
+    bus.engine.setTravelLimits({{std::nullopt, bus.servo(0).position + 500}});
+    bus.runFor(1s);
+    EXPECT_GT(bus.servo(0).position, 500);
+    EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 0U);
+}
+
 TEST_F(TravelLimit, LeavesAnotherHostsRunAlone) {
     enableFirst();
     ASSERT_EQ(bus.perform({run()}), Outcome::Done);

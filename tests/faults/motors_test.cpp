@@ -96,6 +96,28 @@ TEST(M17_MotorRunsAway, IsStoppedWithinThreePolls) {
     }
 }
 
+/// A stop that keeps the servo on would let it run on the wrong way.
+TEST(M17_MotorRunsAway, IsSwitchedOffByAStopOfAllModulesAsWell) {
+    FaultyBus bus(servos(1), kFast);
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({toServo(0, servo::SetGain{200, 2000, 20, 200, 255, 0, 0x3FFF, 1, std::uint8_t{0}}),
+                           enable(0)}),
+              Outcome::Done);
+    bus.fault("module 1 reverse");
+    bus.submit({loadVelocity(0, kOnePerTick, true)});
+    bool lost = false;
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        if (bus.motionSuspects(0) > 0 && !std::exchange(lost, true))
+            command.clear();  // the stop that is owed for it does not arrive
+    };
+    ASSERT_TRUE(bus.runUntil([&] { return bus.motionSuspects(0) > 0; }, 3s));
+    const std::size_t from = bus.sent.size();
+    ASSERT_TRUE(bus.stopAll());
+    bus.runFor(1s);
+    EXPECT_FALSE(bus.servo(0).servoOn);
+    EXPECT_EQ(bus.sends("AA 01 17 05", from), 0U) << "stop abruptly, amplifier on (DS-V 5.2)";
+}
+
 TEST(M17_MotorRunsAway, IsNotSaidOfAMotorThatDoesAsItIsTold) {
     FaultyBus bus(servos(2), kFast);
     ASSERT_TRUE(bus.connectAndEnable());

@@ -212,7 +212,7 @@ GROUPS = (
     )),
     Mutant("stop-at-one-rate-only", "in the midst of a change nobody knows who is at which rate", (
         Edit("core/bus/ratetask.cpp",
-             "stops = m_stop.blindStops();\n    if (m_stop.active())\n        m_stop.onBlindSent();\n",
+             "stops = m_stops.blindStops();\n    if (m_stops.stopping())\n        m_stops.onBlindSent();\n",
              "stops{};\n"),
     )),
     Mutant("rate-changed-with-a-leader", "faults.md F-26: its answer would come at the new rate", (

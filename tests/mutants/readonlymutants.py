@@ -30,7 +30,7 @@ READ_ONLY = (
     )),
     Mutant("read-only-stops-when-it-gives-up", "nor is one that is given up", (
         Edit("core/bus/engine.cpp",
-             "    if (!m_stop.active() && !m_config.readOnly) {\n", "    if (!m_stop.active()) {\n"),
+             "    if (!m_stops.stopping() && !m_config.readOnly) {\n", "    if (!m_stops.stopping()) {\n"),
     )),
     Mutant("read-only-suspects-motions", "each is somebody else's", (
         Edit("core/bus/engine.cpp", 
@@ -41,7 +41,7 @@ READ_ONLY = (
     )),
     Mutant("read-only-forgets-a-stop-that-is-owed", "a stop that was asked for goes on until it is confirmed", (
         Edit("core/bus/engine.cpp",
-             "m_stopAsked && (m_stop.active() || m_owedStops.due())", "m_stopAsked && m_stop.active()"),
+             "m_stopAsked && (m_stops.stopping() || m_stops.due())", "m_stopAsked && m_stops.stopping()"),
     )),
     Mutant("read-only-guesses-how-long-an-answer-is", "the answer to a stop has what others wanted in it", (
         Edit("core/bus/chain.cpp", "        ask.request.framing = Framing::Open;", "        static_cast<void>(0);"),

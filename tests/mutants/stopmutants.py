@@ -4,7 +4,7 @@ from mutant import Edit, Mutant
 
 STOPPING = (
     Mutant("no-nulls-before-a-stop", "link.md 2.6: nulls first on a link in doubt, or the stop is swallowed", (
-        Edit("core/bus/stoptask.cpp",
+        Edit("core/bus/stoplane.cpp",
              "script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});",
              "script.emplace_back(Line::Pause{kAfterNulls});"),
         Edit("core/bus/recovery.cpp",
@@ -12,12 +12,12 @@ STOPPING = (
              "Line::Script{Line::Pause{kAfterNulls}, DiscardInput{}};"),
     )),
     Mutant("stop-behind-the-quarantine", "link.md 2.6: a stop goes past everything", (
-        Edit("core/bus/engine.cpp", "taken = turn(m_stop);", "taken = turn(m_recovery, m_stop);"),
+        Edit("core/bus/engine.cpp", "taken = turn(m_stops);", "taken = turn(m_recovery, m_stops);"),
     )),
     Mutant("stop-behind-a-reply", "link.md 2.6: a stop may pre-empt a reply in flight", (
         Edit("core/bus/engine.cpp",
-             "        m_stop.begin(now);\n        interrupt(now);\n",
-             "        m_stop.begin(now);\n"),
+             "        m_stops.stopAll(now);\n        interrupt(now);\n",
+             "        m_stops.stopAll(now);\n"),
     )),
     Mutant("stop-with-its-queue-left", "faults.md N2: what was to come does not come after a stop", (
         Edit("core/bus/engine.cpp",
@@ -62,7 +62,7 @@ ALWAYS = (
              "    if (!m_chain.empty()) {\n        if (m_search.active()",
              "    if (!m_chain.empty() && (m_connected || m_search.active())) {\n        if (m_search.active()"),
         Edit("core/bus/engine.cpp",
-             "        m_stop.begin(now);  // nobody",
+             "        m_stops.stopAll(now);  // nobody",
              "        m_events.emplace_back(StopFinished{});  // nobody"),
     )),
     Mutant("no-nulls-after-a-search", "issue 13, 1: whoever was looked for may have heard half of something", (
@@ -70,18 +70,18 @@ ALWAYS = (
              "        if (m_search.active() || !m_connected)\n            m_recovery.doubtLine();\n", ""),
     )),
     Mutant("stop-at-the-rate-of-the-port", "issue 13, 1: at the rate at which the chain was known", (
-        Edit("core/bus/stoptask.cpp",
-             "    if (strayed)\n        script.emplace_back(SetHostBaud{m_chain.rate()});\n", ""),
-        Edit("core/bus/stoptask.cpp",
-             "    if (m_line.baud() != m_chain.rate())\n        return Line::toRate(m_chain.rate());\n", ""),
+        Edit("core/bus/stoplane.cpp",
+             "    if (m_line.baud() != m_chain.rate())\n        script.emplace_back(SetHostBaud{m_chain.rate()});\n",
+             ""),
+        Edit("core/bus/stoplane.cpp", "    if (strayed)\n        return Line::toRate(m_chain.rate());\n", ""),
     )),
     Mutant("second-connect-swallows-a-stop", "engine.h: a stop ends in exactly one StopFinished", (
-        Edit("core/bus/stoptask.h",
-             "    /// The search is over;",
-             "    void drop() { m_run.reset(), m_blind.clear(), m_asked = nullptr, m_waiting = false; }\n"
-             "    /// The search is over;"),
+        Edit("core/bus/stoplane.h",
+             "    /// Each module has been sent its stop;",
+             "    void drop() { m_run.reset(), m_sentBlind.clear(), m_waiting = false; }\n"
+             "    /// Each module has been sent its stop;"),
         Edit("core/bus/engine.cpp",
-             "    if (m_stop.running()) {", "    m_stop.drop();\n    if (m_stop.running()) {"),
+             "    if (m_stops.running()) {", "    m_stops.drop();\n    if (m_stops.running()) {"),
     )),
     Mutant("chain-forgotten-at-connect", "issue 13, 1: it is kept until another one is found", (
         Edit("core/bus/engine.cpp",
@@ -96,25 +96,30 @@ REPORTING = (
         Edit("core/bus/stoptarget.h", "return m_confirmed >= 2;", "return m_confirmed >= 1;"),
     )),
     Mutant("stop-given-up-after-one-silence", "link.md 2.6: repeated while its module may still answer", (
-        Edit("core/bus/stoprun.cpp",
-             "asked.silences() >= kSilences && (target->wasUnresponsive || now - m_began >= kSilentFor);",
-             "asked.silences() > 0;"),
+        Edit("core/bus/stoplane.cpp",
+             "constexpr unsigned kSilences = 3;", "constexpr unsigned kSilences = 1;"),
+        Edit("core/bus/stoplane.cpp",
+             "(member.wasUnresponsive || now - m_run->began >= kSilentFor);",
+             "(true || now - m_run->began >= kSilentFor);"),
     )),
     Mutant("stop-over-with-the-first-answer", "link.md 2.6: repeated until confirmed", (
-        Edit("core/bus/stoprun.h",
-             "return !givenUp && !stop.stopped();", "return !givenUp && !stop.heard();"),
+        Edit("core/bus/stoplane.cpp",
+             "!member.givenUp && !target(member).stopped();", "!member.givenUp && !target(member).heard();"),
     )),
     Mutant("stopped-when-told", "issue 13, 2: stopped is who was seen at rest", (
-        Edit("core/bus/stoprun.h",
-             "return !givenUp && !stop.stopped();", "return !givenUp && !stop.heard();"),
-        Edit("core/bus/stoprun.cpp", "(target.stop.stopped() ", "(target.stop.heard() "),
+        Edit("core/bus/stoplane.cpp",
+             "!member.givenUp && !target(member).stopped();", "!member.givenUp && !target(member).heard();"),
+        Edit("core/bus/stoplane.cpp",
+             "} else if (module.owed->target.stopped()) {", "} else if (module.owed->target.heard()) {"),
     )),
     Mutant("unconfirmed-counts-as-stopped", "issue 13, 2: told, but its rest is not seen", (
-        Edit("core/bus/stoprun.cpp", "(target.stop.stopped() ", "(target.stop.heard() "),
+        Edit("core/bus/stoplane.cpp",
+             "} else if (module.owed->target.stopped()) {", "} else if (module.owed->target.heard()) {"),
     )),
     Mutant("silent-counts-as-stopped", "issue 13, 2: who does not answer is not reached", (
-        Edit("core/bus/stoprun.cpp",
-             "(target.stop.stopped() ", "(target.stop.stopped() || target.stop.silences() > 0 "),
+        Edit("core/bus/stoplane.cpp",
+             "} else if (module.owed->target.stopped()) {",
+             "} else if (module.owed->target.stopped() || module.owed->target.silences() > 0) {"),
     )),
     Mutant("moving-servo-counts-as-stopped", "issue 13, 2: one that moves on is not confirmed", (
         Edit("core/bus/stoptarget.cpp",
@@ -125,14 +130,16 @@ REPORTING = (
         Edit("core/bus/stoptarget.cpp", "return !report.stepperStatus().moving();", "return true;"),
     )),
     Mutant("restarted-module-in-no-list", "issue 13, 2: one of three, for each module", (
-        Edit("core/bus/stoprun.cpp", "    event.unreached = m_restarted;\n", ""),
+        Edit("core/bus/stoplane.cpp",
+             "        if (module.belief.restarted()) {\n            event.unreached.push_back(index);\n        } else",
+             "        if (module.belief.restarted()) {\n        } else"),
     )),
 )
 
 # A stop of one module, until it is confirmed.
 OWING = (
     Mutant("owed-stop-dropped-after-four-tries", "issue 13, 3: never", (
-        Edit("core/bus/owedstops.cpp",
+        Edit("core/bus/stoplane.cpp",
              "    const bool looked = ",
              "    if (owed->target.silences() > kAtOnce) {\n"
              "        owed.reset();\n"
@@ -141,7 +148,7 @@ OWING = (
              "    const bool looked = "),
     )),
     Mutant("owed-stop-dropped-when-its-module-is-silent", "issue 13, 3: sent again, blindly", (
-        Edit("core/bus/owedstops.cpp",
+        Edit("core/bus/stoplane.cpp",
              "        module.owed->due = now + kBlindEvery;\n",
              "        if (!m_chain.answers(index)) {\n"
              "            module.owed.reset();\n"
@@ -152,14 +159,15 @@ OWING = (
     Mutant("owed-stop-dropped-when-the-link-is-lost", "issue 13, 3: commands may still arrive", (
         Edit("core/bus/engine.cpp",
              "    for (const Order& stop : m_chain.stops())\n"
-             "        m_chain.owe(stop.module, StopCause::LinkGivenUp);\n",
+             "        if (!m_chain.at(stop.module).owed)\n"
+             "            m_chain.owe(stop.module, StopCause::LinkGivenUp);\n",
              "    for (Chain::Module& module : m_chain.modules())\n"
              "        module.owed.reset();\n"),
     )),
     Mutant("owed-stop-dropped-by-a-connect", "issue 13, 3: it goes on while a chain is looked for", (
         Edit("core/bus/engine.cpp",
-             "    m_owedStops.setBlind(true);\n",
-             "    m_owedStops.setBlind(true);\n"
+             "    m_stops.onSearchBegun();\n",
+             "    m_stops.onSearchBegun();\n"
              "    for (Chain::Module& module : m_chain.modules())\n"
              "        module.owed.reset();\n"),
     )),
@@ -169,12 +177,21 @@ OWING = (
              "            if (false && module.owed && info.address == module"),
     )),
     Mutant("owed-stop-over-when-answered", "issue 13, 3: ended by a confirmation only", (
-        Edit("core/bus/owedstops.cpp",
+        Edit("core/bus/stoplane.cpp",
              "    if (owed->target.stopped()) {", "    if (end.result == ReplyResult::Accepted) {"),
     )),
     Mutant("owed-stop-behind-the-quarantine", "link.md 2.6: it does not wait for late answers", (
         Edit("core/bus/engine.cpp",
-             "    if (m_recovery.resyncing() && m_owedStops.anyUnsent())\n        interrupt(now);\n", ""),
+             "    if (m_recovery.resyncing() && m_stops.anyUnsent())\n        interrupt(now);\n", ""),
+    )),
+    Mutant("switched-off-motor-held-by-a-stop-of-all", "M-17: it would run on the wrong way", (
+        Edit("core/bus/stoplane.cpp",
+             "        const bool off = module.owed && module.owed->target.manner() == StopManner::Off;\n",
+             "        const bool off = false;\n"),
+    )),
+    Mutant("limit-reported-during-a-stop-of-all", "types.h: StoppedBeforeLimit is for a stop that the limit made", (
+        Edit("core/bus/engine.cpp",
+             "        manner && mayOwe(module, *manner) &&", "        manner &&"),
     )),
     Mutant("hold-without-an-end", "link.md 2.7: hold to move ends when the evidence stops coming", (
         Edit("core/bus/holdlane.cpp", "m_until = now + m_timeout;", "m_until = now + 1000 * m_timeout;"),

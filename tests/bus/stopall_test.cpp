@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bus/commandlane.h"
-#include "bus/stoprun.h"
+#include "bus/stoplane.h"
 #include "tests/bus/scriptedbus.h"
 #include "tests/bus/steps.h"
 #include "tests/support/virtualbus.h"
@@ -28,7 +28,7 @@ using ::testing::IsEmpty;
     return hex.rfind(prefix, 0) == 0;
 }
 
-TEST(StopRun, StopsWhatMovesAndKeepsItHolding) {
+TEST(StopAll, StopsWhatMovesAndKeepsItHolding) {
     VirtualBus bus(servos(3));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(1), enable(1), loadVelocity(1, 65'536, true)}), Outcome::Done);
@@ -43,7 +43,7 @@ TEST(StopRun, StopsWhatMovesAndKeepsItHolding) {
     EXPECT_LT(stopped->took, 500ms);
 }
 
-TEST(StopRun, KeepsAServoThatIsOffOff) {
+TEST(StopAll, KeepsAServoThatIsOffOff) {
     VirtualBus bus(servos(2));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
@@ -57,7 +57,7 @@ TEST(StopRun, KeepsAServoThatIsOffOff) {
     EXPECT_EQ(bus.sends("AA FF", from), 0U) << "not all of them may take the same packet";
 }
 
-TEST(StopRun, SwitchesOffAPwmOutput) {
+TEST(StopAll, SwitchesOffAPwmOutput) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(
@@ -75,7 +75,7 @@ TEST(StopRun, SwitchesOffAPwmOutput) {
     EXPECT_THAT(stopped->wereOff, IsEmpty()) << "its motor was driven";
 }
 
-TEST(StopRun, StopsAServoThatMayHaveBeenSwitchedOn) {
+TEST(StopAll, StopsAServoThatMayHaveBeenSwitchedOn) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0)}), Outcome::Done);
@@ -93,7 +93,7 @@ TEST(StopRun, StopsAServoThatMayHaveBeenSwitchedOn) {
     EXPECT_THAT(numbers(stopped->stopped), ElementsAre(0));
 }
 
-TEST(StopRun, OvertakesQueuedMoves) {
+TEST(StopAll, OvertakesQueuedMoves) {
     VirtualBus bus(servos(2));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0), gains(1), enable(1)}), Outcome::Done);
@@ -109,7 +109,7 @@ TEST(StopRun, OvertakesQueuedMoves) {
     EXPECT_EQ(bus.sends("AA 01 D4", from), 0U);
 }
 
-TEST(StopRun, CancelsWhatIsSubmittedWhileItRuns) {
+TEST(StopAll, CancelsWhatIsSubmittedWhileItRuns) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
     bus.engine.stopAll(bus.now);
@@ -117,7 +117,7 @@ TEST(StopRun, CancelsWhatIsSubmittedWhileItRuns) {
     EXPECT_EQ(bus.outcomeOf(id), Outcome::Cancelled);
 }
 
-TEST(StopRun, PreEmptsAReplyAndLeavesTheGap) {
+TEST(StopAll, PreEmptsAReplyAndLeavesTheGap) {
     ScriptedBus bus(1);
     bus.aux = 0x04;
     ASSERT_TRUE(bus.connect());
@@ -135,7 +135,7 @@ TEST(StopRun, PreEmptsAReplyAndLeavesTheGap) {
     EXPECT_THAT(bus.all<StopFinished>()[0].unreached, IsEmpty());
 }
 
-TEST(StopRun, SendsNullsFirstWhenTheLinkIsSuspect) {
+TEST(StopAll, SendsNullsFirstWhenTheLinkIsSuspect) {
     ScriptedBus bus(2);
     bus.aux = 0x04;
     ASSERT_TRUE(bus.connect());
@@ -154,7 +154,7 @@ TEST(StopRun, SendsNullsFirstWhenTheLinkIsSuspect) {
     EXPECT_LT(bus.sent[from + 1].time - bus.sent[from].time, 12ms) << "no quarantine before a stop";
 }
 
-TEST(StopRun, ReachesEverybodyWithOnePacketWhereAllMayTakeIt) {
+TEST(StopAll, ReachesEverybodyWithOnePacketWhereAllMayTakeIt) {
     VirtualBus bus(servos(32));
     ASSERT_TRUE(bus.connect());
     std::vector<Order> orders;
@@ -174,7 +174,7 @@ TEST(StopRun, ReachesEverybodyWithOnePacketWhereAllMayTakeIt) {
     EXPECT_THAT(numbers(stopped->unreached), IsEmpty());
 }
 
-TEST(StopRun, TellsWhichModuleDidNotAnswer) {
+TEST(StopAll, TellsWhichModuleDidNotAnswer) {
     VirtualBus bus(servos(3));
     ASSERT_TRUE(bus.connect());
     bus.losesReply = [](ByteSpan command) {
@@ -184,20 +184,20 @@ TEST(StopRun, TellsWhichModuleDidNotAnswer) {
     ASSERT_TRUE(stopped);
     EXPECT_THAT(numbers(stopped->stopped), ElementsAre(0, 2));
     EXPECT_THAT(numbers(stopped->unreached), ElementsAre(1));
-    EXPECT_LE(stopped->took, StopRun::kLimit + 100ms);
+    EXPECT_LE(stopped->took, StopLane::kLimit + 100ms);
 }
 
-TEST(StopRun, EndsInTimeWhenNobodyAnswers) {
+TEST(StopAll, EndsInTimeWhenNobodyAnswers) {
     VirtualBus bus(servos(32));
     ASSERT_TRUE(bus.connect());
     bus.losesReply = [](ByteSpan) { return true; };
     const auto stopped = bus.stopAll();
     ASSERT_TRUE(stopped);
     EXPECT_EQ(stopped->unreached.size(), 32U);
-    EXPECT_LE(stopped->took, StopRun::kLimit + 100ms);
+    EXPECT_LE(stopped->took, StopLane::kLimit + 100ms);
 }
 
-TEST(StopRun, RepeatsAStopThatGotLost) {
+TEST(StopAll, RepeatsAStopThatGotLost) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, 65'536, true)}), Outcome::Done);
@@ -213,7 +213,7 @@ TEST(StopRun, RepeatsAStopThatGotLost) {
     EXPECT_NEAR(bus.servo(0).commandVelocity, 0, 1e-9);
 }
 
-TEST(StopRun, DoesNotSwitchATrippedServoOnAgain) {
+TEST(StopAll, DoesNotSwitchATrippedServoOnAgain) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
     // Sixty times the inertia: an abrupt stop from 15 600 counts/s takes some 450 counts, the error limit is
@@ -230,7 +230,7 @@ TEST(StopRun, DoesNotSwitchATrippedServoOnAgain) {
     ASSERT_TRUE(stopped);
 }
 
-TEST(StopRun, RaisesNoAmplifierThatIsOff) {
+TEST(StopAll, RaisesNoAmplifierThatIsOff) {
     // AMP_EN low, and then a move: the servo is on, its command has gone 2000 counts ahead, and the motor,
     // which has no current, stands (DS-V 5.2). With AMP_EN high it would leap there.
     VirtualBus bus(servos(1));
@@ -246,7 +246,7 @@ TEST(StopRun, RaisesNoAmplifierThatIsOff) {
     EXPECT_THAT(numbers(stopped->stopped), ElementsAre(0));
 }
 
-TEST(StopRun, EndsOnceWhenAskedForTwice) {
+TEST(StopAll, EndsOnceWhenAskedForTwice) {
     VirtualBus bus(servos(2));
     ASSERT_TRUE(bus.connect());
     bus.engine.stopAll(bus.now);
@@ -257,14 +257,14 @@ TEST(StopRun, EndsOnceWhenAskedForTwice) {
     EXPECT_EQ(bus.last<StopFinished>()->stopped.size(), 2U);
 }
 
-TEST(StopRun, WithoutAConnectionEndsAtOnce) {
+TEST(StopAll, WithoutAConnectionEndsAtOnce) {
     VirtualBus bus(servos(2));
     bus.engine.stopAll(bus.now);
     bus.runFor(1ms);
     EXPECT_EQ(bus.count<StopFinished>(), 1U);
 }
 
-TEST(StopRun, DuringARestartIsConfirmed) {
+TEST(StopAll, DuringARestartIsConfirmed) {
     VirtualBus bus(servos(2));
     bus.engine.restart(bus.now);
     bus.engine.stopAll(bus.now);
@@ -280,7 +280,7 @@ TEST(StopRun, DuringARestartIsConfirmed) {
     EXPECT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 2; }, 10s)) << "and the restart goes on";
 }
 
-TEST(StopRun, IsNoLinkError) {
+TEST(StopAll, IsNoLinkError) {
     VirtualBus bus(servos(3));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0), gains(2), enable(2)}), Outcome::Done);
@@ -292,7 +292,7 @@ TEST(StopRun, IsNoLinkError) {
     EXPECT_EQ(bus.engine.statistics().surplusBytes, 0U);
 }
 
-TEST(StopRun, TakesShortTimeOnAHealthyLink) {
+TEST(StopAll, TakesShortTimeOnAHealthyLink) {
     VirtualBus bus(servos(3));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, 65'536, true)}), Outcome::Done);
@@ -334,7 +334,7 @@ TEST(StopFor, AModuleWithoutADataSheetIsLeftAlone) {
     EXPECT_FALSE(stopFor(Belief({ModuleIndex(0), BusAddress(1), {ModuleType::Io, 1}})));
 }
 
-TEST(StopRun, NeverCallsAModuleStoppedThatItCannotTell) {
+TEST(StopAll, NeverCallsAModuleStoppedThatItCannotTell) {
     ScriptedBus bus(2);
     bus.answer = [&](ByteSpan packet) {
         bus.type = packet[1] == 2 ? 7 : 0;
@@ -355,7 +355,7 @@ TEST(StopRun, NeverCallsAModuleStoppedThatItCannotTell) {
         EXPECT_FALSE(has(bus.sent[i].hex, "AA 02 17")) << "what it takes a stop for is unknown";
 }
 
-TEST(StopRun, StopsASteppersMotion) {
+TEST(StopAll, StopsASteppersMotion) {
     ScriptedBus bus(2);
     bus.type = 3;
     bus.status = 0x2D;  // moving in velocity profile mode
@@ -372,7 +372,7 @@ TEST(StopRun, StopsASteppersMotion) {
     EXPECT_THAT(numbers(bus.all<StopFinished>()[0].stopped), ElementsAre(0, 1));
 }
 
-TEST(StopRun, GoesOnPollingAfterwards) {
+TEST(StopAll, GoesOnPollingAfterwards) {
     VirtualBus bus(servos(2));
     ASSERT_TRUE(bus.connect());
     ASSERT_TRUE(bus.stopAll());
@@ -381,7 +381,7 @@ TEST(StopRun, GoesOnPollingAfterwards) {
     EXPECT_GT(bus.samplesOf(0), before + 30);
 }
 
-TEST(StopRun, IsReportedAsExecutedForTheModel) {
+TEST(StopAll, IsReportedAsExecutedForTheModel) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
@@ -392,7 +392,7 @@ TEST(StopRun, IsReportedAsExecutedForTheModel) {
               ModuleCommand(ServoCommand(servo::StopMotor{true, servo::StopManner::Abruptly, {}})));
 }
 
-TEST(StopRun, IsReportedBeforeWhatTheModuleSaysAfterIt) {
+TEST(StopAll, IsReportedBeforeWhatTheModuleSaysAfterIt) {
     VirtualBus bus(servos(2));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, 4 * 65'536), start(0)}), Outcome::Done);
@@ -416,7 +416,7 @@ TEST(StopRun, IsReportedBeforeWhatTheModuleSaysAfterIt) {
         EXPECT_LT(time, *stopped);
 }
 
-TEST(StopRun, StopsASimulatedStepperAndLeavesAnOffOneOff) {
+TEST(StopAll, StopsASimulatedStepperAndLeavesAnOffOneOff) {
     VirtualBus bus({{ModuleType::Servo, 4}, {ModuleType::Stepper, 1}, {ModuleType::Stepper, 1}});
     ASSERT_TRUE(bus.connect());
     const auto toStep = [](StepperCommand command) { return bus::Order{ModuleIndex(1), std::move(command)}; };
