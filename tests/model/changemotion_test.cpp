@@ -87,12 +87,12 @@ const StepperMotion kRunForward = steppermotion::VelocityProfile{40, 40, false};
 const StepperMotion kRunReverse = steppermotion::VelocityProfile{40, 40, true};
 
 TEST_F(ChangingMotion, ReversesByStoppingFirst) {
-    perform(stepperintent::Move{kRunForward});
+    perform(intent::Move{kRunForward});
     bus.runFor(1s);
     takeNews();
     EXPECT_NEAR(truth().stepRate, 1'000, 1e-6) << "40 x 25 steps/s";
     ASSERT_EQ(whyNot(kRunReverse, module), Refusal::NeedsStop);
-    const auto procedure = procedureFor(stepperintent::ChangeMotion{kRunReverse}, module);
+    const auto procedure = procedureFor(intent::ChangeMotion{kRunReverse}, module);
     ASSERT_NE(procedure, nullptr);
     EXPECT_EQ(run(*procedure).stage, ProcedureStage::Done);
     bus.runFor(1s);
@@ -101,7 +101,7 @@ TEST_F(ChangingMotion, ReversesByStoppingFirst) {
 }
 
 TEST_F(ChangingMotion, GoesToAPositionOutOfARun) {
-    perform(stepperintent::Move{kRunForward});
+    perform(intent::Move{kRunForward});
     bus.runFor(1s);
     ChangeMotion change(ModuleIndex(0), steppermotion::Trapezoid{-200, false, 40, 10});
     EXPECT_EQ(run(change).stage, ProcedureStage::Done);
@@ -112,7 +112,7 @@ TEST_F(ChangingMotion, GoesToAPositionOutOfARun) {
 }
 
 TEST_F(ChangingMotion, CountsARelativeGoalFromWhereItHasStopped) {
-    perform(stepperintent::Move{kRunForward});
+    perform(intent::Move{kRunForward});
     bus.runFor(1s);
     std::optional<std::int32_t> stood;
     onTurn = [&](Procedure&) {
@@ -127,7 +127,7 @@ TEST_F(ChangingMotion, CountsARelativeGoalFromWhereItHasStopped) {
 }
 
 TEST_F(ChangingMotion, StartsNothingOnceItIsCancelled) {
-    perform(stepperintent::Move{kRunForward});
+    perform(intent::Move{kRunForward});
     ChangeMotion change(ModuleIndex(0), kRunReverse);
     onTurn = [&](Procedure& procedure) {
         if (procedure.report().stage == ProcedureStage::Stopping)
@@ -140,7 +140,7 @@ TEST_F(ChangingMotion, StartsNothingOnceItIsCancelled) {
 }
 
 TEST_F(ChangingMotion, StopsWhatItHasStartedWhenItIsCancelledJustThen) {
-    perform(stepperintent::Move{kRunForward});
+    perform(intent::Move{kRunForward});
     ChangeMotion change(ModuleIndex(0), kRunReverse);
     onTurn = [&](Procedure& procedure) {
         if (procedure.report().stage == ProcedureStage::Moving)
@@ -153,7 +153,7 @@ TEST_F(ChangingMotion, StopsWhatItHasStartedWhenItIsCancelledJustThen) {
 }
 
 TEST_F(ChangingMotion, FailsWhenTheLinkIsSuspectAndStartsNothing) {
-    perform(stepperintent::Move{kRunForward});
+    perform(intent::Move{kRunForward});
     ChangeMotion change(ModuleIndex(0), kRunReverse);
     onTurn = [](Procedure& procedure) { procedure.onLinkSuspect(); };
     const ProcedureReport report = run(change);
@@ -164,7 +164,7 @@ TEST_F(ChangingMotion, FailsWhenTheLinkIsSuspectAndStartsNothing) {
 }
 
 TEST_F(ChangingMotion, FailsWhereTheNewMotionIsNotPossibleAndLeavesTheOldOneAlone) {
-    perform(stepperintent::Move{kRunForward});
+    perform(intent::Move{kRunForward});
     bus.runFor(500ms);
     bus.chain.set(ModuleIndex(0), sim::Input::Limit2, 1.0, bus.now);
     bus.runFor(100ms);
@@ -175,7 +175,7 @@ TEST_F(ChangingMotion, FailsWhereTheNewMotionIsNotPossibleAndLeavesTheOldOneAlon
 }
 
 TEST_F(ChangingMotion, FailsWhenTheMotorGoesOffMeanwhile) {
-    perform(stepperintent::Move{kRunForward});
+    perform(intent::Move{kRunForward});
     bus.runFor(500ms);
     takeNews();
     ChangeMotion change(ModuleIndex(0), kRunReverse);
@@ -185,14 +185,14 @@ TEST_F(ChangingMotion, FailsWhenTheMotorGoesOffMeanwhile) {
 }
 
 TEST_F(ChangingMotion, GivesUpOnAModuleThatDoesNotAnswer) {
-    perform(stepperintent::Move{kRunForward});
+    perform(intent::Move{kRunForward});
     ChangeMotion change(ModuleIndex(0), kRunReverse);
     module.silent = true;
     EXPECT_EQ(run(change).failure, ProcedureFailure::ModuleUnresponsive);
 }
 
 TEST_F(ChangingMotion, GivesUpOnAMotorThatDoesNotStop) {
-    perform(stepperintent::Move{kRunForward});
+    perform(intent::Move{kRunForward});
     takeNews();
     ChangeMotion change(ModuleIndex(0), kRunReverse);
     ASSERT_TRUE(std::holds_alternative<Procedure::Send>(change.next(module, bus.now)));
@@ -205,8 +205,7 @@ TEST_F(ChangingMotion, GivesUpOnAMotorThatDoesNotStop) {
 // What the panel says beforehand is what the chip does.
 TEST_F(ChangingMotion, AForecastIsKeptByTheChip) {
     for (const std::int32_t distance : {3'000, -300, 7}) {
-        const auto steps =
-            plan(stepperintent::Move{steppermotion::Trapezoid{distance, true, 60, 20}}, module);
+        const auto steps = plan(intent::Move{steppermotion::Trapezoid{distance, true, 60, 20}}, module);
         ASSERT_TRUE(steps);
         (void)bus.submit(*steps);
         ASSERT_TRUE(bus.runUntil([&] { return truth().moving; }, 1s));

@@ -45,7 +45,8 @@ TEST(HomeFact, IsNotKnownWhateverTheRegisterSays) {
     servo.inRegister = -304;
     servo.stands(0);
     EXPECT_EQ(servo.home(), std::nullopt);
-    const auto planned = plan(intent::GoHome{CountsPerTick(65'536), CountsPerTickSquared(100)}, servo.module);
+    const auto planned =
+        plan(intent::GoHome{ServoPace{CountsPerTick(65'536), CountsPerTickSquared(100)}}, servo.module);
     ASSERT_FALSE(planned);
     EXPECT_EQ(planned.error(), Refusal::HomeUnknown);
 }
@@ -70,7 +71,8 @@ TEST(HomeFact, AZeroMadeAtHomeIsHome) {
     servo.does(ResetPosition{}, 0);
     servo.stands(0);
     EXPECT_EQ(servo.home(), 0);
-    const auto planned = plan(intent::GoHome{CountsPerTick(65'536), CountsPerTickSquared(100)}, servo.module);
+    const auto planned =
+        plan(intent::GoHome{ServoPace{CountsPerTick(65'536), CountsPerTickSquared(100)}}, servo.module);
     ASSERT_TRUE(planned);
     const auto& load = std::get<servo::LoadTrajectory>(std::get<ServoCommand>(planned->front().command));
     EXPECT_EQ(load.position, Counts(0)) << "and not -304, which the register still says";

@@ -11,7 +11,8 @@ namespace {
 
 using namespace testing_support;
 
-const intent::RunAtVelocity kRun{CountsPerTick(1 << 16), CountsPerTickSquared(100), true};
+const intent::Move kRun{
+    servomotion::VelocityProfile{CountsPerTick(1 << 16), CountsPerTickSquared(100), true}};
 
 std::vector<std::string> payloads(const Intent& intent, const ModuleState& module) {
     std::vector<std::string> hex;
@@ -31,7 +32,7 @@ using Hex = std::vector<std::string>;
 TEST(Plan, GoesToAPositionByLoadThenStart) {
     // 20 000 = 0x4E20, 8 counts/tick = 0x00080000, 1311 = 0x51F; control: position, velocity, acceleration,
     // servo.
-    EXPECT_EQ(payloads(kGoTo, holdingServo()), (Hex{"D4 17 20 4E 00 00 00 00 08 00 1F 05 00 00", "05"}));
+    EXPECT_EQ(payloads(kMove, holdingServo()), (Hex{"D4 17 20 4E 00 00 00 00 08 00 1F 05 00 00", "05"}));
 }
 
 TEST(Plan, RunsInReverseByLoadThenStart) {
@@ -77,7 +78,7 @@ TEST(Plan, RefusesToEnableWithoutMotorPower) {
 TEST(Plan, RefusesAMoveWhileAServoIsOff) {
     ModuleState module = servoModule();
     module.apply(sampleOf(0, kMoveDone | kPosError | kPower, 0));
-    EXPECT_EQ(refusalOf(kGoTo, module), Refusal::ServoOff);
+    EXPECT_EQ(refusalOf(kMove, module), Refusal::ServoOff);
     EXPECT_EQ(refusalOf(kRun, module), Refusal::ServoOff);
     // A stop would switch it on (protocol.md 2).
     EXPECT_EQ(refusalOf(intent::StopAbruptly{}, module), Refusal::ServoOff);
@@ -89,19 +90,19 @@ TEST(Plan, RefusesATrapezoidAndAZeroInMotionButTakesAVelocity) {
     module.apply(executedAt(1, trapezoid(20'000, 8 << 16, 1311)));
     module.apply(executedAt(1, StartMotion{}));
     module.apply(sampleOf(1.1, kPower, kServoOn));
-    EXPECT_EQ(refusalOf(kGoTo, module), Refusal::Moving);
+    EXPECT_EQ(refusalOf(kMove, module), Refusal::Moving);
     EXPECT_EQ(refusalOf(intent::ResetPosition{}, module), Refusal::Moving);
     EXPECT_TRUE(
         plan(kRun, module).has_value());  // DS-V 4.4: velocity mode may be entered in the middle of a move
 }
 
 TEST(Plan, RefusesAMoveThatCouldNeverMove) {
-    intent::GoTo goTo = kGoTo;
-    goTo.acceleration = CountsPerTickSquared(0);
-    EXPECT_EQ(refusalOf(goTo, holdingServo()), Refusal::NoAcceleration);
-    goTo = kGoTo;
-    goTo.velocity = CountsPerTick(0);
-    EXPECT_EQ(refusalOf(goTo, holdingServo()), Refusal::NoVelocity);
+    servomotion::Trapezoid move = kTrapezoid;
+    move.acceleration = CountsPerTickSquared(0);
+    EXPECT_EQ(refusalOf(intent::Move{move}, holdingServo()), Refusal::NoAcceleration);
+    move = kTrapezoid;
+    move.velocity = CountsPerTick(0);
+    EXPECT_EQ(refusalOf(intent::Move{move}, holdingServo()), Refusal::NoVelocity);
 }
 
 TEST(Plan, StopsAbruptlyWhereASmoothStopCouldNotSlowDown) {
@@ -131,7 +132,7 @@ TEST(Plan, SendsThirteenGainBytesToEarlierVersions) {
 TEST(Plan, AsksNothingOfASilentModuleButToSwitchOff) {
     ModuleState module = holdingServo();
     module.silent = true;
-    EXPECT_EQ(refusalOf(kGoTo, module), Refusal::Unresponsive);
+    EXPECT_EQ(refusalOf(kMove, module), Refusal::Unresponsive);
     EXPECT_EQ(refusalOf(intent::ClearStickyBits{}, module), Refusal::Unresponsive);
     EXPECT_TRUE(plan(intent::MotorOff{}, module).has_value());
 }
@@ -139,16 +140,18 @@ TEST(Plan, AsksNothingOfASilentModuleButToSwitchOff) {
 TEST(Plan, KnowsNoCommandsForOtherModules) {
     ModuleState module = holdingServo();
     module.info.identity = {ModuleType::Adc, 1};
-    EXPECT_EQ(refusalOf(kGoTo, module), Refusal::NotAServo);
+    EXPECT_EQ(refusalOf(kMove, module), Refusal::NotAServo);
     EXPECT_EQ(refusalOf(intent::MotorOff{}, module), Refusal::NotAServo);
 }
 
 TEST(Plan, LoadsNowAndStartsLater) {
-    EXPECT_EQ(payloads(intent::LoadMove{kGoTo}, holdingServo()),
+    EXPECT_EQ(payloads(intent::LoadMove{kTrapezoid}, holdingServo()),
               (Hex{"D4 17 20 4E 00 00 00 00 08 00 1F 05 00 00"}));
+    EXPECT_EQ(payloads(intent::LoadMove{kRun.motion}, holdingServo()),
+              (Hex{"94 76 00 00 01 00 64 00 00 00"}));
     EXPECT_EQ(refusalOf(intent::StartLoaded{}, holdingServo()), Refusal::NothingLoaded);
     ModuleState module = holdingServo();
-    const auto steps = plan(intent::LoadMove{kGoTo}, module);
+    const auto steps = plan(intent::LoadMove{kTrapezoid}, module);
     ASSERT_TRUE(steps);
     module.apply(executedAt(5, std::get<ServoCommand>(steps->front().command)));
     EXPECT_TRUE(module.loadWaiting);
@@ -159,7 +162,7 @@ TEST(Plan, LoadsNowAndStartsLater) {
 TEST(Plan, AStopUsesUpWhatWasLoaded) {
     ModuleState module = holdingServo();
     module.apply(
-        executedAt(5, std::get<ServoCommand>(plan(intent::LoadMove{kGoTo}, module)->front().command)));
+        executedAt(5, std::get<ServoCommand>(plan(intent::LoadMove{kTrapezoid}, module)->front().command)));
     module.apply(executedAt(6, stopWith(servo::StopManner::Abruptly, true)));
     EXPECT_EQ(refusalOf(intent::StartLoaded{}, module), Refusal::NothingLoaded);
 }

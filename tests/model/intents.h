@@ -9,7 +9,9 @@
 namespace nmc::testing_support {
 
 /// 8 counts per tick, 0.02 counts per tick squared.
-inline const intent::GoTo kGoTo{Counts(20'000), CountsPerTick(8 << 16), CountsPerTickSquared(1'311)};
+inline const servomotion::Trapezoid kTrapezoid{Counts(20'000), CountsPerTick(8 << 16),
+                                               CountsPerTickSquared(1'311)};
+inline const intent::Move kMove{kTrapezoid};
 
 [[nodiscard]] inline std::optional<Refusal> refusalOf(const Intent& intent, const ModuleState& module) {
     const auto steps = plan(intent, module);

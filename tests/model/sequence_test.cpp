@@ -6,6 +6,7 @@
 
 #include "model/sequence/sequencecheck.h"
 #include "model/sequence/sequenceedit.h"
+#include "tests/support/motionof.h"
 
 namespace nmc {
 namespace {
@@ -77,9 +78,9 @@ TEST(Goals, AreGoneToAtAShareOfTheAxisVelocity) {
     axis.motion.acceleration = 0.5;
     const auto wanted = moveIntent({kX, 10, false}, 25, servoAt(0, 0), axis);
     ASSERT_TRUE(wanted.has_value());
-    const auto& goTo = std::get<intent::GoTo>(*wanted);
-    EXPECT_EQ(goTo.velocity.value(), 32'768U) << "half a count per tick";
-    EXPECT_EQ(goTo.acceleration.value(), 32'768U);
+    const auto move = test::motionOf<servomotion::Trapezoid>(*wanted);
+    EXPECT_EQ(move.velocity.value(), 32'768U) << "half a count per tick";
+    EXPECT_EQ(move.acceleration.value(), 32'768U);
 }
 
 TEST(SequenceEdit, RepeatsFollowTheirRow) {

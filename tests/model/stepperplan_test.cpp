@@ -39,22 +39,19 @@ const StepperMotion kPlainRun = steppermotion::UnprofiledRun{{64'288, 20}, false
 // Data bytes by hand from DS-S 5.1; 1000 = 3E8, 64 288 = FB20, 40 = 28, 20 = 14.
 TEST(StepPlan, LoadsWhatTable4AsksForFromStandstill) {
     const Stepper stepper = Stepper::holding();
-    EXPECT_EQ(bytesOf(stepperintent::Move{kTrapezoid}, stepper.module),
-              (Bytes{"74 07 E8 03 00 00 28 04", "05"}));
-    EXPECT_EQ(bytesOf(stepperintent::Move{kForward}, stepper.module), (Bytes{"34 06 28 04", "05"}));
-    EXPECT_EQ(bytesOf(stepperintent::Move{kReverse}, stepper.module), (Bytes{"34 16 28 04", "05"}));
-    EXPECT_EQ(bytesOf(stepperintent::Move{kPlainMove}, stepper.module),
-              (Bytes{"84 09 18 FC FF FF 20 FB 14", "05"}));
-    EXPECT_EQ(bytesOf(stepperintent::Move{kPlainRun}, stepper.module), (Bytes{"44 08 20 FB 14", "05"}));
-    EXPECT_EQ(bytesOf(stepperintent::LoadMove{kTrapezoid}, stepper.module),
-              (Bytes{"74 07 E8 03 00 00 28 04"}));
+    EXPECT_EQ(bytesOf(intent::Move{kTrapezoid}, stepper.module), (Bytes{"74 07 E8 03 00 00 28 04", "05"}));
+    EXPECT_EQ(bytesOf(intent::Move{kForward}, stepper.module), (Bytes{"34 06 28 04", "05"}));
+    EXPECT_EQ(bytesOf(intent::Move{kReverse}, stepper.module), (Bytes{"34 16 28 04", "05"}));
+    EXPECT_EQ(bytesOf(intent::Move{kPlainMove}, stepper.module), (Bytes{"84 09 18 FC FF FF 20 FB 14", "05"}));
+    EXPECT_EQ(bytesOf(intent::Move{kPlainRun}, stepper.module), (Bytes{"44 08 20 FB 14", "05"}));
+    EXPECT_EQ(bytesOf(intent::LoadMove{kTrapezoid}, stepper.module), (Bytes{"74 07 E8 03 00 00 28 04"}));
 }
 
 TEST(StepPlan, CountsARelativeGoalFromWhereItStands) {
     Stepper stepper = Stepper::holding();
     stepper.position = 500;
     stepper.says(kStepOn);
-    EXPECT_EQ(bytesOf(stepperintent::Move{steppermotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
+    EXPECT_EQ(bytesOf(intent::Move{steppermotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
               (Bytes{"74 07 90 01 00 00 28 04", "05"}))
         << "400 = 190";
 }
@@ -94,7 +91,7 @@ TEST(StepPlan, SendsParametersAndOutputsAsTheyAre) {
 TEST(StepPlan, MovesNothingBeforeTheParametersWereSet) {
     Stepper stepper;
     stepper.says(kStepOn);
-    EXPECT_EQ(refusalOf(stepperintent::Move{kTrapezoid}, stepper.module), Refusal::ParametersUnknown);
+    EXPECT_EQ(refusalOf(intent::Move{kTrapezoid}, stepper.module), Refusal::ParametersUnknown);
     EXPECT_EQ(refusalOf(intent::Enable{}, stepper.module), Refusal::ParametersUnknown);
     EXPECT_EQ(whyNot(IntentKind::Hold, stepper.module), Refusal::ParametersUnknown);
 }
@@ -103,10 +100,10 @@ TEST(StepPlan, MovesNothingWithoutPowerOrAmplifier) {
     Stepper stepper = Stepper::holding();
     stepper.wasStopped(stepper::StopManner::Abruptly, false);
     stepper.says(kStepPower);
-    EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::AmplifierOff);
+    EXPECT_EQ(refusalOf(intent::Move{kForward}, stepper.module), Refusal::AmplifierOff);
     EXPECT_EQ(refusalOf(intent::Enable{}, stepper.module), std::nullopt);
     stepper.says(0);
-    EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::NoPower);
+    EXPECT_EQ(refusalOf(intent::Move{kForward}, stepper.module), Refusal::NoPower);
     EXPECT_EQ(refusalOf(intent::Enable{}, stepper.module), Refusal::NoPower);
 }
 
@@ -114,24 +111,24 @@ TEST(StepPlan, RefusesTheDirectionWhoseLimitIsActive) {
     Stepper stepper = Stepper::holding();
     stepper.inputs = kLimit1In;
     stepper.says(kStepOn);
-    EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::Limit1Active);
-    EXPECT_EQ(refusalOf(stepperintent::Move{kTrapezoid}, stepper.module), Refusal::Limit1Active);
-    EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), std::nullopt) << "off the switch";
+    EXPECT_EQ(refusalOf(intent::Move{kForward}, stepper.module), Refusal::Limit1Active);
+    EXPECT_EQ(refusalOf(intent::Move{kTrapezoid}, stepper.module), Refusal::Limit1Active);
+    EXPECT_EQ(refusalOf(intent::Move{kReverse}, stepper.module), std::nullopt) << "off the switch";
     stepper.inputs = kLimit2In;
     stepper.says(kStepOn);
-    EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), Refusal::Limit2Active);
-    EXPECT_EQ(refusalOf(stepperintent::Move{kPlainMove}, stepper.module), Refusal::Limit2Active);
+    EXPECT_EQ(refusalOf(intent::Move{kReverse}, stepper.module), Refusal::Limit2Active);
+    EXPECT_EQ(refusalOf(intent::Move{kPlainMove}, stepper.module), Refusal::Limit2Active);
     stepper::SetParameters ignoring = Stepper::parameters();
     ignoring.ignoreLimits = true;
     stepper.was(ignoring);
-    EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), std::nullopt);
+    EXPECT_EQ(refusalOf(intent::Move{kReverse}, stepper.module), std::nullopt);
 }
 
 TEST(StepPlan, RefusesMotionWhileTheEstopInputActs) {
     Stepper stepper = Stepper::holding();
     stepper.inputs = kEstopIn;
     stepper.says(kStepOn);
-    EXPECT_EQ(refusalOf(stepperintent::Move{kReverse}, stepper.module), Refusal::EstopActive);
+    EXPECT_EQ(refusalOf(intent::Move{kReverse}, stepper.module), Refusal::EstopActive);
     EXPECT_EQ(refusalOf(intent::StopAbruptly{}, stepper.module), std::nullopt);
 }
 
@@ -151,7 +148,7 @@ TEST(StepPlan, RefusesAGoalThatIsTooFarAway) {
     stepper.position = -2'000'000'000;
     stepper.says(kStepOn);
     const auto to = [](std::int32_t goal, bool relative) {
-        return stepperintent::Move{steppermotion::Trapezoid{goal, relative, 40, 4}};
+        return intent::Move{steppermotion::Trapezoid{goal, relative, 40, 4}};
     };
     EXPECT_EQ(refusalOf(to(200'000'000, false), stepper.module), Refusal::TooFar);
     EXPECT_EQ(refusalOf(to(147'483'647, false), stepper.module), std::nullopt);
@@ -202,7 +199,7 @@ class StepperTransitions : public testing::TestWithParam<Transition> {};
 TEST_P(StepperTransitions, AreThoseOfTable4) {
     const Stepper stepper = inMode(GetParam().from);
     EXPECT_EQ(stepper.module.stepper.mode(), GetParam().from);
-    EXPECT_EQ(refusalOf(stepperintent::Move{GetParam().goal}, stepper.module),
+    EXPECT_EQ(refusalOf(intent::Move{GetParam().goal}, stepper.module),
               GetParam().allowed ? std::nullopt : std::optional(Refusal::NeedsStop));
     EXPECT_EQ(whyNotFromStandstill(GetParam().goal, stepper.module), std::nullopt);
 }
@@ -236,9 +233,8 @@ INSTANTIATE_TEST_SUITE_P(
 /// DS-S 5.1 Load Trajectory: without the start bit it has no effect whatsoever.
 TEST(StepPlan, LoadsAMoveInMotionWhereItsGoalIsCertain) {
     const Stepper stepper = Stepper::running();
-    EXPECT_EQ(bytesOf(stepperintent::LoadMove{kTrapezoid}, stepper.module),
-              (Bytes{"74 07 E8 03 00 00 28 04"}));
-    EXPECT_EQ(refusalOf(stepperintent::LoadMove{steppermotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
+    EXPECT_EQ(bytesOf(intent::LoadMove{kTrapezoid}, stepper.module), (Bytes{"74 07 E8 03 00 00 28 04"}));
+    EXPECT_EQ(refusalOf(intent::LoadMove{steppermotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
               Refusal::NeedsStop)
         << "from where?";
 }
@@ -272,7 +268,7 @@ TEST(StepPlan, StartsWhatWasLoadedOnceAndOnlyWhereItMayGo) {
 TEST(StepPlan, KnowsWhatIsNotForIt) {
     const Stepper stepper = Stepper::holding();
     EXPECT_EQ(refusalOf(intent::ApplyGains{}, stepper.module), Refusal::NotAServo);
-    EXPECT_EQ(refusalOf(intent::GoTo{}, stepper.module), Refusal::NotAServo);
+    EXPECT_EQ(refusalOf(intent::Move{servomotion::Trapezoid{}}, stepper.module), Refusal::NotAServo);
     ModuleState servo;
     servo.info.identity = {ModuleType::Servo, 4};
     EXPECT_EQ(refusalOf(stepperintent::SetOutputs{1}, servo), Refusal::NotAStepper);
@@ -282,7 +278,7 @@ TEST(StepPlan, KnowsWhatIsNotForIt) {
 TEST(StepPlan, AsksNothingOfAModuleThatDoesNotAnswerButToSwitchOff) {
     Stepper stepper = Stepper::running();
     stepper.module.silent = true;
-    EXPECT_EQ(refusalOf(stepperintent::Move{kForward}, stepper.module), Refusal::Unresponsive);
+    EXPECT_EQ(refusalOf(intent::Move{kForward}, stepper.module), Refusal::Unresponsive);
     EXPECT_EQ(refusalOf(intent::MotorOff{}, stepper.module), std::nullopt);
 }
 

@@ -27,7 +27,7 @@ TEST(StepperTravel, ARunOfAStepperIsAMoveToTheLimit) {
               StepperMotion(steppermotion::Trapezoid{2'000, false, 40, 4}));
     EXPECT_EQ(withinTravel(steppermotion::UnprofiledRun{{60'000, 8}, true}, stepper.module),
               StepperMotion(steppermotion::UnprofiledMove{-1'000, false, {60'000, 8}}));
-    const auto steps = plan(stepperintent::Move{steppermotion::VelocityProfile{40, 4, true}}, stepper.module);
+    const auto steps = plan(intent::Move{steppermotion::VelocityProfile{40, 4, true}}, stepper.module);
     ASSERT_TRUE(steps.has_value());
     const auto& load = std::get<stepper::LoadTrajectory>(std::get<StepperCommand>(steps->front().command));
     EXPECT_EQ(load.position, Counts(-1'000));
@@ -39,9 +39,8 @@ TEST(StepperTravel, StepsBeyondAreRefusedAlsoRelativeOnes) {
     EXPECT_EQ(whyNot(steppermotion::Trapezoid{2'001, false, 40, 4}, stepper.module), Refusal::BeyondTravel);
     EXPECT_EQ(whyNot(steppermotion::Trapezoid{501, true, 40, 4}, stepper.module), Refusal::BeyondTravel);
     EXPECT_FALSE(whyNot(steppermotion::Trapezoid{500, true, 40, 4}, stepper.module));
-    EXPECT_EQ(
-        travelProblem(stepperintent::Move{steppermotion::Trapezoid{501, true, 40, 4}}, stepper.module)->limit,
-        2'000);
+    EXPECT_EQ(travelProblem(intent::Move{steppermotion::Trapezoid{501, true, 40, 4}}, stepper.module)->limit,
+              2'000);
     const Stepper atEnd = limitedStepper(2'000);
     EXPECT_EQ(whyNot(steppermotion::VelocityProfile{40, 4, false}, atEnd.module), Refusal::AtTravelEnd);
     EXPECT_FALSE(whyNot(steppermotion::VelocityProfile{40, 4, true}, atEnd.module));
@@ -54,9 +53,9 @@ TEST(StepperTravel, AStepperGoesNoFasterEither) {
     EXPECT_FALSE(whyNot(steppermotion::Trapezoid{100, false, 4, 4}, stepper.module));
     EXPECT_FALSE(whyNot(steppermotion::Trapezoid{100, false, 1, 4}, stepper.module));
     EXPECT_EQ(whyNot(steppermotion::Trapezoid{100, false, 5, 4}, stepper.module), Refusal::TooFast);
-    EXPECT_EQ(travelProblem(stepperintent::Move{steppermotion::Trapezoid{100, false, 5, 4}}, stepper.module)
-                  ->velocity,
-              125);
+    EXPECT_EQ(
+        travelProblem(intent::Move{steppermotion::Trapezoid{100, false, 5, 4}}, stepper.module)->velocity,
+        125);
     stepper.module.travel.fastest = 99;
     EXPECT_EQ(whyNot(steppermotion::Trapezoid{100, false, 1, 4}, stepper.module), Refusal::TooFast)
         << "the minimum profile speed";

@@ -16,8 +16,8 @@ using namespace testing_support;
 constexpr CountsPerTick kOne{1 << 16};
 constexpr CountsPerTickSquared kGentle{131};
 
-intent::GoTo to(std::int32_t position) {
-    return {Counts(position), kOne, kGentle};
+intent::Move to(std::int32_t position, CountsPerTick velocity = kOne) {
+    return {servomotion::Trapezoid{Counts(position), velocity, kGentle}};
 }
 
 /// Home is at 1000, the limits at -200 and 500 from there: 800 to 1500. It stands at `position`.
@@ -48,12 +48,12 @@ TEST(Travel, CountsFromHomeAndIsInForceWhileHomeIsKnown) {
 
 /// A chain that another program left: 10 mm/s would be sent as if SR were 1.
 TEST(Travel, NothingRunsByUnitsPerSecondWhileTheServoRateIsUnknown) {
-    const Intent run = intent::RunAtVelocity{kOne, kGentle, false};
+    const Intent run = intent::Move{servomotion::VelocityProfile{kOne, kGentle, false}};
     ModuleState module = holdingServo();
     module.servoRate.reset();
     EXPECT_TRUE(plan(run, module).has_value()) << "counts per tick are what the chip takes";
     module.unit = UnitKind::Millimetres;
-    for (const Intent& intent : {run, Intent(to(100)), Intent(intent::LoadMove{to(100)})}) {
+    for (const Intent& intent : {run, Intent(to(100)), Intent(intent::LoadMove{to(100).motion})}) {
         const auto orders = plan(intent, module);
         ASSERT_FALSE(orders.has_value());
         EXPECT_EQ(orders.error(), Refusal::ServoRateUnknown);
@@ -101,9 +101,9 @@ TEST(Travel, MovesBeyondAreRefusedBeforeTheyAreSent) {
     ModuleState module = limited();
     EXPECT_TRUE(plan(to(1'500), module).has_value());
     EXPECT_EQ(plan(to(1'501), module).error(), Refusal::BeyondTravel);
-    EXPECT_EQ(plan(intent::LoadMove{to(799)}, module).error(), Refusal::BeyondTravel);
+    EXPECT_EQ(plan(intent::LoadMove{to(799).motion}, module).error(), Refusal::BeyondTravel);
     // 3 x 200 from 1000 is 1600; there and back is 1200 at most.
-    intent::MoveBy steps{{200, 3}, kOne, kGentle};
+    intent::MoveBy steps{{200, 3}, ServoPace{kOne, kGentle}};
     EXPECT_EQ(plan(steps, module).error(), Refusal::BeyondTravel);
     steps.moves.backAndForth = true;
     EXPECT_TRUE(plan(steps, module).has_value());
@@ -117,9 +117,9 @@ TEST(Travel, MovesBeyondAreRefusedBeforeTheyAreSent) {
 
 TEST(Travel, GoHomeIsRefusedWhereHomeIsOutside) {
     ModuleState module = limited(1'100);
-    EXPECT_TRUE(plan(intent::GoHome{kOne, kGentle}, module).has_value());
+    EXPECT_TRUE(plan(intent::GoHome{ServoPace{kOne, kGentle}}, module).has_value());
     module.travel.lowest = 50;
-    EXPECT_EQ(plan(intent::GoHome{kOne, kGentle}, module).error(), Refusal::BeyondTravel);
+    EXPECT_EQ(plan(intent::GoHome{ServoPace{kOne, kGentle}}, module).error(), Refusal::BeyondTravel);
 }
 
 TEST(Travel, WhatWasLoadedIsJudgedAgainAtItsStart) {
@@ -135,15 +135,18 @@ TEST(Travel, WhatWasLoadedIsJudgedAgainAtItsStart) {
 
 TEST(Travel, ARunTowardsALimitIsAMoveThere) {
     const ModuleState module = limited();
-    const auto steps = plan(intent::RunAtVelocity{kOne, kGentle, true}, module);
+    const auto steps = plan(intent::Move{servomotion::VelocityProfile{kOne, kGentle, true}}, module);
     ASSERT_TRUE(steps.has_value());
     ASSERT_EQ(steps->size(), 2U);
     EXPECT_EQ(std::get<servo::LoadTrajectory>(std::get<ServoCommand>(steps->at(0).command)),
               trapezoid(800, 1 << 16, 131));
     EXPECT_TRUE(std::holds_alternative<StartMotion>(std::get<ServoCommand>(steps->at(1).command)));
+    const auto loaded = plan(intent::LoadMove{servomotion::VelocityProfile{kOne, kGentle, true}}, module);
+    ASSERT_TRUE(loaded.has_value());
+    EXPECT_EQ(payloadOf(loaded->front().command), payloadOf(steps->front().command)) << "also if it waits";
     ModuleState open = module;
     open.travel.lowest.reset();
-    const auto run = plan(intent::RunAtVelocity{kOne, kGentle, true}, open);
+    const auto run = plan(intent::Move{servomotion::VelocityProfile{kOne, kGentle, true}}, open);
     EXPECT_EQ(std::get<servo::LoadTrajectory>(std::get<ServoCommand>(run->at(0).command)).profile,
               servo::ProfileMode::Velocity)
         << "no limit is ahead";
@@ -153,10 +156,13 @@ TEST(Travel, AtTheEndThereIsNoWayOn) {
     // A servo at rest swings by up to four counts.
     for (const std::int32_t position : {1'496, 1'500, 1'504, 1'600}) {
         const ModuleState module = limited(position);
-        EXPECT_EQ(plan(intent::RunAtVelocity{kOne, kGentle, false}, module).error(), Refusal::AtTravelEnd);
-        EXPECT_TRUE(plan(intent::RunAtVelocity{kOne, kGentle, true}, module).has_value());
+        EXPECT_EQ(plan(intent::Move{servomotion::VelocityProfile{kOne, kGentle, false}}, module).error(),
+                  Refusal::AtTravelEnd);
+        EXPECT_TRUE(
+            plan(intent::Move{servomotion::VelocityProfile{kOne, kGentle, true}}, module).has_value());
     }
-    EXPECT_TRUE(plan(intent::RunAtVelocity{kOne, kGentle, false}, limited(1'495)).has_value());
+    EXPECT_TRUE(
+        plan(intent::Move{servomotion::VelocityProfile{kOne, kGentle, false}}, limited(1'495)).has_value());
     EXPECT_EQ(travelPlace(limited(1'504)), TravelPlace::AtHighest);
     EXPECT_EQ(travelPlace(limited(1'505)), TravelPlace::AboveHighest);
     EXPECT_EQ(travelPlace(limited(800)), TravelPlace::AtLowest);
@@ -170,29 +176,30 @@ TEST(Travel, ARunThatIsUnderWayHasToStopFirst) {
     module.apply(executedAt(1, velocityMode(1 << 16, 131, true)));
     module.apply(sampleOf(1.1, kMoveDone | kPower, kServoOn | kAccelDone, 990));
     ASSERT_TRUE(module.moving());
-    EXPECT_EQ(plan(intent::RunAtVelocity{kOne, kGentle, false}, module).error(), Refusal::RunNeedsStop);
-    EXPECT_TRUE(plan(intent::RunAtVelocity{kOne, kGentle, true}, module).has_value());
+    EXPECT_EQ(plan(intent::Move{servomotion::VelocityProfile{kOne, kGentle, false}}, module).error(),
+              Refusal::RunNeedsStop);
+    EXPECT_TRUE(plan(intent::Move{servomotion::VelocityProfile{kOne, kGentle, true}}, module).has_value());
 }
 
 TEST(Travel, NothingIsFasterThanTheAxisMayGo) {
     ModuleState module = limited();
     module.travel.fastest = 1.0;
     EXPECT_TRUE(plan(to(1'400), module).has_value());
-    intent::GoTo fast = to(1'400);
-    fast.velocity = CountsPerTick((1 << 16) + 2);
-    EXPECT_EQ(plan(fast, module).error(), Refusal::TooFast);
-    EXPECT_EQ(travelProblem(fast, module)->fastest, 1.0);
-    EXPECT_EQ(plan(intent::RunAtVelocity{fast.velocity, kGentle, true}, module).error(), Refusal::TooFast);
-    EXPECT_EQ(plan(intent::MoveBy{{10}, fast.velocity, kGentle}, module).error(), Refusal::TooFast);
+    const CountsPerTick fast((1 << 16) + 2);
+    EXPECT_EQ(plan(to(1'400, fast), module).error(), Refusal::TooFast);
+    EXPECT_EQ(travelProblem(to(1'400, fast), module)->fastest, 1.0);
+    EXPECT_EQ(plan(intent::Move{servomotion::VelocityProfile{fast, kGentle, true}}, module).error(),
+              Refusal::TooFast);
+    EXPECT_EQ(plan(intent::MoveBy{{10}, ServoPace{fast, kGentle}}, module).error(), Refusal::TooFast);
     HomingRecipe recipe = firstRecipe(module.info.identity);
     EXPECT_FALSE(whyNotHome(recipe, module));
     recipe.velocity = 1.01;
     EXPECT_EQ(whyNotHome(recipe, module), Refusal::TooFast);
     bus::HoldToMove hold;
-    hold.velocity = fast.velocity;
+    hold.velocity = fast;
     EXPECT_EQ(withinTravel(hold, module).error().refusal, Refusal::TooFast);
     module.home.forget();
-    EXPECT_EQ(plan(fast, module).error(), Refusal::TooFast) << "home has nothing to do with it";
+    EXPECT_EQ(plan(to(1'400, fast), module).error(), Refusal::TooFast) << "home has nothing to do with it";
 }
 
 TEST(Travel, HeldMotionHasTheLimitAheadAsItsGoal) {

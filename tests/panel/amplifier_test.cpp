@@ -51,7 +51,8 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains && !panel.module().awaited; }));
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && !panel.module().awaited; }));
-        panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false});
+        panel.ask(intent::Move{
+            servomotion::VelocityProfile{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}});
         ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
     }
     [[nodiscard]] QString headlines() {
@@ -76,10 +77,12 @@ TEST_F(AmplifierPage, AClosedLimitStopsTheMotorAndItIsShownAtRest) {
         [&] { return headlines().contains(u"Limit switch 1 of module 1 stopped its motor."_s); }));
     // Forward is refused before anything is sent; back is not.
     const auto forward = plan(
-        intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}, panel.module());
+        intent::Move{servomotion::VelocityProfile{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}},
+        panel.module());
     ASSERT_FALSE(forward);
     EXPECT_EQ(forward.error(), Refusal::LimitClosed);
-    panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), true});
+    panel.ask(
+        intent::Move{servomotion::VelocityProfile{CountsPerTick(65'536), CountsPerTickSquared(1'311), true}});
     EXPECT_TRUE(panel.waitFor([&] { return moves(sim); }));
     EXPECT_EQ(sim.violations(), "");
 }

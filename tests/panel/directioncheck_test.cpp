@@ -108,7 +108,8 @@ TEST_F(FirstSession, ATripOfAReversedEncoderSaysSo) {
     click("applyGainsButton");
     click("enableButton");
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
-    panel.ask(intent::RunAtVelocity{CountsPerTick(1 << 16), CountsPerTickSquared(6'554), false});
+    panel.ask(intent::Move{
+        servomotion::VelocityProfile{CountsPerTick(1 << 16), CountsPerTickSquared(6'554), false}});
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"switched its servo off"_s) != nullptr; }));
     EXPECT_TRUE(panel.standing(u"switched its servo off"_s)->message().body.contains(u"probably reversed"_s))
         << panel.standing(u"switched its servo off"_s)->message().body.toStdString();

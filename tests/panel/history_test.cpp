@@ -42,7 +42,7 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().stepper.parameters().has_value(); }));
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().stepper.amplifierOn(); }));
-        panel.ask(stepperintent::Move{steppermotion::VelocityProfile{40, 4, false}});
+        panel.ask(intent::Move{steppermotion::VelocityProfile{40, 4, false}});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
     }
     void offBy(VirtualPanel& panel, const QString& line, const QString& back, const QString& words) {

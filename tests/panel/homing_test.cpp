@@ -272,7 +272,8 @@ TEST_F(HomingPage, TheLimitStopStopsTheMotorAndSaysSo) {
     ASSERT_TRUE(panel.waitFor([&] {
         return text("limitStopState").contains(u"Armed: stops at limit 1 or limit 2"_s);
     })) << text("limitStopState").toStdString();
-    panel.ask(intent::RunAtVelocity{CountsPerTick(1 << 16), CountsPerTickSquared(1'311), true});
+    panel.ask(intent::Move{
+        servomotion::VelocityProfile{CountsPerTick(1 << 16), CountsPerTickSquared(1'311), true}});
     ASSERT_TRUE(panel.waitFor([&] { return text("limitStopState").contains(u"Tripped"_s); }));
     EXPECT_FALSE(testing_support::moves(sim));
     EXPECT_EQ(panel.module().activity(), Activity::Holding);
@@ -284,17 +285,20 @@ TEST_F(HomingPage, TheLimitStopStopsTheMotorAndSaysSo) {
 TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
     ASSERT_NO_FATAL_FAILURE(begin());
     auto* procedures = panel.composition().findChild<ProcedureController*>();
-    panel.ask(intent::MoveBy{{250, 3, 0.05, false}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)});
+    panel.ask(intent::MoveBy{{250, 3, 0.05, false},
+                             ServoPace{CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}});
     ASSERT_TRUE(procedures->anyRunning());
     ASSERT_TRUE(panel.waitFor([&] { return !procedures->anyRunning(); }));
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 750, 4);
-    panel.ask(intent::MoveBy{{-250, 30, 0.0, false}, CountsPerTick(1 << 14), CountsPerTickSquared(1'311)});
+    panel.ask(intent::MoveBy{{-250, 30, 0.0, false},
+                             ServoPace{CountsPerTick(1 << 14), CountsPerTickSquared(1'311)}});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     panel.ask(intent::Home{});
     EXPECT_EQ(panel.count(u"Module 1 cannot do this now"_s), 1) << "not in a queue either";
     EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning() && !testing_support::moves(sim); }));
     ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
-    panel.ask(intent::MoveBy{{-250, 30, 0.0, false}, CountsPerTick(1 << 14), CountsPerTickSquared(1'311)});
+    panel.ask(intent::MoveBy{{-250, 30, 0.0, false},
+                             ServoPace{CountsPerTick(1 << 14), CountsPerTickSquared(1'311)}});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     panel.pressStopAll();
     EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
@@ -306,7 +310,8 @@ TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
 TEST_F(HomingPage, N2_AfterAFreezeOfThePanelNoMoveFollows) {
     ASSERT_NO_FATAL_FAILURE(begin());
     auto* procedures = panel.composition().findChild<ProcedureController*>();
-    panel.ask(intent::MoveBy{{5'000, 1'000, 0.0, true}, CountsPerTick(1 << 15), CountsPerTickSquared(1'311)});
+    panel.ask(intent::MoveBy{{5'000, 1'000, 0.0, true},
+                             ServoPace{CountsPerTick(1 << 15), CountsPerTickSquared(1'311)}});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     panel.freeze(2'600ms);
     ASSERT_FALSE(testing_support::moves(sim));

@@ -60,7 +60,8 @@ protected:
     }
     void run() {
         ASSERT_TRUE(panel.waitFor([&] { return !panel.module().awaited; }));
-        panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false});
+        panel.ask(intent::Move{
+            servomotion::VelocityProfile{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}});
         ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
     }
     [[nodiscard]] double shaft() { return sim.state(1)[u"shaft"_s].toDouble(); }

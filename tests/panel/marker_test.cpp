@@ -123,7 +123,8 @@ TEST(MotionMark, IsAskedForBeforeTheCommandAndGoneWhenTheMotorStands) {
     panel.click("stopAbruptlyButton");
     ASSERT_TRUE(panel.waitFor([&] { return panel.markers().isEmpty(); }));
     // Whatever is seen of the motor: no time has passed.
-    panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
+    panel.ask(intent::Move{
+        servomotion::VelocityProfile{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false}});
     ASSERT_EQ(panel.markers().size(), 1);
     EXPECT_TRUE(panel.answersFor(0.5));
     EXPECT_EQ(panel.markers().size(), 1);

@@ -193,10 +193,12 @@ TEST_F(Paths, OneIsDrawnFromTheMovesOfASequence) {
     };
     ASSERT_NO_FATAL_FAILURE(
         panel.waitFor([&] { return panel.window().findChild<QLineEdit*>(u"pointNameField"_s); }));
-    panel.ask(intent::GoTo{Counts(3'000), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)});
+    panel.ask(intent::Move{
+        servomotion::Trapezoid{Counts(3'000), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)}});
     ASSERT_TRUE(panel.waitFor([&] { return commanded(1) == 3'000 && holds(); }));
     ASSERT_NO_FATAL_FAILURE(teach(u"There"_s));
-    panel.ask(intent::GoTo{Counts(0), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)});
+    panel.ask(
+        intent::Move{servomotion::Trapezoid{Counts(0), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)}});
     ASSERT_TRUE(panel.waitFor([&] { return commanded(1) == 0 && holds(); }));
     ASSERT_NO_FATAL_FAILURE(panel.click("newSequenceButton"));
     ASSERT_NO_FATAL_FAILURE(panel.click("addRowButton"));

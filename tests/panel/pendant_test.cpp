@@ -122,7 +122,8 @@ TEST_F(ByGamepad, LosingTheFocusStopsIt) {
 }
 
 TEST_F(ByGamepad, ItsStopButtonStopsWhatItDidNotSetGoing) {
-    panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false});
+    panel.ask(intent::Move{
+        servomotion::VelocityProfile{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}});
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
     pad.press(Button::B);
     EXPECT_TRUE(rests());
@@ -132,8 +133,10 @@ TEST_F(ByGamepad, ItsStopButtonStopsWhatItDidNotSetGoing) {
 TEST_F(ByHand, AnOperatorJogsAndStopsAndMovesItNoOtherWay) {
     ASSERT_NO_FATAL_FAILURE(lock());
     const double before = shaft();
-    panel.ask(intent::GoTo{Counts(5'000), CountsPerTick(65'536), CountsPerTickSquared(100)});
-    panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(100), false});
+    panel.ask(intent::Move{
+        servomotion::Trapezoid{Counts(5'000), CountsPerTick(65'536), CountsPerTickSquared(100)}});
+    panel.ask(
+        intent::Move{servomotion::VelocityProfile{CountsPerTick(65'536), CountsPerTickSquared(100), false}});
     ASSERT_TRUE(panel.answersFor(0.5));
     EXPECT_NEAR(shaft(), before, 2);
     EXPECT_GE(panel.count(u"Module 1 cannot do this now"_s), 1);
@@ -149,7 +152,8 @@ TEST_F(ByHand, AnOperatorJogsAndStopsAndMovesItNoOtherWay) {
 }
 
 TEST_F(ByHand, AMotorThatRunsWhenTheModeBeginsCanBeStopped) {
-    panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false});
+    panel.ask(intent::Move{
+        servomotion::VelocityProfile{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}});
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
     ASSERT_NO_FATAL_FAILURE(lock());
     panel.click("stopSmoothlyButton");

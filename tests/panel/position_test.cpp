@@ -30,7 +30,8 @@ protected:
         panel.ask(intent::SaveAsHome{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().home.place().has_value(); }));
         const std::int32_t home = panel.module().home.place()->counts;
-        panel.ask(intent::GoTo{Counts(home + 5'000), CountsPerTick(8 << 16), CountsPerTickSquared(6'554)});
+        panel.ask(intent::Move{servomotion::Trapezoid{Counts(home + 5'000), CountsPerTick(8 << 16),
+                                                      CountsPerTickSquared(6'554)}});
         ASSERT_TRUE(panel.waitFor([&] {
             return !panel.module().moving() && std::abs(*panel.module().latest->position - home - 5'000) < 5;
         }));
@@ -104,7 +105,8 @@ TEST_F(PositionKept, OneThatMovedWhenItsPowerWentIsNotOffered) {
     {
         VirtualPanel panel({}, {}, folder.path());
         ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
-        panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
+        panel.ask(intent::Move{
+            servomotion::VelocityProfile{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false}});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
         power();
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().silent || !panel.connected(); }));
@@ -122,7 +124,8 @@ TEST_F(PositionKept, OneThatWasStoppedByQuittingIsOffered) {
     {
         VirtualPanel panel({}, {}, folder.path());
         ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
-        panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
+        panel.ask(intent::Move{
+            servomotion::VelocityProfile{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false}});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
         panel.composition().stopAndQuit();
         ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));

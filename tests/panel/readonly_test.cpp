@@ -123,23 +123,22 @@ TEST_F(H02_ReadOnly, NoControlOfAModuleSends) {
 /// By the rule that greys out and the rule that plans, which the window is not asked first.
 TEST_F(H02_ReadOnly, NoRuleLetsAnythingThroughButTheQuestion) {
     ASSERT_NO_FATAL_FAILURE(look());
-    const intent::GoTo move{Counts(20'000), CountsPerTick(8 << 16), CountsPerTickSquared(1'311)};
+    const servomotion::Trapezoid move{Counts(20'000), CountsPerTick(8 << 16), CountsPerTickSquared(1'311)};
     const StepperMotion run = steppermotion::VelocityProfile{40, 4, false};
     const std::vector<Intent> ofServo{
-        move,
-        intent::GoHome{CountsPerTick(1 << 16), CountsPerTickSquared(100)},
-        intent::RunAtVelocity{CountsPerTick(1 << 16), CountsPerTickSquared(100)},
+        intent::Move{move},
+        intent::GoHome{ServoPace{CountsPerTick(1 << 16), CountsPerTickSquared(100)}},
+        intent::Move{servomotion::VelocityProfile{CountsPerTick(1 << 16), CountsPerTickSquared(100)}},
         intent::ApplyGains{},
         intent::ClearStickyBits{},
         intent::LoadMove{move},
         intent::StopHere{},
         intent::ControlIo{},
-        intent::MoveBy{{100}, CountsPerTick(1 << 16), CountsPerTickSquared(100)},
+        intent::MoveBy{{100}, ServoPace{CountsPerTick(1 << 16), CountsPerTickSquared(100)}},
         intent::StepResponse{100, ResponseMethod::Profile, 0.1},
         intent::ArmLimitStop{true}};
     const std::vector<Intent> ofStepper{stepperintent::SetParameters{}, stepperintent::SetOutputs{1},
-                                        stepperintent::Move{run}, stepperintent::LoadMove{run},
-                                        stepperintent::ChangeMotion{run}};
+                                        intent::Move{run}, intent::LoadMove{run}, intent::ChangeMotion{run}};
     for (const ModuleState* module : {&servo(), &stepper()}) {
         for (int kind = 0; kind <= static_cast<int>(IntentKind::SetOutputs); ++kind)
             EXPECT_EQ(whyNot(static_cast<IntentKind>(kind), *module), Refusal::ReadOnly) << kind;

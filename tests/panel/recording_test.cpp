@@ -70,7 +70,8 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
-        panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
+        panel.ask(intent::Move{
+            servomotion::VelocityProfile{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false}});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
     }
     static servo::SetGain gains() { return {200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}; }

@@ -84,7 +84,8 @@ protected:
             panel.waitFor([&] { return table->findChild<QWidget*>(u"rowNumberField"_s) == nullptr; }));
     }
     void moveTo(std::int32_t position) {
-        panel.ask(intent::GoTo{Counts(position), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)});
+        panel.ask(intent::Move{
+            servomotion::Trapezoid{Counts(position), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)}});
         ASSERT_TRUE(panel.waitFor([&] {
             return std::abs(*panel.module().latest->position - position) < 5 && !panel.module().moving();
         }));

@@ -91,7 +91,8 @@ TEST_F(Standing, AFaultOfAnotherChainActsOnNobody) {
 }
 
 TEST_F(Standing, ARefusalIsOverWhenTheModuleObeysAgain) {
-    panel.ask(intent::GoTo{Counts(100), CountsPerTick(65'536), CountsPerTickSquared(100)});
+    panel.ask(
+        intent::Move{servomotion::Trapezoid{Counts(100), CountsPerTick(65'536), CountsPerTickSquared(100)}});
     const QString refused = u"Module 1 cannot do this now"_s;
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(refused) != nullptr; })) << "the motor runs";
     click(u"stopAbruptlyButton"_s);

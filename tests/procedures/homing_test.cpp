@@ -349,7 +349,8 @@ TEST(Homing, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(procedureFor(intent::Home{recipe}, bench.module()), nullptr);
     recipe.onLimit1 = false;
     recipe.onLimit2 = true;
-    ASSERT_TRUE(bench.perform(intent::RunAtVelocity{CountsPerTick(1 << 16), CountsPerTickSquared(6'554)}));
+    ASSERT_TRUE(bench.perform(
+        intent::Move{servomotion::VelocityProfile{CountsPerTick(1 << 16), CountsPerTickSquared(6'554)}}));
     EXPECT_EQ(why(), Refusal::Moving);
     ASSERT_TRUE(bench.perform(intent::MotorOff{}));
     EXPECT_EQ(why(), Refusal::ServoOff);

@@ -17,7 +17,8 @@ protected:
         if (!bench.enable() || !bench.perform(arm))
             return false;
         EXPECT_EQ(bench.module().homing.state(), Watch::Armed);
-        if (!bench.perform(intent::RunAtVelocity{CountsPerTick(1 << 16), CountsPerTickSquared(6'554), false}))
+        if (!bench.perform(intent::Move{
+                servomotion::VelocityProfile{CountsPerTick(1 << 16), CountsPerTickSquared(6'554), false}}))
             return false;
         bench.bus.runFor(2s);
         bench.take();

@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 class MoveBy : public testing::Test {
 protected:
     [[nodiscard]] static intent::MoveBy by(std::int32_t counts, unsigned rounds) {
-        return {{counts, rounds}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
+        return {{counts, rounds}, ServoPace{CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}};
     }
     /// Goals of every move that was loaded, from the wire: AA 01 n4 control position...
     [[nodiscard]] std::vector<std::int32_t> goals() const {
@@ -48,8 +48,8 @@ TEST_F(MoveBy, BeginsAtTheGoalOfTheMoveBefore) {
     ASSERT_TRUE(bench.enable());
     ASSERT_TRUE(bench.perform(intent::ApplyGains{{20, 500, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}}}));
     bench.set(sim::Input::Friction, 0.02);
-    ASSERT_TRUE(
-        bench.perform(intent::GoTo{Counts(1'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}));
+    ASSERT_TRUE(bench.perform(intent::Move{
+        servomotion::Trapezoid{Counts(1'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}}));
     bench.bus.runFor(3s);
     bench.take();
     ASSERT_NE(bench.truth().position, 1'000);
@@ -133,7 +133,7 @@ TEST_F(MoveBy, BeyondTheChipsRangeNothingIsSent) {
     const std::size_t before = bench.bus.sent.size();
     ASSERT_TRUE(bench.perform(intent::ResetPosition{}));
     bench.module().latest->position = 0x7FFFFF00;
-    bench.begin(intent::MoveBy{{0x7FFFFFFF}, CountsPerTick(1), CountsPerTickSquared(1)});
+    bench.begin(intent::MoveBy{{0x7FFFFFFF}, ServoPace{CountsPerTick(1), CountsPerTickSquared(1)}});
     bench.module().latest->position = 0x7FFFFF00;
     Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
     ASSERT_TRUE(std::holds_alternative<Procedure::Send>(next)) << "a stop, and no load";
@@ -160,8 +160,8 @@ protected:
             stepperintent::SetParameters{{stepper::SpeedMode::X1, false, false, false, 4, 200, 50, 0}}));
         ASSERT_TRUE(bench.perform(intent::Enable{}));
     }
-    [[nodiscard]] static stepperintent::MoveBy by(std::int32_t counts, unsigned rounds) {
-        return {{counts, rounds}, 40, 4};
+    [[nodiscard]] static intent::MoveBy by(std::int32_t counts, unsigned rounds) {
+        return {{counts, rounds}, bus::StepperPace{40, 4}};
     }
     ProcedureBench bench{{{ModuleType::Stepper, 1}}};
 };
@@ -178,7 +178,7 @@ TEST_F(StepperMoveBy, MovesThatFarAsOftenAsAskedFor) {
 
 TEST_F(StepperMoveBy, GoesBackAndForthAndPauses) {
     const std::int64_t start = bench.stepperTruth().position;
-    stepperintent::MoveBy wanted = by(100, 2);
+    intent::MoveBy wanted = by(100, 2);
     wanted.moves.backAndForth = true;
     wanted.moves.pause = 0.5;
     const TimePoint began = bench.bus.now;
@@ -219,7 +219,7 @@ TEST_F(StepperMoveBy, AMoveThatIsNotItsOwnEndsIt) {
 
 TEST_F(StepperMoveBy, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(plan(by(0, 1), bench.module()).error(), Refusal::StepTooShort);
-    const intent::MoveBy servos{{10}, CountsPerTick(1 << 16), CountsPerTickSquared(100)};
+    const intent::MoveBy servos{{10}, ServoPace{CountsPerTick(1 << 16), CountsPerTickSquared(100)}};
     EXPECT_EQ(plan(servos, bench.module()).error(), Refusal::NotAServo);
     bench.set(sim::Input::Limit1, 1);
     bench.settle();
@@ -231,7 +231,7 @@ TEST_F(StepperMoveBy, IsRefusedWhereItCannotWork) {
 }
 
 TEST_F(StepperMoveBy, GoesHomeOnlyWhereHomeIsKnown) {
-    const stepperintent::GoHome home{40, 4};
+    const intent::GoHome home{bus::StepperPace{40, 4}};
     EXPECT_EQ(plan(home, bench.module()).error(), Refusal::HomeUnknown);
     ASSERT_EQ(bench.run(by(120, 1)).stage, ProcedureStage::Done);
     ASSERT_TRUE(bench.perform(intent::SaveAsHome{}));

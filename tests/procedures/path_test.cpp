@@ -195,7 +195,8 @@ TEST(Path, ThatBeginsSomewhereElseIsNotSent) {
     ASSERT_TRUE(bench.hold());
     auto wanted = bench.planned(bench.swings(PathRate::Hz60, 300));
     ASSERT_TRUE(wanted);
-    ASSERT_TRUE(bench.ask(0, intent::GoTo{Counts(150), CountsPerTick(4 << 16), CountsPerTickSquared(6'554)}));
+    ASSERT_TRUE(bench.ask(0, intent::Move{servomotion::Trapezoid{Counts(150), CountsPerTick(4 << 16),
+                                                                 CountsPerTickSquared(6'554)}}));
     EXPECT_EQ(plan(*wanted, bench.module()).error(), Refusal::PathNotPossible);
     const auto id =
         bench.bus.submit({{ModuleIndex(0), ServoCommand(servo::AddPathPoints())}}, {}, wanted->plan);

@@ -38,7 +38,8 @@ public:
             if (fastPath)
                 all = all && ask(i, intent::Direct{control(i, *fastPath)});
             all = all && ask(i, intent::ApplyGains{gains}) && ask(i, intent::Enable{}) &&
-                  ask(i, intent::GoTo{Counts(100), CountsPerTick(4 << 16), CountsPerTickSquared(6'554)});
+                  ask(i, intent::Move{servomotion::Trapezoid{Counts(100), CountsPerTick(4 << 16),
+                                                             CountsPerTickSquared(6'554)}});
         }
         settle();
         settle();

@@ -260,7 +260,8 @@ public:
         return perform(intent::ApplyGains{gains}) && perform(intent::Enable{});
     }
     [[nodiscard]] bool moveTo(std::int32_t position) {
-        if (!perform(intent::GoTo{Counts(position), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}))
+        if (!perform(intent::Move{servomotion::Trapezoid{Counts(position), CountsPerTick(2 << 16),
+                                                         CountsPerTickSquared(1'311)}}))
             return false;
         return bus.runUntil(
             [&] {

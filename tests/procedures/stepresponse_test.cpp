@@ -167,8 +167,8 @@ TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
 /// A stop at rest, as Esc sends it, leaves the command position where it is: what is held stays known.
 TEST_F(StepResponse, BeginsWhereTheMotorIsHeldBehindAStopAtRest) {
     ASSERT_TRUE(bench.enable());
-    ASSERT_TRUE(
-        bench.perform(intent::GoTo{Counts(1'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}));
+    ASSERT_TRUE(bench.perform(intent::Move{
+        servomotion::Trapezoid{Counts(1'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}}));
     bench.bus.runFor(2s);
     bench.take();
     for (const Intent& stop : {Intent(intent::StopSmoothly{}), Intent(intent::StopAbruptly{})}) {
@@ -189,8 +189,8 @@ TEST_F(StepResponse, ThereAndBackUnderALoadEndWhereTheyBegan) {
     ASSERT_TRUE(bench.enable());
     ASSERT_TRUE(bench.perform(intent::ApplyGains{{20, 500, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}}}));
     bench.set(sim::Input::Load, 0.1);
-    ASSERT_TRUE(
-        bench.perform(intent::GoTo{Counts(1'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}));
+    ASSERT_TRUE(bench.perform(intent::Move{
+        servomotion::Trapezoid{Counts(1'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}}));
     bench.bus.runFor(3s);
     bench.take();
     ASSERT_GT(std::abs(bench.truth().positionError), 5) << "it hangs";
@@ -205,8 +205,8 @@ TEST_F(StepResponse, ThereAndBackUnderALoadEndWhereTheyBegan) {
 
 TEST_F(StepResponse, IsRefusedWhileTheMotorMoves) {
     ASSERT_TRUE(hold());
-    ASSERT_TRUE(
-        bench.perform(intent::RunAtVelocity{CountsPerTick(1 << 16), CountsPerTickSquared(1'311), false}));
+    ASSERT_TRUE(bench.perform(intent::Move{
+        servomotion::VelocityProfile{CountsPerTick(1 << 16), CountsPerTickSquared(1'311), false}}));
     EXPECT_EQ(refusal(by(50)), Refusal::Moving);
 }
 

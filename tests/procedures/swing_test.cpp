@@ -16,8 +16,8 @@ protected:
     void hold(const servo::SetGain& gains, Duration time) {
         ASSERT_TRUE(bench.perform(intent::ApplyGains{gains}));
         const std::int32_t goal = bench.truth().position + 50;
-        ASSERT_TRUE(
-            bench.perform(intent::GoTo{Counts(goal), CountsPerTick(2 << 16), CountsPerTickSquared(13'110)}));
+        ASSERT_TRUE(bench.perform(intent::Move{
+            servomotion::Trapezoid{Counts(goal), CountsPerTick(2 << 16), CountsPerTickSquared(13'110)}}));
         positions.clear();
         bench.bus.onTime = [this] { positions.emplace_back(bench.bus.now, bench.truth().position); };
         bench.bus.runFor(time);

@@ -85,17 +85,18 @@ public:
     }
     [[nodiscard]] Intent run(bool reverse, double velocity) const {
         if (m_servo)
-            return intent::RunAtVelocity{CountsPerTick(static_cast<std::uint32_t>(velocity * 65'536)),
-                                         CountsPerTickSquared(655), reverse};
-        return stepperintent::Move{
+            return intent::Move{
+                servomotion::VelocityProfile{CountsPerTick(static_cast<std::uint32_t>(velocity * 65'536)),
+                                             CountsPerTickSquared(655), reverse}};
+        return intent::Move{
             steppermotion::VelocityProfile{static_cast<std::uint8_t>(velocity * 40), 4, reverse}};
     }
     [[nodiscard]] Intent goTo(std::int32_t position, double velocity) const {
         if (m_servo)
-            return intent::GoTo{Counts(position),
-                                CountsPerTick(static_cast<std::uint32_t>(velocity * 65'536)),
-                                CountsPerTickSquared(655)};
-        return stepperintent::Move{
+            return intent::Move{servomotion::Trapezoid{
+                Counts(position), CountsPerTick(static_cast<std::uint32_t>(velocity * 65'536)),
+                CountsPerTickSquared(655)}};
+        return intent::Move{
             steppermotion::Trapezoid{position, false, static_cast<std::uint8_t>(velocity * 40), 4}};
     }
     /// Sends what the rule allows; false: it did not.
@@ -373,7 +374,7 @@ protected:
         return all;
     }
     [[nodiscard]] static intent::MoveBy by(std::int32_t counts, unsigned rounds) {
-        return {{counts, rounds}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
+        return {{counts, rounds}, ServoPace{CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}};
     }
     ServoBench bench;
 };
@@ -400,17 +401,17 @@ TEST_F(Steps, TakeUpTheBacklashWhereTheyComeFromTheWrongSide) {
     bench.bus.expectNoViolations();
 }
 
-TEST_F(Steps, GoToTurnsRoundToo) {
+TEST_F(Steps, AMoveTurnsRoundToo) {
     ASSERT_TRUE(bench.enable());
     bench.module().backlash = {40, true};
-    const intent::GoTo up{Counts(500), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
-    const ProcedureReport report = bench.run(up);
+    const ServoPace pace{CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
+    const ProcedureReport report = bench.run(intent::Move{moveTo(500, pace)});
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_EQ(report.kind, ProcedureKind::Approach);
     EXPECT_EQ(goals(), (std::vector<std::int32_t>{540, 500}));
     EXPECT_NEAR(bench.truth().position, 500, 3);
-    const intent::GoTo down{Counts(100), up.velocity, up.acceleration};
-    EXPECT_EQ(procedureFor(down, bench.module()), nullptr) << "from the right side it goes straight";
+    EXPECT_EQ(procedureFor(intent::Move{moveTo(100, pace)}, bench.module()), nullptr)
+        << "from the right side it goes straight";
     bench.bus.expectNoViolations();
 }
 
@@ -435,7 +436,7 @@ protected:
         ASSERT_TRUE(bench.perform(intent::Enable{}));
         bench.bus.onTime = [this] { lowest = std::min(lowest, bench.stepperTruth().position); };
     }
-    [[nodiscard]] static stepperintent::Move to(std::int32_t position) {
+    [[nodiscard]] static intent::Move to(std::int32_t position) {
         return {steppermotion::Trapezoid{position, false, 40, 4}};
     }
     ProcedureBench bench{{{ModuleType::Stepper, 1}}};

@@ -19,8 +19,8 @@ protected:
             30s);
     }
     [[nodiscard]] bool run(std::uint32_t velocity, bool reverse) {
-        return bench.perform(
-            intent::RunAtVelocity{CountsPerTick(velocity), CountsPerTickSquared(6'554), reverse});
+        return bench.perform(intent::Move{
+            servomotion::VelocityProfile{CountsPerTick(velocity), CountsPerTickSquared(6'554), reverse}});
     }
     static constexpr std::uint32_t kOnePerTick = 65'536;
     ServoBench bench;
@@ -36,8 +36,8 @@ TEST_F(ATrip, OfAReversedEncoderIsToldApart) {
         ASSERT_TRUE(own.perform(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 400, 1, std::uint8_t{0}}}));
         ASSERT_TRUE(own.perform(intent::Enable{}));
         ASSERT_TRUE(own.module().servoOn()) << "friction holds it";
-        std::ignore = own.perform(
-            intent::RunAtVelocity{CountsPerTick(kOnePerTick), CountsPerTickSquared(6'554), reverse});
+        std::ignore = own.perform(intent::Move{
+            servomotion::VelocityProfile{CountsPerTick(kOnePerTick), CountsPerTickSquared(6'554), reverse}});
         own.settle();
         ASSERT_TRUE(own.module().switchedItselfOff);
         EXPECT_EQ(own.module().tripCause, TripCause::Reversed);
@@ -80,8 +80,8 @@ TEST_F(ATrip, AtAHardStopBehindALimitSwitch) {
     ASSERT_TRUE(bench.enable(400));
     bench.putSwitch(Input::Limit2, 1'900, false);
     bench.set(Input::TravelMax, 2'000);
-    ASSERT_TRUE(
-        bench.perform(intent::GoTo{Counts(4'000), CountsPerTick(kOnePerTick), CountsPerTickSquared(6'554)}));
+    ASSERT_TRUE(bench.perform(intent::Move{
+        servomotion::Trapezoid{Counts(4'000), CountsPerTick(kOnePerTick), CountsPerTickSquared(6'554)}}));
     ASSERT_TRUE(trips());
     EXPECT_EQ(bench.module().tripCause, TripCause::Limit2);
 }

@@ -171,8 +171,8 @@ TEST_F(TriedGains, AreRefusedWhereNothingIsHeldOrKnown) {
     EXPECT_EQ(plan(wanted, bench.module()).error(), Refusal::ServoOff);
     ASSERT_TRUE(bench.perform(intent::Enable{}));
     EXPECT_TRUE(plan(wanted, bench.module()).has_value());
-    ASSERT_TRUE(
-        bench.perform(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}));
+    ASSERT_TRUE(bench.perform(intent::Move{
+        servomotion::VelocityProfile{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}}));
     EXPECT_EQ(plan(wanted, bench.module()).error(), Refusal::Moving);
 }
 

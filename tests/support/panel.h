@@ -113,7 +113,8 @@ public:
         ASSERT_TRUE(waitFor([&] { return module().gains.has_value(); }));
         ask(intent::Enable{});
         ASSERT_TRUE(waitFor([&] { return module().servoOn(); }));
-        ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
+        ask(intent::Move{
+            servomotion::VelocityProfile{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false}});
         ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::AtSpeed; }));
     }
     template <typename Predicate>

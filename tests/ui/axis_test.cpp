@@ -6,6 +6,7 @@
 #include <QTabWidget>
 
 #include "tests/model/stepperfixture.h"
+#include "tests/support/motionof.h"
 #include "widgets/chain/chainmodel.h"
 #include "widgets/common/look.h"
 #include "windowtest.h"
@@ -65,7 +66,7 @@ TEST_F(Axis, U05_AnotherUnitKeepsEveryAmountAndSendsNothing) {
     // What is sent is what was typed, not what is left of it after rounding for show.
     click(u"goButton"_s);
     ASSERT_EQ(intents.size(), 1);
-    const auto go = std::get<intent::GoTo>(intents.at(0).at(1).value<Intent>());
+    const auto go = test::motionOf<servomotion::Trapezoid>(intents.at(0).at(1).value<Intent>());
     EXPECT_EQ(go.position.value(), 3000);
     EXPECT_EQ(go.velocity.value(), 65536U);
 }
@@ -76,7 +77,7 @@ TEST_F(Axis, ValuesAreTypedInTheUsersUnit) {
     type(u"velocityField"_s, u"0.9765625"_s);
     click(u"goButton"_s);
     ASSERT_EQ(intents.size(), 1);
-    const auto go = std::get<intent::GoTo>(intents.at(0).at(1).value<Intent>());
+    const auto go = test::motionOf<servomotion::Trapezoid>(intents.at(0).at(1).value<Intent>());
     EXPECT_EQ(go.position.value(), -1500);
     EXPECT_EQ(go.velocity.value(), 65536U);
 }

@@ -8,6 +8,7 @@
 #include <QTreeWidget>
 
 #include "tests/model/stepperfixture.h"
+#include "tests/support/motionof.h"
 #include "widgets/panels/command.h"
 #include "windowtest.h"
 
@@ -50,7 +51,7 @@ TEST_F(Commands, AreFoundByTheirWordsAndDoneByEnter) {
     EXPECT_EQ(chosen(), u"Run forward until stopped / Module 1"_s);
     strike(Qt::Key_Return);
     ASSERT_EQ(intents.size(), 1);
-    EXPECT_TRUE(std::holds_alternative<intent::RunAtVelocity>(intents.at(0).at(1).value<Intent>()));
+    EXPECT_NO_THROW((void)test::motionOf<servomotion::VelocityProfile>(intents.at(0).at(1).value<Intent>()));
     EXPECT_FALSE(palette()->isVisible());
 }
 
@@ -187,7 +188,7 @@ TEST_F(Commands, EnterInRunRunsAndKeepsTheDirection) {
     type(u"runVelocityField"_s, u"0.4"_s);
     QTest::keyClick(field(u"runVelocityField"_s), Qt::Key_Return);
     ASSERT_EQ(intents.size(), 1);
-    EXPECT_FALSE(std::get<intent::RunAtVelocity>(intents.at(0).at(1).value<Intent>()).reverse);
+    EXPECT_FALSE(test::motionOf<servomotion::VelocityProfile>(intents.at(0).at(1).value<Intent>()).reverse);
 
     ModuleState reverse = Servo{.moveDone = false, .millisecond = 40}.state();
     reverse.motion = MotionMode::Velocity;
@@ -195,7 +196,7 @@ TEST_F(Commands, EnterInRunRunsAndKeepsTheDirection) {
     window->showLink(connectedTo({reverse}));
     QTest::keyClick(field(u"runVelocityField"_s), Qt::Key_Return);
     ASSERT_EQ(intents.size(), 2);
-    EXPECT_TRUE(std::get<intent::RunAtVelocity>(intents.at(1).at(1).value<Intent>()).reverse);
+    EXPECT_TRUE(test::motionOf<servomotion::VelocityProfile>(intents.at(1).at(1).value<Intent>()).reverse);
 }
 
 }  // namespace

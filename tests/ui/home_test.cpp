@@ -49,7 +49,7 @@ TEST_F(HomeInTheWindow, KnownItIsSeenAndGoneTo) {
     click(u"goHomeButton"_s);
     ASSERT_EQ(intents.size(), 1);
     const auto goHome = std::get<intent::GoHome>(intents.at(0).at(1).value<Intent>());
-    EXPECT_EQ(goHome.velocity.value(), 65'536U) << "that of Go to";
+    EXPECT_EQ(std::get<ServoPace>(goHome.pace).velocity.value(), 65'536U) << "that of Go to";
 }
 
 TEST_F(HomeInTheWindow, ZeroHereSaysWhatItDestroys) {

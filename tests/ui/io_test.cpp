@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QTabWidget>
 
+#include "tests/support/motionof.h"
 #include "widgets/common/words.h"
 #include "windowtest.h"
 
@@ -91,7 +92,7 @@ TEST_F(IoPage, ADistanceIsFromWhereTheMotorIs) {
     kind->setCurrentIndex(1);
     type(u"goalField"_s, u"-250"_s);
     click(u"loadButton"_s);
-    EXPECT_EQ(only<intent::LoadMove>().move.position.value(), 750);
+    EXPECT_EQ(test::motionOf<servomotion::Trapezoid>(only<intent::LoadMove>()).position.value(), 750);
     EXPECT_FALSE(button(u"startButton"_s)->isEnabled());
     ModuleState module = Servo{.position = 1000, .millisecond = 10}.state();
     module.loadWaiting = true;

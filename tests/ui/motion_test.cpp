@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
 
+#include "tests/support/motionof.h"
 #include "widgets/common/words.h"
 #include "windowtest.h"
 
@@ -25,7 +26,7 @@ TEST_F(Motion, GoSendsPositionVelocityAndAccelerationInFixedPoint) {
     type(u"accelerationField"_s, u"0.25"_s);
     click(u"goButton"_s);
     ASSERT_EQ(intents.size(), 1);
-    const auto go = std::get<intent::GoTo>(sent());
+    const auto go = test::motionOf<servomotion::Trapezoid>(sent());
     EXPECT_EQ(go.position.value(), -12000);
     EXPECT_EQ(go.velocity.value(), 98304U);      // 1.5 x 65536
     EXPECT_EQ(go.acceleration.value(), 16384U);  // 0.25 x 65536
@@ -38,8 +39,8 @@ TEST_F(Motion, RunsBothWays) {
     showServo({.millisecond = 20});
     click(u"runForwardButton"_s);
     ASSERT_EQ(intents.size(), 2);
-    EXPECT_TRUE(std::get<intent::RunAtVelocity>(sent(0)).reverse);
-    EXPECT_FALSE(std::get<intent::RunAtVelocity>(sent(1)).reverse);
+    EXPECT_TRUE(test::motionOf<servomotion::VelocityProfile>(sent(0)).reverse);
+    EXPECT_FALSE(test::motionOf<servomotion::VelocityProfile>(sent(1)).reverse);
 }
 
 TEST_F(Motion, EnterInTheGoalStartsTheMoveAndElsewhereNothing) {

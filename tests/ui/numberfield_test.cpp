@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 
 #include "inlanguage.h"
+#include "tests/support/motionof.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -195,7 +196,8 @@ TEST_P(AmbiguousNumbers, U02_TenThousandIsNeverTen) {
     EXPECT_EQ(intents.size(), 0);
     enter(u"goalField"_s, u"10 000"_s);
     ASSERT_EQ(intents.size(), 1);
-    EXPECT_EQ(std::get<intent::GoTo>(intents.at(0).at(1).value<Intent>()).position.value(), 10'000);
+    EXPECT_EQ(test::motionOf<servomotion::Trapezoid>(intents.at(0).at(1).value<Intent>()).position.value(),
+              10'000);
 }
 
 TEST_P(AmbiguousNumbers, U02_AFractionIsShownBeforeItIsSent) {
@@ -213,7 +215,9 @@ TEST_P(AmbiguousNumbers, U02_AFractionIsShownBeforeItIsSent) {
         enter(u"goalField"_s, u"200"_s);
         ASSERT_EQ(intents.size(), 1);
         // 1.25 x 65536
-        EXPECT_EQ(std::get<intent::GoTo>(intents.at(0).at(1).value<Intent>()).velocity.value(), 81'920U);
+        EXPECT_EQ(
+            test::motionOf<servomotion::Trapezoid>(intents.at(0).at(1).value<Intent>()).velocity.value(),
+            81'920U);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 
 #include "tests/model/stepperfixture.h"
+#include "tests/support/motionof.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -56,7 +57,7 @@ TEST_F(StepperPanelTest, OffersWhatTheChipForbidsAsStopWaitGo) {
     EXPECT_EQ(button(u"stepperRunForwardButton"_s)->text(), u"R&un forward"_s);
     EXPECT_EQ(button(u"stepperRunReverseButton"_s)->text(), u"Stop, wait: Run &reverse"_s);
     click(u"stepperRunReverseButton"_s);
-    const auto change = asked<stepperintent::ChangeMotion>();
+    const auto change = asked<intent::ChangeMotion>();
     ASSERT_TRUE(change);
     // 200 steps/s at 1x is speed 8; 40 is where it begins, 10 ms.
     EXPECT_EQ(change->motion, StepperMotion(steppermotion::VelocityProfile{8, 40, true}));
@@ -72,7 +73,7 @@ TEST_F(StepperPanelTest, OffersAMoveOutOfARunAsStopWaitGo) {
     EXPECT_TRUE(button(u"stepperGoButton"_s)->isEnabled());
     click(u"stepperLoadOnlyBox"_s);
     click(u"stepperGoButton"_s);
-    const auto change = asked<stepperintent::ChangeMotion>();
+    const auto change = asked<intent::ChangeMotion>();
     ASSERT_TRUE(change);
     EXPECT_EQ(change->motion, StepperMotion(steppermotion::Trapezoid{900, false, 16, 40}));
 }
@@ -83,9 +84,10 @@ TEST_F(StepperPanelTest, StartsAMoveByEnterAndOnlyOnceForADoubleClick) {
     QTest::keyClick(field(u"stepperGoalField"_s), Qt::Key_Return);
     click(u"stepperGoButton"_s);
     EXPECT_EQ(intents.size(), 1);
-    const auto move = asked<stepperintent::Move>();
+    const auto move = asked<intent::Move>();
     ASSERT_TRUE(move);
-    EXPECT_EQ(move->motion, StepperMotion(steppermotion::Trapezoid{-300, false, 16, 40}));
+    EXPECT_EQ(test::motionOf<steppermotion::Trapezoid>(*move),
+              (steppermotion::Trapezoid{-300, false, 16, 40}));
     click(u"stepperStopAbruptlyButton"_s);
     EXPECT_TRUE(asked<intent::StopAbruptly>(1)) << "a stop never waits";
 }

@@ -4,6 +4,7 @@
 #include <QComboBox>
 
 #include "tests/model/stepperfixture.h"
+#include "tests/support/motionof.h"
 #include "widgets/common/askdialog.h"
 #include "windowtest.h"
 
@@ -160,7 +161,7 @@ TEST_F(TravelPanel, AGoalBeyondIsRefusedAndTheNearestOneOffered) {
     EXPECT_FALSE(button(u"nearestGoalButton"_s)->isVisible());
     EXPECT_TRUE(intents.isEmpty()) << "it moves nothing";
     click(u"goButton"_s);
-    EXPECT_EQ(lastIntent<intent::GoTo>().position.value(), 1'500);
+    EXPECT_EQ(test::motionOf<servomotion::Trapezoid>(lastIntent<intent::Move>()).position.value(), 1'500);
 }
 
 TEST_F(TravelPanel, AtALimitThereIsOnlyTheWayBack) {
@@ -190,7 +191,8 @@ TEST_F(TravelPanel, NoFieldTakesMoreThanTheHighestVelocity) {
         EXPECT_TRUE(button(act)->isEnabled());
     }
     click(u"runForwardButton"_s);
-    EXPECT_EQ(lastIntent<intent::RunAtVelocity>().velocity.value(), 98'304U);
+    EXPECT_EQ(test::motionOf<servomotion::VelocityProfile>(lastIntent<intent::Move>()).velocity.value(),
+              98'304U);
 }
 
 TEST_F(TravelPanel, ThePresentPositionBecomesALimit) {
@@ -225,7 +227,7 @@ TEST_F(TravelPanel, AStepperHasTheSamePage) {
     EXPECT_TRUE(whyNot(u"stepperGoButton"_s).contains(u"300 steps"_s));
     click(u"stepperNearestGoalButton"_s);
     click(u"stepperGoButton"_s);
-    const auto move = std::get<steppermotion::Trapezoid>(lastIntent<stepperintent::Move>().motion);
+    const auto move = test::motionOf<steppermotion::Trapezoid>(lastIntent<intent::Move>());
     EXPECT_EQ(move.position, 300);
     EXPECT_FALSE(move.relative);
 }

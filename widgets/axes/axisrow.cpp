@@ -130,10 +130,9 @@ std::optional<steppermotion::VelocityProfile> AxisRow::pace(bool reverse) const 
         return std::nullopt;
     // Never faster than asked for.
     const double units = std::floor(velocity() / StepperSpeed(parameters->speedMode).unit() + 1e-9);
-    return steppermotion::VelocityProfile{
-        static_cast<std::uint8_t>(std::clamp(units, 1.0, 250.0)),
-        static_cast<std::uint8_t>(stepperdefaults::accelerationTime(m_context.settings())),
-        m_context.chipReverse(reverse)};
+    return steppermotion::VelocityProfile{static_cast<std::uint8_t>(std::clamp(units, 1.0, 250.0)),
+                                          stepperdefaults::accelerationTime(m_context.settings()),
+                                          m_context.chipReverse(reverse)};
 }
 
 std::optional<Intent> AxisRow::stepperIntent(bool reverse) const {
@@ -145,13 +144,12 @@ std::optional<Intent> AxisRow::stepperIntent(bool reverse) const {
         const auto wanted = pace(reverse);
         if (!wanted)
             return std::nullopt;
-        return stepperintent::Move{
-            steppermotion::Trapezoid{way, true, wanted->speed, wanted->accelerationTime}};
+        return intent::Move{steppermotion::Trapezoid{way, true, wanted->speed, wanted->accelerationTime}};
     }
     const MotionSettings motion = servodefaults::motionOf(m_context.settings());
     return intent::MoveBy{{.counts = way},
-                          CountsPerTick(servodefaults::toFixed(velocity())),
-                          CountsPerTickSquared(servodefaults::toFixed(motion.acceleration))};
+                          ServoPace{CountsPerTick(servodefaults::toFixed(velocity())),
+                                    CountsPerTickSquared(servodefaults::toFixed(motion.acceleration))}};
 }
 
 QString AxisRow::whyNotHeld(bool reverse) const {

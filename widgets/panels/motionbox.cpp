@@ -200,11 +200,14 @@ QString MotionBox::whyNoMovesBy() const {
 }
 
 std::optional<Intent> MotionBox::movesBy(const Rounds& moves) const {
+    const auto wanted = pace();
+    return wanted ? std::optional<Intent>(intent::MoveBy{moves, *wanted}) : std::nullopt;
+}
+
+std::optional<ServoPace> MotionBox::pace() const {
     const auto velocity = this->velocity();
     const auto acceleration = this->acceleration();
-    if (!velocity || !acceleration)
-        return std::nullopt;
-    return intent::MoveBy{moves, *velocity, *acceleration};
+    return velocity && acceleration ? std::optional(ServoPace{*velocity, *acceleration}) : std::nullopt;
 }
 
 /// What the user types is kept with the axis; what is no value stays in its field.
@@ -256,11 +259,10 @@ QString MotionBox::reasonNow(IntentKind kind, std::initializer_list<const Quanti
     return reason.isEmpty() ? m_context.whyBusy() : reason;
 }
 
-std::optional<intent::GoTo> MotionBox::entered() const {
+std::optional<servomotion::Trapezoid> MotionBox::entered() const {
     const auto goal = m_goal->native();
-    const auto velocity = m_velocity->native();
-    const auto acceleration = this->acceleration();
-    if (!goal || !velocity || !acceleration)
+    const auto wanted = pace();
+    if (!goal || !wanted)
         return std::nullopt;
     double counts = *goal;
     if (relative()) {
@@ -271,23 +273,23 @@ std::optional<intent::GoTo> MotionBox::entered() const {
     }
     if (std::abs(counts) > kMostCounts)
         return std::nullopt;
-    return intent::GoTo{Counts(static_cast<std::int32_t>(counts)),
-                        CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration};
+    return servomotion::Trapezoid{Counts(static_cast<std::int32_t>(counts)), wanted->velocity,
+                                  wanted->acceleration};
 }
 
-std::optional<intent::RunAtVelocity> MotionBox::enteredRun(bool reverse) const {
+std::optional<servomotion::VelocityProfile> MotionBox::enteredRun(bool reverse) const {
     const auto velocity = m_runVelocity->native();
     const auto acceleration = this->acceleration();
     if (!velocity || !acceleration)
         return std::nullopt;
-    return intent::RunAtVelocity{CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration,
-                                 m_context.chipReverse(reverse)};
+    return servomotion::VelocityProfile{CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration,
+                                        m_context.chipReverse(reverse)};
 }
 
 /// A goal beyond the limits has a nearest one within.
 void MotionBox::offerNearest() {
-    const auto goTo = entered();
-    const auto problem = goTo ? travelProblem(Intent(*goTo), m_context.state()) : std::nullopt;
+    const auto wanted = entered();
+    const auto problem = wanted ? travelProblem(intent::Move{*wanted}, m_context.state()) : std::nullopt;
     const bool offers = problem && problem->refusal == Refusal::BeyondTravel;
     m_nearest->setVisible(offers);
     if (!offers)
@@ -297,8 +299,8 @@ void MotionBox::offerNearest() {
 }
 
 void MotionBox::takeNearest() {
-    const auto goTo = entered();
-    const auto problem = goTo ? travelProblem(Intent(*goTo), m_context.state()) : std::nullopt;
+    const auto wanted = entered();
+    const auto problem = wanted ? travelProblem(intent::Move{*wanted}, m_context.state()) : std::nullopt;
     if (!problem || problem->refusal != Refusal::BeyondTravel)
         return;
     m_goalKind->setCurrentIndex(Absolute);
@@ -310,7 +312,7 @@ void MotionBox::takeNearest() {
 void MotionBox::refreshRun(Command& command, bool reverse, const QString& meaning) {
     QString reason = reasonNow(IntentKind::Run, {m_runVelocity, m_acceleration});
     if (const auto run = enteredRun(reverse); reason.isEmpty() && run)
-        reason = m_context.reasonFor(Intent(*run));
+        reason = m_context.reasonFor(intent::Move{*run});
     command.setPossible(reason, meaning);
 }
 
@@ -319,9 +321,9 @@ void MotionBox::refreshForecast() {
     const auto velocity = m_velocity->native();
     const auto acceleration = m_acceleration->native();
     const auto& latest = m_context.state().latest;
-    if (const auto goTo = entered(); goTo && latest && latest->position) {
+    if (const auto wanted = entered(); wanted && latest && latest->position) {
         const AxisScale& scale = m_velocity->scale();
-        const double way = static_cast<double>(goTo->position.value()) - *latest->position;
+        const double way = static_cast<double>(wanted->position.value()) - *latest->position;
         const auto perSecond = scale.perSecond();
         const MoveForecast move = forecast(way, *velocity, *acceleration, perSecond.value_or(1.0));
         const QString seconds = tr("%1 s").arg(perSecond ? texts::readout(move.seconds, 3) : u"–"_s);
@@ -336,13 +338,13 @@ void MotionBox::refreshForecast() {
 
 void MotionBox::refresh() {
     refreshForecast();
-    const auto goTo = entered();
-    const auto whyNo = [this, &goTo](IntentKind kind, bool later) {
+    const auto wanted = entered();
+    const auto whyNo = [this, &wanted](IntentKind kind, bool later) {
         QString reason = reasonNow(kind, {m_goal, m_velocity, m_acceleration});
-        if (reason.isEmpty() && !goTo)
+        if (reason.isEmpty() && !wanted)
             reason = tr("The goal is outside the position range.");
         if (reason.isEmpty())
-            reason = m_context.reasonFor(later ? Intent(intent::LoadMove{*goTo}) : Intent(*goTo));
+            reason = m_context.reasonFor(later ? Intent(intent::LoadMove{*wanted}) : intent::Move{*wanted});
         return reason;
     };
     offerNearest();
@@ -353,7 +355,7 @@ void MotionBox::refresh() {
     m_start->setPossible(m_context.reasonNow(IntentKind::StartLoaded), tr("Starts the loaded move."));
     QString home = reasonNow(IntentKind::GoHome, {m_velocity, m_acceleration});
     if (home.isEmpty())
-        home = m_context.reasonFor(Intent(intent::GoHome{*velocity(), *acceleration()}));
+        home = m_context.reasonFor(intent::GoHome{*pace()});
     m_goHome->setPossible(home, tr("Moves to home."));
     m_zero->setPossible(m_context.reasonNow(IntentKind::ResetPosition),
                         texts::zeroMeaning(m_context.state(), m_goal->scale()));
@@ -371,27 +373,25 @@ void MotionBox::refresh() {
     for (const QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})
         if (hint.isEmpty())
             hint = field->problemText();
-    if (const auto problem = goTo ? travelProblem(Intent(*goTo), module) : std::nullopt;
+    if (const auto problem = wanted ? travelProblem(intent::Move{*wanted}, module) : std::nullopt;
         problem && hint.isEmpty())
         hint = texts::travelProblem(*problem, m_goal->scale());
     look::setText(m_hint, hint);
 }
 
 void MotionBox::move(bool later) {
-    if (const auto goTo = entered())
-        m_context.ask(later ? Intent(intent::LoadMove{*goTo}) : Intent(*goTo));
+    if (const auto wanted = entered())
+        m_context.ask(later ? Intent(intent::LoadMove{*wanted}) : intent::Move{*wanted});
 }
 
 void MotionBox::goHome() {
-    const auto velocity = this->velocity();
-    const auto acceleration = this->acceleration();
-    if (velocity && acceleration)
-        m_context.ask(intent::GoHome{*velocity, *acceleration});
+    if (const auto wanted = pace())
+        m_context.ask(intent::GoHome{*wanted});
 }
 
 void MotionBox::run(bool reverse) {
     if (const auto run = enteredRun(reverse))
-        m_context.ask(*run);
+        m_context.ask(intent::Move{*run});
 }
 
 }  // namespace nmc

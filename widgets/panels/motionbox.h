@@ -41,8 +41,9 @@ private:
     void buildRun(QGridLayout* grid, int& line);
     QuantityField* addQuantity(QGridLayout* grid, int line, const QString& label, const QString& objectName,
                                const QString& accessibleName, double MotionSettings::*part);
-    [[nodiscard]] std::optional<intent::GoTo> entered() const;
-    [[nodiscard]] std::optional<intent::RunAtVelocity> enteredRun(bool reverse) const;
+    [[nodiscard]] std::optional<servomotion::Trapezoid> entered() const;
+    [[nodiscard]] std::optional<servomotion::VelocityProfile> enteredRun(bool reverse) const;
+    [[nodiscard]] std::optional<ServoPace> pace() const;
     void offerNearest();
     void takeNearest();
     void refreshRun(Command& command, bool reverse, const QString& meaning);

@@ -136,10 +136,9 @@ std::optional<steppermotion::VelocityProfile> StepperHoldBox::motion(bool revers
     const StepperSpeed mode(parameters->speedMode);
     // Never faster than what stands there.
     const auto whole = std::max(1.0, std::floor(*speed / mode.unit() + 1e-9));
-    return steppermotion::VelocityProfile{
-        static_cast<std::uint8_t>(std::min(whole, 250.0)),
-        static_cast<std::uint8_t>(stepperdefaults::accelerationTime(m_context.settings())),
-        m_context.chipReverse(reverse)};
+    return steppermotion::VelocityProfile{static_cast<std::uint8_t>(std::min(whole, 250.0)),
+                                          stepperdefaults::accelerationTime(m_context.settings()),
+                                          m_context.chipReverse(reverse)};
 }
 
 QString StepperHoldBox::reasonFor(bool reverse) const {
@@ -149,12 +148,11 @@ QString StepperHoldBox::reasonFor(bool reverse) const {
     if (!wanted)
         return m_speed->problemText();
     const ModuleState& module = m_context.state();
-    const stepperintent::Move move{*wanted};
     // Towards a limit of travel what moves is stopped first, by the bus.
     const auto refusal = travelEnd(module, wanted->reverse)
-                             ? whyNotFromStandstill(move.motion, module, IntentKind::Hold)
-                             : whyNot(move.motion, module, IntentKind::Hold);
-    return refusal ? texts::refusal(*refusal, move, module, m_context.scale()) : QString();
+                             ? whyNotFromStandstill(*wanted, module, IntentKind::Hold)
+                             : whyNot(*wanted, module, IntentKind::Hold);
+    return refusal ? texts::refusal(*refusal, intent::Move{*wanted}, module, m_context.scale()) : QString();
 }
 
 void StepperHoldBox::refresh() {

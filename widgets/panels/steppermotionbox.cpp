@@ -111,7 +111,7 @@ void StepperMotionBox::buildButtons(QGridLayout* grid, int line) {
                             .text = tr("Go home"),
                             .accessible = tr("Go home"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
-                           this, [this] { m_context.ask(home()); });
+                           this, [this] { m_context.ask(intent::GoHome{movePace()}); });
     m_runReverse = new Command({.name = u"stepperRunReverseButton"_s,
                                 .icon = u"arrow-left"_s,
                                 .text = tr("Run &reverse"),
@@ -229,7 +229,7 @@ std::optional<StepperMotion> StepperMotionBox::motion(bool reverse) const {
         return std::nullopt;
     const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
     const auto position = static_cast<std::int32_t>(goal.value_or(0));
-    const std::uint8_t acceleration = accelerationTime();
+    const std::uint8_t acceleration = stepperdefaults::accelerationTime(m_context.settings());
     switch (m_mode->mode()) {
         case StepperModeChoice::Mode::Trapezoid:
             return steppermotion::Trapezoid{position, m_relative->isChecked(), speeds.speedFor(*speed),
@@ -245,16 +245,13 @@ std::optional<StepperMotion> StepperMotionBox::motion(bool reverse) const {
     return std::nullopt;
 }
 
-std::uint8_t StepperMotionBox::accelerationTime() const {
-    return static_cast<std::uint8_t>(stepperdefaults::accelerationTime(m_context.settings()));
-}
-
-std::uint8_t StepperMotionBox::moveSpeed() const {
+bus::StepperPace StepperMotionBox::movePace() const {
     const AxisSettings& axis = m_context.settings();
     const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, axis);
     const double set = axis.motion.velocity > 0 ? axis.motion.velocity : stepperdefaults::kMove;
-    return speeds.speedFor(std::clamp(
-        set, speeds.slowest(), std::max(speeds.slowest(), stepperdefaults::atMost(speeds.fastest(), axis))));
+    const double speed = std::clamp(
+        set, speeds.slowest(), std::max(speeds.slowest(), stepperdefaults::atMost(speeds.fastest(), axis)));
+    return {speeds.speedFor(speed), stepperdefaults::accelerationTime(axis)};
 }
 
 QString StepperMotionBox::whyNoMovesBy() const {
@@ -262,7 +259,7 @@ QString StepperMotionBox::whyNoMovesBy() const {
 }
 
 std::optional<Intent> StepperMotionBox::movesBy(const Rounds& moves) const {
-    return stepperintent::MoveBy{moves, moveSpeed(), accelerationTime()};
+    return intent::MoveBy{moves, movePace()};
 }
 
 std::optional<Refusal> StepperMotionBox::refusalOf(bool reverse) const {
@@ -274,7 +271,7 @@ std::optional<Refusal> StepperMotionBox::refusalOf(bool reverse) const {
         return m_context.whyNot(IntentKind::Run);
     if (!m_loadOnly->isChecked())
         return whyNot(*wanted, m_context.state());
-    const auto load = plan(stepperintent::LoadMove{*wanted}, m_context.state());
+    const auto load = plan(intent::LoadMove{*wanted}, m_context.state());
     return load ? std::nullopt : std::optional(load.error());
 }
 
@@ -286,8 +283,7 @@ bool StepperMotionBox::viaStop(bool reverse) const {
 QString StepperMotionBox::reasonFor(bool reverse) const {
     if (const auto refusal = refusalOf(reverse); refusal && !viaStop(reverse)) {
         const auto wanted = motion(reverse);
-        return wanted ? texts::refusal(*refusal, stepperintent::Move{*wanted}, m_context.state(),
-                                       m_context.scale())
+        return wanted ? texts::refusal(*refusal, intent::Move{*wanted}, m_context.state(), m_context.scale())
                       : texts::refusal(*refusal);
     }
     if (m_mode->hasGoal() && m_goal->problem() != NumberField::Problem::None)
@@ -297,8 +293,7 @@ QString StepperMotionBox::reasonFor(bool reverse) const {
 
 std::optional<std::int32_t> StepperMotionBox::nearest() const {
     const auto wanted = m_mode->hasGoal() ? motion(false) : std::nullopt;
-    const auto problem =
-        wanted ? travelProblem(stepperintent::Move{*wanted}, m_context.state()) : std::nullopt;
+    const auto problem = wanted ? travelProblem(intent::Move{*wanted}, m_context.state()) : std::nullopt;
     if (!problem || problem->refusal != Refusal::BeyondTravel)
         return std::nullopt;
     return problem->nearest;
@@ -328,11 +323,11 @@ void StepperMotionBox::request(bool reverse) {
     if (!wanted || !reasonFor(reverse).isEmpty())
         return;
     if (m_loadOnly->isChecked())
-        m_context.ask(stepperintent::LoadMove{*wanted});
+        m_context.ask(intent::LoadMove{*wanted});
     else if (viaStop(reverse))
-        m_context.ask(stepperintent::ChangeMotion{*wanted});
+        m_context.ask(intent::ChangeMotion{*wanted});
     else
-        m_context.ask(stepperintent::Move{*wanted});
+        m_context.ask(intent::Move{*wanted});
 }
 
 QString StepperMotionBox::outcome() const {
@@ -398,7 +393,7 @@ void StepperMotionBox::refreshCommands() {
                    load ? later : tr("Runs forward until stopped."));
     QString reason = m_context.reasonNow(IntentKind::GoHome);
     if (reason.isEmpty())
-        reason = m_context.reasonFor(Intent(home()));
+        reason = m_context.reasonFor(Intent(intent::GoHome{movePace()}));
     m_goHome->setPossible(reason, tr("Moves to home with a ramp, at the travel speed."));
     m_startLoaded->setPossible(m_context.reasonNow(IntentKind::StartLoaded), tr("Starts the loaded motion."));
 }

@@ -44,10 +44,8 @@ private:
     void showSpeed();
     void keepSpeed();
     void request(bool reverse);
-    /// Of moves with a ramp: the chip's units.
-    [[nodiscard]] std::uint8_t moveSpeed() const;
-    [[nodiscard]] std::uint8_t accelerationTime() const;
-    [[nodiscard]] stepperintent::GoHome home() const { return {moveSpeed(), accelerationTime()}; }
+    /// Of moves with a ramp.
+    [[nodiscard]] bus::StepperPace movePace() const;
     /// A goal beyond the limits of travel has a nearest one within.
     [[nodiscard]] std::optional<std::int32_t> nearest() const;
     void takeNearest();

@@ -75,44 +75,38 @@ struct Planner {
         });
     }
 
-    Plan operator()(const intent::GoTo& goTo) const {
-        if (const auto refusal = lacking(goTo))
+    Plan operator()(const intent::Move& move) const {
+        const auto* wanted = std::get_if<ServoMotion>(&move.motion);
+        if (wanted == nullptr)
+            return tl::unexpected(Refusal::NotAStepper);
+        const ServoMotion motion = withinTravel(*wanted, module);
+        if (const auto refusal = std::visit(Lacking{}, motion))
             return tl::unexpected(*refusal);
-        return allowed(IntentKind::Move, module,
-                       [&] { return stepsFor(module, trajectory(goTo), StartMotion{}); });
+        const bool ends = std::holds_alternative<servomotion::Trapezoid>(motion);
+        if (ends && motion.index() != wanted->index() && module.moving())
+            return tl::unexpected(Refusal::RunNeedsStop);
+        return allowed(ends ? IntentKind::Move : IntentKind::Run, module,
+                       [&] { return stepsFor(module, loadFor(motion), StartMotion{}); });
     }
 
     Plan operator()(const intent::GoHome& goHome) const {
         if (const auto refusal = whyNot(IntentKind::GoHome, module))
             return tl::unexpected(*refusal);
-        return (*this)(
-            intent::GoTo{Counts(module.home.place()->counts), goHome.velocity, goHome.acceleration});
+        return (*this)(intent::Move{*motionOf(goHome, module)});
     }
 
     Plan operator()(const intent::LoadMove& load) const {
-        if (const auto refusal = lacking(load.move))
+        const auto* wanted = std::get_if<ServoMotion>(&load.motion);
+        if (wanted == nullptr)
+            return tl::unexpected(Refusal::NotAStepper);
+        const ServoMotion motion = withinTravel(*wanted, module);
+        if (const auto refusal = std::visit(Lacking{}, motion))
             return tl::unexpected(*refusal);
-        return allowed(IntentKind::Load, module, [&] { return stepsFor(module, trajectory(load.move)); });
+        return allowed(IntentKind::Load, module, [&] { return stepsFor(module, loadFor(motion)); });
     }
 
     Plan operator()(const intent::StartLoaded&) const {
         return allowed(IntentKind::StartLoaded, module, [this] { return stepsFor(module, StartMotion{}); });
-    }
-
-    Plan operator()(const intent::RunAtVelocity& run) const {
-        if (run.acceleration.value() == 0)
-            return tl::unexpected(Refusal::NoAcceleration);
-        if (const auto end = travelEnd(module, run.reverse)) {
-            if (module.moving())
-                return tl::unexpected(Refusal::RunNeedsStop);
-            return (*this)(intent::GoTo{Counts(*end), run.velocity, run.acceleration});
-        }
-        servo::LoadTrajectory load;
-        load.velocity = run.velocity;
-        load.acceleration = run.acceleration;
-        load.profile = servo::ProfileMode::Velocity;
-        load.reverse = run.reverse;
-        return allowed(IntentKind::Run, module, [&] { return stepsFor(module, load, StartMotion{}); });
     }
 
     Plan operator()(const intent::StopSmoothly&) const {
@@ -195,7 +189,10 @@ struct Planner {
     // possible.
     Plan operator()(const intent::Home& home) const { return unless(whyNotHome(home.recipe, module)); }
     Plan operator()(const intent::MoveBy& moveBy) const {
-        if (const auto refusal = lacking({{}, moveBy.velocity, moveBy.acceleration}))
+        const auto* pace = std::get_if<ServoPace>(&moveBy.pace);
+        if (pace == nullptr)
+            return tl::unexpected(Refusal::NotAStepper);
+        if (const auto refusal = Lacking{}(*pace))
             return tl::unexpected(*refusal);
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
@@ -226,18 +223,31 @@ private:
     [[nodiscard]] static Plan unless(std::optional<Refusal> refusal) {
         return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
     }
-    [[nodiscard]] static std::optional<Refusal> lacking(const intent::GoTo& goTo) {
-        if (goTo.velocity.value() == 0)
-            return Refusal::NoVelocity;
-        if (goTo.acceleration.value() == 0)
-            return Refusal::NoAcceleration;
-        return std::nullopt;
-    }
-    [[nodiscard]] static servo::LoadTrajectory trajectory(const intent::GoTo& goTo) {
+    /// What a motion lacks to ever start or end. A run at velocity 0 ends another one.
+    struct Lacking {
+        std::optional<Refusal> operator()(const servomotion::VelocityProfile& run) const {
+            return run.acceleration.value() == 0 ? std::optional(Refusal::NoAcceleration) : std::nullopt;
+        }
+        std::optional<Refusal> operator()(const auto& move) const {
+            if (move.velocity.value() == 0)
+                return Refusal::NoVelocity;
+            return move.acceleration.value() == 0 ? std::optional(Refusal::NoAcceleration) : std::nullopt;
+        }
+    };
+    [[nodiscard]] static servo::LoadTrajectory loadFor(const ServoMotion& motion) {
         servo::LoadTrajectory load;
-        load.position = goTo.position;
-        load.velocity = goTo.velocity;
-        load.acceleration = goTo.acceleration;
+        std::visit(
+            [&load](const auto& any) {
+                load.velocity = any.velocity;
+                load.acceleration = any.acceleration;
+            },
+            motion);
+        if (const auto* run = std::get_if<servomotion::VelocityProfile>(&motion)) {
+            load.profile = servo::ProfileMode::Velocity;
+            load.reverse = run->reverse;
+        } else {
+            load.position = std::get<servomotion::Trapezoid>(motion).position;
+        }
         return load;
     }
     [[nodiscard]] Plan stop(servo::StopManner manner) const {
@@ -378,6 +388,11 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
             return Refusal::NotAStepper;
     }
     return std::nullopt;
+}
+
+std::optional<MotionSpec> motionOf(const intent::GoHome& goHome, const ModuleState& module) {
+    const auto& home = module.home.place();
+    return home ? std::optional(moveTo(home->counts, goHome.pace)) : std::nullopt;
 }
 
 std::optional<Refusal> whyNotDeclare(const ModuleState& module) {

@@ -12,7 +12,9 @@
 #include "base/overloaded.h"
 #include "bus/types.h"
 #include "model/intent/iointent.h"
+#include "model/intent/motion.h"
 #include "model/intent/responsetaken.h"
+#include "model/intent/rounds.h"
 #include "model/intent/stepperintent.h"
 #include "model/module/linkstate.h"
 #include "model/module/modulestate.h"
@@ -20,25 +22,18 @@
 
 namespace nmc {
 
-/// Requests of the operator to one module; those for a PIC-STEP only are in stepperintent.h, those for a
+/// Requests of the operator to one module; settings of a PIC-STEP are in stepperintent.h, those for a
 /// PIC-I/O in iointent.h. Values only; plan() turns them into commands.
 namespace intent {
 struct AskAnew {};  ///< No Operation, for a module of any type
 struct Enable {};   ///< amplifier on, hold the present position, and clear the sticky bits
-struct GoTo {
-    Counts position;
-    CountsPerTick velocity;
-    CountsPerTickSquared acceleration;
+/// A motion of the module's chip. A run of a servo towards a limit of travel is sent as a move to it.
+struct Move {
+    MotionSpec motion;
 };
 /// Moves to home as known when this is planned (model/module/homefact.h).
 struct GoHome {
-    CountsPerTick velocity;
-    CountsPerTickSquared acceleration;
-};
-struct RunAtVelocity {
-    CountsPerTick velocity;
-    CountsPerTickSquared acceleration;
-    bool reverse = false;
+    Pace pace;
 };
 struct StopSmoothly {};
 struct StopAbruptly {};
@@ -54,9 +49,14 @@ struct SaveAsHome {};     ///< saves the present position as home
 struct DeclarePosition {
     bool right = true;
 };
-/// A move like GoTo, to be started by StartLoaded, of this module or of its group.
+/// A motion like Move, to be started by StartLoaded, of this module or of its group.
 struct LoadMove {
-    GoTo move;
+    MotionSpec motion;
+};
+/// Stops a PIC-STEP, waits for standstill, then does a Move, for changes that its Table 4 does not allow in
+/// motion. A procedure.
+struct ChangeMotion {
+    StepperMotion motion;
 };
 struct StartLoaded {};
 /// Holds the present position, without a profile.
@@ -91,8 +91,7 @@ struct Home {
 /// Makes trapezoidal moves by a distance, one after the other. A procedure.
 struct MoveBy {
     Rounds moves;
-    CountsPerTick velocity;
-    CountsPerTickSquared acceleration;
+    Pace pace;
 };
 /// Makes a small move without a profile from the position that the servo holds, to see how it follows
 /// (looptestplan.h). A procedure.
@@ -165,30 +164,26 @@ struct ResetModule {};
 // Each intent is in one of these lists, which state which chips it is for and whether it moves the motor.
 using AnyModuleIntent =
     std::variant<intent::AskAnew, intent::CancelProcedure, intent::Direct, intent::ResetModule>;
-/// For both motor chips. Home is a procedure; StartLoaded moves as loaded before.
-using MotorIntent = std::variant<intent::Enable, intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff,
-                                 intent::SetAmplifier, intent::ResetPosition, intent::SaveAsHome,
-                                 intent::DeclarePosition, intent::StartLoaded, intent::Home>;
-using ServoMotion =
-    std::variant<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::LoadMove, intent::DrivePwm>;
+/// For both motor chips. StartLoaded moves as loaded before.
+using MotorSetting = std::variant<intent::Enable, intent::StopSmoothly, intent::StopAbruptly,
+                                  intent::MotorOff, intent::SetAmplifier, intent::ResetPosition,
+                                  intent::SaveAsHome, intent::DeclarePosition, intent::StartLoaded>;
+/// MoveBy and Home are procedures; so is Move where the axis has backlash to take up.
+using MoveIntent = std::variant<intent::Move, intent::LoadMove, intent::GoHome, intent::MoveBy, intent::Home>;
 using ServoSetting =
     std::variant<intent::ApplyGains, intent::KeepGains, intent::ClearStickyBits, intent::StopHere,
                  intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::ArmLimitStop>;
 using ServoProcedure =
-    std::variant<intent::MoveBy, intent::StepResponse, intent::StepSeries, intent::SquareWave,
-                 intent::FrequencyResponse, intent::TryGains, intent::CheckDirection, intent::FollowPath>;
-/// ChangeMotion and MoveBy are procedures.
-using StepperMotionIntent =
-    std::variant<stepperintent::Move, stepperintent::LoadMove, stepperintent::ChangeMotion,
-                 stepperintent::MoveBy, stepperintent::GoHome>;
+    std::variant<intent::StepResponse, intent::StepSeries, intent::SquareWave, intent::FrequencyResponse,
+                 intent::TryGains, intent::CheckDirection, intent::FollowPath>;
 using StepperSetting = std::variant<stepperintent::SetParameters, stepperintent::SetOutputs>;
 using IoIntent =
     std::variant<iointent::SetDirection, iointent::SetOutput, iointent::SetPwm, iointent::SetTimer,
                  iointent::StoreOutputs, iointent::SynchOutput, iointent::SynchInput>;
 
-using ServoIntent = Join<ServoMotion, ServoSetting, ServoProcedure>;
-using StepperIntent = Join<StepperMotionIntent, StepperSetting>;
-using Intent = Join<AnyModuleIntent, MotorIntent, ServoIntent, StepperIntent, IoIntent>;
+using ServoIntent = Join<std::variant<intent::DrivePwm>, ServoSetting, ServoProcedure>;
+using StepperIntent = Join<std::variant<intent::ChangeMotion>, StepperSetting>;
+using Intent = Join<AnyModuleIntent, MotorSetting, MoveIntent, ServoIntent, StepperIntent, IoIntent>;
 
 /// True if it stops a motor: such an intent does not wait, and overtakes everything.
 [[nodiscard]] bool isStop(const Intent& intent);
@@ -284,6 +279,9 @@ enum class IntentKind : std::uint8_t {
 };
 [[nodiscard]] bool isStop(IntentKind kind);
 [[nodiscard]] std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module);
+
+/// The move to home; empty while home is unknown.
+[[nodiscard]] std::optional<MotionSpec> motionOf(const intent::GoHome& goHome, const ModuleState& module);
 
 /// Why the counter cannot be declared right now, for either motor chip.
 [[nodiscard]] std::optional<Refusal> whyNotDeclare(const ModuleState& module);

@@ -27,17 +27,10 @@ Plan allowed(const std::optional<Refusal>& refusal, MakeOrders makeOrders) {
     return makeOrders();
 }
 
-struct GoalOf {
-    std::int64_t from;
-
-    template <typename Move>
-    std::optional<std::int64_t> operator()(const Move& move) const {
-        if constexpr (requires { move.position; })
-            return move.relative ? from + move.position : std::int64_t{move.position};
-        else
-            return std::nullopt;
-    }
-};
+/// The position at which a motion that starts now ends.
+[[nodiscard]] std::optional<std::int64_t> goalNow(const StepperMotion& motion, const ModuleState& module) {
+    return goalOf(motion, module.stepper.position().value_or(0));
+}
 
 /// What prevents any motion, whatever the request.
 [[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module, IntentKind as) {
@@ -56,7 +49,7 @@ struct GoalOf {
 }
 
 [[nodiscard]] std::optional<Refusal> whyNotThatFar(const StepperMotion& motion, const ModuleState& module) {
-    const auto goal = goalOf(motion, module);
+    const auto goal = goalNow(motion, module);
     if (!goal)
         return std::nullopt;
     if (!module.stepper.position())
@@ -168,30 +161,40 @@ struct StepperPlanner {
         return allowed(whyNotStep(IntentKind::SetOutputs, module),
                        [&] { return stepperStepsFor(module, stepper::SetOutputs{set.outputs}); });
     }
-    Plan operator()(const stepperintent::Move& move) const {
-        return allowed(whyNot(move.motion, module),
-                       [&] { return stepperStepsFor(module, boundedLoad(move.motion), StartMotion{}); });
+    Plan operator()(const intent::Move& move) const {
+        const auto* motion = std::get_if<StepperMotion>(&move.motion);
+        if (motion == nullptr)
+            return tl::unexpected(Refusal::NotAServo);
+        return allowed(whyNot(*motion, module),
+                       [&] { return stepperStepsFor(module, boundedLoad(*motion), StartMotion{}); });
     }
-    Plan operator()(const stepperintent::LoadMove& load) const {
-        return allowed(whyNotLoaded(load.motion, module),
-                       [&] { return stepperStepsFor(module, boundedLoad(load.motion)); });
+    Plan operator()(const intent::LoadMove& load) const {
+        const auto* motion = std::get_if<StepperMotion>(&load.motion);
+        if (motion == nullptr)
+            return tl::unexpected(Refusal::NotAServo);
+        return allowed(whyNotLoaded(*motion, module),
+                       [&] { return stepperStepsFor(module, boundedLoad(*motion)); });
     }
     /// Takes more than one operation; see procedures.h.
-    Plan operator()(const stepperintent::ChangeMotion& change) const {
+    Plan operator()(const intent::ChangeMotion& change) const {
         return tl::unexpected(whyNotFromStandstill(change.motion, module).value_or(Refusal::NeedsStop));
     }
     /// Also a procedure; determines only why its first move is not possible.
-    Plan operator()(const stepperintent::MoveBy& moveBy) const {
+    Plan operator()(const intent::MoveBy& moveBy) const {
+        const auto* pace = std::get_if<bus::StepperPace>(&moveBy.pace);
+        if (pace == nullptr)
+            return tl::unexpected(Refusal::NotAServo);
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
         if (const auto refusal = whyNotStep(IntentKind::Move, module))
             return tl::unexpected(*refusal);
-        return allowed(whyNotFromStandstill(motionOf(moveBy), module), [] { return Orders{}; });
+        const steppermotion::Trapezoid first{moveBy.moves.counts, true, pace->speed, pace->accelerationTime};
+        return allowed(whyNotFromStandstill(first, module), [] { return Orders{}; });
     }
-    Plan operator()(const stepperintent::GoHome& home) const {
+    Plan operator()(const intent::GoHome& home) const {
         if (const auto refusal = whyNotStep(IntentKind::GoHome, module))
             return tl::unexpected(*refusal);
-        return (*this)(stepperintent::Move{*motionOf(home, module)});
+        return (*this)(intent::Move{*motionOf(home, module)});
     }
     Plan operator()(const intent::Home& home) const {
         return allowed(whyNotHome(home.recipe, module), [] { return Orders{}; });
@@ -231,22 +234,8 @@ private:
 
 }  // namespace
 
-std::optional<std::int64_t> goalOf(const StepperMotion& motion, const ModuleState& module) {
-    return std::visit(GoalOf{module.stepper.position().value_or(0)}, motion);
-}
-
-StepperMotion motionOf(const stepperintent::MoveBy& moveBy) {
-    return steppermotion::Trapezoid{moveBy.moves.counts, true, moveBy.speed, moveBy.accelerationTime};
-}
-
-std::optional<StepperMotion> motionOf(const stepperintent::GoHome& home, const ModuleState& module) {
-    if (!module.home.place())
-        return std::nullopt;
-    return steppermotion::Trapezoid{module.home.place()->counts, false, home.speed, home.accelerationTime};
-}
-
 bool wantsReverse(const StepperMotion& motion, const ModuleState& module) {
-    if (const auto goal = goalOf(motion, module))
+    if (const auto goal = goalNow(motion, module))
         return *goal < module.stepper.position().value_or(0);
     return std::visit(
         [](const auto& run) {
@@ -330,7 +319,7 @@ std::optional<Refusal> whyNotFromStandstill(const StepperMotion& motion, const M
         return refusal;
     if (const auto refusal = whyNotThatFar(motion, module))
         return refusal;
-    if (const auto problem = travelProblem(stepperintent::Move{motion}, module))
+    if (const auto problem = travelProblem(intent::Move{motion}, module))
         return problem->refusal;
     const bool reverse = wantsReverse(motion, module);
     if (module.stepper.limitActs(reverse))
@@ -380,7 +369,7 @@ std::optional<Refusal> whyNotStarted(const stepper::LoadTrajectory& load, const 
 }
 
 stepper::LoadTrajectory loadFor(const StepperMotion& motion, const ModuleState& module) {
-    const auto goal = static_cast<std::int32_t>(goalOf(motion, module).value_or(0));
+    const auto goal = static_cast<std::int32_t>(goalNow(motion, module).value_or(0));
     return std::visit(LoadOf{goal, wantsReverse(motion, module)}, motion);
 }
 

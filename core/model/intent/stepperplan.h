@@ -12,7 +12,7 @@ namespace nmc {
                                                                       const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNotStep(IntentKind kind, const ModuleState& module);
 
-/// Why a motion cannot be started now. NeedsStop: stepperintent::ChangeMotion can do it. `as`: the kind of
+/// Why a motion cannot be started now. NeedsStop: intent::ChangeMotion can do it. `as`: the kind of
 /// the request, Move or Hold.
 [[nodiscard]] std::optional<Refusal> whyNot(const StepperMotion& motion, const ModuleState& module,
                                             IntentKind as = IntentKind::Move);
@@ -21,19 +21,10 @@ namespace nmc {
                                                           const ModuleState& module,
                                                           IntentKind as = IntentKind::Move);
 
-/// The motions for the first of the moves and for the move to home; the latter is empty while home is
-/// unknown.
-[[nodiscard]] StepperMotion motionOf(const stepperintent::MoveBy& moveBy);
-[[nodiscard]] std::optional<StepperMotion> motionOf(const stepperintent::GoHome& home,
-                                                    const ModuleState& module);
-
 /// Why the parameters cannot be set now: some of them cannot be changed in motion.
 [[nodiscard]] std::optional<Refusal> whyNotSet(const stepper::SetParameters& parameters,
                                                const ModuleState& module);
 
-/// The position at which a motion ends, in 64 bits so that excessive distances can be detected; empty for a
-/// motion without an end.
-[[nodiscard]] std::optional<std::int64_t> goalOf(const StepperMotion& motion, const ModuleState& module);
 [[nodiscard]] bool wantsReverse(const StepperMotion& motion, const ModuleState& module);
 /// The speed in steps/s that the motion would reach; 0: unknown.
 [[nodiscard]] double speedOf(const StepperMotion& motion, const ModuleState& module);

@@ -43,23 +43,30 @@ struct Course {
     bool turns = false;                  ///< takes up backlash, if the axis has any
 };
 
+/// The speed of a motion, and its direction if it has no end.
+[[nodiscard]] Course courseOf(const ServoMotion& motion, const ModuleState& /*module*/) {
+    Course course{.velocity = std::visit([](const auto& any) { return native(any.velocity); }, motion)};
+    if (const auto* run = std::get_if<servomotion::VelocityProfile>(&motion))
+        course.reverse = run->reverse;
+    return course;
+}
+[[nodiscard]] Course courseOf(const StepperMotion& motion, const ModuleState& module) {
+    Course course{.velocity = speedOf(motion, module)};
+    if (!goalOf(motion, 0))
+        course.reverse = wantsReverse(motion, module);
+    return course;
+}
+
 struct CourseOf {
     const ModuleState& module;
 
-    std::optional<Course> operator()(const intent::GoTo& goTo) const {
-        return Course{.goal = goTo.position.value(), .velocity = native(goTo.velocity), .turns = true};
-    }
+    std::optional<Course> operator()(const intent::Move& move) const { return of(move.motion, true); }
     /// A loaded move is started separately, so it goes straight to its goal without taking up backlash.
-    std::optional<Course> operator()(const intent::LoadMove& load) const {
-        return Course{.goal = load.move.position.value(), .velocity = native(load.move.velocity)};
-    }
+    std::optional<Course> operator()(const intent::LoadMove& load) const { return of(load.motion); }
+    std::optional<Course> operator()(const intent::ChangeMotion& change) const { return of(change.motion); }
     std::optional<Course> operator()(const intent::GoHome& home) const {
-        if (!module.home.place())
-            return std::nullopt;
-        return Course{.goal = module.home.place()->counts, .velocity = native(home.velocity), .turns = true};
-    }
-    std::optional<Course> operator()(const intent::RunAtVelocity& run) const {
-        return Course{.reverse = run.reverse, .velocity = native(run.velocity)};
+        const auto motion = motionOf(home, module);
+        return motion ? std::optional(of(*motion, true)) : std::nullopt;
     }
     std::optional<Course> operator()(const intent::DrivePwm& drive) const {
         return drive.pwm == 0 ? std::nullopt : std::optional(Course{.reverse = drive.reverse});
@@ -70,15 +77,16 @@ struct CourseOf {
                                                    : recipe.velocity};
     }
     /// The course extends to the last of the moves, from where the first one starts.
-    std::optional<Course> operator()(const intent::MoveBy& step) const {
-        return of(step.moves, native(step.velocity));
-    }
-    std::optional<Course> operator()(const stepperintent::MoveBy& step) const {
-        return of(step.moves, speedOf(motionOf(step), module));
-    }
-    std::optional<Course> operator()(const stepperintent::GoHome& home) const {
-        const auto motion = motionOf(home, module);
-        return motion ? of(*motion, true) : std::nullopt;
+    std::optional<Course> operator()(const intent::MoveBy& by) const {
+        const auto position = positionOf(module);
+        if (!position)
+            return std::nullopt;
+        const std::int32_t from = module.goal().value_or(*position);
+        const std::int64_t count = by.moves.backAndForth ? 1 : std::max(by.moves.rounds, 1U);
+        Course course = of(moveTo(0, by.pace), true);
+        course.goal = from + count * by.moves.counts;
+        course.from = from;
+        return course;
     }
     std::optional<Course> operator()(const intent::StepResponse& step) const { return about(step.counts); }
     /// The course extends to the farther side; whyNot() checks both.
@@ -86,15 +94,10 @@ struct CourseOf {
     std::optional<Course> operator()(const intent::FrequencyResponse& sines) const {
         return about(sines.amplitude);
     }
-    std::optional<Course> operator()(const stepperintent::Move& move) const { return of(move.motion, true); }
-    std::optional<Course> operator()(const stepperintent::LoadMove& load) const { return of(load.motion); }
-    std::optional<Course> operator()(const stepperintent::ChangeMotion& change) const {
-        return of(change.motion);
-    }
     // StartLoaded, Direct, StepSeries and CheckDirection are handled in travelProblem(), and the points of a
     // path in planPath().
     template <typename T>
-    requires In<T, AnyModuleIntent> || In<T, MotorIntent> || In<T, ServoSetting> || In<T, StepperSetting> ||
+    requires In<T, AnyModuleIntent> || In<T, MotorSetting> || In<T, ServoSetting> || In<T, StepperSetting> ||
         In<T, IoIntent> ||
         AnyOf<T, intent::StepSeries, intent::TryGains, intent::CheckDirection, intent::FollowPath>
             std::optional<Course>
@@ -106,18 +109,10 @@ private:
         return from ? std::optional(Course{.goal = std::int64_t{*from} + counts, .from = from})
                     : std::nullopt;
     }
-    [[nodiscard]] std::optional<Course> of(const Rounds& moves, double velocity) const {
-        const auto position = positionOf(module);
-        if (!position)
-            return std::nullopt;
-        const std::int32_t from = module.goal().value_or(*position);
-        const std::int64_t count = moves.backAndForth ? 1 : std::max(moves.rounds, 1U);
-        return Course{.goal = from + count * moves.counts, .velocity = velocity, .from = from, .turns = true};
-    }
-    [[nodiscard]] std::optional<Course> of(const StepperMotion& motion, bool turns = false) const {
-        Course course{.goal = goalOf(motion, module), .velocity = speedOf(motion, module), .turns = turns};
-        if (!course.goal)
-            course.reverse = wantsReverse(motion, module);
+    [[nodiscard]] Course of(const MotionSpec& motion, bool turns = false) const {
+        Course course = std::visit([this](const auto& chip) { return courseOf(chip, module); }, motion);
+        course.goal = goalOf(motion, positionOf(module).value_or(0));
+        course.turns = turns && course.goal;
         return course;
     }
 };
@@ -318,6 +313,13 @@ tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold, 
         return tl::unexpected(*problem);
     hold.goal = travelEnd(module, hold.reverse);
     return hold;
+}
+
+ServoMotion withinTravel(const ServoMotion& motion, const ModuleState& module) {
+    if (const auto* run = std::get_if<servomotion::VelocityProfile>(&motion))
+        if (const auto end = travelEnd(module, run->reverse))
+            return servomotion::Trapezoid{Counts(*end), run->velocity, run->acceleration};
+    return motion;
 }
 
 StepperMotion withinTravel(const StepperMotion& motion, const ModuleState& module) {

@@ -66,7 +66,8 @@ struct TravelProblem {
 /// The held motion as it may be sent: with the limit ahead as its goal.
 [[nodiscard]] tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold,
                                                                         const ModuleState& module);
-/// The motion of a PIC-STEP as it may be sent: with the limit ahead as its goal.
+/// The motion as it may be sent: one without an end has the limit ahead as its goal.
+[[nodiscard]] ServoMotion withinTravel(const ServoMotion& motion, const ModuleState& module);
 [[nodiscard]] StepperMotion withinTravel(const StepperMotion& motion, const ModuleState& module);
 
 }  // namespace nmc

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "model/module/modulestate.h"
 #include "model/settings/machine.h"
@@ -15,11 +16,11 @@ inline constexpr double kMove = 400;
 inline constexpr double kRun = 200;
 inline constexpr double kHold = 100;
 inline constexpr double kHoldCap = 1'000;
-inline constexpr int kAccelerationTime = 40;  ///< 10 ms from one integer speed to the next
+inline constexpr std::uint8_t kAccelerationTime = 40;  ///< 10 ms from one integer speed to the next
 
-[[nodiscard]] inline int accelerationTime(const AxisSettings& settings) {
+[[nodiscard]] inline std::uint8_t accelerationTime(const AxisSettings& settings) {
     const bool set = settings.accelerationTime >= 1 && settings.accelerationTime <= 255;
-    return set ? static_cast<int>(std::lround(settings.accelerationTime)) : kAccelerationTime;
+    return set ? static_cast<std::uint8_t>(std::lround(settings.accelerationTime)) : kAccelerationTime;
 }
 /// The speed mode of the parameters in force; before any are in force, of those in the settings.
 [[nodiscard]] inline StepperSpeed speedMode(const StepperState& stepper, const AxisSettings& settings) {

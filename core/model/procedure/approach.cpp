@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/approach.h"
 
-#include "base/overloaded.h"
-#include "model/intent/stepperplan.h"
-
 namespace nmc {
 
-namespace {
-
-[[nodiscard]] std::int32_t endOf(const Approach::Wanted& wanted, const ModuleState& module) {
-    if (const auto* goTo = std::get_if<intent::GoTo>(&wanted))
-        return goTo->position.value();
-    return static_cast<std::int32_t>(
-        goalOf(std::get<stepperintent::Move>(wanted).motion, module).value_or(0));
-}
-
-}  // namespace
-
-Approach::Approach(const Wanted& wanted, std::int32_t turn, const ModuleState& module)
+Approach::Approach(const MotionSpec& motion, std::int32_t turn, const ModuleState& module)
     : GoalMoves(ProcedureKind::Approach, module),
-      m_wanted(wanted),
-      m_end(endOf(wanted, module)),
+      m_motion(motion),
+      m_end(static_cast<std::int32_t>(goalOf(motion, *module.latest->position).value_or(0))),
       m_turn(turn) {}
 
 Approach::Next Approach::standing(const ModuleState& module, TimePoint /*now*/) {
@@ -30,24 +16,7 @@ Approach::Next Approach::standing(const ModuleState& module, TimePoint /*now*/) 
 }
 
 Intent Approach::moveTo(std::int32_t goal) const {
-    return std::visit(Overloaded{
-                          [goal](intent::GoTo move) -> Intent {
-                              move.position = Counts(goal);
-                              return move;
-                          },
-                          [goal](stepperintent::Move move) -> Intent {
-                              std::visit(
-                                  [goal](auto& motion) {
-                                      if constexpr (requires { motion.relative; }) {
-                                          motion.position = goal;
-                                          motion.relative = false;
-                                      }
-                                  },
-                                  move.motion);
-                              return move;
-                          },
-                      },
-                      m_wanted);
+    return intent::Move{endingAt(goal, m_motion)};
 }
 
 }  // namespace nmc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <variant>
+#include <cstdint>
 
 #include "model/procedure/goalmoves.h"
 
@@ -11,15 +11,14 @@ namespace nmc {
 /// requires (model/intent/backlash.h). Both moves are of the same kind.
 class Approach : public GoalMoves {
 public:
-    using Wanted = std::variant<intent::GoTo, stepperintent::Move>;
-    /// `wanted` must be possible now, and must turn round at `turn`.
-    Approach(const Wanted& wanted, std::int32_t turn, const ModuleState& module);
+    /// `motion` must be possible now, and must turn round at `turn`.
+    Approach(const MotionSpec& motion, std::int32_t turn, const ModuleState& module);
 
 private:
     [[nodiscard]] Intent moveTo(std::int32_t goal) const override;
     [[nodiscard]] Next standing(const ModuleState& module, TimePoint now) override;
 
-    Wanted m_wanted;
+    MotionSpec m_motion;
     std::int32_t m_end;
     std::int32_t m_turn;
 };

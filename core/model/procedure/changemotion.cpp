@@ -61,7 +61,7 @@ Procedure::Next ChangeMotion::waitForStandstill(const ModuleState& module, TimeP
 }
 
 Procedure::Next ChangeMotion::go(const ModuleState& module) {
-    auto orders = planStep(stepperintent::Move{m_motion}, module);
+    auto orders = planStep(intent::Move{m_motion}, module);
     if (!orders)
         return fail(ProcedureFailure::Refused);
     m_report.stage = ProcedureStage::Moving;

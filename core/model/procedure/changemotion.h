@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "model/intent/steppermotion.h"
+#include "model/intent/motion.h"
 #include "model/procedure/procedure.h"
 
 namespace nmc {

@@ -3,29 +3,17 @@
 
 #include <algorithm>
 
-#include "base/overloaded.h"
 #include "model/intent/backlash.h"
 
 namespace nmc {
 
-MoveByRun::MoveByRun(const Wanted& wanted, const ModuleState& module)
-    : GoalMoves(ProcedureKind::MoveBy, module),
-      m_wanted(wanted),
-      m_moves(std::visit([](const auto& one) { return one.moves; }, wanted)) {
+MoveByRun::MoveByRun(const intent::MoveBy& wanted, const ModuleState& module)
+    : GoalMoves(ProcedureKind::MoveBy, module), m_moves(wanted.moves), m_pace(wanted.pace) {
     m_report.rounds = std::max(m_moves.rounds, 1U);
 }
 
 Intent MoveByRun::moveTo(std::int32_t goal) const {
-    return std::visit(Overloaded{
-                          [goal](const intent::MoveBy& by) -> Intent {
-                              return intent::GoTo{Counts(goal), by.velocity, by.acceleration};
-                          },
-                          [goal](const stepperintent::MoveBy& by) -> Intent {
-                              return stepperintent::Move{
-                                  steppermotion::Trapezoid{goal, false, by.speed, by.accelerationTime}};
-                          },
-                      },
-                      m_wanted);
+    return intent::Move{nmc::moveTo(goal, m_pace)};
 }
 
 MoveByRun::Next MoveByRun::standing(const ModuleState& module, TimePoint now) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <variant>
 
 #include "model/procedure/goalmoves.h"
 
@@ -13,16 +12,15 @@ namespace nmc {
 /// (model/intent/backlash.h).
 class MoveByRun : public GoalMoves {
 public:
-    using Wanted = std::variant<intent::MoveBy, stepperintent::MoveBy>;
-    MoveByRun(const Wanted& wanted, const ModuleState& module);
+    MoveByRun(const intent::MoveBy& wanted, const ModuleState& module);
 
 private:
     [[nodiscard]] Intent moveTo(std::int32_t goal) const override;
     [[nodiscard]] Next standing(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] Next nextMove(const ModuleState& module);
 
-    Wanted m_wanted;
     Rounds m_moves;
+    Pace m_pace;
     std::optional<std::int64_t> m_goal;  ///< goal of the last move
     unsigned m_made = 0;
     TimePoint m_pausedAt;

@@ -25,12 +25,12 @@ namespace {
 using Made = std::unique_ptr<Procedure>;
 
 /// Returns the procedure for a move that must turn round on the way; null if it goes straight.
-template <typename Move>
-Made approachFor(const Move& move, std::optional<std::int64_t> goal, const ModuleState& module) {
-    if (!goal || !module.latest->position || module.moving())
+Made approachFor(const MotionSpec& motion, const ModuleState& module) {
+    if (!module.latest->position || module.moving())
         return nullptr;
-    const auto turn = turningPoint(*module.latest->position, *goal, module);
-    return turn ? std::make_unique<Approach>(move, static_cast<std::int32_t>(*turn), module) : nullptr;
+    const auto goal = goalOf(motion, *module.latest->position);
+    const auto turn = goal ? turningPoint(*module.latest->position, *goal, module) : std::nullopt;
+    return turn ? std::make_unique<Approach>(motion, static_cast<std::int32_t>(*turn), module) : nullptr;
 }
 
 /// The procedure of an intent whose preconditions are met; null for one that is an operation.
@@ -40,22 +40,10 @@ struct ProcedureOf {
     Made operator()(const intent::Home& home) const {
         return std::make_unique<HomingRun>(home.recipe, home.tolerance, module);
     }
-    Made operator()(const intent::GoTo& goTo) const {
-        return approachFor(goTo, goTo.position.value(), module);
-    }
-    Made operator()(const intent::GoHome& home) const {
-        return (*this)(intent::GoTo{Counts(module.home.place()->counts), home.velocity, home.acceleration});
-    }
-    Made operator()(const stepperintent::Move& move) const {
-        return approachFor(move, goalOf(move.motion, module), module);
-    }
-    Made operator()(const stepperintent::GoHome& home) const {
-        return (*this)(stepperintent::Move{*motionOf(home, module)});
-    }
+    Made operator()(const intent::Move& move) const { return approachFor(move.motion, module); }
+    Made operator()(const intent::LoadMove&) const { return nullptr; }  // goes straight to its goal
+    Made operator()(const intent::GoHome& home) const { return approachFor(*motionOf(home, module), module); }
     Made operator()(const intent::MoveBy& moveBy) const {
-        return std::make_unique<MoveByRun>(moveBy, module);
-    }
-    Made operator()(const stepperintent::MoveBy& moveBy) const {
         return std::make_unique<MoveByRun>(moveBy, module);
     }
     Made operator()(const intent::StepResponse& step) const {
@@ -80,14 +68,16 @@ struct ProcedureOf {
         return std::make_unique<PathRun>(follow, module);
     }
     template <typename T>
-    requires(!In<T, ServoProcedure>) Made operator()(const T&) const { return nullptr; }
+    requires(!In<T, ServoProcedure> && !In<T, MoveIntent>) Made operator()(const T&) const {
+        return nullptr;
+    }
 };
 
 }  // namespace
 
 std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState& module) {
     // As an operation it is refused: from this motion it takes more than one.
-    if (const auto* change = std::get_if<stepperintent::ChangeMotion>(&intent))
+    if (const auto* change = std::get_if<intent::ChangeMotion>(&intent))
         return whyNotFromStandstill(change->motion, module)
                    ? nullptr
                    : std::make_unique<ChangeMotion>(module.info.index, change->motion);

@@ -323,14 +323,13 @@ tl::expected<Intent, Refusal> moveIntent(const PointAxis& axis, unsigned percent
         const double wanted =
             settings.motion.velocity > 0 ? settings.motion.velocity : stepperdefaults::kMove;
         const StepperSpeed speed = stepperdefaults::speedMode(module.stepper, settings);
-        return stepperintent::Move{
-            steppermotion::Trapezoid{*goal, false, speed.speedFor(wanted * share),
-                                     static_cast<std::uint8_t>(stepperdefaults::accelerationTime(settings))}};
+        return intent::Move{moveTo(*goal, bus::StepperPace{speed.speedFor(wanted * share),
+                                                           stepperdefaults::accelerationTime(settings)})};
     }
     const MotionSettings motion = servodefaults::motionOf(settings);
-    return intent::GoTo{Counts(*goal),
-                        CountsPerTick(std::max(1U, servodefaults::toFixed(motion.velocity * share))),
-                        CountsPerTickSquared(servodefaults::toFixed(motion.acceleration))};
+    return intent::Move{
+        moveTo(*goal, ServoPace{CountsPerTick(std::max(1U, servodefaults::toFixed(motion.velocity * share))),
+                                CountsPerTickSquared(servodefaults::toFixed(motion.acceleration))})};
 }
 
 std::optional<bool> readPin(InputPin pin, const ModuleState& module) {

@@ -46,7 +46,7 @@ protected:
     [[nodiscard]] int position() { return sim.state(1)[u"position"_s].toInt(); }
     [[nodiscard]] bool rests() { return !connection.module(0).moving(); }
     [[nodiscard]] static intent::MoveBy by(std::int32_t counts, unsigned rounds) {
-        return {{counts, rounds, 0.0, false}, CountsPerTick(4 << 16), CountsPerTickSquared(1'311)};
+        return {{counts, rounds, 0.0, false}, ServoPace{CountsPerTick(4 << 16), CountsPerTickSquared(1'311)}};
     }
 
     VirtualChain sim{u"servo"_s};
@@ -70,8 +70,8 @@ TEST_F(CommanderTest, SendsNothingWhereAPreconditionIsNotMet) {
 TEST_F(CommanderTest, AnnouncesAMotionBeforeItBegins) {
     ASSERT_NO_FATAL_FAILURE(enable());
     EXPECT_TRUE(moved.empty());
-    commander.carryOut(kModule,
-                       intent::GoTo{Counts(2'000), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)});
+    commander.carryOut(kModule, intent::Move{servomotion::Trapezoid{Counts(2'000), CountsPerTick(4 << 16),
+                                                                    CountsPerTickSquared(1'311)}});
     EXPECT_EQ(moved, std::vector{kModule});
     EXPECT_EQ(position(), 0);
     EXPECT_TRUE(connection.waitUntil([this] { return std::abs(position() - 2'000) <= 4 && rests(); }));
