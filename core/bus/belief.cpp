@@ -25,7 +25,7 @@ struct Belief::Sent {
         if (!load.startNow)
             return;
         b.m_lastMotion = latched;
-        b.mayStart(load);
+        b.m_stepperRun.start(load, b.stepperMode(), b.m_position);
     }
     void operator()(const StartMotion&) const {
         b.m_lastMotion = latched;
@@ -33,7 +33,7 @@ struct Belief::Sent {
         if (b.m_starting)
             b.mayStart(*b.m_starting);
         if (const auto& waiting = b.m_stepper.waiting) {
-            b.mayStart(*waiting);
+            b.m_stepperRun.start(*waiting, b.stepperMode(), b.m_position);
             if (waiting->accelerationTime)
                 b.m_stepper.accelerationTime = waiting->accelerationTime;
         }
@@ -123,8 +123,7 @@ void Belief::onNotExecuted(const Belief& before) {
     m_mayEnable = before.m_mayEnable;
     m_pwmMayRun = before.m_pwmMayRun;
     m_velocityGoal = before.m_velocityGoal;
-    m_stepperReverse = before.m_stepperReverse;
-    m_stepperGoal = before.m_stepperGoal;
+    m_stepperRun = before.m_stepperRun;
     m_stepper.waiting = before.m_stepper.waiting;
     m_servo.loadWaiting = before.m_servo.loadWaiting;
     m_starting = before.m_starting;
@@ -238,23 +237,7 @@ bool Belief::powered() const {
 }
 
 StepperMode Belief::stepperMode() const {
-    const stepper::StatusByte status{m_status};
-    if (!mayMove())
-        return StepperMode::Stopped;
-    if (status.trapezoidalMode())
-        return StepperMode::Trapezoidal;
-    if (status.velocityMode())
-        return StepperMode::VelocityProfile;
-    return m_stepperGoal.value_or(StepperMode::Unknown);
-}
-
-void Belief::mayStart(const stepper::LoadTrajectory& load) {
-    m_stepperGoal = goalMode(stepperMode(), load);
-    // A load with only a timer count leaves a motion that ends at a goal as it is, and keeps its direction.
-    if (m_stepperGoal == StepperMode::UnprofiledWithStop && !load.position)
-        return;
-    // If a goal is loaded, the chip takes the direction from it and not from the bit (DS-S 5.1).
-    m_stepperReverse = load.position ? load.position->value() < m_position.value_or(0) : load.reverse;
+    return mayMove() ? m_stepperRun.modeNow(stepper::StatusByte{m_status}) : StepperMode::Stopped;
 }
 
 void Belief::mayStart(const servo::LoadTrajectory& load) {

@@ -6,8 +6,8 @@
 
 #include "bus/exchange.h"
 #include "bus/iooutputs.h"
-#include "bus/steppergate.h"
 #include "bus/types.h"
+#include "module/stepperrun.h"
 
 namespace nmc::bus {
 
@@ -115,7 +115,8 @@ public:
     [[nodiscard]] StepperMode stepperMode() const;
     /// The direction of velocityGoal(), or of a moving PIC-STEP.
     [[nodiscard]] bool runsReverse() const {
-        return m_info.identity.type == ModuleType::Stepper ? m_stepperReverse : m_velocityReverse;
+        return m_info.identity.type == ModuleType::Stepper ? m_stepperRun.reverse.value_or(false)
+                                                           : m_velocityReverse;
     }
     /// As answered by the module.
     [[nodiscard]] const ServoRegisters& servoRegisters() const { return m_servo; }
@@ -139,7 +140,6 @@ private:
     struct Executed;
     void mayStart(const servo::LoadTrajectory& load);
     void started(const servo::LoadTrajectory& load);
-    void mayStart(const stepper::LoadTrajectory& load);
     void rename();
 
     ModuleInfo m_info;
@@ -165,9 +165,8 @@ private:
     bool m_limitStops = false;          ///< SC, if so configured: the chip ends motion towards a closed limit
     bool m_homingStops = false;         ///< the chip itself stops when home is found
     bool m_parametersSet = false;       ///< since an answer or attach(), until a restart
-    bool m_stepperReverse = false;      ///< of the last start sent; meaningful only in motion
-    std::optional<StepperMode> m_stepperGoal;  ///< mode that may be running
-    bool m_restarted = false;                  ///< never cleared: welcome() creates another Belief
+    bool m_restarted = false;           ///< never cleared: welcome() creates another Belief
+    StepperRun m_stepperRun;            ///< the last start sent; meaningful only in motion
     // As answered; whatever an unanswered command may change is not waiting, or is unknown.
     ServoRegisters m_servo;
     StepperRegisters m_stepper;

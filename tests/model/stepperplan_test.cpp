@@ -157,34 +157,34 @@ TEST(StepPlan, RefusesAGoalThatIsTooFarAway) {
 
 struct Transition {
     const char* name;
-    bus::StepperMode from;
+    StepperMode from;
     StepperMotion goal;
     bool allowed;
 };
 
 /// In that mode, forward; with a goal 900 steps away where it has one.
-Stepper inMode(bus::StepperMode mode) {
+Stepper inMode(StepperMode mode) {
     Stepper stepper = Stepper::holding();
     stepper::LoadTrajectory load = Stepper::trapezoid(900);
     unsigned bits = kTrapezoidalMode;
     switch (mode) {
-        case bus::StepperMode::Trapezoidal:
+        case StepperMode::Trapezoidal:
             break;
-        case bus::StepperMode::VelocityProfile:
+        case StepperMode::VelocityProfile:
             load.position.reset();
             bits = kVelocityMode;
             break;
-        case bus::StepperMode::UnprofiledWithStop:
-        case bus::StepperMode::Unprofiled:
+        case StepperMode::UnprofiledWithStop:
+        case StepperMode::Unprofiled:
             load = {};
-            if (mode == bus::StepperMode::UnprofiledWithStop)
+            if (mode == StepperMode::UnprofiledWithStop)
                 load.position = Counts(900);
             load.timer = stepper::TimerCount{64'288, 20};
             bits = 0;
             break;
-        case bus::StepperMode::Stopped:
+        case StepperMode::Stopped:
             return stepper;
-        case bus::StepperMode::Unknown:
+        case StepperMode::Unknown:
             stepper.says(kStepOn | kMoving);
             return stepper;
     }
@@ -204,7 +204,6 @@ TEST_P(StepperTransitions, AreThoseOfTable4) {
     EXPECT_EQ(whyNotFromStandstill(GetParam().goal, stepper.module), std::nullopt);
 }
 
-using bus::StepperMode;
 // What is stricter here than the sheet, and left to who sends a command himself: the speed of a move is not
 // changed under way, because a timer count alone would run without a stop had the move ended meanwhile.
 INSTANTIATE_TEST_SUITE_P(

@@ -7,7 +7,6 @@ namespace nmc {
 namespace {
 
 using namespace testing_support;
-using bus::StepperMode;
 
 constexpr unsigned kRuns = kStepOn | kMoving | kVelocityMode;
 

@@ -234,24 +234,24 @@ DirectBox* newServoReset(ModuleContext& context, QWidget* parent) {
 // ---- PIC-STEP ----
 
 /// By Table 4: what is loaded decides it, and what the motor does now.
-QString stepperGoalMeaning(const stepper::LoadTrajectory& load, bus::StepperMode mode) {
-    const auto goal = bus::goalMode(mode, load);
+QString stepperGoalMeaning(const stepper::LoadTrajectory& load, StepperMode mode) {
+    const auto goal = goalMode(mode, load);
     if (!goal)
         return ExpertBox::tr("Table 4 has no such mode from the present state of the motor.");
     switch (*goal) {
-        case bus::StepperMode::Trapezoidal:
+        case StepperMode::Trapezoidal:
             return ExpertBox::tr("A trapezoidal move to the position.");
-        case bus::StepperMode::VelocityProfile:
+        case StepperMode::VelocityProfile:
             return ExpertBox::tr("A ramp to the speed. The motor runs until it is stopped.");
-        case bus::StepperMode::UnprofiledWithStop:
+        case StepperMode::UnprofiledWithStop:
             if (load.position)
                 return ExpertBox::tr("One speed from the first step to the position.");
             return ExpertBox::tr(
                 "The move continues to its position at this speed. If it has just ended, the motor runs until it is stopped.");
-        case bus::StepperMode::Unprofiled:
+        case StepperMode::Unprofiled:
             return ExpertBox::tr("One speed from the first step. The motor runs until it is stopped.");
-        case bus::StepperMode::Stopped:
-        case bus::StepperMode::Unknown:
+        case StepperMode::Stopped:
+        case StepperMode::Unknown:
             break;
     }
     return {};

@@ -43,19 +43,19 @@ QString inputMeaning(std::size_t bit) {
     return meanings[bit];
 }
 
-QString modeName(bus::StepperMode mode) {
+QString modeName(StepperMode mode) {
     switch (mode) {
-        case bus::StepperMode::Stopped:
+        case StepperMode::Stopped:
             return StepperDetailsBox::tr("stopped");
-        case bus::StepperMode::Trapezoidal:
+        case StepperMode::Trapezoidal:
             return StepperDetailsBox::tr("trapezoidal profile");
-        case bus::StepperMode::VelocityProfile:
+        case StepperMode::VelocityProfile:
             return StepperDetailsBox::tr("velocity profile");
-        case bus::StepperMode::UnprofiledWithStop:
+        case StepperMode::UnprofiledWithStop:
             return StepperDetailsBox::tr("unprofiled, with stop");
-        case bus::StepperMode::Unprofiled:
+        case StepperMode::Unprofiled:
             return StepperDetailsBox::tr("unprofiled, without stop");
-        case bus::StepperMode::Unknown:
+        case StepperMode::Unknown:
             return StepperDetailsBox::tr("moving, commanded by another program");
     }
     return {};

@@ -13,7 +13,6 @@ namespace {
 
 using Orders = std::vector<bus::Order>;
 using Plan = tl::expected<Orders, Refusal>;
-using bus::StepperMode;
 
 template <typename... Commands>
 Orders stepperStepsFor(const ModuleState& module, Commands... commands) {

@@ -78,11 +78,11 @@ void StepperState::watchMotion(bool wasMoving, bool homeFound) {
     if (moving())
         return;
     m_stopping = false;
-    if (!wasMoving || homeFound || m_ourStop || m_offByItself || (m_goal && m_position == m_goal))
+    if (!wasMoving || homeFound || m_ourStop || m_offByItself || (m_run.goal && m_position == m_run.goal))
         return;
     if (estopActs())
         m_ended = Activity::EstopActive;
-    else if (limitActs(m_reverse.value_or(false)))
+    else if (limitActs(m_run.reverse.value_or(false)))
         m_ended = Activity::StoppedByLimit;
 }
 
@@ -99,16 +99,11 @@ bool StepperState::tooHot() const {
     return m_registers.parameters && m_analog && *m_analog < m_registers.parameters->thermalLimit;
 }
 
-bus::StepperMode StepperState::mode() const {
+StepperMode StepperState::mode() const {
     if (!moving())
-        return bus::StepperMode::Stopped;
-    if (m_startedAt)
-        return m_goalMode.value_or(bus::StepperMode::Unknown);
-    if (m_status.trapezoidalMode())
-        return bus::StepperMode::Trapezoidal;
-    if (m_status.velocityMode())
-        return bus::StepperMode::VelocityProfile;
-    return m_goalMode.value_or(bus::StepperMode::Unknown);
+        return StepperMode::Stopped;
+    // After a start, the status is still that of the motion before.
+    return m_startedAt ? m_run.mode.value_or(StepperMode::Unknown) : m_run.modeNow(m_status);
 }
 
 Activity StepperState::activity() const {
@@ -155,17 +150,7 @@ void StepperState::apply(const StepperCommand& executed, TimePoint time) {
 }
 
 void StepperState::started(const stepper::LoadTrajectory& load, TimePoint time) {
-    m_goalMode = bus::goalMode(mode(), load);
-    // A load with only a timer count leaves the goal of a motion that ends at one (DS-S Table 4).
-    const bool keepsGoal = m_goalMode == bus::StepperMode::UnprofiledWithStop && !load.position;
-    if (!keepsGoal) {
-        m_goal.reset();
-        m_reverse = load.reverse;
-        if (load.position) {
-            m_goal = load.position->value();
-            m_reverse = m_position ? std::optional(*m_goal < *m_position) : std::nullopt;
-        }
-    }
+    m_run.start(load, mode(), m_position);
     m_startedAt = time;
     m_stopping = m_ourStop = m_slowing = false;
     m_ended.reset();

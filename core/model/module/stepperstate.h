@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "base/time.h"
-#include "bus/steppergate.h"
 #include "model/module/activity.h"
 #include "module/registers.h"
+#include "module/stepperrun.h"
 
 namespace nmc {
 
@@ -45,14 +45,14 @@ public:
     /// not been on since.
     [[nodiscard]] bool offByItself() const { return m_offByItself; }
     [[nodiscard]] bool moving() const { return m_startedAt || m_status.moving(); }
-    [[nodiscard]] bus::StepperMode mode() const;
+    [[nodiscard]] StepperMode mode() const;
     /// Direction of the present motion; empty: it stands still, or another host started it.
-    [[nodiscard]] std::optional<bool> runsReverse() const { return moving() ? m_reverse : std::nullopt; }
+    [[nodiscard]] std::optional<bool> runsReverse() const { return moving() ? m_run.reverse : std::nullopt; }
 
     /// Goal of the last motion, if it has one.
-    [[nodiscard]] std::optional<std::int32_t> goal() const { return m_goal; }
+    [[nodiscard]] std::optional<std::int32_t> goal() const { return m_run.goal; }
     /// The direction of the last motion; empty: another host started it.
-    [[nodiscard]] std::optional<bool> lastReverse() const { return m_reverse; }
+    [[nodiscard]] std::optional<bool> lastReverse() const { return m_run.reverse; }
     /// What ended the last motion, or switched the amplifier off, unless commanded; reset by the next command
     /// to move, stop or switch.
     [[nodiscard]] std::optional<Activity> ended() const { return m_ended; }
@@ -82,9 +82,7 @@ private:
     std::optional<std::uint16_t> m_timer;
 
     StepperRegisters m_registers;
-    std::optional<bus::StepperMode> m_goalMode;
-    std::optional<std::int32_t> m_goal;
-    std::optional<bool> m_reverse;
+    StepperRun m_run;
     std::optional<TimePoint> m_startedAt;   ///< a motion was started, and no later status has arrived
     std::optional<TimePoint> m_switchedAt;  ///< the amplifier was switched, and no later status has arrived
     bool m_on = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mode transitions of a PIC-STEP (DS-S 5.1, Table 4), cell by cell as the sheet prints them.
-#include "bus/steppergate.h"
+#include "module/stepperrun.h"
 
 #include <gtest/gtest.h>
 

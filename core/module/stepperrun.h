@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "protocol/status.h"
 #include "protocol/steppercommands.h"
 
-namespace nmc::bus {
+namespace nmc {
 
 /// The present mode of a PIC-STEP (DS-S 5.1, Table 4).
 enum class StepperMode : std::uint8_t {
@@ -26,4 +27,17 @@ enum class StepperMode : std::uint8_t {
 /// (DS-S 4.1). Pure.
 [[nodiscard]] bool mayFollow(StepperMode mode, bool runsReverse, const stepper::LoadTrajectory& load);
 
-}  // namespace nmc::bus
+/// The motion that a PIC-STEP was last started on. The caller decides whether a start counts that was sent,
+/// or only one that was answered.
+struct StepperRun {
+    std::optional<StepperMode> mode;   ///< empty: Table 4 has no such start
+    std::optional<std::int32_t> goal;  ///< steps; empty: a motion without an end
+    std::optional<bool> reverse;       ///< empty: unknown, as the position was
+
+    /// `from`: the mode in which it was started; `position`: where, if known.
+    void start(const stepper::LoadTrajectory& load, StepperMode from, std::optional<std::int32_t> position);
+    /// The mode of a module that moves: as its status shows it, and otherwise as it was started.
+    [[nodiscard]] StepperMode modeNow(stepper::StatusByte status) const;
+};
+
+}  // namespace nmc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "bus/steppergate.h"
+#include "module/stepperrun.h"
 
-namespace nmc::bus {
+namespace nmc {
 
 std::optional<StepperMode> goalMode(StepperMode from, const stepper::LoadTrajectory& load) {
     const bool profile = load.speed || load.accelerationTime;
@@ -30,4 +30,27 @@ bool mayFollow(StepperMode mode, bool runsReverse, const stepper::LoadTrajectory
     return goalMode(mode, load) && (mode == StepperMode::Stopped || load.reverse == runsReverse);
 }
 
-}  // namespace nmc::bus
+void StepperRun::start(const stepper::LoadTrajectory& load, StepperMode from,
+                       std::optional<std::int32_t> position) {
+    mode = goalMode(from, load);
+    // A load with only a timer count leaves the goal of a motion that ends at one (DS-S Table 4).
+    if (mode == StepperMode::UnprofiledWithStop && !load.position)
+        return;
+    goal.reset();
+    reverse = load.reverse;
+    if (load.position) {
+        goal = load.position->value();
+        // The chip takes the direction from the goal and not from the bit (DS-S 5.1).
+        reverse = position ? std::optional(*goal < *position) : std::nullopt;
+    }
+}
+
+StepperMode StepperRun::modeNow(stepper::StatusByte status) const {
+    if (status.trapezoidalMode())
+        return StepperMode::Trapezoidal;
+    if (status.velocityMode())
+        return StepperMode::VelocityProfile;
+    return mode.value_or(StepperMode::Unknown);
+}
+
+}  // namespace nmc
