@@ -26,8 +26,8 @@ public:
     }
 };
 
-/// Qt 6.4's own reads beyond its list when it is asked for a child that has just gone (a scroll bar, say),
-/// and the program with it. This one knows no such child.
+/// Replaces Qt 6.4's own interface, which reads beyond its list and crashes the program when it is asked for
+/// a child that has just gone, such as a scroll bar. This one has no such children.
 class ScrollArea : public QAccessibleWidget {
 public:
     explicit ScrollArea(QWidget* widget) : QAccessibleWidget(widget, QAccessible::Client) {}

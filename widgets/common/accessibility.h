@@ -5,19 +5,20 @@
 
 class QWidget;
 
-/// What assistive technology is told besides names, descriptions and the states that Qt tells by itself.
+/// What is reported to assistive technology besides names, descriptions and the states that Qt reports by
+/// itself.
 namespace nmc::accessibility {
 
-/// The banner is an alert to it, what setBusy() was called for is busy, and a scroll area survives it; once
-/// for each program.
+/// Makes the banner an alert, makes setBusy() work, and avoids a crash of Qt's scroll areas. Call it once per
+/// program.
 void setUp();
 
-/// `words` are read out now, wherever the focus is: they become the region's name, and an alert says that
-/// there is one. Qt 6.4 has no announcement of its own, and tells the desktop of the name only.
+/// Has `words` read out now, wherever the focus is: they become the region's name, and an alert draws
+/// attention to it. Qt 6.4 has no announcement of its own, and passes only the name to the desktop.
 void announce(QWidget& region, const QString& words);
 
-/// Waits for something: a module's answer, a chain that is being looked for. Of a panel, not of a control,
-/// which is disabled with a reason.
+/// Reports whether a panel waits for something: a module's answer, or a chain that is being searched for. For
+/// panels only; a control is disabled with a reason instead.
 void setBusy(QWidget& panel, bool busy);
 
 }  // namespace nmc::accessibility

@@ -14,7 +14,7 @@
 namespace nmc {
 
 namespace {
-constexpr int kQuestionWidth = 30;  ///< lines of text
+constexpr int kQuestionWidth = 30;  ///< line heights
 }
 
 AskDialog& AskDialog::ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window) {
@@ -51,7 +51,7 @@ AskDialog::AskDialog(const Question& question, std::initializer_list<Choice> cho
     look::name(this, question.name, question.title);
     setWindowTitle(question.title);
     setAttribute(Qt::WA_DeleteOnClose);
-    // One that was answered is still there for a moment, and stands no longer.
+    // An answered dialog still exists for a moment, but must not be found by its name any more.
     connect(this, &QDialog::finished, this, [this] { setObjectName({}); });
     const int unit = look::gridUnit(this);
     auto* glyph = new GlyphLabel(this);

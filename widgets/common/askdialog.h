@@ -10,9 +10,9 @@ class QLabel;
 
 namespace nmc {
 
-/// A question before something that cannot be undone, in a window of its own that blocks no other: the panel
-/// stays usable, and STOP ALL with it. So what it asks about may change while it stands. Its words are made
-/// anew at every review, and an answer counts only if there is still something to ask.
+/// A question before something that cannot be undone, in a window of its own that blocks no other: the panel,
+/// including STOP ALL, stays usable. What the question is about may therefore change while it is open: its
+/// text is made again at every review, and an answer counts only if there is still something to ask.
 class AskDialog : public QDialog {
     Q_OBJECT
 
@@ -20,33 +20,33 @@ public:
     struct Question {
         QString name;  ///< object name
         QString title;
-        /// What it says now; empty: there is nothing to ask any more, and the question is withdrawn.
+        /// Returns the present text; empty if there is nothing left to ask, which withdraws the question.
         std::function<QString()> text;
-        QString stay;  ///< leaves all as it is
+        QString stay;  ///< the button that leaves everything as it is
         QString stayName;
-        bool stayIsDefault = false;                      ///< otherwise the first choice is
+        bool stayIsDefault = false;                      ///< otherwise the first choice is the default
         QString textName = QStringLiteral("closeText");  ///< object name of the text
     };
     struct Choice {
-        QString text;  ///< a verb that finishes the sentence; names what is lost
+        QString text;  ///< a verb phrase, with what is lost
         QString name;  ///< object name of the button
         std::function<void()> go;
     };
 
-    /// One that stands already under this name comes to the front instead.
+    /// Opens the question; one of this name that is already open comes to the front instead.
     static AskDialog& ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
-    /// One of this window that stands while its user works elsewhere; null for none.
+    /// An open question of this window while the user works in another window; null if there is none.
     [[nodiscard]] static AskDialog* waiting(const QWidget& window);
     void comeForward();
-    /// What it says now.
+    /// The present text.
     [[nodiscard]] QString text() const { return m_text(); }
-    /// Something has changed that questions of this window may be about.
+    /// Call when something has changed that open questions of this window may be about.
     static void reviewAll(const QWidget& window);
 
 private:
     AskDialog(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
     void addChoice(const Choice& choice);
-    /// False: it was withdrawn.
+    /// Updates the text. Returns false if the question was withdrawn.
     bool review();
 
     std::function<QString()> m_text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the table of texts has to say of groups, and of the rate of a whole chain.
+// The part of the table of texts about groups and about the baud rate of the whole chain.
 #include <algorithm>
 
 #include "widgets/common/textparts.h"
@@ -22,7 +22,7 @@ std::vector<ModuleIndex> those(const bus::GroupFinished& finished, bus::MemberOu
     return modules;
 }
 
-/// Each outcome that there was, with its modules.
+/// Lists the outcomes that occurred, each with its modules.
 QString membersSentence(const bus::GroupFinished& finished) {
     using enum bus::MemberOutcome;
     QStringList parts;
@@ -54,7 +54,7 @@ Message startFailed(const bus::GroupFinished& finished, quint8 group) {
     return m;
 }
 
-/// %1 is the group.
+/// In the text returned, %1 is the group.
 QString notByAll(bus::GroupCommand::Action action) {
     using enum bus::GroupCommand::Action;
     switch (action) {

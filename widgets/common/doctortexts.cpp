@@ -14,7 +14,7 @@ class DoctorTexts {
     Q_DECLARE_TR_FUNCTIONS(Chain)
 };
 
-/// What "at" is called; the finding has one.
+/// The name of the module `at`, which the finding must have.
 QString concernedModule(const ChainDiagnosis& chain) {
     return moduleName(chain.at.value_or(ModuleIndex(0)));
 }

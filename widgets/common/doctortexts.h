@@ -8,9 +8,9 @@
 /// The chain doctor's part of the table of texts.
 namespace nmc::texts {
 
-/// What it comes to, one sentence.
+/// The finding in one sentence.
 [[nodiscard]] QString chainFinding(const ChainDiagnosis& chain);
-/// What to look at, and what to do then; empty when all is well.
+/// What to check, and what to do then; empty if all is well or the search is still in progress.
 [[nodiscard]] QString chainAdvice(const ChainDiagnosis& chain);
 [[nodiscard]] QString chainVerdict(ChainPlace::State verdict);
 [[nodiscard]] Severity severityOf(ChainPlace::State verdict);

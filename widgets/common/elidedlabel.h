@@ -5,8 +5,8 @@
 
 namespace nmc {
 
-/// Words whose room is fixed, however many there are: as many lines as it was made for, the last of them ends
-/// in … where that is too few, and the tool tip says the rest. What stands below it never moves. Plain text.
+/// A label with a fixed number of lines, whatever its text, so that nothing below it ever moves. If the text
+/// does not fit, its last line ends in …, and the tool tip shows all of it. Plain text.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ private:
     int m_lines;
 };
 
-/// One line of quiet secondary text that gives way to its neighbours.
+/// Makes a label for one line of muted secondary text, which shrinks in favour of its neighbours.
 [[nodiscard]] ElidedLabel* newMutedLine(QWidget* parent);
 
 }  // namespace nmc

@@ -16,7 +16,7 @@ QFileDialog* newFileDialog(QWidget* window, const QString& objectName, const QSt
     }
     auto* dialog = new QFileDialog(window, title);
     look::name(dialog, objectName, title);
-    // The system's own dialog keeps Esc to itself, which must stop the motors here, too.
+    // The system's own dialog keeps Esc to itself, but Esc must stop the motors here, too.
     dialog->setOption(QFileDialog::DontUseNativeDialog);
     dialog->setNameFilters(filters);
     dialog->setDirectory(folder.isEmpty() ? QDir::homePath() : folder);

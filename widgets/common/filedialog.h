@@ -11,11 +11,12 @@ class QWidget;
 
 namespace nmc {
 
-/// Makes what is to be written to a file, in the thread that writes it.
+/// Returns what is to be written to a file; called in the thread that writes it.
 using FileContent = std::function<std::string()>;
 
-/// Asks for a file beside the panel, which stays usable, and STOP ALL with it. Null when that dialog is open
-/// already; it comes to the front. The caller connects fileSelected() and shows it.
+/// Makes a dialog that asks for a file. It is not modal: the panel, including STOP ALL, stays usable. If this
+/// dialog is already open, it comes to the front, and null is returned. The caller connects fileSelected()
+/// and shows the dialog.
 [[nodiscard]] QFileDialog* newFileDialog(QWidget* window, const QString& objectName, const QString& title,
                                          const QStringList& filters, const QString& folder);
 

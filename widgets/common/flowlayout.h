@@ -7,19 +7,19 @@
 
 namespace nmc {
 
-/// Widgets in a row, and in as many rows as it takes where there is less room: no narrower than the widest of
-/// them.
+/// Arranges widgets in a row, or in as many rows as they need where there is less room. It is never narrower
+/// than its widest widget.
 class FlowLayout : public QLayout {
     Q_OBJECT
 
 public:
-    /// `spacing`: pixels between them, and half of it between rows.
+    /// `spacing`: pixels between neighbours; rows are half as far apart.
     explicit FlowLayout(int spacing, QWidget* parent = nullptr);
     ~FlowLayout() override;
 
     void addItem(QLayoutItem* item) override;
     void insertWidget(int index, QWidget* widget);
-    /// Stays together.
+    /// Adds a layout whose items stay together.
     void addLayout(QLayout* layout);
     [[nodiscard]] int count() const override { return static_cast<int>(m_items.size()); }
     [[nodiscard]] QLayoutItem* itemAt(int index) const override;
@@ -33,7 +33,8 @@ public:
 
 private:
     enum class Move : bool { No, Yes };
-    /// The height that they take in this rectangle.
+    /// Computes the positions of the items in `rect`, and moves them there if `move` is Yes. Returns the
+    /// height that they take.
     int place(const QRect& rect, Move move) const;
 
     std::vector<std::unique_ptr<QLayoutItem>> m_items;

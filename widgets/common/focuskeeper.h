@@ -9,30 +9,31 @@ class QWidget;
 
 namespace nmc {
 
-/// Where the focus of a window goes when the control that has it is disabled or hidden. Qt hands it to the
-/// next control, which may be the one that drives the other way; here it goes nowhere. It comes back when the
-/// control can be used again and nothing else was chosen meanwhile, and Tab goes on from there.
+/// Handles the focus of a window when the control that has it is disabled or hidden. Qt would pass it to the
+/// next control, which may be the one that drives the other way; with this class, nothing gets it. It returns
+/// when the control is enabled again and nothing else has been focused meanwhile, and Tab continues from
+/// there.
 class FocusKeeper : public QObject {
     Q_OBJECT
 
 public:
-    /// Belongs to `window`, whose focusNextPrevChild() asks it first.
+    /// Belongs to `window`, whose focusNextPrevChild() first calls leave() and resume().
     explicit FocusKeeper(QWidget& window);
 
-    /// True when what has the focus can keep it no longer: it was let go, and nothing else may take it.
-    /// False: it is somebody's Tab.
+    /// If the focused control can no longer keep the focus, releases it and returns true: nothing else may
+    /// take it. Returns false if the user pressed Tab.
     bool leave();
-    /// A Tab while nothing has the focus. False when there is no place to go on from.
+    /// Handles Tab while nothing has the focus. Returns false if there is no place to continue from.
     bool resume(bool forward);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QWidget& m_window;
-    QPointer<QWidget> m_left;  ///< what had the focus when it could keep it no longer
+    QPointer<QWidget> m_left;  ///< the control that could no longer keep the focus
 };
 
-/// Who turns a page has the focus on its tab, not on whatever the page has to press.
+/// When the user turns a page, moves the focus to the tab bar instead of a button on the new page.
 void keepFocusOnTabs(QTabWidget& pages);
 
 }  // namespace nmc

@@ -25,7 +25,7 @@ void FoldingGrid::letFold(const QWidget& page, bool may) {
         grid->setContentsMargins(around.left() / share, around.top(), around.right() / share,
                                  around.bottom());
         grid->m_need = 0;
-        // A row within the grid does not notice that its parts were placed without it.
+        // A layout in the grid does not notice that its items were placed without it.
         for (auto* inner : grid->findChildren<QLayout*>())
             inner->invalidate();
         grid->invalidate();
@@ -129,7 +129,8 @@ int FoldingGrid::place(const QRect& rect, Move move) const {
         for (const Cell& cell : rows[i]) {
             const bool table = m_kind == Kind::Table && !cell.whole;
             QSize size = cell.item->sizeHint().boundedTo({rect.width(), QWIDGETSIZE_MAX});
-            // Words that may be cut off have the rest of a line, or where that is little all of the next.
+            // Text that may be elided takes the rest of the line, or all of the next line if the rest is
+            // short.
             if (qobject_cast<ElidedLabel*>(cell.item->widget()) != nullptr)
                 size.setWidth(left < rect.width() * 2 / 3 ? rect.width() - left : rect.width());
             else if (cell.whole)
@@ -141,7 +142,7 @@ int FoldingGrid::place(const QRect& rect, Move move) const {
                                    qobject_cast<QLabel*>(line.first()->widget()) != nullptr;
             if (left > 0 && (belowName || left + width > rect.width())) {
                 endLine();
-                // What belongs to a row of a table stands to the right of its name.
+                // In a table, further lines of a row start to the right of its name.
                 left = table ? columns.front() + horizontalSpacing() : 0;
             }
             line.add(cell.item, left, size);

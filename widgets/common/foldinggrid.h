@@ -5,8 +5,8 @@
 
 namespace nmc {
 
-/// A grid whose rows can take several lines each where it is too narrow for one: the name at the left has a
-/// line for itself then, and what belongs to it flows below. In a table, columns stay columns.
+/// A grid whose rows fold into several lines where it is too narrow: the name on the left then has a line to
+/// itself, and the other items of the row flow below it. In a table, columns stay columns.
 class FoldingGrid : public QGridLayout {
     Q_OBJECT
 
@@ -14,7 +14,7 @@ public:
     enum class Kind : bool { Form, Table };
     explicit FoldingGrid(QWidget* parent, Kind kind = Kind::Form) : QGridLayout(parent), m_kind(kind) {}
 
-    /// Lets every FoldingGrid and QFormLayout on `page` fold, or none.
+    /// Allows every FoldingGrid and QFormLayout on `page` to fold, or forbids it.
     static void letFold(const QWidget& page, bool may);
 
     [[nodiscard]] QSize minimumSize() const override;
@@ -28,20 +28,21 @@ private:
     struct Cell {
         QLayoutItem* item;
         int column;
-        bool whole;  ///< takes a line for itself
+        bool whole;  ///< takes a line to itself
     };
-    /// What stands in each row, from left to right.
+    /// The items of each row, from left to right.
     [[nodiscard]] std::vector<std::vector<Cell>> rows() const;
     void gather(QLayoutItem& item, int column, bool whole, std::vector<Cell>& row) const;
     [[nodiscard]] std::vector<int> columnWidths(const std::vector<std::vector<Cell>>& rows) const;
     [[nodiscard]] bool folds(int width) const;
-    /// The height that they take in this rectangle.
+    /// Computes the positions of the items in `rect`, and moves them there if `move` is Yes. Returns the
+    /// height that they take.
     int place(const QRect& rect, Move move) const;
 
     Kind m_kind;
     bool m_mayFold = false;
-    QMargins m_around;       ///< where it does not fold; otherwise half of them at the sides
-    mutable int m_need = 0;  ///< pixels that it needed unfolded; never less again, or it would flutter
+    QMargins m_around;       ///< while it must not fold; while it may, half of them at the sides
+    mutable int m_need = 0;  ///< pixels needed unfolded; never reduced, to avoid flutter
 };
 
 }  // namespace nmc

@@ -16,7 +16,7 @@ QRectF square(const QRectF& rect) {
     return {rect.center().x() - side / 2, rect.center().y() - side / 2, side, side};
 }
 
-/// Paints `mark` of an activity in a unit square mapped on `rect`, in `colour`.
+/// Paints the mark of an activity, which is drawn in a unit square mapped to `rect`, in `colour`.
 class MarkPainter {
 public:
     MarkPainter(QPainter& painter, const QRectF& rect, const QColor& colour)
@@ -46,7 +46,8 @@ public:
         m_painter.setBrush(m_colour);
         m_painter.drawEllipse(at(centre), radius * m_rect.width(), radius * m_rect.height());
     }
-    // Letters are drawn as well: a font of each size that a mark may have would be loaded for one letter.
+    // Letters are drawn as shapes, too: otherwise a font would be loaded in every size of a mark for one
+    // letter.
     void exclamationMark() {
         polygon({{0.36, 0.02}, {0.64, 0.02}, {0.57, 0.66}, {0.43, 0.66}});
         disc({0.5, 0.87}, 0.13);
@@ -157,7 +158,7 @@ void paintMark(MarkPainter mark, Activity activity) {
     }
 }
 
-/// The container of a severity; returns where a mark goes and in which colour.
+/// Paints the container of a severity. Returns where the mark goes, and in which colour.
 std::pair<QRectF, QColor> paintContainer(QPainter& painter, const QRectF& r, Severity severity,
                                          const QPalette& palette) {
     const QColor on = look::onSeverityFill(severity, palette);

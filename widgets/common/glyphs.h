@@ -10,15 +10,15 @@ class QPainter;
 
 namespace nmc {
 
-/// State by shape first: every activity has a mark of its own; attention stands in a triangle, a fault in a
-/// square.
+/// Shows a state by shape first: by the mark of the activity, which is in a triangle for attention and in a
+/// square for a fault. Activities that mean much the same share a mark.
 void paintActivity(QPainter& painter, const QRectF& rect, Activity activity, const QPalette& palette);
-/// The sign of a message: a ringed i, a triangle, a square.
+/// Shows the severity of a message: a ringed i, a triangle or a square.
 void paintSeverity(QPainter& painter, const QRectF& rect, Severity severity, const QPalette& palette);
-/// A status bit: a filled square when set, a hollow ring when clear, a dash when unknown.
+/// Shows a status bit: a filled square when set, a hollow ring when clear, a dash when unknown.
 void paintBit(QPainter& painter, const QRectF& rect, std::optional<bool> set, const QPalette& palette);
 
-/// Shows one of the above at the size of its font.
+/// Shows an activity, a severity or a bit at the size of its font.
 class GlyphLabel : public QWidget {
     Q_OBJECT
 

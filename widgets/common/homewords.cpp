@@ -33,7 +33,7 @@ QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) 
         return HomeTexts::tr(
             "Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.");
     const QString where = position(scale, place->counts);
-    // As of the last status: how old that is, stands beside it.
+    // Counted up to the last status, whose age is shown beside it.
     const double minutes = std::floor(toSeconds(seen - place->since) / 60.0);
     switch (place->source) {
         case HomeFact::Source::Search:

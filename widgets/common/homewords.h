@@ -6,17 +6,18 @@
 #include "model/module/modulestate.h"
 #include "model/settings/axisscale.h"
 
-/// What is known of an axis' home (model/module/homefact.h), in words.
+/// What is known about the home of an axis (model/module/homefact.h), in words.
 namespace nmc::texts {
 
 /// "Home: 512 counts", "Home: unknown"
 [[nodiscard]] QString home(const std::optional<HomeFact::Place>& place, const AxisScale& scale);
-/// Where, since when and by what; or what would make it known. `seen`: when the module has spoken last.
+/// Where home is, since when, and how it was determined; or what would make it known. `seen`: time of the
+/// last status.
 [[nodiscard]] QString homeMeaning(const std::optional<HomeFact::Place>& place, TimePoint seen,
                                   const AxisScale& scale);
-/// What "Zero here" does, and what is lost by it.
+/// What "Zero here" does, and what is lost.
 [[nodiscard]] QString zeroMeaning(const ModuleState& module, const AxisScale& scale);
-/// What the chip's own register is, beside all that.
+/// What the chip's own home register contains.
 [[nodiscard]] QString homeRegisterMeaning();
 
 }  // namespace nmc::texts

@@ -9,7 +9,7 @@
 #include <QPixmapCache>
 #include <QSvgRenderer>
 
-// In a static library the linker drops resources that nobody asks for. Not possible inside a namespace.
+// Keeps the linker from dropping the resources of a static library. Must be outside of any namespace.
 static void useResources() {
     Q_INIT_RESOURCE(nmcpanel);
 }

@@ -6,12 +6,12 @@
 
 namespace nmc::icons {
 
-/// The program's own.
+/// The icon of the program.
 [[nodiscard]] QIcon window();
 /// A line icon of resources/icons, drawn in the text colour of the application's palette at the time it is
 /// painted.
 [[nodiscard]] QIcon tinted(const QString& name);
-/// The same in one colour, for a place that has a colour of its own.
+/// A line icon in a given colour, for a place that has a colour of its own.
 [[nodiscard]] QPixmap pixmap(const QString& name, const QColor& colour, int size, qreal devicePixelRatio);
 
 }  // namespace nmc::icons

@@ -24,7 +24,7 @@ QStringList available() {
     return found;
 }
 
-/// As a sentence would begin with it, and without the country.
+/// Capitalised as at the beginning of a sentence, and without the country.
 QString nameOf(const QString& language) {
     if (language == kEnglish)
         return u"English"_s;
@@ -36,7 +36,7 @@ QString nameOf(const QString& language) {
 QLocale localeOf(const QString& chosen, const QLocale& system) {
     if (chosen.isEmpty() || QLocale(chosen).language() == system.language())
         return system;
-    // Not that of the United States, whose paper and dates are nobody else's.
+    // Not the locale of the United States, whose paper size and date format are used nowhere else.
     return chosen == kEnglish ? QLocale(QLocale::English, QLocale::World) : QLocale(chosen);
 }
 

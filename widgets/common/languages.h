@@ -5,17 +5,17 @@
 #include <QString>
 #include <QStringList>
 
-/// What the panel speaks. The choice is a setting, which is read at the start.
+/// The language of the panel. The choice is a setting that is read at start-up.
 namespace nmc::languages {
 
-/// Where it is kept: "de"; empty: as the system says.
+/// Key of the setting. Its value is a language, for example "de"; empty: that of the system.
 inline const QString kSetting = QStringLiteral("language");
 
-/// English, in which the source is written, and what this program has a translation for.
+/// English, in which the source is written, and the languages that this program is translated into.
 [[nodiscard]] QStringList available();
-/// In the language itself: "Deutsch".
+/// The name of a language in the language itself: "Deutsch".
 [[nodiscard]] QString nameOf(const QString& language);
-/// For words and numbers. Where the system speaks the language that was chosen, as it is spoken there.
+/// The locale for words and numbers: that of the system if nothing or the language of the system was chosen.
 [[nodiscard]] QLocale localeOf(const QString& chosen, const QLocale& system = QLocale::system());
 
 }  // namespace nmc::languages

@@ -6,7 +6,7 @@
 
 namespace nmc {
 
-/// The items that share one line of a layout that breaks lines, from left to right.
+/// The items in one line of a layout that breaks lines, from left to right.
 class LayoutLine {
 public:
     /// `left`: pixels from the beginning of the line.
@@ -16,9 +16,9 @@ public:
     [[nodiscard]] QLayoutItem* first() const { return m_items.front().item; }
     /// The height of the tallest item.
     [[nodiscard]] int height() const;
-    /// Moves the items to where they belong in `rect`, `top` pixels below its upper edge. Lines run from
-    /// right to left where `parent` does. A widget lower than the line is centred on it, as words beside a
-    /// field are; tables begin at the same height.
+    /// Moves the items to their places in `rect`, `top` pixels below its upper edge. Lines run from right to
+    /// left if `parent` does. A widget that is not as high as the line is centred vertically, like text
+    /// beside a field; layouts are aligned at the top.
     void place(const QWidget& parent, const QRect& rect, int top) const;
 
 private:

@@ -14,7 +14,7 @@ LazyDock::LazyDock(const QString& objectName, const QString& title, const QKeySe
                 QDockWidget::DockWidgetFloatable);
     toggleViewAction()->setShortcut(key);
     connect(toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
-        // One behind another's tab counts as shown, and was hidden by this.
+        // A dock behind another's tab counted as shown, so this has hidden it.
         if (shown || !m_wasSeen)
             open();
     });

@@ -7,30 +7,30 @@
 namespace nmc {
 
 /// A dock whose content is built when it is seen for the first time. Its key shows it, brings it to the front
-/// where it stands behind another's tab, and closes it where it is seen.
+/// if it is behind another's tab, and closes it if it can be seen.
 class LazyDock : public QDockWidget {
     Q_OBJECT
 
 public:
-    /// In front, whatever is beside it.
+    /// Shows the dock, in front of others in the same place.
     void open();
     [[nodiscard]] bool seen() const { return m_seen; }
 
 signals:
-    /// The user wants it, and it may have too little room.
+    /// The user has opened the dock, and it may have too little room.
     void roomWanted();
-    /// It can be seen, and what it shows may be old.
+    /// The dock can be seen, and what it shows may be out of date.
     void opened();
 
 protected:
     LazyDock(const QString& objectName, const QString& title, const QKeySequence& key, QWidget* parent);
 
-    /// The content, unless it is there.
+    /// Builds the content, unless it exists already.
     virtual void build() = 0;
 
 private:
     bool m_seen = false;
-    bool m_wasSeen = false;  ///< before what is under way
+    bool m_wasSeen = false;  ///< before the event being handled
 };
 
 }  // namespace nmc

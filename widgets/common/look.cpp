@@ -37,8 +37,8 @@ QColor mix(const QColor& a, const QColor& b, float shareOfB) {
                             a.blueF() * shareOfA + b.blueF() * shareOfB);
 }
 
-/// A label in the muted colour of whatever palette it finds itself in. It keeps its line while it is empty:
-/// nothing moves when it speaks.
+/// A label in the muted colour of its parent's palette. It keeps its height while it is empty, so that
+/// nothing moves when it gets a text.
 class MutedLabel : public QLabel {
 public:
     MutedLabel(const QString& text, QWidget* parent) : QLabel(text, parent) {
@@ -140,7 +140,8 @@ QColor severityTint(Severity severity, const QPalette& palette) {
 }
 
 QColor traceColour(int trace, const QPalette& palette) {
-    // Okabe and Ito, darkened upon white until they keep 3:1; vermillion is left to faults.
+    // The colours of Okabe and Ito, darkened on white to a contrast of 3:1; vermillion is reserved for
+    // faults.
     static const std::array<QRgb, kTraceColours> light{0x0072B2, 0xA86A00, 0xA34D7C,
                                                        0x00795A, 0x6A6A6A, 0x3B6FD4};
     static const std::array<QRgb, kTraceColours> dark{0x56B4E9, 0xE69F00, 0xCC79A7,
@@ -198,7 +199,7 @@ void setOld(QLabel* label, bool old) {
 void setReadout(QLabel* label, const QString& text) {
     if (label->text() == text)
         return;
-    // A label of a fixed size is not laid out anew.
+    // A label of fixed size causes no new layout when its text changes.
     const QMargins margins = label->contentsMargins();
     const QSize needed(
         label->fontMetrics().horizontalAdvance(text) + margins.left() + margins.right() + gridUnit(label),

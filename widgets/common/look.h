@@ -11,62 +11,63 @@ class QApplication;
 class QLabel;
 class QWidget;
 
-/// What every widget of the panel has in common to look at: colours by meaning, digits that do not dance.
-/// Colours are computed from the palette at hand, so that light and dark need no switch.
+/// The common look of all widgets of the panel: colours by meaning, and digits that do not jump about.
+/// Colours are computed from the present palette, so that light and dark need no switch.
 namespace nmc::look {
 
-/// Fusion, the window icon, and whose window it is to the desktop; call once, before the first widget is
-/// made.
+/// Sets the style, the window icon, the application's name for the desktop, and accessibility. Call it once,
+/// before the first widget is made.
 void setUp(QApplication& application);
 
 [[nodiscard]] bool isDark(const QPalette& palette);
 /// WCAG contrast of two opaque colours, 1..21.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);
-/// Secondary text: quieter than WindowText, still 4.5:1 on the window and on fields.
+/// The colour of secondary text: quieter than WindowText, but still 4.5:1 on the window and on fields.
 [[nodiscard]] QColor mutedText(const QPalette& palette);
-/// A line between things, for frames and grids.
+/// The colour of lines in frames and grids.
 [[nodiscard]] QColor faintLine(const QPalette& palette);
-/// Okabe-Ito: normal is the text's own colour, attention orange, fault vermillion.
+/// The colours of Okabe and Ito: orange for attention, vermillion for a fault; normal is the text colour.
 [[nodiscard]] QColor severityFill(Severity severity, const QPalette& palette);
-/// For a mark or words upon severityFill.
+/// The colour of a mark or text on severityFill().
 [[nodiscard]] QColor onSeverityFill(Severity severity, const QPalette& palette);
 /// A tint of a severity behind ordinary text; the text keeps 4.5:1.
 [[nodiscard]] QColor severityTint(Severity severity, const QPalette& palette);
 
-/// Of the curves of a plot, from 0 on; they begin anew after kTraceColours.
+/// The colours of the curves of a plot, counted from 0; they repeat after kTraceColours.
 inline constexpr int kTraceColours = 6;
 [[nodiscard]] QColor traceColour(int trace, const QPalette& palette);
 
-/// `base` where its digits are all equally wide, else the system's fixed font at that size.
+/// `base` if its digits are all equally wide, otherwise the system's fixed font at the same size.
 [[nodiscard]] QFont tabular(const QFont& base);
 /// `base` at `factor` times its size.
 [[nodiscard]] QFont scaled(const QFont& base, double factor);
-/// Device-independent pixels of a length at the screen's logical resolution.
+/// A length in device-independent pixels, at the screen's logical resolution.
 [[nodiscard]] int millimetres(const QWidget* widget, double mm);
 /// The spacing grid: half a line of text.
 [[nodiscard]] int gridUnit(const QWidget* widget);
 
-/// setText that costs nothing when there is no news.
+/// Like QLabel::setText(), but costs nothing if the text is unchanged.
 void setText(QLabel* label, const QString& text);
-/// The same of a number that changes all the time: the label grows with it, never shrinks, and what is laid
-/// out around it stays as it is.
+/// Like setText(), for a number that changes all the time: the label grows with it but never shrinks, and the
+/// layout around it stays as it is.
 void setReadout(QLabel* label, const QString& text);
-/// Struck out and pale: what it shows was so once, and may not be so now.
+/// `old`: the value is out of date, and is shown struck out and pale.
 void setOld(QLabel* label, bool old);
-/// Quiet secondary text that follows the palette.
+/// Makes a label for muted secondary text that follows the palette.
 [[nodiscard]] QLabel* newMutedLabel(const QString& text, QWidget* parent);
 
-/// Nothing around it moves when it comes or goes.
+/// Keeps the space of the widget while it is hidden, so that nothing moves when it comes or goes.
 void keepRoom(QWidget* widget);
 
 /// Names a control for tests and for assistive technology in one go.
 void name(QWidget* widget, const QString& objectName, const QString& accessibleName);
-/// The object name of what there may be one of for each type of module in a window.
+/// The object name of a widget that a window may have once for each type of module.
 [[nodiscard]] QString nameFor(ModuleType type, const QString& objectName);
-/// Of a text that changes: its name, as it is read out, is what it says; `what` describes it.
+/// Names a label whose text changes. The text itself is read out as the name; `what` describes it.
 void nameText(QLabel* label, const QString& objectName, const QString& what);
 
-/// Enabled, with `meaning` as tool tip, or disabled with the reason; both for assistive technology as well.
+/// Enables the control with `meaning` as its tool tip, or disables it with `reason` unless that is empty.
+/// Assistive technology gets the same text.
 void setPossible(QWidget* control, const QString& reason, const QString& meaning);
 
 }  // namespace nmc::look

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the table of texts has to say of steps, square waves, frequency responses and gains that are tried.
+// The part of the table of texts about step responses, square waves, frequency responses and gain trials.
 #include "widgets/common/looptesttexts.h"
 
 namespace nmc::texts {
@@ -15,7 +15,7 @@ QString wrongWayAdvice() {
     return Texts::tr("If it moved the wrong way, run the direction check on the Axis page.");
 }
 
-/// Behind why a square wave or a frequency response has failed.
+/// What to do after a square wave or a frequency response has failed; follows the reason.
 QString testAdvice(ProcedureFailure failure) {
     switch (failure) {
         case ProcedureFailure::WentOff:
@@ -44,7 +44,7 @@ QString testAdvice(ProcedureFailure failure) {
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
-            return {};  // said already, or of others
+            return {};  // the reason says it, or it does not occur here
     }
     return {};
 }
@@ -106,7 +106,7 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
-            return {};  // of others
+            return {};  // does not occur here
     }
     return {};
 }
@@ -151,7 +151,7 @@ Words tryFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
-            return {};  // of others
+            return {};  // does not occur here
     }
     return {};
 }

@@ -5,7 +5,7 @@
 
 namespace nmc::texts {
 
-/// Of a test of a loop (isTest) that has failed. `who`: "Module 1".
+/// Says that a loop test (isTest()) has failed, and why. `who`: "Module 1".
 [[nodiscard]] Words testFailed(const ProcedureReport& report, const QString& who);
 
 }  // namespace nmc::texts

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the table of texts has to say of machine files.
+// The part of the table of texts about machine files and saved step responses.
 #include <QDir>
 #include <QFileInfo>
 #include <QHash>
@@ -31,7 +31,7 @@ QString wanted(FileProblem::Wanted wanted) {
     return {};
 }
 
-/// What is wrong in a line; it follows a colon and ends with a full stop.
+/// What is wrong in a line; follows a colon and ends with a full stop.
 QString wrongInLine(const FileProblem& problem) {
     using Kind = FileProblem::Kind;
     const QString field = QString::fromStdString(problem.field);
@@ -108,7 +108,7 @@ Message problemMessage(const QString& headline, const QString& body, const QStri
             .details = details};
 }
 
-/// A word of the file that is not the user's own.
+/// Translates a word that the file format defines.
 QString choiceWord(const std::string& word) {
     static const QHash<std::string, const char*> words{
         {"native", QT_TRANSLATE_NOOP("Texts", "counts (steps)")},
@@ -417,7 +417,7 @@ QString machineField(const QString& key, bool reversed) {
         return Texts::tr("Output %1").arg(key.mid(6));
     if (key.startsWith(u"input"_s))
         return Texts::tr("Input %1").arg(key.mid(5));
-    return key;  // Kp, Kd and the others are called so everywhere
+    return key;  // Kp, Kd and the like have the same name everywhere
 }
 
 QString machineValue(const FieldDifference& field, const std::optional<FieldValue>& value,

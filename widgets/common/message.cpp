@@ -16,12 +16,12 @@ bool Message::offers(MessageAction action) const {
 
 namespace {
 
-/// What an action needs besides that its message is there.
+/// What an action requires besides its message.
 struct Needs {
-    bool ownChain = false;  ///< the chain that it told of
-    bool telling = false;   ///< a connection that does not only look
-    bool machine = false;   ///< it changes the machine or the chain, which is not left to an operator
-    std::optional<IntentKind> right{};  ///< of an operator, as for the control that does the same
+    bool ownChain = false;              ///< the chain that the message is about
+    bool telling = false;               ///< a connection that is not read-only
+    bool machine = false;               ///< it changes the machine or the chain, which an operator may not do
+    std::optional<IntentKind> right{};  ///< the right that an operator needs, as for the same control
 };
 
 Needs needsOf(MessageAction action) {

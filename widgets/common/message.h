@@ -20,63 +20,64 @@ enum class MessageAction : std::uint8_t {
     ScanAgain,
     UseSimulator,
     ChoosePort,   ///< done by the window
-    CopyCommand,  ///< likewise
+    CopyCommand,  ///< done by the window
     WorkWith,
     How,
     ClearAndStayOff,
     SwitchOff,
     GainsBefore,
-    RestartNetwork,  ///< the window asks before it
+    RestartNetwork,  ///< the window asks first
     Reconnect,
-    ConnectOffered,  ///< an adapter that is back
-    StopAll,         ///< the window's
-    Understood,      ///< likewise
-    LookedAt,        ///< at motors that a session left moving
+    ConnectOffered,  ///< connects to the adapter that was found
+    StopAll,         ///< done by the window
+    Understood,      ///< done by the window
+    LookedAt,        ///< the user has checked motors that a session left moving
     RestoreWork,
     DiscardWork,
     ShowRecord,
     LookFirst,  ///< connects read-only
     ConnectFully,
-    TakePosition,    ///< that was remembered of an axis
-    ForgetPosition,  ///< likewise
-    ShowQuestion,    ///< the window's
+    TakePosition,    ///< restores home from the remembered position of an axis
+    ForgetPosition,  ///< discards the remembered position
+    ShowQuestion,    ///< done by the window
 };
 Q_ENUM_NS(MessageAction)
 
-/// Something to tell the user: one cause, whose repeats are counted under its key (interface.md, "Words").
+/// A message to the user about one cause; repeats are counted under its key (interface.md, "Words").
 struct Message {
     struct Action {
         MessageAction id;
-        QString text;      ///< a verb that finishes the sentence
-        QString reason{};  ///< why it does not act now, but may again: operator mode
+        QString text;      ///< a verb phrase
+        QString reason{};  ///< why it is disabled for now: operator mode
     };
     QString key{};
-    std::optional<ModuleIndex> module{};  ///< that it is about
+    std::optional<ModuleIndex> module{};  ///< the module that it is about
     Severity severity = Severity::Normal;
     QString headline{};  ///< what it means for the motor or the job
     QString body{};      ///< the likely cause, then what to do now
     QList<Action> actions{};
     QString command{};  ///< what "Copy command" copies
-    QString details{};  ///< the system's own words, raw bytes
-    /// It is the case until it is ended; what is not is an event, and old news after a while.
+    QString details{};  ///< the system's own message, or raw bytes
+    /// True for a state, which lasts until the message is ended; false for an event, which is old news after
+    /// a while.
     bool stands = false;
-    /// What was told before under this key gives way to it, whatever it said.
+    /// Replaces the previous message of the same key, whatever that said.
     bool replaces = false;
-    /// LinkState::connection when it was shown, by which the window knows whom a button would act on; 0: it
-    /// was shown without a connection.
+    /// LinkState::connection when it was shown, so that its buttons act on that connection only; 0: it was
+    /// shown without a connection.
     std::uint32_t connection = 0;
 
     [[nodiscard]] bool offers(MessageAction action) const;
 };
 
-/// The one place that decides whether a button may act: what tells modules something, or is about the chain
-/// that is there, acts in the message's own connection only, as long as that is open; and what tells modules
-/// something but a stop, not in one that only looks.
+/// The only place that decides whether a button may act. A button that sends to modules or concerns the chain
+/// acts only in the connection of its message, while that is open; one that sends anything but a stop does
+/// not act in a read-only connection.
 [[nodiscard]] bool mayAct(const Message& message, MessageAction action, const LinkState& link);
-/// The message without the buttons that may not act; such a button never may again. What is not left to an
-/// operator stays, and says so.
+/// Returns the message without the buttons that may not act, and never may again. Buttons that an operator
+/// may not use stay, with the reason.
 [[nodiscard]] Message withoutImpossible(Message message, const LinkState& link);
-/// "retry": what the object name of its button ends with.
+/// The end of the object name of its button: "retry".
 [[nodiscard]] QString objectName(MessageAction action);
 
 }  // namespace nmc

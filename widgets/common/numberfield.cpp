@@ -23,10 +23,10 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-/// Longer than any number here; a huge paste ends at this length, as a number that is out of range.
+/// Longer than any number here; a huge paste is cut to this length, which is still out of range.
 constexpr int kMaxLength = 32;
 
-/// Between the groups of three that this program and others write: spaces of several widths.
+/// True for a space of any width between groups of three digits, as this program and others write them.
 bool separatesGroups(const QString& text, qsizetype at) {
     const auto isDigit = [&text](qsizetype i) {
         return i >= 0 && i < text.size() && text.at(i) >= u'0' && text.at(i) <= u'9';
@@ -35,7 +35,7 @@ bool separatesGroups(const QString& text, qsizetype at) {
            isDigit(at + 3) && !isDigit(at + 4);
 }
 
-/// Of the locale, where it is one of the two that are read.
+/// The locale's decimal mark if it is one of the two that are read, otherwise the point.
 QChar decimalMark() {
     return QLocale().decimalPoint() == u","_s ? u',' : u'.';
 }
@@ -48,7 +48,8 @@ NumberField::NumberField(int decimals, QWidget* parent) : QLineEdit(parent), m_d
     setFont(look::tabular(font()));
     setInputMethodHints(Qt::ImhFormattedNumbersOnly);
     connect(this, &QLineEdit::textChanged, this, &NumberField::judge);
-    // QLineEdit says textEdited() before textChanged(): who hears edited() must find the new value judged.
+    // QLineEdit emits textEdited() before textChanged(); receivers of edited() must find the new value
+    // checked.
     connect(this, &QLineEdit::textEdited, this, [this] {
         judge();
         emit edited();
@@ -144,7 +145,7 @@ std::optional<double> NumberField::parse(const QString& text, bool wholeOnly, Pr
 }
 
 QString NumberField::format(double value, int decimals) {
-    // Digits as the parser reads them; of the locale only its decimal mark, where it is one of the two.
+    // Digits as the parser reads them; only the decimal mark is taken from the locale.
     QString text = QLocale::c().toString(value, 'f', decimals).remove(u',');
     if (decimals > 0) {
         while (text.endsWith(u'0'))
@@ -263,7 +264,7 @@ void NumberField::moveBy(int steps) {
 }
 
 bool NumberField::event(QEvent* event) {
-    // Undo belongs to whoever owns the values, not to the letters of one field.
+    // Undo is handled by the owner of the values, not character by character in a field.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
@@ -277,7 +278,7 @@ bool NumberField::event(QEvent* event) {
 void NumberField::keyPressEvent(QKeyEvent* event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (enter && m_problem == Problem::Ambiguous) {
-        // Shown now as what it is taken for; the next Enter acts.
+        // Shows how the number is understood; the next Enter acts.
         showText(asFraction());
         setModified(true);
         emit edited();

@@ -7,11 +7,11 @@
 
 namespace nmc {
 
-/// A field for one number in one unit (interface.md, "Values"), read alike under every locale, and never by a
-/// guess: whole numbers have no mark at all. Elsewhere both , and . are the decimal mark, two are refused,
-/// and what was typed as groups are written, 1,234 or 1.234, has no value until Enter has made it 1.2340.
-/// What is out of range stays as typed, is marked, says the range, and has no value. The wheel works only in
-/// a focused field.
+/// A field for one number in one unit (interface.md, "Values"). Numbers are read in the same way in every
+/// locale, and never by guessing: whole numbers have no decimal mark. In other numbers, both , and . are
+/// decimal marks, two marks are rejected, and a number typed like groups of thousands, 1,234 or 1.234, has no
+/// value until Enter has turned it into 1.2340. A number that is out of range stays as typed and has no
+/// value; the field is marked and says the range. The wheel works only in a focused field.
 class NumberField : public QLineEdit {
     Q_OBJECT
 
@@ -27,50 +27,50 @@ public:
         OutOfRange
     };
 
-    /// `decimals` 0: whole numbers only. Otherwise how many are shown; more may be typed.
+    /// `decimals`: how many are shown; more may be typed. 0: whole numbers only.
     explicit NumberField(int decimals, QWidget* parent = nullptr);
 
     void setRange(double min, double max);
-    /// Which setting makes the range what it is, as a sentence; empty: the module.
+    /// Which setting determines the range, as a sentence; empty: the module does.
     void setRangeReason(const QString& reason);
     /// 0: whole numbers only.
     void setDecimals(int decimals);
     [[nodiscard]] int decimals() const { return m_decimals; }
     void setSingleStep(double step) { m_step = step; }
-    /// How many digits it is wide.
+    /// The width of the field in digits.
     void setDigits(int digits);
-    /// What the field is called in the sentence about its range, and what its numbers count.
+    /// The name of the quantity, and its unit, in sentences about the field.
     void setWords(const QString& quantity, const QString& unit);
-    /// What the tool tip says while there is no problem.
+    /// The tool tip while there is no problem.
     void setMeaning(const QString& meaning);
-    /// As look::setPossible() does, and without covering what the field itself says of its text.
+    /// Like look::setPossible(), but does not hide what the field itself says about its text.
     void setPossible(const QString& reason, const QString& meaning);
 
-    /// Why no number can be told or taken now; then there is no value and nothing can be typed. Empty: one
-    /// can.
+    /// Why no number can be shown or entered now: the field has no value and is read-only. Empty: it is
+    /// available.
     void setUnavailable(const QString& why);
 
-    /// Empty while what stands there is not one number within the range.
+    /// Empty unless the text is an unambiguous number within the range.
     [[nodiscard]] std::optional<double> value() const;
     [[nodiscard]] Problem problem() const { return m_problem; }
-    /// Why there is no value, as a sentence: "Kp takes 0 to 32767."
+    /// Why there is no value, as a sentence: "Kp must be 0 to 32767."
     [[nodiscard]] QString problemText() const;
 
     /// Emits nothing.
     void showValue(double value);
     void showNothing();
-    /// Whatever stands there, a value or not. Emits nothing.
+    /// Shows any text, whether it is a value or not. Emits nothing.
     void showText(const QString& text);
 
     [[nodiscard]] static std::optional<double> parse(const QString& text, bool wholeOnly, Problem* problem);
-    /// In the locale's decimal mark, without group separators and without trailing zeros.
+    /// With the locale's decimal mark, without group separators and without trailing zeros.
     [[nodiscard]] static QString format(double value, int decimals);
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
-    /// The user changed what stands there, to a value or not.
+    /// The user has changed the text, whether it is a value or not.
     void edited();
 
 protected:
@@ -82,13 +82,15 @@ protected:
 private:
     void judge();
     void moveBy(int steps);
-    /// With two digits at least that are no leading zeros.
+    /// With at least two significant digits, unless the field is for whole numbers only.
     [[nodiscard]] QString textOf(double value) const;
-    /// Within the range, or what the field itself writes for a limit, which rounding may have put beyond it.
+    /// True within the range, and for a limit as the field itself writes it, which may be rounded to beyond
+    /// the range.
     [[nodiscard]] bool isAllowed(double number) const;
-    /// What was typed may be a decimal fraction or a group of thousands. What the field itself shows is none.
+    /// True if the typed text may be a decimal fraction or groups of thousands. A number shown by the field
+    /// itself is never ambiguous.
     [[nodiscard]] bool isAmbiguous() const;
-    /// As a decimal fraction and nothing else: 1.2340 for 1,234.
+    /// The text as an unambiguous decimal fraction: 1.2340 for 1,234.
     [[nodiscard]] QString asFraction() const;
 
     int m_decimals;

@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double kReadable = 4.5;       // WCAG 2.1, 1.4.3
-constexpr double kSeen = 3.0;           // WCAG 2.1, 1.4.11: what is no text
+constexpr double kSeen = 3.0;           // WCAG 2.1, 1.4.11: anything but text
 constexpr double kHighContrast = 20.0;  // of 21
 
 struct Colouring {
@@ -40,7 +40,7 @@ QColor mixed(const QColor& a, const QColor& b, float shareOfB) {
 
 QPalette paletteOf(const Colouring& colouring) {
     const QColor text(colouring.text);
-    QPalette palette(QColor(colouring.button), QColor(colouring.window));  // and shades of them
+    QPalette palette(QColor(colouring.button), QColor(colouring.window));  // derives the other shades
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText,
                             QPalette::BrightText})
         palette.setColor(role, text);
@@ -56,8 +56,8 @@ QPalette paletteOf(const Colouring& colouring) {
     return palette;
 }
 
-/// The colour of a role, moved towards the text until Fusion's shades of it, `drawn`, are seen on all that a
-/// frame stands upon.
+/// The colour of a role, moved towards the text colour until Fusion's shades of it, `drawn`, are visible on
+/// every background of a frame.
 template <typename Drawn>
 QColor seenAs(QPalette::ColorRole wanted, const QPalette& palette, const Drawn& drawn) {
     const QColor colour = palette.color(QPalette::Active, wanted);
@@ -76,8 +76,8 @@ QColor seenAs(QPalette::ColorRole wanted, const QPalette& palette, const Drawn& 
     return text;
 }
 
-/// Fusion makes its frames of the window's colour, darkened, and of the highlight where the focus is: upon
-/// dark windows nothing is left of them.
+/// Fusion with visible frames: its own are darkened shades of the window colour, or of the highlight where
+/// the focus is, and disappear on dark windows.
 class Style : public QProxyStyle {
 public:
     Style() : QProxyStyle(u"Fusion"_s) {}
@@ -102,12 +102,13 @@ public:
                             *this, option);
         QProxyStyle::drawComplexControl(control, option, painter, widget);
     }
-    /// Kept, since Fusion decodes its images each time, and each dock asks for two of them again and again.
+    /// Caches the icons, because Fusion decodes its images each time, and each dock requests two of them
+    /// again and again.
     QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
                        const QWidget* widget) const override {
         QIcon& icon = m_icons[which];
         if (icon.isNull())
-            // Qt's own of the menu bar takes longer to find than the menu bar to build.
+            // Finding Qt's own icon for the menu bar takes longer than building the menu bar.
             icon = which == SP_ToolBarHorizontalExtensionButton
                        ? icons::tinted(u"arrow-bar-to-right"_s)
                        : QProxyStyle::standardIcon(which, option, widget);
@@ -115,12 +116,12 @@ public:
     }
 
 private:
-    /// While it lives, the option's colours are those that Fusion makes frames of that are seen.
+    /// While it exists, the option has colours from which Fusion makes visible frames.
     class Frames {
     public:
         Frames(bool framed, const Style& style, const QStyleOption* option)
             : m_option(framed && option != nullptr
-                           ? const_cast<QStyleOption*>(option)  // its maker's, and back as it was
+                           ? const_cast<QStyleOption*>(option)  // restored by the destructor
                            : nullptr) {
             if (m_option != nullptr)
                 m_option->palette = style.framed(m_before = option->palette);
@@ -136,7 +137,7 @@ private:
         QPalette m_before;
     };
 
-    /// The same one each time, by which Fusion finds what it has drawn before.
+    /// Returns the same palette each time, so that Fusion finds what it has drawn before.
     QPalette framed(const QPalette& palette) const {
         constexpr qsizetype kMostPalettes = 100;
         if (const auto known = m_framed.constFind(palette.cacheKey()); known != m_framed.cend())
@@ -153,18 +154,18 @@ private:
         framed.setColor(QPalette::Highlight, seenAs(QPalette::Highlight, palette, [](const QColor& c) {
                             return std::array{c.darker(125)};
                         }));
-        m_framed.insert(framed.cacheKey(), framed);  // a choice draws a button, by the same option
+        m_framed.insert(framed.cacheKey(), framed);  // a combo box draws a button with the same option
         m_framed.insert(palette.cacheKey(), framed);
         return framedFor(framed, palette);
     }
-    /// Enabled or not, as the control is.
+    /// With the present colour group of `palette`: the control may be disabled.
     static QPalette framedFor(QPalette framed, const QPalette& palette) {
         framed.setCurrentColorGroup(palette.currentColorGroup());
         return framed;
     }
 
     mutable QHash<int, QIcon> m_icons;
-    mutable QHash<qint64, QPalette> m_framed;  ///< by the cache key of what it was made of
+    mutable QHash<qint64, QPalette> m_framed;  ///< by the cache key of the original palette
 };
 
 }  // namespace

@@ -7,32 +7,32 @@
 class QStyle;
 class QWidget;
 
-/// The palettes that the user can choose from. Everything else of the look is computed from the one in force
-/// (common/look.h), so that another can come at any time.
+/// The palettes that the user can choose from. The rest of the look is computed from the present palette
+/// (common/look.h), so the palette can change at any time.
 namespace nmc::look {
 
 enum class Colours : quint8 {
     System,  ///< the desktop's
     Light,
     Dark,
-    HighContrast,  ///< white upon black, selections black upon yellow
+    HighContrast,  ///< white on black, selections black on yellow
 };
 
-/// Of all but System, which has none of its own: an empty one.
+/// Empty for System, which has no palette of its own.
 [[nodiscard]] QPalette paletteOf(Colours colours);
-/// For the whole program, at any time. GUI thread.
+/// Applies to the whole program, at any time. GUI thread.
 void useColours(Colours colours);
 
-/// Text and window differ as much as colours can.
+/// True if text and window contrast almost as much as colours can.
 [[nodiscard]] bool isHighContrast(const QPalette& palette);
-/// Behind the text of a selected row that keeps its own colours.
+/// The background of a selected row whose text keeps its own colours.
 [[nodiscard]] QColor selectionTint(const QPalette& palette);
-/// What stands in empty fields of this window is as readable as other secondary text; and where a desktop's
-/// palette has text upon its highlight that can't be read well, it is black or white. Again with each change
-/// of its palette.
+/// Makes the placeholder text in this window as readable as other secondary text, and makes selected text
+/// black or white if the desktop's palette gives it too little contrast. Call it again after each change of
+/// the window's palette.
 void adoptReadable(QWidget* window);
 
-/// Fusion, with frames that have 3:1 upon whatever palette there is.
+/// Fusion, with frames that have a contrast of 3:1 in every palette.
 [[nodiscard]] QStyle* newStyle();
 
 }  // namespace nmc::look

@@ -25,7 +25,7 @@ QString percent(double share) {
     return QString::number(std::lround(share * 100.0));
 }
 
-/// Without its line.
+/// The problem as a sentence, without its line number.
 QString sentence(const PathProblem& problem, const AxisScale& scale) {
     using enum PathProblem::Kind;
     const QString text = QString::fromStdString(problem.text);

@@ -11,23 +11,23 @@
 #include "model/procedure/procedure.h"
 #include "widgets/common/sequencetexts.h"
 
-/// What the table of texts has to say of paths.
+/// The part of the table of texts about paths.
 namespace nmc::texts {
 
-/// "Line 4, X: …" of a file whose axes these are.
+/// "Line 4, X: …", for a file with these axes.
 [[nodiscard]] QString pathProblem(const PathProblem& problem, const std::vector<PathColumn>& axes);
-/// Why it cannot be run now.
+/// Why a path cannot be run now.
 [[nodiscard]] QString pathObstacle(const PathObstacle& obstacle, servo::PathRate rate,
                                    const ScaleOfAxis& scale);
-/// Why a sequence makes no path.
+/// Why no path can be made from a sequence.
 [[nodiscard]] QString drawingProblem(const DrawingProblem& problem);
-/// A file that could not be read.
+/// Why a path file could not be opened.
 [[nodiscard]] QString pathNotRead(const FileError& error);
-/// Why one ended before its end. Which axis it was, the modules tell.
+/// Why a path ended early. The messages of the modules say which axis was the cause.
 [[nodiscard]] QString pathFailure(ProcedureFailure failure);
-/// How it goes, how it ended, or nothing where it has not begun.
+/// The progress of a path, or how it ended.
 [[nodiscard]] QString pathState(const ProcedureReport& report);
-/// "X from 0 mm to 12.5 mm": where a path takes an axis.
+/// "X from 0 mm to 12.5 mm": the range that a path covers on an axis.
 [[nodiscard]] QString pathReach(const PathTable::Column& column, const PathColumn& axis);
 /// "1 200 points at 60 Hz, 19.7 s"
 [[nodiscard]] QString pathLength(const PathTable& table);

@@ -17,10 +17,10 @@ namespace nmc {
 
 namespace {
 
-constexpr double kPageMargin = 10.0;  ///< mm of a page
-/// A picture's pixel is that of CSS: 1/96 inch of paper.
+constexpr double kPageMargin = 10.0;  ///< mm
+/// A pixel of a picture is a CSS pixel: 1/96 inch on paper.
 constexpr int kResolution = 96;
-constexpr int kLetters = 12;  ///< pixels: 9 pt of paper
+constexpr int kLetters = 12;  ///< font size in pixels: 9 pt on paper
 
 [[nodiscard]] QFont paperFont() {
     QFont font = QApplication::font();
@@ -37,7 +37,7 @@ constexpr int kLetters = 12;  ///< pixels: 9 pt of paper
     return picture.widget->size() + QSize(0, captionHeight(picture));
 }
 
-/// `size`: of what is painted below the caption.
+/// `size`: of the part that is painted below the caption.
 void paint(QPainter& painter, const Picture& picture, const QSize& size) {
     const OnPaper paper(*picture.widget, size);
     const QPalette& palette = picture.widget->palette();
@@ -70,7 +70,7 @@ OnPaper::OnPaper(QWidget& widget, const QSize& size) : m_widget(widget), m_place
 
 OnPaper::~OnPaper() {
     m_widget.setGeometry(m_place);
-    // What it has from its window it takes from there again, as that changes.
+    // What was inherited from the window must be inherited again, so that it follows changes there.
     m_widget.setPalette(m_palette.value_or(QPalette()));
     m_widget.setFont(m_font.value_or(QFont()));
 }

@@ -14,19 +14,19 @@ class QWidget;
 
 namespace nmc {
 
-/// What a widget shows, to be taken out of the panel below lines that say what it is: dark upon white and in
-/// letters of one size, whatever palette, font and scale the screen has. GUI thread, while the widget lives.
+/// What a widget shows, for use outside the panel, below a caption: dark on white and in letters of one size,
+/// whatever palette, font and scale the screen has. GUI thread; valid while the widget exists.
 struct Picture {
     QWidget* widget;
     QStringList caption;
-    std::function<void(QPainter&)> paint;  ///< of the widget, which is OnPaper meanwhile
+    std::function<void(QPainter&)> paint;  ///< paints the widget, which is OnPaper meanwhile
 };
 
-/// Device pixels in a pixel of a picture.
+/// Device pixels per pixel of a picture.
 inline constexpr double kSharpness = 2.0;
 
-/// While it lives, a widget has the look of paper, and `size` where that is valid. Nothing of it is seen on
-/// the screen, which is painted later.
+/// While it exists, a widget looks as on paper, and has `size` if that is valid. The screen, which is painted
+/// later, shows nothing of this.
 class OnPaper {
 public:
     explicit OnPaper(QWidget& widget, const QSize& size = {});
@@ -36,16 +36,16 @@ public:
 private:
     QWidget& m_widget;
     QRect m_place;
-    std::optional<QPalette> m_palette;  ///< that the widget had of its own
+    std::optional<QPalette> m_palette;  ///< the widget's own; empty: inherited
     std::optional<QFont> m_font;
 };
 
 /// As large as the widget, and sharp enough to be printed.
 [[nodiscard]] QImage imageOf(const Picture& picture);
 [[nodiscard]] QByteArray pngOf(const QImage& image);
-/// In vectors.
+/// As vector graphics.
 [[nodiscard]] QByteArray svgOf(const Picture& picture);
-/// On a page, laid out for it, in vectors as well.
+/// As vector graphics on a page, laid out for the page.
 [[nodiscard]] QByteArray pdfOf(const Picture& picture);
 
 }  // namespace nmc

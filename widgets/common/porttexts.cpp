@@ -32,7 +32,7 @@ Message noPermission(const PortError& error) {
     return m;
 }
 
-/// A line for udev, and how to put it where udev reads it. It is for the user to do: rules are the system's.
+/// The command that adds a rule to udev. It is for the user to run, because rules belong to the system.
 QString intoUdev(const QString& rule) {
     return u"echo '%1' | sudo tee -a /etc/udev/rules.d/99-nmcpanel.rules"_s.arg(rule);
 }
@@ -140,7 +140,8 @@ Message portMessage(const PortError& error) {
 
 Message portProblem(const PortError& error) {
     Message m = portMessage(error);
-    // What is not known of motors outlives what is tried next with the port.
+    // A separate key: that the state of the motors is unknown remains true whatever is tried next with the
+    // port.
     m.key = error.problem == PortProblem::Gone ? key::gone() : key::port();
     m.details = shown(error.detail);
     if (m.severity == Severity::Normal)

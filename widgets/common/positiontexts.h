@@ -7,10 +7,10 @@
 
 namespace nmc::texts {
 
-/// Of a position that is not shown as of now: "1.3 s old", "out of date" below a tenth of a second, or
-/// "doubtful" where it may be another module's.
+/// The age of a position that is not current: "1.3 s old", "out of date" below a tenth of a second, or
+/// "doubtful" if it may be another module's.
 [[nodiscard]] QString age(double seconds, bool doubtful);
-/// Where an axis was seen last, and what can be done about it.
+/// Where an axis was last seen, with the offer to restore home from it.
 [[nodiscard]] Message positionRemembered(const PositionMemory::Offer& offer, const AxisScale& scale);
 
 namespace key {

@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr int kMostCopies = 99;
-constexpr int kStateWidth = 20;  ///< lines of text
+constexpr int kStateWidth = 20;  ///< line heights
 }  // namespace
 
 PrintDialog::PrintDialog(const QString& last, QWidget* window)
@@ -87,7 +87,7 @@ void PrintDialog::showPrinters(const QStringList& printers, const QString& stand
                            : printers.empty() ? texts::noPrinter()
                                               : QString());
     showPossible();
-    adjustSize();  // what it says now may have more lines
+    adjustSize();  // the new text may have more lines
 }
 
 void PrintDialog::showPossible() {

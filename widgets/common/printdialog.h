@@ -15,18 +15,18 @@ namespace nmc {
 
 class NumberField;
 
-/// Asks on which printer a page is to be printed, and how often, in a window of its own that blocks no other:
-/// the panel stays usable, and STOP ALL with it. It stands while the printers are looked for.
+/// Asks for a printer and the number of copies, in a window of its own that blocks no other: the panel,
+/// including STOP ALL, stays usable. It is open while printers are still being searched for.
 class PrintDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `last`: the printer of the last time, which is proposed while there is one of that name.
+    /// `last`: the printer that was used last, which is proposed if it exists.
     PrintDialog(const QString& last, QWidget* window);
 
     void setPage(const QByteArray& pdf) { m_pdf = pdf; }
-    /// Those that are known by now, and the one that the system uses unless told otherwise. `all`: no more
-    /// will come.
+    /// Shows the printers known so far. `standard`: the system's default printer. `all`: the search has
+    /// ended.
     void showPrinters(const QStringList& printers, const QString& standard, bool all);
 
 signals:
@@ -40,7 +40,7 @@ private:
     void savePdf();
 
     QByteArray m_pdf;
-    QString m_chosen;  ///< by the user, now or the last time
+    QString m_chosen;  ///< the user's choice, now or last time
     QComboBox* m_printer;
     NumberField* m_copies;
     QLabel* m_state;

@@ -3,16 +3,15 @@
 
 #include "widgets/common/message.h"
 
-/// What the table of texts has to say of printing.
+/// The part of the table of texts about printing.
 namespace nmc::texts {
 
 [[nodiscard]] QString lookingForPrinters();
-/// There is none.
 [[nodiscard]] QString noPrinter();
 [[nodiscard]] Message sentToPrinter(const QString& printer);
-/// `command`: what hands pages to the printer; it is not installed.
+/// `command`: the program that passes pages to the printer; it is not installed.
 [[nodiscard]] Message noPrinting(const QString& command);
-/// `details`: what it said.
+/// `details`: the output of the print system.
 [[nodiscard]] Message notPrinted(const QString& details);
 
 }  // namespace nmc::texts

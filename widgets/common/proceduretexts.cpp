@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the table of texts has to say of procedures: homing, moves by N, changes of a motion, direction
-// checks.
+// The part of the table of texts about procedures: homing, moves by N, changes of a motion, direction checks.
 #include <QDir>
 #include <cstdlib>
 
@@ -74,7 +73,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
-            return {};  // of others
+            return {};  // does not occur here
         case ProcedureFailure::NotAtHome:
             return {
                 Texts::tr("%1 found home and holds close to it, but the position was not set to 0.").arg(who),
@@ -125,7 +124,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
-            return {};  // of other kinds
+            return {};  // does not occur here
     }
     return {};
 }

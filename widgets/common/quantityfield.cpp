@@ -18,10 +18,10 @@ namespace {
 constexpr int kVelocityDecimals = 4;
 constexpr int kAccelerationDecimals = 5;
 constexpr int kMaxDecimals = 6;
-/// Digits that a velocity in the user's unit keeps below that of one count per tick.
+/// Resolution of a PIC-SERVO's velocity or acceleration in the user's unit, as a fraction of one native unit.
 constexpr double kFinePart = 1e-4;
 
-/// 1, 2 or 5 times a power of ten.
+/// The largest number not above `value` that is 1, 2 or 5 times a power of ten.
 double roundBelow(double value) {
     const double decade = std::pow(10.0, std::floor(std::log10(value) + 1e-9));
     const double digit = value / decade + 1e-9;
@@ -49,7 +49,7 @@ void QuantityField::setQuantity(const QString& quantity) {
 
 void QuantityField::setNativeRange(double min, double max) {
     if (min == m_min && max == m_max)
-        return;  // with every status of its module
+        return;  // called with every status of the module
     m_min = min;
     m_max = max;
     refresh();
@@ -67,7 +67,7 @@ void QuantityField::setScale(const AxisScale& scale) {
     refresh();
     if (!tellable())
         return NumberField::showNothing();
-    // Read again: in the new unit's range the old number may have been none.
+    // Shown again, because the old number may not have been in the range of the new unit.
     if (m_native)
         showNative(*m_native);
 }
@@ -128,7 +128,7 @@ double QuantityField::toUser(double native) const {
 double QuantityField::toNative(double user) const {
     switch (m_kind) {
         case Kind::Position:
-            // The chip knows whole counts.
+            // The chip knows only whole counts.
             return std::round(m_scale.counts(user));
         case Kind::Distance:
             return std::round(m_scale.countsOfDistance(user));
@@ -140,7 +140,7 @@ double QuantityField::toNative(double user) const {
     return user;
 }
 
-/// As many as the chip can tell apart.
+/// As many decimals as the chip can resolve.
 int QuantityField::decimalsWanted() const {
     double finest = 1.0;
     switch (m_kind) {

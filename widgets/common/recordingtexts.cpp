@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the table of texts has to say of recordings and of what the scope exports.
+// The part of the table of texts about recordings and exports of the scope.
 #include <QDir>
 #include <QFileInfo>
 
@@ -26,7 +26,7 @@ QString length(double seconds) {
         readout(seconds < 10 ? std::round(seconds * 10) / 10 : std::round(seconds), 6));
 }
 
-/// Follows "ended: ".
+/// Follows "stopped: ".
 QString cause(RecordingProblemKind trouble) {
     switch (trouble) {
         case RecordingProblemKind::NoFolder:
@@ -51,7 +51,7 @@ QString cause(RecordingProblemKind trouble) {
     return {};
 }
 
-/// What is wrong in a line; it follows a colon and ends with a full stop.
+/// What is wrong in a line; follows a colon and ends with a full stop.
 QString wrongInLine(const RecordingProblem& problem) {
     using Kind = RecordingProblem::Kind;
     const QString field = QString::fromStdString(problem.field);

@@ -8,10 +8,10 @@ class QWidget;
 
 namespace nmc {
 
-/// What scrolls where there is less room than it needs, and covers nothing. Never takes the focus itself.
+/// Makes a scroll area for content that may need more room than there is. It never takes the focus itself.
 [[nodiscard]] QScrollArea* scrolled(QWidget* content, const QString& objectName,
                                     const QString& accessibleName);
-/// Under the content's own name, with "Scroll" behind it.
+/// Named after the content, with "Scroll" appended to the object name.
 [[nodiscard]] QScrollArea* scrolled(QWidget* content);
 
 }  // namespace nmc

@@ -13,7 +13,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// What is wrong, without the row.
+/// The problem as a sentence, without the row.
 QString wrong(const SequenceProblem& problem) {
     using Kind = SequenceProblem::Kind;
     const QString name = QString::fromStdString(problem.name);
@@ -104,7 +104,7 @@ QString why(const SequenceReport& report) {
     return {};
 }
 
-/// "Main, row 3", "Main, row 3, Pick, row 1": with those that were called.
+/// "Main, row 3", or "Main, row 3 › Pick, row 1" with the sequences that were called.
 QString runPlace(const SequenceReport& report) {
     QStringList parts;
     for (const RowPlace& place : report.places) {
@@ -116,7 +116,7 @@ QString runPlace(const SequenceReport& report) {
     return parts.join(u" › "_s);
 }
 
-/// Of a run that has a name.
+/// The name of a run, which must have a point or a place.
 QString runName(const SequenceReport& report) {
     if (!report.point.empty())
         return Texts::tr("Move to \"%1\"").arg(QString::fromStdString(report.point));

@@ -10,27 +10,28 @@
 #include "model/settings/axisscale.h"
 #include "widgets/common/message.h"
 
-/// What the table of texts has to say of points and sequences.
+/// The part of the table of texts about points and sequences.
 namespace nmc::texts {
 
-/// Of an axis, as its user reads it.
+/// The scale in which the user reads an axis.
 using ScaleOfAxis = std::function<AxisScale(ModuleIndex)>;
 
-/// "move to", "wait"... of the actions in their order.
+/// "move to", "wait"... `action`: the index of an alternative of Action.
 [[nodiscard]] QString actionWord(std::size_t action);
 /// "limit 1", "IN1"...
 [[nodiscard]] QString pinWord(InputPin pin);
-/// "Module 1: 12.5 mm", of all axes of a point.
+/// "Module 1: 12.5 mm from home", for all axes of a point.
 [[nodiscard]] QString placesOf(const Point& point, const ScaleOfAxis& scale);
-/// Why it cannot be started: a sentence with its row.
+/// Why a sequence cannot be started: a sentence, with the row if it has one.
 [[nodiscard]] QString sequenceProblem(const SequenceProblem& problem);
-/// Where it is, or how it ended.
+/// Where a run is, or how it ended.
 [[nodiscard]] QString sequenceState(const SequenceReport& report);
-/// Of one that is over; nothing where its user has ended it.
+/// The message about a run that has ended; empty if the user ended it, or a stop of all motors did.
 [[nodiscard]] std::optional<Message> sequenceOver(const SequenceReport& report);
-/// It was not begun.
+/// Says that nothing was started, and why.
 [[nodiscard]] Message sequenceNotBegun(const SequenceProblem& problem);
-/// How long it would take, where each axis would go, and what would be refused.
+/// The result of a dry run: how long the sequence would take, where each axis would go, and what would be
+/// refused.
 [[nodiscard]] QString foreseen(const DryRun& dryRun, const ScaleOfAxis& scale);
 
 }  // namespace nmc::texts

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the table of texts has to say of the program itself and of the computer it runs on.
+// The part of the table of texts about the program itself and the computer that it runs on.
 #include <cmath>
 
 #include "widgets/common/textparts.h"
@@ -10,7 +10,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// In the unit that a person would say it in.
+/// A time span in the unit that a person would use.
 QString span(double seconds) {
     constexpr double kMinute = 60;
     constexpr double kHour = 60 * kMinute;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the table of texts has to say of a state, as long as that lasts.
+// The part of the table of texts about states, whose messages last as long as they do.
 #include <algorithm>
 
 #include "widgets/common/textparts.h"
@@ -76,7 +76,7 @@ Message swings(const ModuleState& module) {
 
 namespace {
 
-/// A sticky bit, at the same place in every version's auxiliary byte.
+/// Tests a sticky bit, which is at the same place in the auxiliary byte of every version.
 bool hasWrapped(const ModuleState& module) {
     const auto aux = module.isServo() && module.latest ? module.latest->aux : std::nullopt;
     return aux && servo::AuxByte{*aux}.positionWrap();
@@ -93,7 +93,7 @@ Message wrapped(const ModuleState& module) {
             "It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.")};
 }
 
-/// A servo tells by a bit why it is off, a stepper by what is the case.
+/// For a servo, the cause is known from a status bit; for a stepper, from its present state.
 Message wentOff(const ModuleState& module) {
     const ModuleIndex index = module.info.index;
     if (module.isStepper())
@@ -104,12 +104,12 @@ Message wentOff(const ModuleState& module) {
                    module.tripCause);
 }
 
-/// Of a stepper whose motor is on, and does not move for it.
+/// True for a stepper whose motor is on but cannot move, because its E-stop input is active.
 bool estopHolds(const ModuleState& module) {
     return module.isStepper() && module.stepper.amplifierOn() && module.stepper.estopActs();
 }
 
-/// One text for one cause: what switched the motor off is told of that.
+/// One text for one cause: if the limit switched the motor off, the message about that reports it.
 bool tellsOfLimit(const ModuleState& module, int limit) {
     const bool switchedOff =
         module.isStepper() && module.switchedItselfOff && module.stepper.ended() == Activity::StoppedByLimit;
@@ -118,7 +118,7 @@ bool tellsOfLimit(const ModuleState& module, int limit) {
     return module.limits.ranInto(static_cast<std::size_t>(limit - 1)) && !switchedOff && !told;
 }
 
-/// It cannot be spoken to; what it said before stands behind that.
+/// The message about a module that does not answer; it comes before those about its last reported state.
 std::optional<Message> unheard(const LinkState& link, const ModuleState& module, TimePoint now) {
     const auto answers = [](const ModuleState& other) { return !other.silent; };
     const auto answering = std::count_if(link.modules.begin(), link.modules.end(), answers);
@@ -128,7 +128,7 @@ std::optional<Message> unheard(const LinkState& link, const ModuleState& module,
             restarted({index, link.phase == LinkPhase::Lost}, static_cast<int>(link.modules.size())));
     if (isMissing(module))
         return moduleMissing(index, static_cast<int>(answering));
-    // One text for one cause: of a link that is lost, that is told.
+    // One text for one cause: if the whole link is lost, that is reported instead.
     if (module.silent && (link.phase == LinkPhase::Connected || answering > 0))
         return withRecord(moduleUnresponsive(index, toSeconds(now - module.latestTime), module.moving()));
     return std::nullopt;
@@ -144,7 +144,7 @@ std::vector<Message> standing(const LinkState& link, TimePoint now,
         if (auto message = unheard(link, module, now))
             all.push_back(*message);
         if (module.hasRestarted)
-            continue;  // whatever was the case is over
+            continue;  // its earlier states have ended
         if (module.switchedItselfOff)
             all.push_back(withRecord(wentOff(module)));
         if (module.currentWasLimited())

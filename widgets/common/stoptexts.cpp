@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the table of texts has to say of stops: what was told to stop, and what is known to have stopped.
+// The part of the table of texts about stops: what was sent a stop, and what is known to have stopped.
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
@@ -8,7 +8,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// Who is not known to have stopped, and why; empty: everybody is.
+/// Which modules are not known to have stopped, and why; empty if all are.
 QStringList missing(const bus::StopFinished& finished) {
     QStringList parts;
     if (!finished.unreached.empty())
@@ -24,7 +24,7 @@ QStringList missing(const bus::StopFinished& finished) {
     return parts;
 }
 
-/// What became of those that have stopped: one that holds can be pushed against, one that is off cannot.
+/// The state of the motors that have stopped: one that holds resists being pushed, one that is off does not.
 QString howStopped(const bus::StopFinished& finished, const std::vector<ModuleState>& modules) {
     int holding = 0;
     int switchedOff = 0;
@@ -65,7 +65,7 @@ Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleSt
                                         finished.unconfirmed.size() + finished.noStopKnown.size());
     if (allStopped(finished)) {
         const auto ms = std::llround(toSeconds(finished.took) * 1000);
-        // A key of its own: a stop that went well does not count as a repeat of one that did not.
+        // A separate key, so that a successful stop does not count as a repeat of one that failed.
         return {.key = key::stopped(),
                 .headline = Texts::tr("%1, %2 ms.").arg(howStopped(finished, modules), QString::number(ms)),
                 .replaces = true};
@@ -84,7 +84,7 @@ QString stopReach(int reachable, int modules) {
 }
 
 QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
-    // These messages are about several.
+    // These messages are about several modules.
     return confirmed.cause == bus::StopCause::GroupHalfStarted ||
                    confirmed.cause == bus::StopCause::GroupStop ||
                    confirmed.cause == bus::StopCause::PathEnded ||

@@ -20,30 +20,30 @@ class Texts {
 [[nodiscard]] Message::Action restartNetwork();
 [[nodiscard]] Message::Action connectFully();
 [[nodiscard]] Message::Action lookFirst();
-/// What to do when a file was not read or written.
+/// Why a file was not read or written, and what to do.
 [[nodiscard]] QString fileProblem(const FileError& error);
-/// What a numbered sentence about these modules agrees with.
+/// The number that determines singular or plural in a sentence about these modules.
 [[nodiscard]] inline int howMany(const std::vector<ModuleIndex>& modules) {
     return static_cast<int>(modules.size());
 }
-/// Plain, as it would be typed into a file.
+/// The number as it would be typed into a file.
 [[nodiscard]] inline QString plainNumber(double number) {
     return QString::number(number, 'g', 12);
 }
 /// The key of a message about one module.
 [[nodiscard]] QString ofModule(const QString& what, ModuleIndex module);
-/// Of a message.
+/// The words of a message.
 struct Words {
     QString headline;
     QString body;
     Severity severity = Severity::Attention;
 };
-/// The motor is free to turn, or nobody knows what it does.
+/// True if the motor is free to turn, or its state is unknown.
 [[nodiscard]] constexpr bool freeOrUnknown(ProcedureFailure failure) {
     using enum ProcedureFailure;
     return failure == WentOff || failure == Unstable || failure == ModuleUnresponsive;
 }
-/// What is known of the motors when the link is not.
+/// What is known about the motors when the link has failed.
 [[nodiscard]] QString movingSentence(const std::vector<ModuleIndex>& moving);
 
 }  // namespace nmc::texts

@@ -86,7 +86,7 @@ Message operationFailed(const bus::OperationFinished& finished) {
 
 namespace {
 
-/// Names the box to change: its page and its field.
+/// Names the field to change, and its page.
 QString tripAdvice(TripCause cause) {
     switch (cause) {
         case TripCause::Unknown:

@@ -28,31 +28,31 @@ struct PacketSession;
 struct RecordingFailure;
 struct RecordingProblem;
 
-/// THE table of sentences for events: window, log and command line all take them from here.
+/// The only table of sentences about events; window, log and command line all use it.
 namespace texts {
 
 // ---- the port and the link ----
 [[nodiscard]] Message portProblem(const PortError& error);
 [[nodiscard]] Message connectFailed(const bus::ConnectFailed& failed, const QString& port);
-/// `lastName`: the user's name of the last module that answered, may be empty.
+/// `lastName`: the user's name for the last module that answered; may be empty.
 [[nodiscard]] Message fewerThanExpected(int found, int expected, const QString& lastName = {});
-/// One of the chain that was known here does not answer at its address; `answering` others do.
+/// A module of the known chain does not answer at its address; `answering` others do.
 [[nodiscard]] Message moduleMissing(ModuleIndex module, int answering);
-/// What is there cannot be taken as the chain while motors move: it is looked for anew then.
+/// A missing module cannot be forgotten while motors move, because the chain would be searched for again.
 [[nodiscard]] Message chainNotAccepted();
 [[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port);
 [[nodiscard]] Message echoNoticed(const QString& port);
 [[nodiscard]] Message repliesInPieces(const QString& port, int gapMs);
-/// A module without an address answers beside the chain.
+/// A module without an address answers, in addition to the chain.
 [[nodiscard]] Message unaddressed();
 [[nodiscard]] Message disconnected(const QString& port);
-/// Something else was to be looked at.
+/// The user wants to look at another port first, but one is already open.
 [[nodiscard]] Message openAlready();
 [[nodiscard]] Message linkLost(const QString& port, const std::vector<ModuleIndex>& moving);
-/// The link was given up, or is doubtful.
+/// The link is given up as unreliable, or is doubtful.
 [[nodiscard]] Message badLink(const bus::HealthChanged& health);
 [[nodiscard]] Message slowAdapter(int updatesPerSecond, int latencyMs);
-/// What "How" answers; `file` holds the timer.
+/// The answer to "How"; `file` contains the latency timer.
 [[nodiscard]] Message latencyCure(const QString& file);
 [[nodiscard]] Message adapterBack(const QString& port, bool sameSerial);
 [[nodiscard]] Message differentAdapter(const QString& port);
@@ -72,82 +72,83 @@ namespace texts {
 [[nodiscard]] Message refused(const bus::CommandRefused& refused);
 [[nodiscard]] Message garbled(ModuleIndex module);
 [[nodiscard]] Message motionSuspect(const bus::MotionSuspect& suspect);
-/// Another host is on the line.
+/// Another host is sending on the line.
 [[nodiscard]] Message foreignTraffic(const bus::ForeignTraffic& traffic);
 [[nodiscard]] Message foreignMotion(const bus::ForeignMotion& motion);
 [[nodiscard]] Message operationFailed(const bus::OperationFinished& finished);
-/// `limit`: the position error limit in force, where it is known.
-/// `cause`: what the advice is made for.
+/// `limit`: the position error limit in force, if known. `cause`: determines the advice.
 [[nodiscard]] Message tripped(ModuleIndex module, std::optional<int> limit,
                               TripCause cause = TripCause::Unknown);
 [[nodiscard]] Message powerLost(ModuleIndex module);
-/// PIC-SERVO: too much current.
+/// PIC-SERVO: the motor current was limited.
 [[nodiscard]] Message currentLimited(ModuleIndex module);
-/// A servo that is to hold, and swings.
+/// The servo should hold its motor, but the motor oscillates.
 [[nodiscard]] Message swings(const ModuleState& module);
-/// A limit switch closed while the motor moved, and nobody had asked for that. `limit`: 1 or 2.
+/// A limit switch closed unexpectedly while the motor was moving. `limit`: 1 or 2.
 [[nodiscard]] Message limitClosed(const ModuleState& module, int limit);
-/// A limit stop that was armed has stopped the motor.
+/// An armed limit stop has stopped the motor, or switched it off.
 [[nodiscard]] Message limitStopTripped(ModuleIndex module, const HomeWatch& watch);
-/// PIC-STEP: the motor stays on.
+/// PIC-STEP: the E-stop input is active; the motor stays on.
 [[nodiscard]] Message estopActive(ModuleIndex module);
-/// A PIC-STEP switched its motor off; `activity` says why, and each cause is another message.
+/// A PIC-STEP has switched its motor off; `activity` is the cause, and each cause has its own message.
 [[nodiscard]] Message amplifierWentOff(ModuleIndex module, Activity activity);
 [[nodiscard]] Message holdExpired(ModuleIndex module);
-/// A request that the chip does not allow now, for a log or a command line; the window greys the control out.
+/// A request is not possible now; where the window can, it disables the control instead.
 [[nodiscard]] Message notPossible(ModuleIndex module, const QString& reason);
-/// What would have run on beyond a limit of travel was told to stop.
+/// A motion that would have continued beyond a travel limit was sent a stop.
 [[nodiscard]] Message stoppedBeforeLimit(ModuleIndex module);
 
-// ---- what is the case ----
-/// All that is wrong with the modules of this connection: each message is there as long as its cause. Pure.
-/// `runs`: a procedure runs with that module, which itself tells the chip to stop at a limit.
+// ---- states ----
+/// Everything that is wrong with the modules of this connection; each message lasts as long as its cause.
+/// Pure. `runs`: true if a procedure is running with the module, since procedures themselves use the chip's
+/// stop at a limit.
 [[nodiscard]] std::vector<Message> standing(const LinkState& link, TimePoint now,
                                             const std::function<bool(ModuleIndex)>& runs = {});
 
 // ---- procedures (homing, moves by N) ----
-/// Nothing where it ended as its user asked, or by a stop.
+/// The message about a procedure that has ended; empty if there is nothing to report, as after a cancelled
+/// one.
 [[nodiscard]] std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisScale& scale);
-/// Where it is, or how it ended: "Searching"...
+/// The stage of a procedure, or how it ended: "Searching"...
 [[nodiscard]] QString procedureStage(const ProcedureReport& report);
-/// Why it ended, one sentence.
+/// Why a procedure has failed, and what state it leaves.
 [[nodiscard]] QString procedureFailure(ProcedureFailure failure);
-/// The same of a step, a square wave or a frequency response, with what to do.
+/// Why a square wave, a frequency response or another loop test has failed, and what to do.
 [[nodiscard]] QString loopTestFailure(ProcedureFailure failure);
 /// What a direction check has found, and what to do about it; plain text.
 [[nodiscard]] QString directionFound(const DirectionFound& found);
 
-// ---- what the scope keeps ----
-/// The message with "Show the last 2 s" before its other buttons.
+// ---- records of the scope ----
+/// Returns the message with "Show the last 2 s" before its other buttons.
 [[nodiscard]] Message withRecord(Message message);
-/// Of what was kept around an incident: its headline and when it was.
+/// The title of a record kept around an incident: its headline and its time.
 [[nodiscard]] QString recordTitle(const QString& headline, const QTime& when);
-/// What a stop of all motors is called there.
+/// The headline of a record kept around a stop of all motors.
 [[nodiscard]] QString stopOfAll();
 
 // ---- stopping, closing, safety ----
-/// `stopped`: motors moved, and were stopped while the panel was frozen.
+/// `stopped`: motors were moving, and were stopped while the panel was frozen.
 [[nodiscard]] Message panelFroze(double seconds, bool stopped);
 [[nodiscard]] Message machineSlept(double seconds, bool stopped);
-/// A session before ended without a stop; `file` is what it has left. `toldByGuardian`: the modules that its
-/// guardian has told to stop, where it had to.
+/// An earlier session ended without stopping its motors; `file` is the mark that it left. `toldByGuardian`:
+/// the modules that its guardian sent a stop, if it had to.
 [[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port,
                                        const QString& file,
                                        const std::optional<std::vector<ModuleIndex>>& toldByGuardian = {});
-/// The session before ended so, and its guardian told these modules to stop.
+/// An earlier session ended without stopping its motors, and its guardian sent these modules a stop.
 [[nodiscard]] Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules);
-/// This one stood still, and goes on.
+/// This session stalled and goes on; meanwhile, its guardian sent the motors a stop.
 [[nodiscard]] Message guardianStopped();
 [[nodiscard]] Message guardianMissing(GuardianProblem problem);
-/// `file`: where they belong.
+/// `file`: the settings file.
 [[nodiscard]] Message settingsNotSaved(const QString& file);
-/// Of the log of messages.
+/// The log of messages cannot be written.
 [[nodiscard]] Message messagesNotKept(const FileError& error);
-/// "1 stopped and holding, 2 were off, 22 ms." `modules`: what is known of them by now.
+/// "1 stopped and holding, 2 were off, 22 ms." `modules`: their present state.
 [[nodiscard]] Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleState>& modules);
-/// There were modules, and each is known to have stopped.
+/// True if there were modules, and each is known to have stopped.
 [[nodiscard]] bool allStopped(const bus::StopFinished& finished);
-/// Goes behind the headline of the message that told of the stop: "It has stopped."
+/// Appended to the headline of the message that reported the stop: "It has stopped."
 [[nodiscard]] QString stopConfirmed(const bus::OwedStopConfirmed& confirmed);
 /// "reaches 5 of 5"
 [[nodiscard]] QString stopReach(int reachable, int modules);
@@ -155,74 +156,75 @@ namespace texts {
 [[nodiscard]] QString stoppingBeforeClose();
 [[nodiscard]] QString beforeRestart(int movingMotors);
 [[nodiscard]] Message safety();
-/// It blocks nothing, and may be behind the window by now.
+/// A question waits for an answer; since it blocks nothing, it may be hidden behind the window.
 [[nodiscard]] Message questionWaits(const QString& title, const QString& text);
 
 // ---- the built-in simulator ----
-/// What became of a control line, over its answer.
+/// The result of a control line, shown above its answer.
 [[nodiscard]] QString simulatorDid(const QString& line);
 [[nodiscard]] QString simulatorRefused(const QString& line);
 [[nodiscard]] QString simulatorTold(const QString& line);
 
 // ---- the packet monitor ----
-/// What became of an exchange; a rejected one says why.
+/// The result of an exchange, with the reason if it was rejected.
 [[nodiscard]] QString verdict(const bus::ExchangeRecord& record);
-/// Why a reply with a right sum was not believed; finishes "rejected: ".
+/// Why a reply with a correct checksum was rejected; follows "rejected: ".
 [[nodiscard]] QString rejection(bus::Rejection rejection);
 [[nodiscard]] QString purpose(bus::Purpose purpose);
 /// "Module 1", "Group FF", "Address 3", or a dash.
 [[nodiscard]] QString packetTarget(const bus::ExchangeRecord& record);
-/// What stands above the lines of a saved text.
+/// The head of packets saved as text.
 [[nodiscard]] QString packetTextHead(const PacketSession& session, quint64 dropped);
 [[nodiscard]] QString packetGap();
 
 // ---- the machine file ----
 /// ""mill.json" line 12: Kp is 40000; the module takes 0 to 32767."
 [[nodiscard]] QString fileProblem(const QString& file, const FileProblem& problem);
-/// Without its folder; "unsaved changes" for what no file has.
+/// The name of a file without its folder; "unsaved changes" if there is no file.
 [[nodiscard]] QString machineFileName(const QString& path);
 [[nodiscard]] Message machineNotOpened(const QString& file, const FileProblem& problem);
 [[nodiscard]] Message machineNotOpened(const FileError& error);
 [[nodiscard]] Message machineNotSaved(const FileError& error);
-/// What was to be written would not be read again.
+/// The file was not written, because it could not have been opened again.
 [[nodiscard]] Message machineNotSaved(const QString& file, const FileProblem& problem);
-/// What was applied of a file, and to how many modules something was sent.
+/// `parts`: how many settings of the file were applied. `sent`: how many commands were sent.
 [[nodiscard]] Message machineOpened(const QString& file, int parts, int sent);
-/// The file says what is there already.
+/// The file does not differ from the present settings.
 [[nodiscard]] Message machineSame(const QString& file);
-/// Another session has left work; `machine` is its name or its file's, may be empty.
+/// An earlier session left unsaved changes; `machine` is the name of the machine or of its file, and may be
+/// empty.
 [[nodiscard]] Message unsavedWorkLeft(const QString& machine);
 [[nodiscard]] Message unsavedWorkDamaged(const FileProblem& problem);
 [[nodiscard]] Message unsavedWorkNotKept(const FileError& error);
-/// The question before unsaved work gives way to something else.
+/// The question to be answered before the user leaves unsaved changes.
 [[nodiscard]] QString notSaved(const QString& machine);
 /// Why the window does not close yet.
 [[nodiscard]] QString beingSaved(const QString& machine);
 [[nodiscard]] QString machinePart(MachinePart part);
-/// `reversed`: of an axis whose lowest position is the chip's highest.
+/// `reversed`: the lowest position of the axis is the chip's highest.
 [[nodiscard]] QString machineField(const QString& key, bool reversed = false);
-/// What stands in the file, or what there is now; `unknown` for what is neither.
+/// A value from the file, or the present one; `unknown` if there is none.
 [[nodiscard]] QString machineValue(const FieldDifference& field, const std::optional<FieldValue>& value,
                                    const AxisScale& scale, const QString& unknown);
-/// What applying it does, or why it cannot be applied.
+/// What applying a difference does, or why it cannot be applied.
 [[nodiscard]] QString machineApplying(const Difference& difference);
 /// Why nothing can be sent while motors move.
 [[nodiscard]] QString notSentWhileMoving(int movingMotors);
 
-// ---- recordings, and what is exported ----
+// ---- recordings and exports ----
 [[nodiscard]] Message recordingEnded(const QString& path, double seconds);
-/// `seconds`: how long it went on.
+/// `seconds`: how long the recording lasted.
 [[nodiscard]] Message recordingFailed(const QString& path, const RecordingFailure& failure, double seconds);
 /// ""mill.csv" line 12: position is "x", which is not a number."
 [[nodiscard]] QString recordingProblem(const QString& file, const RecordingProblem& problem);
-/// It was read only as far as there was no problem; `samples` of it are shown.
+/// The recording was read only up to the problem; `samples` of it are shown.
 [[nodiscard]] Message recordingCut(const QString& path, const RecordingProblem& problem, quint64 samples);
 [[nodiscard]] Message recordingWithoutSamples(const QString& path);
 [[nodiscard]] Message recordingNotOpened(const FileError& error);
 [[nodiscard]] Message exported(const QString& path);
 [[nodiscard]] Message notExported(const FileError& error);
 
-// ---- step responses that are kept ----
+// ---- saved step responses ----
 [[nodiscard]] Message runsNotRead(const QString& path, const FileProblem& problem);
 [[nodiscard]] Message runsNotRead(const FileError& error);
 [[nodiscard]] Message runsNotKept(const FileError& error);
@@ -235,10 +237,10 @@ namespace texts {
 [[nodiscard]] QString readOnlyWithoutPort();
 [[nodiscard]] QString noDisplay();
 
-/// The keys of messages that end: for MainWindow::endMessage().
+/// Keys of messages that end, for MainWindow::endMessage().
 namespace key {
 [[nodiscard]] QString question();
-/// Of a stop of all that went well, until something moves again.
+/// A successful stop of all motors, until something moves again.
 [[nodiscard]] QString stopped();
 [[nodiscard]] QString port();
 [[nodiscard]] QString link();
@@ -247,7 +249,7 @@ namespace key {
 [[nodiscard]] QString silent(ModuleIndex module);
 [[nodiscard]] QString refused(ModuleIndex module);
 [[nodiscard]] QString garbled(ModuleIndex module);
-/// How its last procedure ended, until the next begins.
+/// How the module's last procedure ended, until the next one begins.
 [[nodiscard]] QString procedure(ModuleIndex module);
 [[nodiscard]] QString tripped(ModuleIndex module);
 [[nodiscard]] QString power(ModuleIndex module);

@@ -6,24 +6,25 @@
 #include "model/intent/travel.h"
 #include "model/settings/axisscale.h"
 
-/// The limits of travel and of speed (model/intent/travel.h), in words.
+/// Travel and speed limits (model/intent/travel.h), in words.
 namespace nmc::texts {
 
-/// Why that is refused, with the limit or the speed in its way.
+/// Why a motion is refused, with the limit or the speed that prevents it.
 [[nodiscard]] QString travelProblem(const TravelProblem& problem, const AxisScale& scale);
-/// Why a velocity's range ends where it does; empty: the module counts no further.
+/// Why the range of a velocity ends where it does; empty if the module determines it.
 [[nodiscard]] QString fastestReason(const TravelSettings& travel);
-/// The same of the speed of a jog.
+/// Why the range of the jog speed ends where it does.
 [[nodiscard]] QString jogReason();
-/// Why an intent is refused: the same where that is why, one sentence otherwise.
+/// Why an intent is refused: as travelProblem() says if a travel or speed limit is the reason, otherwise one
+/// sentence.
 [[nodiscard]] QString refusal(Refusal refusal, const Intent& intent, const ModuleState& module,
                               const AxisScale& scale);
-/// Shape, then word: whether the limits are in force, or why not.
+/// A shape, then words: whether the limits are in force, or why not.
 [[nodiscard]] QString travelState(const ModuleState& module, const AxisScale& scale);
-/// For the head of a panel: that it is at a limit, or outside; empty within. And that set limits are not in
-/// force.
+/// For the head of a panel: says that the axis is at a limit or outside, or that limits are set but not in
+/// force; otherwise empty.
 [[nodiscard]] QString travelSign(const ModuleState& module, const AxisScale& scale);
-/// What is asked before somebody declares the position right.
+/// The question before the user confirms the position.
 [[nodiscard]] QString declareQuestion(const ModuleState& module, const AxisScale& scale);
 
 }  // namespace nmc::texts

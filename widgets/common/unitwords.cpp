@@ -92,7 +92,7 @@ QString fixedPosition(const AxisScale& scale, double counts) {
 }
 
 QString measuredVelocity(const AxisScale& scale, double countsPerSecond) {
-    // What is seen within a fifth of a second tells no more.
+    // A velocity measured over a fifth of a second is not more precise.
     constexpr int kMaxDecimals = 3;
     const int decimals = qBound(0, positionDecimals(scale) - 1, kMaxDecimals);
     return fixed(scale.position(countsPerSecond), decimals) + u' ' + measuredVelocityUnitOf(scale);

@@ -9,22 +9,23 @@
 #include "model/module/linkstate.h"
 #include "model/module/modulestate.h"
 
-/// The short words of the panel, one place for all: states, reasons, names, numbers.
+/// All short words of the panel in one place: states, reasons, names, numbers.
 namespace nmc::texts {
 
-/// "Module 1", "Module 3 "Z axis"" where the user has given it a name. Users count from 1.
+/// "Module 1", or "Module 3 "Z axis"" if the user has given it a name. Users count from 1.
 [[nodiscard]] QString moduleName(ModuleIndex module);
 /// "1", "3 "Z axis"": for sentences that say "module" themselves.
 [[nodiscard]] QString moduleNumber(ModuleIndex module);
-/// The names by module, for every text from now on, as QLocale's default is for every number. GUI thread.
+/// Sets the names of the modules for all texts from now on, like QLocale's default for all numbers. GUI
+/// thread.
 void setModuleNames(const QStringList& names);
 /// "PIC-SERVO v4", "PIC-STEP v1", "type 7 v2".
 [[nodiscard]] QString moduleType(const ModuleIdentity& identity);
 /// "Holding", "Servo off", "Position error"...
 [[nodiscard]] QString activity(Activity activity);
-/// What the state means for the motor, one sentence.
+/// What the state means for the motor, in a sentence or two.
 [[nodiscard]] QString activityMeaning(Activity activity);
-/// Why a control is not possible now.
+/// Why a request is not possible now.
 [[nodiscard]] QString refusal(Refusal refusal);
 [[nodiscard]] QString severity(Severity severity);
 [[nodiscard]] QString stage(bus::ConnectStage stage);
@@ -33,13 +34,15 @@ void setModuleNames(const QStringList& names);
 /// "/dev/ttyUSB0", "Simulator", "Simulator (servo,servo@1)".
 [[nodiscard]] QString portName(const QString& port);
 
-/// Digits in groups of three, by a space that does not break: 115 200.
+/// The number with its digits in groups of three, separated by no-break spaces: 115 200.
 [[nodiscard]] QString grouped(qint64 value);
-/// A rate in running text: with plain spaces (interface.md).
+/// A baud rate in running text, with plain spaces (interface.md).
 [[nodiscard]] QString rate(quint32 baud);
-/// Always so many decimals, grouped; the locale's decimal mark; a true minus sign, and none before a 0.
+/// A number with exactly `decimals` decimals, grouped, with the locale's decimal mark and a true minus sign,
+/// but none before a 0.
 [[nodiscard]] QString fixed(double value, int decimals);
-/// A readout with so many significant digits, grouped; the locale's decimal mark; a true minus sign.
+/// A readout with `significant` significant digits, grouped, with the locale's decimal mark and a true minus
+/// sign.
 [[nodiscard]] QString readout(double value, int significant = 4);
 [[nodiscard]] QString countOfModules(int count);
 /// "a, b and c"
@@ -47,7 +50,7 @@ void setModuleNames(const QStringList& names);
 /// "3, 4 and 5"
 [[nodiscard]] QString listOfModules(const std::vector<ModuleIndex>& modules);
 
-// ---- units, never without ----
+// ---- units; no number is shown without one ----
 [[nodiscard]] QString unitCounts();
 [[nodiscard]] QString unitSteps();
 [[nodiscard]] QString unitVelocity();
