@@ -23,7 +23,7 @@ int wireWidth(const QStyleOptionViewItem& option) {
     return option.fontMetrics.height() * 5 / 2;
 }
 
-/// Beside the wire: two lines, the first of them.
+/// The first of the two lines of text beside the wire.
 QRect firstLine(const QStyleOptionViewItem& option) {
     const int unit = unitOf(option);
     const QRect& r = option.rect;
@@ -43,7 +43,7 @@ QString positionOf(const QModelIndex& index) {
     return index.data(ChainModel::HomeIsKnown).toBool() ? u"⌂ "_s + position : position;
 }
 
-/// As wide as the position, whatever its digits are.
+/// A text as wide as any position with the same number of digits.
 QString widthOf(QString position) {
     for (QChar& c : position)
         if (c.isDigit())
@@ -98,7 +98,7 @@ void ChainDelegate::paintTexts(QPainter& painter, const QStyleOptionViewItem& op
     bold.setBold(true);
     painter.setFont(bold);
     painter.setPen(text);
-    // The name goes before the type where there is no room for both.
+    // The name has priority over the type if there is no room for both.
     const QFontMetrics boldMetrics(bold);
     const QString name =
         boldMetrics.elidedText(index.data(ChainModel::Title).toString(), Qt::ElideRight, first.width());

@@ -8,8 +8,8 @@
 
 namespace nmc {
 
-/// A row of the chain: the wire with the module's address on it, name and type, state glyph and word,
-/// position. What changes with every status is the position alone: the rest of a row is kept as a picture.
+/// Paints a row of the chain: the wire with the module's address on it, name and type, state glyph and word,
+/// and position. Only the position changes with every status, so the rest of a row is kept as a picture.
 class ChainDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
 
 private:
     struct Still {
-        QString key;  ///< everything that it shows, and depends on
+        QString key;  ///< everything that the picture depends on
         QPixmap picture;
         QFont digits;
     };

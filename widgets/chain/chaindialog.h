@@ -16,8 +16,8 @@ class FocusKeeper;
 class GroupsPage;
 class RatePage;
 
-/// What concerns the chain as a whole: doctor, groups, rate. Not modal: the panel stays usable, and STOP ALL
-/// with it.
+/// The dialog for the chain as a whole: doctor, groups and baud rate. Not modal: the panel, including STOP
+/// ALL, stays usable.
 class ChainDialog : public QDialog {
     Q_OBJECT
 

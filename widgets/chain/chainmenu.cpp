@@ -68,7 +68,7 @@ void ChainMenu::openDoctor() {
 void ChainMenu::open(int page) {
     if (m_dialog == nullptr) {
         m_dialog = new ChainDialog(m_window);
-        // They act there, too.
+        // Their keys work in the dialog, too.
         m_dialog->addActions({m_doctor, m_groups, m_rate, m_scan, m_restart});
         connect(m_dialog, &ChainDialog::groupNamed, this, &ChainMenu::groupNamed);
         connect(m_dialog, &ChainDialog::scanRequested, this, &ChainMenu::scanRequested);

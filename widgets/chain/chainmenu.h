@@ -14,26 +14,26 @@ namespace nmc {
 
 class ChainDialog;
 
-/// The menu of the chain as a whole, and the window it opens: doctor, groups, rate. Everything is asked for
-/// by signals.
+/// The menu for the chain as a whole, and the dialog that it opens: doctor, groups and baud rate. All
+/// requests are signals.
 class ChainMenu : public QObject {
     Q_OBJECT
 
 public:
-    /// `machine` and `link` are the window's own, and outlive this.
+    /// `machine` and `link` belong to the window, and outlive this object.
     ChainMenu(const Machine& machine, const LinkState& link, QWidget* window);
 
     void addTo(QMenu& menu);
-    /// They have changed. Emits nothing.
+    /// Call when the machine or the link has changed. Emits nothing.
     void refresh();
     void openDoctor();
 
 signals:
-    /// Looks for the chain again; nothing is reset.
+    /// Requests another search for the chain; nothing is reset.
     void scanRequested();
-    /// To be asked about first.
+    /// The receiver asks the user first.
     void restartRequested();
-    /// What is there now is what is expected from now on.
+    /// Requests that the modules found now be expected from now on.
     void acceptRequested();
     void addressRequested(nmc::ModuleIndex module, nmc::BusAddress address);
     void groupChangeRequested(const nmc::bus::GroupChange& change);
@@ -49,7 +49,7 @@ private:
     const Machine& m_machine;
     const LinkState& m_link;
     QWidget* m_window;
-    ChainDialog* m_dialog = nullptr;  ///< from its first opening on
+    ChainDialog* m_dialog = nullptr;  ///< null until it is opened for the first time
     QAction* m_doctor;
     QAction* m_groups;
     QAction* m_rate;

@@ -81,13 +81,13 @@ void ChainModel::showLink(const LinkState& state, const Machine& machine, const 
     m_host = host;
     if (others) {
         endResetModel();
-    } else if (otherHost && open) {  // else there is no row of it
+    } else if (otherHost && open) {  // otherwise it has no row
         const QModelIndex changed = index(moduleCount());
         emit dataChanged(changed, changed);
     }
 }
 
-/// What the row shows, and what a struck out position means.
+/// The row as it is read out: what it shows, and what a struck-out position means.
 QString ChainModel::spoken(const Row& row) const {
     const QString who =
         tr("%1, address %2, %3, %4").arg(row.facts.name).arg(row.facts.address).arg(row.type, row.activity);
@@ -145,7 +145,7 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
         case Qt::AccessibleTextRole:
             return spoken(row);
         case Qt::ToolTipRole:
-            // Whole, since there may be no room for all of it in the list.
+            // In full, since there may be no room for all of it in the list.
             return tr("%1, %2, at address %3 on the wire")
                        .arg(row.facts.name, row.type)
                        .arg(row.facts.address) +

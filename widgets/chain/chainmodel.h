@@ -21,16 +21,16 @@ public:
         IsHost = Qt::UserRole,
         Address,   ///< int
         Name,      ///< "Module 1 "X axis""
-        Title,     ///< "X axis"; "Module 1" without a name: its number stands on the wire
+        Title,     ///< "X axis", or "Module 1" if it has no name
         TypeText,  ///< "PIC-SERVO v4"
         ActivityValue,
-        ActivityText,  ///< "Holding · 92/s", with the status replies per second; of a procedure its stage
+        ActivityText,  ///< "Holding · 92/s", with the status replies per second; or the stage of a procedure
         Position,      ///< "12 345", "1.250 mm", or a dash; empty where there is no motor
         HomeIsKnown,
-        PositionIsOld  ///< the module does not answer
+        PositionIsOld  ///< the position is out of date or doubtful
     };
 
-    using Procedures = std::map<ModuleIndex, ProcedureReport>;  ///< the last of each module
+    using Procedures = std::map<ModuleIndex, ProcedureReport>;  ///< the last one of each module
 
     using QAbstractListModel::QAbstractListModel;
 
@@ -42,17 +42,17 @@ public:
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 private:
-    /// What the words of a row are made from: they are made anew when it changes.
+    /// What the words of a row are made from; they are made again when it changes.
     struct Facts {
         QString name;
         std::string axis;
         ModuleIdentity identity;
         int address = 0;
-        int rate = 0;  ///< status replies a second
+        int rate = 0;  ///< status replies per second
         Activity activity = Activity::Unknown;
-        QString word;  ///< for it
+        QString word;  ///< the activity in words
         bool lookedFor = false;
-        bool motor = false;                        ///< that has a position and a home
+        bool motor = false;                        ///< it has a motor, with a position and a home
         std::optional<ProcedureReport> procedure;  ///< while it runs
         AxisScale scale;
         std::optional<HomeFact::Place> home;
@@ -62,7 +62,7 @@ private:
         Facts facts;
         std::optional<std::int32_t> counts;
         bool old = false;
-        bool doubtful = false;  ///< and why
+        bool doubtful = false;  ///< the position may be another module's
         TimePoint seen;
         // The words:
         QString title;
@@ -73,7 +73,7 @@ private:
     };
     [[nodiscard]] static Facts factsOf(const ModuleState& module, const Machine& machine,
                                        const Procedures& procedures);
-    /// Whether anything in it is news.
+    /// Updates the row. Returns true if anything in it has changed.
     static bool show(Row& row, Facts facts, const LinkState& link, const ModuleState& module);
     [[nodiscard]] QString spoken(const Row& row) const;
 

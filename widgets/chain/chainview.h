@@ -13,7 +13,7 @@ namespace nmc {
 
 class ChainModel;
 
-/// The chain as a list; choosing a row chooses the module that the panel and the scope show.
+/// The chain as a list; selecting a row selects the module that the panel and the scope show.
 class ChainView : public QListView {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
     void showLink(const LinkState& state, const Machine& machine,
                   const std::map<ModuleIndex, ProcedureReport>& procedures);
     [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
-    /// As a click on its row would.
+    /// Selects the module, like a click on its row.
     void choose(ModuleIndex module);
 
     [[nodiscard]] QSize sizeHint() const override;
@@ -39,7 +39,7 @@ protected:
 private:
     ChainModel* m_model;
     bool m_showing = false;
-    int m_lastRow = 0;  ///< chosen before the chain went away
+    int m_lastRow = 0;  ///< the last row selected; kept while there is no chain
 };
 
 }  // namespace nmc

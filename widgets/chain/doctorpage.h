@@ -15,23 +15,24 @@ namespace nmc {
 
 class GlyphLabel;
 
-/// The chain doctor: expected against found, and where the chain probably breaks, in words.
+/// The chain doctor: compares the modules expected with those found, and says where the chain probably
+/// breaks.
 class DoctorPage : public QWidget {
     Q_OBJECT
 
 public:
     explicit DoctorPage(QWidget* parent = nullptr);
 
-    /// `whyNoRestart`: the network cannot be restarted; `whyNotEdited`: nor what is expected changed. Emits
-    /// nothing.
+    /// `whyNoRestart`: why the network cannot be restarted. `whyNotEdited`: why the expected chain cannot be
+    /// changed. Emits nothing.
     void showChain(const ChainDiagnosis& chain, std::optional<Refusal> whyNoRestart,
                    std::optional<Refusal> whyNotEdited);
 
 signals:
-    /// Looks for the chain again; nothing is reset.
+    /// Requests another search for the chain; nothing is reset.
     void scanRequested();
     void restartRequested();
-    /// What is there now is what is expected from now on.
+    /// Requests that the modules found now be expected from now on.
     void acceptRequested();
 
 private:

@@ -23,8 +23,8 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr std::uint8_t kNoGroup = 0xFF;     // everybody's
-constexpr std::uint8_t kFirstGroup = 0x81;  // 80 comes last: hosts begin with 81
+constexpr std::uint8_t kNoGroup = 0xFF;     // the group of all modules
+constexpr std::uint8_t kFirstGroup = 0x81;  // 80 comes last, because hosts begin with 81
 constexpr std::uint8_t kLastGroup = 0xFE;
 constexpr std::uint8_t kOtherGroup = 0x80;
 constexpr int kUnknown = -1;
@@ -108,7 +108,7 @@ QPushButton* GroupsPage::newCommand(const QString& text, const QString& objectNa
                                     const QString& accessibleName, bus::GroupCommand::Action action) {
     auto* button = new QPushButton(text, this);
     look::name(button, objectName, accessibleName);
-    button->setAutoDefault(false);  // Enter is for addresses and names
+    button->setAutoDefault(false);  // Enter confirms addresses and names
     connect(button, &QPushButton::clicked, this, [this, action] { command(action); });
     return button;
 }
@@ -219,7 +219,7 @@ QString GroupsPage::titleOf(int group) const {
     return name.isEmpty() ? title : title + u" \""_s + name + u'"';
 }
 
-/// Wherever a group is offered.
+/// Updates the names wherever a group is offered.
 void GroupsPage::showNames() {
     std::vector<QComboBox*> boxes{m_group};
     for (const Member& member : m_members)
@@ -237,7 +237,7 @@ void GroupsPage::nameGroup() {
         emit groupNamed(static_cast<quint8>(group.toInt()), name);
 }
 
-/// The groups in use, in order.
+/// Offers the groups in use, in order.
 void GroupsPage::offerGroups() {
     std::set<std::uint8_t> used;
     for (const ModuleState& module : m_link.modules)
@@ -290,7 +290,7 @@ void GroupsPage::refreshCommands() {
                       tr("Makes the present position of each member 0. Asks first."));
     look::setPossible(m_clear, any ? whyNotAll(IntentKind::ClearStickyBits) : none,
                       tr("Clears the sticky fault bits of each member. PIC-SERVO only."));
-    // Stops are left to whoever stands there.
+    // Operators may always stop motors.
     const QString notStopped = !any ? none : m_link.readOnly ? texts::refusal(Refusal::ReadOnly) : QString();
     look::setPossible(
         m_stopSmoothly, notStopped,
@@ -324,7 +324,7 @@ QString GroupsPage::questionBeforeReset() const {
 }
 
 void GroupsPage::askBeforeReset() {
-    // The group it asks about is the one that is reset.
+    // Only the group that the question is about may be reset.
     const auto asked = group();
     AskDialog::ask({.name = u"groupResetDialog"_s,
                     .title = tr("Set positions to 0"),
@@ -346,7 +346,7 @@ void GroupsPage::changed(std::size_t row) {
     emit groupChangeRequested({m_link.modules[row].info.index, {static_cast<std::uint8_t>(group), leader}});
 }
 
-/// As the engine would, which asks at that address besides.
+/// Checks the same as the engine, which also queries the new address.
 QString GroupsPage::whyNotAddress(const ModuleState& module) const {
     if (!module.info.group)
         return tr("Its group is unknown and would change with the address. Choose a group first, or none.");
@@ -355,7 +355,8 @@ QString GroupsPage::whyNotAddress(const ModuleState& module) const {
     return moves ? tr("A motor is moving. Stop all motors to change addresses.") : QString();
 }
 
-/// With Enter. Without, the field says again what is the case.
+/// Sends the new address after Enter. If the field has lost the focus instead, it shows the present address
+/// again.
 void GroupsPage::readdress(std::size_t row) {
     const NumberField* field = m_members[row].address;
     if (row >= m_link.modules.size())

@@ -20,9 +20,9 @@ namespace nmc {
 
 class NumberField;
 
-/// Which address each module has, which group it listens to, who leads it, and what a whole group can be told
-/// at once, in one tick: start the loaded moves, stop, save home, set the position to 0, clear sticky bits
-/// (DS-V 4.1).
+/// Shows and sets the address of each module, the group that it listens to, and the leader of a group. Sends
+/// commands that a whole group carries out in the same tick: start the loaded moves, stop, save home, set the
+/// position to 0, clear sticky bits (DS-V 4.1).
 class GroupsPage : public QWidget {
     Q_OBJECT
 
@@ -33,7 +33,7 @@ public:
     void showLink(const LinkState& link, const std::vector<GroupSettings>& groups);
 
 signals:
-    /// What its user calls it; nothing is sent by that.
+    /// The user has named the group; nothing is sent.
     void groupNamed(quint8 group, const QString& name);
     void addressRequested(nmc::ModuleIndex module, nmc::BusAddress address);
     void groupChangeRequested(const nmc::bus::GroupChange& change);
@@ -62,7 +62,7 @@ private:
     /// "Group 81 "Table""
     [[nodiscard]] QString titleOf(int group) const;
     void refreshCommands();
-    /// Why some member may not be asked for that now, and which.
+    /// The member that cannot do this now, and why; empty if all members can.
     [[nodiscard]] QString whyNotAll(IntentKind kind) const;
     [[nodiscard]] QString questionBeforeReset() const;
     void askBeforeReset();

@@ -17,7 +17,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr quint32 kOther = 0;  // the divisor says
+constexpr quint32 kOther = 0;  // determined by the divisor
 }  // namespace
 
 RatePage::RatePage(QWidget* parent)

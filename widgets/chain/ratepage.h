@@ -13,8 +13,8 @@ namespace nmc {
 
 class NumberField;
 
-/// The rate of the whole chain, changed while it runs: every module is asked at the new rate, and all go back
-/// when one does not follow.
+/// Changes the baud rate of the whole chain while it is connected: every module is queried at the new rate,
+/// and all go back if one does not answer.
 class RatePage : public QWidget {
     Q_OBJECT
 
@@ -29,16 +29,16 @@ signals:
 
 private:
     void refresh();
-    /// Empty while no divisor stands in its field.
+    /// The selected rate; empty if it needs a divisor and the field has no value.
     [[nodiscard]] std::optional<quint32> wanted() const;
 
     QLabel* m_now;
     QComboBox* m_rate;
-    NumberField* m_divisor;  ///< of any other rate
+    NumberField* m_divisor;  ///< for any other rate
     QLabel* m_other;
     QPushButton* m_change;
-    QLabel* m_reason;  ///< why not, for whoever does not look for a tool tip
-    /// Why the bus would refuse it (bus::RateChangeFailed); empty: it would not.
+    QLabel* m_reason;  ///< why not, for users who do not look at the tool tip
+    /// Why the rate cannot be changed now, mostly as in bus::RateChangeFailed; empty if it can.
     [[nodiscard]] QString whyNot() const;
 
     LinkState m_link;
