@@ -31,14 +31,14 @@ const QRegularExpression& ownAnchor() {
     return expression;
 }
 
-/// As GitHub makes it, and scripts/check_docs.py.
+/// The anchor of a heading, as GitHub and scripts/check_docs.py make it.
 QString slug(const QString& heading) {
     static const QRegularExpression dropped(u"[^\\w\\- ]"_s, QRegularExpression::UseUnicodePropertiesOption);
     return heading.trimmed().toLower().remove(dropped).replace(u' ', u'-');
 }
 
-/// From there on the first character that can be seen and has no name yet: of several names only one outlives
-/// toHtml().
+/// Names the first visible character from `position` on that has no name yet, because toHtml() keeps only one
+/// name per character.
 void anchor(QTextDocument& document, int position, const QString& name) {
     QTextCursor cursor(&document);
     do {
@@ -59,10 +59,11 @@ void anchorHeadings(QTextDocument& document) {
             anchor(document, block.position(), slug(block.text()));
 }
 
-/// Qt's reader of Markdown keeps no anchors, so a name between two marks that no text has stands for each.
+/// Turns marks into anchors. Qt's Markdown reader drops anchors, so each was replaced by its name between two
+/// characters that no text contains.
 void anchorMarks(QTextDocument& document) {
     static const QRegularExpression mark(u"\uE000\\w+\uE001"_s);
-    // The last first, or one would name the mark that follows it.
+    // From last to first; otherwise an anchor could name the mark that follows it.
     QTextCursor found(&document);
     found.movePosition(QTextCursor::End);
     while (!(found = document.find(mark, found, QTextDocument::FindBackward)).isNull()) {
@@ -72,7 +73,7 @@ void anchorMarks(QTextDocument& document) {
     }
 }
 
-/// Markdown has no table without a row of headings.
+/// Tests for an empty heading row: in Markdown, every table has a heading row.
 bool isBlank(const QTextTable& table, int row) {
     for (int column = 0; column < table.columns(); ++column) {
         const QTextTableCell cell = table.cellAt(row, column);
@@ -97,7 +98,7 @@ void ruleTables(QTextDocument& document) {
         }
 }
 
-/// As the palette has it, and as far towards the text's colour as it takes to be read: 4.5:1.
+/// The palette's link colour, moved towards the text colour until it has a contrast of 4.5:1.
 QColor linkColour(const QPalette& palette) {
     const QColor text = palette.color(QPalette::Text);
     const QColor link = palette.color(QPalette::Link);
@@ -161,7 +162,7 @@ QString Manual::html(const QString& markdown) {
     anchorMarks(document);
     anchorHeadings(document);
     ruleTables(document);
-    // Qt has written the palette's own into the page.
+    // Qt has written the palette's own link colour into the page.
     const QPalette palette;
     return document.toHtml().replace(u"color:"_s + palette.color(QPalette::Link).name(),
                                      u"color:"_s + linkColour(palette).name());

@@ -9,8 +9,8 @@ class QWidget;
 
 namespace nmc {
 
-/// The pages of docs/manual, which are Markdown. Their own anchors are object names of widgets, so that F1
-/// finds what a page says of the widget that has the focus. GUI thread.
+/// The pages of docs/manual, which are written in Markdown. Their own anchors are object names of widgets, so
+/// that F1 finds what a page says about the focused widget. GUI thread.
 class Manual {
 public:
     struct Page {
@@ -18,7 +18,7 @@ public:
         QString title;  ///< its first heading
     };
 
-    /// Where the pages lie that came with this program, built or installed.
+    /// The folder with the pages that belong to this program, built or installed.
     [[nodiscard]] static QString installedFolder();
     inline static const QString kIndex = QStringLiteral("index.md");
 
@@ -27,11 +27,11 @@ public:
     [[nodiscard]] const QString& folder() const { return m_folder; }
     /// The index, then the pages in the order in which it names them. Empty: there is no manual.
     [[nodiscard]] const QList<Page>& pages() const { return m_pages; }
-    /// "homing.md#limitStopBox": of this widget, or of the innermost around it that the manual knows. On a
-    /// bar of tabs, of the tab that is shown. Else the index.
+    /// The page about this widget, or about the innermost one around it that the manual describes:
+    /// "homing.md#limitStopBox". For a tab widget, this includes the tab that is shown. Otherwise the index.
     [[nodiscard]] QString pageOf(const QWidget* widget) const;
 
-    /// What a page shows, with the anchors of its headings and its own.
+    /// A page as HTML, with anchors for its headings and with its own anchors.
     [[nodiscard]] static QString html(const QString& markdown);
 
 private:

@@ -24,14 +24,14 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-// Lines of text.
+// In line heights.
 constexpr int kManualWidth = 56;
 constexpr int kManualHeight = 40;
 constexpr int kPagesWidth = 14;
 constexpr int kSearchWidth = 14;
 }  // namespace
 
-/// Turns Markdown into what Qt shows, and pictures into what fits.
+/// Shows pages in Markdown, and scales pictures to fit.
 class ManualBrowser : public QTextBrowser {
 public:
     explicit ManualBrowser(QWidget* parent) : QTextBrowser(parent) {
@@ -48,13 +48,13 @@ public:
     QVariant loadResource(int type, const QUrl& name) override {
         if (type == QTextDocument::ImageResource)
             return fitted(QImage(m_page.resolved(name).toLocalFile()));
-        m_page = name;  // source() is still the page before
+        m_page = name;  // source() is still the previous page
         QFile file(name.toLocalFile());
         return file.open(QIODevice::ReadOnly) ? Manual::html(QString::fromUtf8(file.readAll())) : QString();
     }
 
 protected:
-    /// Colours of links are written into the page.
+    /// Link colours are written into the page, so it must be loaded again.
     void changeEvent(QEvent* event) override {
         QTextBrowser::changeEvent(event);
         if (event->type() == QEvent::PaletteChange && !source().isEmpty())
@@ -62,7 +62,7 @@ protected:
     }
 
 private:
-    /// With or without a scroll bar beside it.
+    /// The picture scaled to fit, even with a scroll bar beside it.
     [[nodiscard]] QImage fitted(const QImage& picture) const {
         const int room = width() - verticalScrollBar()->sizeHint().width() - 2 * frameWidth() -
                          2 * qRound(document()->documentMargin());
@@ -170,7 +170,7 @@ void ManualWindow::openAt(const QString& page) {
     m_browser->setFocus();
 }
 
-/// The list of pages, to what is read now.
+/// Selects the page being read in the list of pages.
 void ManualWindow::follow(const QUrl& url) {
     const QSignalBlocker blocker(m_pages);
     const QString file = url.fileName();
@@ -181,7 +181,7 @@ void ManualWindow::follow(const QUrl& url) {
     m_found->clear();
 }
 
-/// From its end, or its beginning, it goes on at the other.
+/// Searches from the cursor on, and wraps round at either end of the page.
 void ManualWindow::search(bool backwards) {
     const QTextDocument::FindFlags flags =
         backwards ? QTextDocument::FindBackward : QTextDocument::FindFlags();

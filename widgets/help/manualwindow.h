@@ -16,17 +16,17 @@ namespace nmc {
 
 class ManualBrowser;
 
-/// Reads the manual: pages, links, what was read before, and what is searched for in the page. Not modal: the
-/// panel stays usable, and STOP ALL with it.
+/// Shows the manual: pages, links, pages read before, and a search within the page. Not modal: the panel,
+/// including STOP ALL, stays usable.
 class ManualWindow : public QDialog {
     Q_OBJECT
 
 public:
     ManualWindow(const Manual& manual, QWidget* parent);
 
-    /// "homing.md#limitStopBox", as of Manual::pageOf(); opens the window, or brings it to the front.
+    /// Opens the window, or brings it to the front. `page`: as Manual::pageOf() returns it.
     void openAt(const QString& page);
-    /// At what the manual says of this widget; null for none.
+    /// Opens it at what the manual says about this widget; null: at the index.
     void openFor(const QWidget* widget) { openAt(m_manual.pageOf(widget)); }
 
 protected:

@@ -7,8 +7,8 @@ class QDialog;
 
 namespace nmc {
 
-/// Sizes a dialog that is about to be shown and puts it below the top of its main window, which has STOP ALL
-/// in it: what is read for a while covers nothing that may be needed at once.
+/// Sizes a dialog that is about to be shown and places it below the top of its main window, where STOP ALL
+/// is: a dialog that is read for a while must not cover what may be needed at once.
 void placeBelowTop(QDialog& dialog, QSize wanted);
 
 }  // namespace nmc

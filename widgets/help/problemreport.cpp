@@ -119,7 +119,7 @@ QStringList aboutChain(const LinkState& link) {
     return lines;
 }
 
-/// Bytes, as of a window's geometry, tell a reader nothing.
+/// Raw bytes, such as the geometry of a window, mean nothing to a reader.
 QString settingText(const QVariant& value) {
     if (value.typeId() == QMetaType::QByteArray)
         return u"(%1 bytes)"_s.arg(value.toByteArray().size());

@@ -11,21 +11,21 @@ class QSettings;
 
 namespace nmc {
 
-/// What a report of a problem is made of.
+/// What a problem report is made from.
 struct ProblemFacts {
     const QSettings& settings;
     const LinkState& link;
     LinkFigures figures;
-    QList<PortEntry> ports;  ///< as they are listed
-    QString packets;         ///< the last ones, a line each; empty: none were recorded
-    QString messages;        ///< of this session, a line each
+    QList<PortEntry> ports;  ///< as the panel lists them
+    QString packets;         ///< the last packets, one per line; empty: none were recorded
+    QString messages;        ///< the messages of this session, one per line
 };
 
-/// One text for the developers: in English, whatever the panel speaks, but for the messages, which are as
-/// they were shown. Neither PIN nor the names of home folders are in it.
+/// One text for the developers. It is in English, whatever the language of the panel, except for the
+/// messages, which are as they were shown. It contains neither the PIN nor the names of home folders.
 [[nodiscard]] QString problemReport(const ProblemFacts& facts);
 
-/// Home folders, of the user and of others, as "~".
+/// Replaces home folders, the user's own and others, by "~".
 [[nodiscard]] QString withoutHomes(QString text);
 
 }  // namespace nmc

@@ -18,7 +18,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-// Lines of text.
+// In line heights.
 constexpr int kReportWidth = 50;
 constexpr int kReportHeight = 36;
 }  // namespace

@@ -15,7 +15,7 @@ public:
     ReportDialog(const QString& report, QWidget* parent);
 
 signals:
-    /// The user has agreed that the file is replaced.
+    /// If the file exists, the user has agreed to replace it.
     void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
