@@ -45,7 +45,7 @@ Banner::Banner(QWidget* parent)
     m_headline->setFont(bold);
     m_glyph->setFont(look::scaled(font(), 1.4));
     m_all->setFlat(true);
-    m_all->setText(tr("Read all…"));  // as high as its words are in this language, from the start
+    m_all->setText(tr("Read all…"));  // determines the height in this language from the start
     m_all->setToolTip(tr("Shows the full text and all other messages in the message list."));
     look::name(m_all, u"bannerAll"_s, m_all->text());
     connect(m_all, &QPushButton::clicked, this, [this] { emit allWanted(m_shown); });
@@ -85,7 +85,7 @@ void Banner::setCompact(bool compact) {
     from.removeItem(m_actions);
     m_actions->setParent(nullptr);
     to.insertWidget(place, m_body, 1);
-    m_first->setStretchFactor(m_headline, compact ? 0 : 1);  // of one line the body gives way first
+    m_first->setStretchFactor(m_headline, compact ? 0 : 1);  // in a single line, the body shrinks first
     to.insertLayout(place + 1, m_actions);
     updateGeometry();
 }
@@ -97,7 +97,7 @@ QSize Banner::sizeHint() const {
 
 void Banner::showMessage(const Message& message) {
     endMessage(message.key);
-    // What went well is not worth a banner, though it can be looked at from the list.
+    // What went well is not worth a banner; it is in the list.
     if (message.severity == Severity::Normal && !asksForSomething(message))
         return;
     m_active.append({message, ++m_count});
@@ -148,7 +148,7 @@ void Banner::present() {
     const Message* message = current();
     m_shown = message != nullptr ? message->key : QString();
     while (QLayoutItem* item = m_actions->takeAt(0)) {
-        // It may be the very button whose click brought us here.
+        // It may be the button whose click is being handled.
         if (QWidget* button = item->widget()) {
             button->hide();
             button->deleteLater();
@@ -179,7 +179,7 @@ void Banner::present() {
     }
     show();
     update();
-    // Repeats, and buttons that come and go, are no news.
+    // Repeats and changed buttons are not announced.
     const QString words = message->severity == Severity::Normal
                               ? message->headline
                               : texts::severity(message->severity) + u": "_s + message->headline;

@@ -16,10 +16,10 @@ namespace nmc {
 class ElidedLabel;
 class GlyphLabel;
 
-/// The most important message that is not over, with its actions. Never modal. Its place is kept while there
-/// is none, and is the same for every message: nothing below it ever moves under the pointer. What does not
-/// fit, and the other messages, are one click away. An event about which nothing can be done leaves it when
-/// it is old news.
+/// Shows the most important message that has not ended, with its actions. Never modal. Its space is kept
+/// while there is none, and is the same for every message, so that nothing below it ever moves under the
+/// pointer. Text that does not fit and the other messages are one click away. An event that requires no
+/// action is removed when it is old news.
 class Banner : public QFrame {
     Q_OBJECT
 
@@ -27,24 +27,26 @@ public:
     explicit Banner(QWidget* parent = nullptr);
 
     void showMessage(const Message& message);
-    /// Other words for what it has already.
+    /// Changes the words of a message that it already has.
     void amendMessage(const Message& message);
     void endMessage(const QString& key);
-    /// What may not be done in this connection is not offered any more.
+    /// Removes the buttons that may not act in this connection, and disables those that an operator may not
+    /// use.
     void review(const LinkState& link);
-    /// How long an event is news; 10 min. For what is shown from now on.
+    /// How long an event is news; 10 min by default. Applies to messages shown from now on.
     void setNewsLife(std::chrono::milliseconds life) { m_newsLife = life; }
 
-    /// One line high instead of two, where the window is for something else. While nothing is pressed.
+    /// Makes the banner one line high instead of two, to leave more room for the rest of the window. Call it
+    /// only while no button is pressed.
     void setCompact(bool compact);
 
-    /// That of its place, whatever it says.
+    /// The size of its space, whatever the message.
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
     void actionTriggered(const nmc::Message& message, nmc::MessageAction action);
-    /// The user wants to read all of the message that is shown, and the others.
+    /// The user wants to read all of the message that is shown, which has this key, and the other messages.
     void allWanted(const QString& key);
 
 protected:
@@ -56,7 +58,7 @@ private:
 
     struct Shown {
         Message message;
-        unsigned number = 0;  ///< of all that were shown
+        unsigned number = 0;  ///< consecutive number of the message
     };
     void forgetWhenOld(unsigned number);
 
@@ -65,8 +67,8 @@ private:
     std::chrono::milliseconds m_newsLife = std::chrono::minutes(10);
     QString m_shown;
     bool m_compact = false;
-    QHBoxLayout* m_first;   ///< line
-    QHBoxLayout* m_second;  ///< empty when compact
+    QHBoxLayout* m_first;   ///< the first line
+    QHBoxLayout* m_second;  ///< the second line; empty when compact
     GlyphLabel* m_glyph;
     ElidedLabel* m_headline;
     ElidedLabel* m_body;

@@ -19,7 +19,7 @@ class MessageLineTexts {
 
 const QString kClock = u"HH:mm:ss"_s;
 
-/// Columns that a spreadsheet takes apart as well.
+/// Columns that a spreadsheet can separate, too.
 QString line(const QDateTime& time, const Message& message, const QStringList& words) {
     QStringList columns{time.toString(Qt::ISODateWithMs), texts::severity(message.severity),
                         message.module ? texts::moduleName(*message.module) : u"–"_s};

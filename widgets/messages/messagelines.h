@@ -9,31 +9,31 @@
 
 namespace nmc {
 
-/// One entry of the history: a cause, how often, and from when to when.
+/// One entry of the history: a cause, how often and when last it was reported, and when it ended.
 struct MessageEntry {
     Message message;
-    QDateTime time;    ///< of the last time it was told
-    QDateTime over{};  ///< invalid: not yet
+    QDateTime time;    ///< when it was last reported
+    QDateTime over{};  ///< when it ended; invalid: not yet
     int count = 1;
 };
 
-/// Which entries are shown; what is empty lets all pass.
+/// Which entries are shown; empty conditions let all entries pass.
 struct MessageFilter {
     std::optional<Severity> severity{};
     std::optional<ModuleIndex> module{};
-    QString text{};  ///< somewhere in its words
+    QString text{};  ///< must occur in the words of the message
     bool onlyNotOver = false;
 
     [[nodiscard]] bool passes(const MessageEntry& entry) const;
 };
 
-/// "11:02:03", and the day before it where that is not today.
+/// "11:02:03", preceded by the date if that is not today.
 [[nodiscard]] QString timeText(const QDateTime& time, const QDate& today);
-/// Of the log and of an exported list: when, how grave, of which module, in what words. One line.
+/// The line of the log or of an exported list: time, severity, module and words.
 [[nodiscard]] QString messageLine(const MessageEntry& entry);
-/// That it is over.
+/// The line of the log that says that the cause has ended.
 [[nodiscard]] QString overLine(const MessageEntry& entry);
-/// The oldest first.
+/// One line for each entry, oldest first.
 [[nodiscard]] std::string messageText(const std::vector<MessageEntry>& newestFirst);
 
 }  // namespace nmc

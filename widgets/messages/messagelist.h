@@ -14,8 +14,8 @@ namespace nmc {
 
 class MessageRow;
 
-/// What happened in this session, newest first; one row for one cause, repeats are counted. The same key with
-/// another headline is another cause, unless it replaces what was told before.
+/// What happened in this session, newest first: one row per cause, with its repeats counted. The same key
+/// with another headline is another cause, unless the message replaces the previous one.
 class MessageList : public QScrollArea {
     Q_OBJECT
 
@@ -23,27 +23,28 @@ public:
     explicit MessageList(QWidget* parent = nullptr);
 
     void showMessage(const Message& message, const QDateTime& time = QDateTime::currentDateTime());
-    /// Other words for what is told already; not counted.
+    /// Changes the words of a message that has not ended; this is not counted as a repeat.
     void amendMessage(const Message& message);
-    /// Says that it is over. A message that comes again later starts a row of its own.
+    /// Marks a message as ended. If it comes again later, it gets a new row.
     void endMessage(const QString& key, const QDateTime& time = QDateTime::currentDateTime());
 
-    /// What may not be done in this connection is not offered any more.
+    /// Removes the buttons that may not act in this connection, and disables those that an operator may not
+    /// use.
     void review(const LinkState& link);
-    /// Scrolls to it, if it is not over.
+    /// Scrolls to the message, if it has not ended.
     void reveal(const QString& key);
 
     void setFilter(const MessageFilter& filter);
-    /// Of the rows that the filter lets pass, newest first.
+    /// The entries that pass the filter, newest first.
     [[nodiscard]] std::vector<MessageEntry> shownEntries() const;
-    /// Of all rows, newest first.
+    /// All entries, newest first.
     [[nodiscard]] std::vector<MessageEntry> entries() const;
     /// The rows, newest first; those that are filtered out are hidden.
     [[nodiscard]] const QList<MessageRow*>& rows() const { return m_rows; }
 
 signals:
     void actionTriggered(const nmc::Message& message, nmc::MessageAction action);
-    /// For whoever keeps it: a cause was told, or told again; or it is over.
+    /// For the log: told() when a cause is reported, repeated or reworded; ended() when it has ended.
     void told(const nmc::MessageEntry& entry);
     void ended(const nmc::MessageEntry& entry);
 

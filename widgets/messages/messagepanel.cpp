@@ -94,7 +94,7 @@ void MessagePanel::showLogFile(const QString& file) {
     m_place->setText(file.isEmpty() ? tr("Kept for this session only.") : tr("Kept in %1").arg(file));
 }
 
-/// In the order of the chain, under the names of now.
+/// Adds the module to the filter, in the order of the chain and under its present name.
 void MessagePanel::offerModule(const Message& message) {
     if (!message.module)
         return;

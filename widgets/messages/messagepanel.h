@@ -16,7 +16,7 @@ namespace nmc {
 class ElidedLabel;
 class MessageList;
 
-/// The list of messages, what of it is shown, and where it is kept beyond this session.
+/// The list of messages with its filter, and the file in which messages are kept beyond this session.
 class MessagePanel : public QWidget {
     Q_OBJECT
 
@@ -24,14 +24,15 @@ public:
     explicit MessagePanel(QWidget* parent = nullptr);
 
     [[nodiscard]] MessageList& list() { return *m_list; }
-    /// All entries, whatever is shown.
+    /// Adds the message to the list, and its module to the filter.
     void showMessage(const Message& message);
     void reveal(const QString& key);
-    /// `file`: what is told is kept there; empty: it is not.
+    /// `file`: where messages are kept; empty: they are not.
     void showLogFile(const QString& file);
 
 signals:
-    /// What is shown, as text; the user has agreed that the file is replaced.
+    /// Requests that the messages shown be saved as text. If the file exists, the user has agreed to replace
+    /// it.
     void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
@@ -46,7 +47,7 @@ private:
     QCheckBox* m_notOver = nullptr;
     MessageList* m_list = nullptr;
     ElidedLabel* m_place = nullptr;
-    std::set<ModuleIndex> m_modules;  ///< that some message was about
+    std::set<ModuleIndex> m_modules;  ///< the modules that messages were about
 };
 
 }  // namespace nmc

@@ -83,7 +83,7 @@ void MessageRow::present() {
     setToolTip(m_entry.message.details);
     setAccessibleName(when.join(u", "_s) + u": "_s + m_entry.message.headline);
     while (QLayoutItem* item = m_actions->takeAt(0)) {
-        // It may be the very button whose click brought us here.
+        // It may be the button whose click is being handled.
         if (QWidget* button = item->widget()) {
             button->hide();
             button->setObjectName(QString());
@@ -92,7 +92,7 @@ void MessageRow::present() {
         delete item;
     }
     for (const Message::Action& action : m_entry.message.actions) {
-        // What was kept of it can be looked at for ever; nothing else is to be done any more.
+        // The record can still be viewed; all other actions have become pointless.
         if (m_entry.over.isValid() && action.id != MessageAction::ShowRecord)
             continue;
         auto* button = new QPushButton(action.text, this);

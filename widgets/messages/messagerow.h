@@ -20,9 +20,9 @@ class MessageRow : public QFrame {
 public:
     MessageRow(const Message& message, const QDateTime& time, QWidget* parent = nullptr);
 
-    /// The same cause again: its words may be new, the count goes up.
+    /// Repeats the cause: its words may be new, and the count is increased.
     void repeat(const Message& message, const QDateTime& time);
-    /// The same time with other words.
+    /// Changes the words, but neither time nor count.
     void amend(const Message& message);
     void end(const QDateTime& time);
 
