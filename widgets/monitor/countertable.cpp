@@ -13,7 +13,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// Rows before those of the rules, in this order.
+/// The rows before those of the rejection rules, in this order.
 enum FirstRow {
     Sent,
     Accepted,

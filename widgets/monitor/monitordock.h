@@ -13,25 +13,25 @@ namespace nmc {
 
 class PacketMonitor;
 
-/// The place of the packet monitor, which is closed at first and often stays so: its content is built when it
-/// is seen for the first time, and finds the connection then as it has become.
+/// The dock of the packet monitor, which is closed at first and often stays closed: its content is built when
+/// it is seen for the first time, and then starts with the present state of the connection.
 class MonitorDock : public QDockWidget {
     Q_OBJECT
 
 public:
     explicit MonitorDock(QWidget* parent = nullptr);
 
-    // As in PacketMonitor.
+    // These are passed on to the PacketMonitor, if it exists.
     void begin(const PacketSession& session);
     void showPackets(std::vector<bus::ExchangeRecord> records);
     void showLink(const LinkState& link);
     void showFigures(const LinkFigures& figures);
     [[nodiscard]] bool recording() const;
     [[nodiscard]] const LinkFigures& figures() const { return m_figures; }
-    /// At most so many, as text; empty: none were recorded.
+    /// The last packets, at most `most`, as text; empty: none were recorded.
     [[nodiscard]] QString lastPackets(int most) const;
 
-    /// The content; built if need be.
+    /// The content, which is built if necessary.
     PacketMonitor& page();
 
 signals:
@@ -42,7 +42,7 @@ private:
     PacketMonitor* m_page = nullptr;
     PacketSession m_session;
     LinkFigures m_figures;
-    int m_modules = 0;  ///< most in a chain so far
+    int m_modules = 0;  ///< the largest number in a chain so far
 };
 
 }  // namespace nmc

@@ -19,12 +19,12 @@ public:
 
     explicit PacketModel(QObject* parent = nullptr);
 
-    /// A new connection: the rows of the one before go.
+    /// Starts a new connection and removes the rows of the previous one.
     void begin(const PacketSession& session);
     void clear();
-    /// Recording was interrupted; the next row says so.
+    /// Notes that recording was interrupted; the next row says so.
     void interrupt() { m_log.interrupt(); }
-    /// Returns how many rows went at the top to make room.
+    /// Returns how many rows were removed at the top to make room.
     int append(std::vector<bus::ExchangeRecord> records);
     void setFilter(const PacketFilter& filter);
 
@@ -43,7 +43,7 @@ private:
 
     PacketLog m_log;
     PacketFilter m_filter;
-    std::deque<std::uint64_t> m_rows;  ///< numbers of the log
+    std::deque<std::uint64_t> m_rows;  ///< entry numbers in the log
     QFont m_fixed;
 };
 

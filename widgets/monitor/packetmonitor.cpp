@@ -25,7 +25,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-/// What the kind box means by "errors"; the others are PacketKind.
+/// The item data of "Errors only" in the kind box; other kinds are a PacketKind.
 constexpr int kErrorsOnly = 100;
 }  // namespace
 
@@ -166,7 +166,7 @@ void PacketMonitor::applyFilter() {
 void PacketMonitor::pause(bool paused) {
     m_pause->setText(paused ? tr("Resume") : tr("Pause"));
     m_pause->setAccessibleName(m_pause->text());
-    m_pause->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_P);  // a new text takes it away
+    m_pause->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_P);  // a new text removes the shortcut
     updateRecording();
     showSummary();
 }

@@ -20,31 +20,32 @@ class PacketView;
 class PacketLog;
 struct PacketSession;
 
-/// Every exchange with time, bytes, meaning and verdict; and the counters of the link. It wants records only
-/// while it can be seen and is not paused, so that it costs nothing when closed.
+/// Shows every exchange with time, bytes, meaning and verdict, and the counters of the link. It requests
+/// records only while it can be seen and is not paused, so that it costs nothing when closed.
 class PacketMonitor : public QWidget {
     Q_OBJECT
 
 public:
     explicit PacketMonitor(QWidget* parent = nullptr);
 
-    /// A connection is being opened: the packets of the one before are forgotten.
+    /// Call when a connection is being opened; discards the packets of the previous one.
     void begin(const PacketSession& session);
-    /// What was recorded since the last call; once a frame.
+    /// Adds what was recorded since the last call, which is once per frame.
     void showPackets(std::vector<bus::ExchangeRecord> records);
-    /// How many modules there are to choose from.
+    /// Offers this many modules to filter by, or more if it has offered more.
     void offerModules(int count);
-    /// Once a second.
+    /// Called once a second.
     void showFigures(const LinkFigures& figures);
 
-    /// Somebody can see it: not so behind another dock's tab.
+    /// `seen`: the monitor can be seen, and is not behind another dock's tab.
     void setSeen(bool seen);
     [[nodiscard]] bool recording() const { return m_recording; }
     [[nodiscard]] const PacketLog& log() const;
 
 signals:
     void recordingChanged(bool recording);
-    /// Everything that is kept: a replayable log when the name ends in .nmclog, else a text.
+    /// Requests that the whole log be saved: as a replayable log if the name ends in .nmclog, otherwise as
+    /// text.
     void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:

@@ -8,12 +8,13 @@
 
 namespace nmc {
 
-/// How a name of a replayable log (model/packets/packetfile.h) ends; any other name makes a text for people.
+/// The end of the name of a replayable log (model/packets/packetfile.h); any other name stands for text for
+/// people.
 inline const QString kPacketLogSuffix = QStringLiteral(".nmclog");
 
-/// The whole log as a file of that name has it.
+/// The whole log, in the format that the name of the file requires.
 [[nodiscard]] FileContent packetFile(PacketLog log, const QString& path);
-/// At most so many, the last ones, as text for people; empty: there are none.
+/// The last packets, at most `most`, as text for people; empty if there are none.
 [[nodiscard]] std::string lastPackets(const PacketLog& log, std::uint64_t most);
 
 }  // namespace nmc

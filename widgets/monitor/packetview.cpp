@@ -65,7 +65,7 @@ void PacketView::append(std::vector<bus::ExchangeRecord> records) {
     if (following)
         scrollToBottom();
     else if (dropped > 0)
-        bar->setValue(top - dropped);  // what is being read stays where it is
+        bar->setValue(top - dropped);  // the rows being read stay where they are
 }
 
 QString PacketView::selectedText() const {
@@ -83,7 +83,7 @@ QString PacketView::selectedText() const {
 }
 
 void PacketView::keyPressEvent(QKeyEvent* event) {
-    // The table's own would copy one cell.
+    // The table itself would copy one cell only.
     if (event->matches(QKeySequence::Copy)) {
         emit copyRequested();
         event->accept();

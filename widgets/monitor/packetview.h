@@ -10,7 +10,8 @@ namespace nmc {
 
 class PacketModel;
 
-/// The packets as they come: follows the newest until the user scrolls up, and again from the end on.
+/// The packets as they arrive: follows the newest until the user scrolls up, and again once the user has
+/// scrolled back to the end.
 class PacketView : public QTableView {
     Q_OBJECT
 
@@ -18,7 +19,7 @@ public:
     PacketView(PacketModel& model, QWidget* parent);
 
     void append(std::vector<bus::ExchangeRecord> records);
-    /// The selected rows, or all when none is, one line each. Empty when there is none.
+    /// The selected rows, or all rows if none is selected, one line each; empty if there are none.
     [[nodiscard]] QString selectedText() const;
 
 protected:
