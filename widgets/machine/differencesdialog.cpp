@@ -33,7 +33,7 @@ QIcon attention(const QWidget& widget) {
     return pixmap;
 }
 
-/// Others are one value, and called as it is.
+/// True for parts with named fields; the others are a single value, named like the part.
 bool hasFields(MachinePart part) {
     switch (part) {
         case MachinePart::MachineName:
@@ -62,13 +62,13 @@ bool hasFields(MachinePart part) {
     return false;
 }
 
-/// Nothing of it is known here yet: its fields need not be looked at one by one.
+/// True if none of its fields has a value here yet, so that they need not be reviewed one by one.
 bool allNew(const Difference& difference) {
     return std::none_of(difference.fields.begin(), difference.fields.end(),
                         [](const FieldDifference& field) { return field.now.has_value(); });
 }
 
-/// One of many has its own name.
+/// The name of a row; includes the field if the part has several and only one differs.
 QString whatOf(const Difference& difference) {
     const PartId& id = difference.id;
     QString what = texts::machinePart(id.part);
@@ -121,8 +121,7 @@ void DifferencesDialog::build() {
     look::name(m_apply, u"applyDifferencesButton"_s, tr("Apply"));
     look::name(m_cancel, u"cancelDifferencesButton"_s, tr("Cancel"));
     m_cancel->setToolTip(tr("Keeps everything as it is."));
-    // What is sent is sent by a click on the button itself, not by an Enter that was meant for something
-    // else.
+    // Sending requires a click on the button itself, not an Enter that was meant for something else.
     for (QPushButton* button : {m_all, m_none, m_apply, m_cancel})
         button->setAutoDefault(false);
 

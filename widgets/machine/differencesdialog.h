@@ -14,18 +14,18 @@ class QTreeWidgetItem;
 
 namespace nmc {
 
-/// What opening a machine file would change: one row for each part, with a tick box, its fields below it.
-/// Nothing is changed or sent before Apply. Not modal; Esc drops the file, and stops the motors as
-/// everywhere.
+/// Shows what opening a machine file would change: one row for each part, with a check box if it can be
+/// applied, and its fields below it. Nothing is changed or sent before Apply. Not modal; Esc drops the file,
+/// and stops the motors as everywhere.
 class DifferencesDialog : public QDialog {
     Q_OBJECT
 
 public:
     explicit DifferencesDialog(QWidget* parent);
 
-    /// Replaces what was shown, ticks included. Emits nothing.
+    /// Replaces what was shown, including the check marks. Emits nothing.
     void showDifferences(const QString& file, std::vector<Difference> differences);
-    /// While motors move nothing can be sent.
+    /// `motors`: how many motors are moving; until all have stopped, nothing can be sent.
     void showMoving(int motors);
 
 signals:
@@ -49,7 +49,7 @@ private:
     QPushButton* m_none;
     QPushButton* m_apply;
     QPushButton* m_cancel;
-    std::vector<Difference> m_differences;  ///< row by row
+    std::vector<Difference> m_differences;  ///< one for each row
     int m_moving = 0;
 };
 

@@ -93,7 +93,7 @@ void MachineMenu::refresh() {
     for (QAction* action : {m_new, m_open, m_save, m_saveAs})
         action->setEnabled(possible);
     for (QAction* action : m_recent->actions())
-        action->setEnabled(possible);  // the palette finds them, too
+        action->setEnabled(possible);  // the command palette finds them, too
     m_recent->setEnabled(possible && !m_file.recent.isEmpty());
 }
 
@@ -101,7 +101,7 @@ void MachineMenu::fillRecent() {
     m_recent->clear();
     int number = 1;
     for (const QString& path : m_file.recent) {
-        // An ampersand in a name is no mnemonic.
+        // An ampersand in a file name must not mark a mnemonic.
         QAction* action = m_recent->addAction(
             u"&%1  %2"_s.arg(QString::number(number), QFileInfo(path).fileName().replace(u"&"_s, u"&&"_s)));
         action->setObjectName(u"recentMachine%1Action"_s.arg(number++));
@@ -153,7 +153,7 @@ void MachineMenu::askFirst(const Go& go) {
 }
 
 void MachineMenu::ask(const QString& saveText, const QString& goOnText, const Go& go) {
-    // Saved meanwhile, or another machine: there is nothing left to ask.
+    // If the changes were saved meanwhile, or another machine was opened, there is nothing left to ask.
     const auto text = [this, path = m_file.path] {
         return m_file.modified && m_file.path == path ? texts::notSaved(m_file.title()) : QString();
     };
@@ -177,7 +177,7 @@ void MachineMenu::waitForSave(const Go& close) {
          .stay = tr("S&tay"),
          .stayName = u"staySavingButton"_s},
         {{tr("&Close: the next start offers to restore them"), u"closeUnsavedButton"_s, close}}, m_window);
-    // Not when it is withdrawn because the file is saved: that closes.
+    // If the question is withdrawn because the file has been saved, the window closes.
     connect(&question, &QDialog::finished, this, [this] {
         if (m_file.saving)
             m_afterSaving = doNothing;

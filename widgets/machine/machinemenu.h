@@ -14,20 +14,20 @@ class QMenu;
 
 namespace nmc {
 
-/// What the window says of the machine and its file.
+/// What the window shows about the machine and its file.
 struct MachineFile {
-    QString path;  ///< empty: it has none yet
-    QString name;  ///< of the machine; may be empty
+    QString path;  ///< empty: there is no file yet
+    QString name;  ///< the name of the machine; may be empty
     bool modified = false;
     QStringList recent;   ///< paths, the latest first
-    bool saving = false;  ///< the disk has not answered yet
+    bool saving = false;  ///< it is being written to the disk
 
-    /// What a user calls it: its file's name, or its own; may be empty.
+    /// The name for the user: that of the file if there is one, otherwise that of the machine; may be empty.
     [[nodiscard]] QString title() const;
 };
 
-/// The machine's part of the File menu, and the dialogs that follow from it. It asks before unsaved work
-/// gives way; everything else is asked for by signals.
+/// The machine's part of the File menu, and its dialogs. It asks the user before unsaved changes are lost;
+/// all other requests are signals.
 class MachineMenu : public QObject {
     Q_OBJECT
 
@@ -35,12 +35,12 @@ public:
     explicit MachineMenu(QWidget* window);
 
     void addTo(QMenu& menu);
-    /// In operator mode the machine stays as it is.
+    /// `locked`: operator mode, in which the machine cannot be changed.
     void setLocked(bool locked);
-    /// Emits shown() only.
+    /// Emits shown(). If a save has just succeeded, also continues what was waiting for it.
     void showFile(const MachineFile& file);
     [[nodiscard]] const MachineFile& file() const { return m_file; }
-    /// What stands behind the program's name in the title; "[*]" is the place of the modified mark.
+    /// The part of the window title after the program's name; "[*]" is the place of the modified mark.
     [[nodiscard]] QString titlePart() const;
 
     /// Opens the table of differences, or replaces what it shows.
@@ -48,13 +48,14 @@ public:
     void closeDifferences();
     [[nodiscard]] DifferencesDialog* differences() const { return m_differences; }
 
-    /// Calls `close` when the file is saved, or the user says that the work may wait for the next start.
+    /// Calls `close` once the file has been saved, or if the user leaves unsaved changes for the next start.
     void askBeforeClose(const std::function<void()>& close);
 
 signals:
     void newRequested();
     void openRequested(const QString& path);
-    /// Answered by showFile(): before this returns that it is being saved, and then what became of it.
+    /// The receiver answers with showFile(): before this returns, to report that the file is being saved, and
+    /// later to report the result.
     void saveRequested();
     void saveAsRequested(const QString& path);
     void applyRequested(const std::vector<nmc::PartId>& chosen);
@@ -67,11 +68,11 @@ private:
                        const QString& tip);
     void fillRecent();
     void refresh();
-    /// Calls `go` at once when nothing is unsaved.
+    /// Calls `go` at once if nothing is unsaved; otherwise asks first.
     void askFirst(const Go& go);
     void ask(const QString& saveText, const QString& goOnText, const Go& go);
     void save(const Go& then);
-    /// To that file; empty: the one that it has.
+    /// Saves to `path`; empty: to the present file.
     void save(const QString& path, const Go& then);
     void goOnAfterSaving();
     void waitForSave(const Go& close);
@@ -82,7 +83,7 @@ private:
     QWidget* m_window;
     MachineFile m_file;
     bool m_locked = false;
-    Go m_afterSaving;  ///< if it works
+    Go m_afterSaving;  ///< called if saving succeeds
     QAction* m_new;
     QAction* m_open;
     QAction* m_save;
