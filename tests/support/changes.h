@@ -7,8 +7,8 @@
 
 namespace nmc::testing_support {
 
-/// What each module of a simulator has carried out so far and is no mere question, by the simulator's own
-/// count.
+/// What each module of a simulator has carried out so far apart from mere queries, as counted by the
+/// simulator.
 template <typename Simulator>
 [[nodiscard]] QJsonArray changes(Simulator& sim) {
     QJsonArray changes;

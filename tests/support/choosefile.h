@@ -11,11 +11,11 @@
 
 namespace nmc::testing_support {
 
-/// Types the whole path into the dialog, and Return; a file that is there may be replaced.
+/// Types the whole path into the dialog and presses Return; an existing file may be replaced.
 inline void chooseFile(QFileDialog& dialog, const QString& path) {
     auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     name->setText(path);
-    // The question waits in an event loop of its own.
+    // The question whether to replace a file runs its own event loop.
     QTimer answer;
     QObject::connect(&answer, &QTimer::timeout, &dialog, [&] {
         if (auto* question = dialog.findChild<QMessageBox*>())

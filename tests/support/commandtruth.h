@@ -15,20 +15,20 @@
 
 namespace nmc::testing_support {
 
-/// What a simulated servo's command position was in the ticks in which it latched a status. The simulator may
-/// run in a thread of its own.
+/// The command positions of a simulated servo in the ticks in which it latched a status. The simulator may
+/// run in its own thread.
 class LatchLog {
 public:
     struct Latch {
         TimePoint time;
         double command = 0;
-        double perTick = 0;   ///< how far it goes in a servo tick just now
-        bool steady = false;  ///< and went before
+        double perTick = 0;   ///< how far it moves in this servo tick
+        bool steady = false;  ///< it moved as far at the latch before
         std::int32_t position = 0;
         bool servoOn = false;
     };
 
-    /// For sim::ChainOptions::onExecuted; `began` is when the simulation did.
+    /// For sim::ChainOptions::onExecuted; `began` is when the simulation started.
     void add(const sim::ModuleSnapshot& module, TimePoint began = {}) {
         const std::scoped_lock lock(m_mutex);
         const sim::ServoSnapshot& servo = module.servo;
@@ -37,11 +37,11 @@ public:
         m_latches.push_back({began + module.time.time_since_epoch(), servo.commandPosition, perTick, steady,
                              servo.position, servo.servoOn});
     }
-    /// Nothing when it is not in the log. No module latches before its command has left, and the one before
-    /// was latched before that.
+    /// The latch of this sample; empty if it is not in the log. No module latches before its command has
+    /// left, and the previous status was latched before that.
     [[nodiscard]] std::optional<Latch> of(const bus::Sample& sample) {
         const std::scoped_lock lock(m_mutex);
-        constexpr Duration kStamps = std::chrono::microseconds(20);  // of two threads, of one clock
+        constexpr Duration kStamps = std::chrono::microseconds(20);  // of two threads that read one clock
         while (!m_latches.empty() && m_latches.front().time < sample.time - kServoTick / 2 - kStamps)
             m_latches.pop_front();
         if (m_latches.empty() || m_latches.front().position != sample.report.position)
@@ -54,12 +54,12 @@ private:
     std::deque<Latch> m_latches;
 };
 
-/// How calculated and true command position compare, at the samples.
+/// Compares calculated and true command positions at the samples.
 class Comparison {
 public:
-    /// `perTick`: how far the command goes in a servo tick just now; `steady`: and went before.
+    /// `perTick`: how far the command moves in this servo tick; `steady`: it moved as far before.
     void add(const CommandEstimate& calculated, double truth, double perTick, bool steady) {
-        constexpr double kPrecision = 1e-6;  // of doubles
+        constexpr double kPrecision = 1e-6;  // of calculations with doubles
         ++m_samples;
         m_inside += truth >= calculated.low - kPrecision && truth <= calculated.high + kPrecision ? 1U : 0U;
         const double half = (calculated.high - calculated.low) / 2;
@@ -75,7 +75,7 @@ public:
         }
     }
     void addUnknown() { ++m_unknown; }
-    /// The truth is not known either.
+    /// The true position is not known.
     void addUnmatched() { ++m_unmatched; }
 
     [[nodiscard]] std::size_t samples() const { return m_samples; }
@@ -84,14 +84,14 @@ public:
     [[nodiscard]] double inside() const {
         return static_cast<double>(m_inside) / static_cast<double>(std::max<std::size_t>(m_samples, 1));
     }
-    /// Median |difference| at standstill, counts.
+    /// Median |difference| at standstill, in counts.
     [[nodiscard]] double standing() const { return quantile(m_standing, 0.5); }
     /// Median |difference| in motion, in servo ticks of travel.
     [[nodiscard]] double moving() const { return quantile(m_moving, 0.5); }
-    /// The same in ticks of travel at the fastest since it was last known exactly: a slow motion keeps the
-    /// doubt that a fast one has left.
+    /// Median |difference| in motion, in servo ticks of travel at the highest speed since the command
+    /// position was last known exactly: a slow motion keeps the uncertainty that a fast one has left.
     [[nodiscard]] double movingOfFastest() const { return quantile(m_movingFast, 0.5); }
-    /// Half the band in steady motion less one count, in servo ticks of travel.
+    /// Half the band in steady motion, less one count, in servo ticks of travel.
     [[nodiscard]] double halfBand(double share) const { return quantile(m_movingBand, share); }
     [[nodiscard]] double halfBandStanding() const { return quantile(m_standingBand, 0.5); }
 
@@ -124,7 +124,8 @@ private:
     double m_fastest = 0;
 };
 
-/// Follows a module's commands and samples, and compares what is calculated for a sample with the truth.
+/// Follows a module's commands and samples, and compares the position calculated for a sample with the true
+/// one.
 class CommandComparison {
 public:
     void take(const bus::Event& event) {

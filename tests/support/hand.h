@@ -22,13 +22,13 @@ namespace nmc::testing_support {
     return face != nullptr ? face->text(QAccessible::Name) : QString();
 }
 
-/// A person at the window, who knows names only.
+/// A user at the window, who knows controls only by their names.
 class Hand {
 public:
     explicit Hand(VirtualPanel& panel) : m_panel(panel) {}
 
-    /// The first in sight whose name begins so, in the window in front before others; scrolled to where that
-    /// is needed.
+    /// The first visible widget whose name begins with `name`, in the active window before others; scrolled
+    /// into view if needed.
     template <typename Widget>
     Widget* find(const QString& name) {
         Widget* found = nullptr;
@@ -36,7 +36,7 @@ public:
             found = inSight<Widget>(name);
             return found != nullptr;
         });
-        EXPECT_NE(found, nullptr) << name.toStdString() << " is not to be seen. There are:\n"
+        EXPECT_NE(found, nullptr) << name.toStdString() << " is not visible. There are:\n"
                                   << seen<Widget>().toStdString();
         if (found != nullptr)
             turnTo(*found->window());
@@ -94,7 +94,7 @@ public:
         testing_support::chooseFile(*dialog, path);
         ASSERT_TRUE(m_panel.waitFor([&] { return m_panel.window().findChild<QFileDialog*>() == nullptr; }));
     }
-    /// The mark of a row in a list.
+    /// Toggles the mark of a row in a list.
     void tick(const QString& list, const QString& row) {
         auto* view = find<QAbstractItemView>(list);
         ASSERT_NE(view, nullptr);
@@ -126,7 +126,7 @@ public:
         });
     }
 
-    /// As a window manager does when a dialog has closed.
+    /// Activates a window, as a window manager does when a dialog has closed.
     void turnTo(QWidget& window) {
         window.activateWindow();
         EXPECT_TRUE(m_panel.waitFor([&] { return window.isActiveWindow(); }));

@@ -8,7 +8,7 @@
 
 namespace nmc::testing_support {
 
-/// Bytes of "AA 01 0E 0F".
+/// The bytes of a text like "AA 01 0E 0F".
 [[nodiscard]] inline std::vector<std::uint8_t> fromHex(const std::string& text) {
     std::vector<std::uint8_t> bytes;
     std::istringstream stream(text);

@@ -17,7 +17,7 @@ LineProcess::LineProcess(std::vector<std::string> words, const std::string& erro
     for (std::string& word : words)
         argv.push_back(word.data());
     argv.push_back(nullptr);
-    std::signal(SIGPIPE, SIG_IGN);  // it may end before it has read everything
+    std::signal(SIGPIPE, SIG_IGN);  // the program may end before it has read everything
 
     std::array<int, 2> in{};
     std::array<int, 2> out{};

@@ -9,13 +9,13 @@
 
 namespace nmc::testing_support {
 
-/// A program of ours in a process of its own that answers lines with lines. Nothing but POSIX; throws when it
-/// fails.
+/// One of our programs in its own process, which answers lines with lines. Uses only POSIX; throws on
+/// failure.
 class LineProcess {
 public:
-    /// `errors`: a file for what it says on standard error; empty: with ours.
+    /// `errors`: file for its standard error; if empty, it shares that of the test.
     explicit LineProcess(std::vector<std::string> words, const std::string& errors = {});
-    /// Closes its input, and waits for its end.
+    /// Closes its input, and waits for it to end.
     ~LineProcess();
     LineProcess(const LineProcess&) = delete;
     LineProcess& operator=(const LineProcess&) = delete;
@@ -23,7 +23,7 @@ public:
     void tell(const std::string& line);
     /// The next line of its output.
     std::string answer();
-    /// Waits for its end, and tells how it ended, as waitpid(2) does.
+    /// Waits for it to end, and returns how it ended, as waitpid(2) does.
     int wait();
     [[nodiscard]] pid_t pid() const { return m_process; }
 

@@ -4,7 +4,7 @@
 #include "base/strong.h"
 #include "protocol/moduletype.h"
 
-/// Modules as many tests name them: by what they are, and by their place in the chain.
+/// Names that many tests use for modules: by what they are, and by their place in the chain.
 namespace nmc::testing_support {
 
 inline constexpr ModuleIdentity kServo{ModuleType::Servo, 4};  ///< of the first data sheet

@@ -8,7 +8,7 @@
 
 namespace nmc::test {
 
-/// The motion that a Move or a LoadMove asks for; throws if it asks for another one, or for something else.
+/// The motion that a Move or a LoadMove requests; throws if it is another motion, or `wanted` another intent.
 template <typename Motion>
 [[nodiscard]] Motion motionOf(const Intent& wanted) {
     using Chip = std::conditional_t<In<Motion, ServoMotion>, ServoMotion, StepperMotion>;

@@ -18,8 +18,8 @@ constexpr int kPatienceMs = 10'000;
 
 NmcsimProcess::NmcsimProcess(const QString& chain, const QStringList& options) {
     m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    // A test that crashes takes it along: left alone it keeps the test's output open, and a crash looks like
-    // a test that hangs.
+    // nmcsim ends with a test that crashes: otherwise it would keep the test's output open, and the crash
+    // would look like a test that hangs.
     m_process.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
     m_process.start(QStringLiteral(NMCSIM_PATH), QStringList{QStringLiteral("--chain"), chain} + options);
     const QByteArray ready = readLine();

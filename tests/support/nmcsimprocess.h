@@ -11,22 +11,22 @@
 
 namespace nmc::testing_support {
 
-/// Counts per tick; a servo that holds is never quite still.
+/// In counts per tick; a servo that holds is never quite still.
 inline constexpr double kAtRest = 0.01;
 
-/// The real nmcsim in a process of its own, and its control lines.
+/// The real nmcsim in its own process, with its control lines.
 class NmcsimProcess {
 public:
     explicit NmcsimProcess(const QString& chain, const QStringList& options = {});
     ~NmcsimProcess();
 
-    /// The terminal to open; empty when it did not start.
+    /// The terminal to open; empty if it did not start.
     [[nodiscard]] const QString& terminal() const { return m_terminal; }
     [[nodiscard]] QJsonObject control(const QString& line);
     [[nodiscard]] QJsonObject state(int module) { return control(QStringLiteral("state %1").arg(module)); }
-    /// What the host did that the data sheets do not allow, as the simulator says it; empty when nothing.
+    /// What the host did that the data sheets do not allow, as reported by the simulator; empty if nothing.
     [[nodiscard]] std::string violations();
-    /// Ends it; a terminal that is open is hung up.
+    /// Ends the process, which hangs up an open terminal.
     void quit();
 
 private:
@@ -36,7 +36,7 @@ private:
     QString m_terminal;
 };
 
-/// By the simulator's own time.
+/// Waits until this much of the simulator's own time has passed.
 void letPass(NmcsimProcess& sim, Duration time);
 
 }  // namespace nmc::testing_support

@@ -19,7 +19,7 @@ constexpr std::string_view kColumns =
 constexpr std::string_view kGap = "gap";
 constexpr std::size_t kMaxHeaderText = 500;
 constexpr std::size_t kFields = 9;
-/// Ten years; what is longer is damage, and would overflow on the way.
+/// Ten years; anything longer is damage, and would overflow.
 constexpr std::int64_t kMaxMicroseconds = 315'360'000'000'000;
 
 template <typename T>
@@ -31,7 +31,7 @@ std::optional<T> number(std::string_view text, int base = 10) {
     return value;
 }
 
-/// A sentence without its end, or nothing.
+/// What is wrong, as a sentence without its full stop; empty if nothing is.
 using Complaint = std::optional<std::string>;
 
 std::optional<std::vector<std::uint8_t>> bytesOf(std::string_view text) {
@@ -163,13 +163,13 @@ Complaint readExchange(std::string_view line, bus::ExchangeRecord& record) {
     return readBytes(fields[8], '<', "reply", record.reply);
 }
 
-/// Hands out lines and remembers which one it is at.
+/// Returns one line after the other, and counts them.
 class Reader {
 public:
     explicit Reader(std::string_view text) : m_rest(text) {}
 
     [[nodiscard]] bool done() const { return m_rest.empty(); }
-    /// Without its line feed. Not when done().
+    /// Reads the next line, without its line feed. Must not be called if done().
     Complaint next(std::string_view& line) {
         ++m_number;
         const std::size_t end = m_rest.find('\n');
@@ -181,7 +181,7 @@ public:
         m_rest.remove_prefix(end + 1);
         return std::nullopt;
     }
-    /// A header line "# name value".
+    /// Reads a header line "# name value".
     Complaint header(std::string_view name, std::string& value) {
         std::string_view line;
         if (auto wrong = next(line))

@@ -22,7 +22,7 @@ struct PacketFile {
 inline constexpr std::size_t kMaxPacketFile = 16U << 20U;  ///< bytes; a full PacketLog fits
 inline constexpr std::size_t kMaxPacketLine = 20'000;      ///< bytes
 
-/// Reads what writePacketFile() writes and nothing else, as the description of the format has it
+/// Reads what writePacketFile() writes and nothing else, according to the description of the format
 /// (model/packets/packetfile.h); session.zero is TimePoint{}. The error is a sentence that names the line:
 /// "Line 12: the reply is not hexadecimal."
 [[nodiscard]] tl::expected<PacketFile, std::string> parsePacketFile(std::string_view text);

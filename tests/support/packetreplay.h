@@ -9,8 +9,8 @@
 
 namespace nmc::test {
 
-/// Sends the commands of a log again, at their times and rates, and gives what came back for each: everything
-/// that arrived before the next one was sent.
+/// Sends the commands of a log again, at their times and rates, and returns what came back for each:
+/// everything that arrived before the next one was sent.
 [[nodiscard]] inline std::vector<std::vector<std::uint8_t>> replay(const PacketFile& file,
                                                                    sim::Chain& chain) {
     std::vector<std::vector<std::uint8_t>> replies(file.entries.size());

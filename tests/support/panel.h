@@ -21,11 +21,12 @@
 
 namespace nmc::testing_support {
 
-/// The whole program without main(). What a test is about is done by mouse and key; what only leads to it may
-/// be asked for in short (ask(), startMoving()).
+/// The whole program without main(). A test does what it is about with mouse and keys; what merely leads up
+/// to it may be requested directly (ask(), startMoving()).
 class IntentPanel {
 public:
-    /// `settings`: a file; empty for a fresh one. `data`: where what moves is kept; empty: beside it.
+    /// `settings`: a file; if empty, a new one. `data`: directory of the files that say which motors move; if
+    /// empty, that of the settings.
     explicit IntentPanel(const QString& settings = {}, PortController::Places places = {},
                          const QString& data = {}, const FileWriter::Disk& disk = writeFile)
         : m_settings(settings.isEmpty() ? m_directory.filePath(QStringLiteral("panel.ini")) : settings,
@@ -40,12 +41,13 @@ public:
     virtual ~IntentPanel() = default;
 
     void start() { m_composition.show({}); }
-    /// Connects, and waits until the modules are there.
+    /// Connects, and waits until the modules have been found.
     void connectTo(const QString& port) {
         ASSERT_NO_FATAL_FAILURE(askFor(port));
         ASSERT_TRUE(waitFor([&] { return connected(); }));
     }
-    /// Types the port and strikes Enter; at 115 200 Bd, unless another rate was chosen.
+    /// Disconnects if connected, types the port and presses Enter. The rate is 115 200 Bd unless another one
+    /// was chosen.
     void askFor(const QString& port) {
         if (m_composition.worker().isOpen())
             disconnect();
@@ -55,7 +57,7 @@ public:
         QTest::keyClicks(box, port);
         QTest::keyClick(box, Qt::Key_Return);
     }
-    /// And stops what moves, if that is asked.
+    /// Motors that move are stopped if the program asks.
     void disconnect() {
         click("disconnectButton");
         if (auto* stop = window().findChild<QAbstractButton*>(QStringLiteral("stopAndCloseButton")))
@@ -66,8 +68,8 @@ public:
         ASSERT_NO_FATAL_FAILURE(reach(name, button));
         QTest::mouseClick(button, Qt::LeftButton);
     }
-    /// In sight and enabled: nobody clicks on what is hidden, and a mouse click there would fall on something
-    /// else.
+    /// Finds the button and waits until it is visible and enabled: a user cannot click a hidden one, and a
+    /// simulated click there would hit something else.
     void reach(const char* name, QAbstractButton*& button) {
         button = window().findChild<QAbstractButton*>(QLatin1String(name));
         ASSERT_NE(button, nullptr) << name;
@@ -77,13 +79,13 @@ public:
         })) << name;
         ASSERT_TRUE(waitFor([&] { return button->isEnabled(); })) << name << button->toolTip().toStdString();
     }
-    /// How often a look has found one: the phase in between may be over before it is seen.
+    /// Number of searches that have found a chain. A test may miss the phase in between.
     [[nodiscard]] int chainsFound() const { return m_chainsFound; }
     [[nodiscard]] bool connected() const {
         return m_composition.store().link().phase == LinkPhase::Connected;
     }
-    /// As an operator would: chooses the servo, types gains that hold the simulator's motor, applies them,
-    /// and enables it.
+    /// Selects the servo, types gains that hold the simulator's motor, applies them, and enables it, as an
+    /// operator would.
     void makeReady(std::uint8_t index = 0) {
         auto* list = window().findChild<QAbstractItemView*>(QStringLiteral("chainList"));
         const QModelIndex row = list->model()->index(index, 0);
@@ -104,7 +106,7 @@ public:
         ASSERT_NO_FATAL_FAILURE(click("enableButton"));
         ASSERT_TRUE(waitFor([&] { return m_composition.store().module(ModuleIndex(index))->servoOn(); }));
     }
-    /// Connects to the first of two modules and sets it going.
+    /// Connects to a simulator and runs its first module in velocity mode.
     template <typename Simulator>
     void startMoving(Simulator& sim) {
         m_composition.show({sim.terminal(), 115'200, false});
@@ -121,7 +123,8 @@ public:
     bool waitFor(Predicate predicate) {
         return wait(predicate);
     }
-    /// The first module has answered for so much longer: what was on its way to it has come.
+    /// Waits until the first module has answered for this much longer, so that whatever was on its way to it
+    /// has arrived.
     bool answersFor(double seconds) {
         const ModuleState* first = m_composition.store().module(ModuleIndex(0));
         if (first == nullptr)
@@ -132,7 +135,7 @@ public:
             return now != nullptr && now->latestTime >= until;
         });
     }
-    /// As if the control of the first module that asks for it had been used.
+    /// Has the effect of the control on the page of the first module that requests this.
     void ask(const Intent& intent) { emit window().intentRequested(ModuleIndex(0), intent); }
 
     /// Headlines of the message list, newest first.
@@ -146,14 +149,14 @@ public:
         return static_cast<int>(headlines().filter(words).size());
     }
 
-    /// What was told and is not over; empty: no such message.
+    /// The message with these words that has not ended; null if there is none.
     [[nodiscard]] const MessageRow* standing(const QString& words) {
         for (const MessageRow* row : window().findChild<MessageList*>()->rows())
             if (!row->over() && row->message().headline.contains(words))
                 return row;
         return nullptr;
     }
-    /// Presses the button of a message, as a person does. False when there is none.
+    /// Presses the button of a message, as a user does. False if there is none.
     bool press(const QString& headline, const QString& button) {
         const MessageRow* row = standing(headline);
         if (row == nullptr)
@@ -179,7 +182,7 @@ public:
     QSettings& settings() { return m_settings; }
 
 protected:
-    /// Until that holds. False: not within 20 seconds.
+    /// Waits until `predicate` holds. False if it does not within 20 seconds.
     virtual bool wait(const std::function<bool()>& predicate) { return QTest::qWaitFor(predicate, 20'000); }
 
 private:
@@ -189,7 +192,7 @@ private:
     int m_chainsFound = 0;
 };
 
-/// Module 1 of a simulator is on its way.
+/// True if module 1 of a simulator is moving.
 template <typename Simulator>
 bool moves(Simulator& sim) {
     return std::abs(sim.state(1)[QStringLiteral("command_velocity")].toDouble()) > 0.01;

@@ -9,7 +9,7 @@
 
 namespace nmc::testing_support {
 
-/// A serial port as any host program opens one. Nothing but POSIX; throws when it fails.
+/// A serial port, opened as any host program does it. Uses only POSIX; throws on failure.
 class Port {
 public:
     explicit Port(const std::string& path);
@@ -17,15 +17,15 @@ public:
     Port(const Port&) = delete;
     Port& operator=(const Port&) = delete;
 
-    /// Raw, at `rate`; what was written before has left.
+    /// Sets raw mode and `rate`, after what was written has left.
     void setRate(speed_t rate);
-    /// The same by settings made from nothing, every flag of them, as many programs do it.
+    /// Like setRate(), but with settings built from scratch, including every flag, as many programs do it.
     void setRateAnew(speed_t rate);
     [[nodiscard]] speed_t rate() const;
     void write(const std::vector<std::uint8_t>& bytes);
-    /// What there is, at most `most` bytes; waits for the first up to `ms`.
+    /// Returns the bytes that are there, at most `most`; waits up to `ms` for the first.
     std::vector<std::uint8_t> read(std::size_t most, int ms);
-    /// Throws away what has come and was not read.
+    /// Discards what has arrived and was not read.
     void flush();
 
 private:

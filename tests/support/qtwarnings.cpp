@@ -13,7 +13,7 @@ namespace {
 QMutex messagesMutex;
 QStringList messages;
 
-/// What the platform, not the program, is to be blamed for.
+/// True if the platform is to blame, not the program.
 bool harmless(const QString& text) {
     return text.startsWith(QLatin1String("This plugin does not support")) ||
            text.contains(QLatin1String("XDG_RUNTIME_DIR"));

@@ -3,7 +3,7 @@
 
 namespace nmc::testing_support {
 
-/// From now on a Qt warning that a test did not announce fails it. After InitGoogleTest().
+/// From now on, every test in which Qt warns fails. To be called after InitGoogleTest().
 void failOnQtWarnings();
 
 }  // namespace nmc::testing_support

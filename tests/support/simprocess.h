@@ -10,10 +10,10 @@
 
 namespace nmc::testing_support {
 
-/// The real nmcsim in a process of its own, and its control lines. Nothing but POSIX; throws when it fails.
+/// The real nmcsim in its own process, with its control lines. Uses only POSIX; throws on failure.
 class SimProcess {
 public:
-    /// `errors`: a file for what it says on standard error; empty: with ours.
+    /// `errors`: file for its standard error; if empty, it shares that of the test.
     explicit SimProcess(const std::string& chain, const std::vector<std::string>& options = {},
                         const std::string& errors = {});
     ~SimProcess();

@@ -20,8 +20,8 @@ struct TrueMargins {
 };
 
 /// The margins of the simulator's motor in the control loop of DS-V 4.3, from its physics: current, speed,
-/// position and, where there is one, the second mass on its spring. The matrix exponential takes them over
-/// one servo tick. Dry friction is left out.
+/// position and, if there is one, the second mass on its spring. The matrix exponential advances them by one
+/// servo tick. Dry friction is left out.
 [[nodiscard]] inline TrueMargins trueMargins(const sim::MotorParameters& p, const servo::SetGain& gains) {
     constexpr int kCurrent = 0, kSpeed = 1, kPosition = 2, kTwist = 3, kSecond = 4, kVolts = 5;
     const double tick = 512e-6 * std::max<int>(gains.sr, 1);
@@ -36,7 +36,7 @@ struct TrueMargins {
         const double reduced = second * p.inertiaKgM2 / (second + p.inertiaKgM2);
         const double swing = 2 * std::numbers::pi * p.resonanceHz;
         const double stiffness = swing * swing * reduced;
-        const double damping = 2 * 0.02 * swing * reduced;  // a fiftieth of the critical
+        const double damping = 2 * 0.02 * swing * reduced;  // a fiftieth of the critical damping
         rates(kSpeed, kTwist) = -stiffness / p.inertiaKgM2;
         rates(kSpeed, kSpeed) -= damping / p.inertiaKgM2;
         rates(kSpeed, kSecond) = damping / p.inertiaKgM2;

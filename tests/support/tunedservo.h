@@ -15,12 +15,13 @@
 #include "sim/pid.h"
 #include "sim/random.h"
 
-/// The simulator's motor behind the simulator's control filter, asked as the bus asks at 115 200 Bd.
+/// The simulator's motor behind the simulator's control filter, polled as by the bus at 115 200 Bd.
 namespace nmc::testing_support {
 
-/// What the motor's physics make of it: K = V / 255 / k in counts, tau = J R / k^2, c = M R / k in PWM counts
-/// (viscous friction left out: below a permille here). A second mass is part of J, since below its resonance
-/// it swings along; the amplifier's deadband D adds to c, and the PWM counts above it are worth the more.
+/// The constants that follow from the motor's physics: K = V / 255 / k in counts, tau = J R / k^2, c = M R /
+/// k in PWM counts (viscous friction is left out: it is below a permille here). A second mass is part of J,
+/// because below its resonance it swings along; the amplifier's deadband D adds to c, and each PWM count
+/// above it is worth more.
 [[nodiscard]] inline MotorConstants physics(const sim::MotorParameters& p) {
     const double voltsPerPwm = p.supplyVolts / (255 - p.amplifierDeadbandPwm);
     const double pwmPerNm = p.resistanceOhm / p.motorConstant / voltsPerPwm;
@@ -58,8 +59,9 @@ public:
             tick();
     }
 
-    /// A step of the command and its record. Polls come every 1.5 ms, in no step with the ticks: each is
-    /// latched at the tick behind it, is known to half a tick, and its time by 0.1 ms besides.
+    /// Performs a step of the command and returns its record. Polls come every 1.5 ms, out of step with the
+    /// ticks: each is latched at the tick after it, which makes its time uncertain by half a tick, and by
+    /// another 0.1 ms.
     [[nodiscard]] ResponseRecord step(std::int32_t counts, double record) {
         constexpr double kPoll = 1.5e-3;
         ResponseRecord run;
@@ -88,8 +90,8 @@ public:
         return run;
     }
 
-    /// A step as it truly is, from the tick that sees it on: at each tick, where that is which the encoder
-    /// sits on.
+    /// Performs a step and returns its true course from the first tick that sees it: at each tick, the
+    /// position of the shaft on which the encoder sits.
     [[nodiscard]] ResponseRecord trueStep(std::int32_t counts, double record) {
         ResponseRecord run;
         run.taken = {{}, m_command, m_command + counts, record, ResponseMethod::Profile, m_set};
@@ -130,7 +132,7 @@ private:
     sim::Random m_random;
     sim::Random m_noise;
     std::int64_t m_backlash;
-    std::int64_t m_driven = 0;  ///< counts, what the encoder sits on
+    std::int64_t m_driven = 0;  ///< in counts: the shaft on which the encoder sits
     std::int32_t m_command = 0;
     int m_pwm = 0;
     int m_untilServo = 1;

@@ -8,8 +8,8 @@
 
 namespace nmc::testing_support {
 
-/// To the tab that it stands on and as far down as it stands, as everybody must who wants to see it. Of
-/// actions nothing is seen.
+/// Shows the tab page of the control and scrolls to it, as a user must do to see it. Has no effect on
+/// actions.
 inline void turnTo(QObject& control) {
     auto* widget = qobject_cast<QWidget*>(&control);
     for (QWidget* page = widget != nullptr ? widget->parentWidget() : nullptr; page != nullptr;
@@ -17,14 +17,15 @@ inline void turnTo(QObject& control) {
         if (page->parentWidget() != nullptr)
             if (auto* tabs = qobject_cast<QTabWidget*>(page->parentWidget()->parentWidget()))
                 tabs->setCurrentWidget(page);
-    // What just came in sight has its place only then.
+    // A widget that has just become visible gets its position only now.
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     for (QWidget* around = widget; around != nullptr; around = around->parentWidget())
         if (auto* scroll = qobject_cast<QScrollArea*>(around); scroll != nullptr && around != widget)
             scroll->ensureWidgetVisible(widget);
 }
 
-/// By the mouse. On the mark of a check box: one as wide as its row is not one all over.
+/// Clicks with the mouse; on the mark of a check box, because one as wide as its row does not react
+/// everywhere.
 inline void clickOn(QAbstractButton& button) {
     turnTo(button);
     const bool marked = qobject_cast<QCheckBox*>(&button) != nullptr;

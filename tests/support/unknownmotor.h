@@ -12,8 +12,9 @@
 
 namespace nmc::testing_support {
 
-/// Inertia from the rotor of the simulator's small motor alone to a hundred times that, dry friction from 0.4
-/// to 40 mN m, 400 to 8000 counts a turn, every other one with a load of up to 30 mN m either way.
+/// A random motor: inertia from the rotor of the simulator's small motor alone to a hundred times that, dry
+/// friction from 0.4 to 40 mN m, 400 to 8000 counts per turn, and in every other one a load of up to 30 mN m
+/// in either direction.
 [[nodiscard]] inline sim::MotorParameters unknownMotor(sim::Random& random) {
     sim::MotorParameters motor;
     motor.inertiaKgM2 = 1e-5 * std::pow(100, random.unit());
@@ -24,9 +25,10 @@ namespace nmc::testing_support {
     return motor;
 }
 
-/// Such a motor in a machine: every other one has a play of 1 to 3 counts, an amplifier with a deadband of up
-/// to 12 PWM counts, an encoder that is off by up to 0.4 counts rms, a supply for a third to three times the
-/// gain, or on a spring up to half of its inertia once more, at 60 to 400 Hz.
+/// A random motor in a machine. Each of the following is present in every other one: a play of 1 to 3 counts,
+/// an amplifier with a deadband of up to 12 PWM counts, an encoder that is off by up to 0.4 counts rms, a
+/// supply that gives a third to three times the gain, and a mass of up to half its inertia on a spring, at 60
+/// to 400 Hz.
 [[nodiscard]] inline sim::MotorParameters unknownMachine(sim::Random& random) {
     sim::MotorParameters motor = unknownMotor(random);
     const auto half = [&random] { return random.below(2) == 0; };
@@ -39,7 +41,8 @@ namespace nmc::testing_support {
     return motor;
 }
 
-/// Those that a motor is begun with, then, as a person would if it swings or stays far off, more damping.
+/// Gains to begin with, followed by ones with more damping, as a person would try them if the motor swings or
+/// stays far off.
 [[nodiscard]] inline std::array<servo::SetGain, 4> gainsToTry() {
     const auto gains = [](std::uint16_t kp, std::uint16_t kd, std::uint16_t ki, std::uint16_t il) {
         return servo::SetGain{kp, kd, ki, il, 64, 0, 4'000, 1, std::uint8_t{0}};
@@ -48,7 +51,7 @@ namespace nmc::testing_support {
             gains(300, 15'000, 0, 0)};
 }
 
-/// Within 2 counts for 0.1 s, within 2 s.
+/// True if it stays within 2 counts for 0.1 s, within 2 s.
 [[nodiscard]] inline bool comesToRest(TunedServo& servo) {
     for (int attempt = 0; attempt < 20; ++attempt) {
         std::int32_t low = servo.position();
@@ -64,7 +67,7 @@ namespace nmc::testing_support {
     return false;
 }
 
-/// A tenth of a turn there and back, then two tenths; half a second each.
+/// Records of a tenth of a turn there and back, and of two tenths; half a second each.
 [[nodiscard]] inline std::vector<ResponseRecord> stepsOf(const sim::MotorParameters& motor,
                                                          std::uint64_t seed) {
     const auto tenth = static_cast<std::int32_t>(motor.countsPerTurn / 10);
@@ -89,9 +92,10 @@ namespace nmc::testing_support {
 
 inline constexpr double kMedianRecord = 0.6;
 
-/// s: the median of five steps to and fro, since where friction stops a shaft is chance, and the best of
-/// thousands on one step is the luckiest. All of the record for a step that did not settle, or did not begin
-/// where it should; and, sooner found, where the median is not below `below`.
+/// Settling time in s: the median of five steps to and fro, because where friction stops a shaft is a matter
+/// of chance, and the best of thousands on one step is the luckiest. A step that does not settle, or does not
+/// begin where it should, counts as the whole record. Returns the whole record as soon as the median cannot
+/// be below `below`.
 [[nodiscard]] inline double medianSettling(const sim::MotorParameters& motor, const servo::SetGain& gains,
                                            std::int32_t step, std::uint64_t seed,
                                            double below = kMedianRecord) {

@@ -20,8 +20,8 @@
 
 namespace nmc::test {
 
-/// The bus engine and a simulated chain, coupled in virtual time: hours of traffic in seconds, no thread, no
-/// clock. Every byte, event and output is kept.
+/// The bus engine and a simulated chain, coupled in virtual time: hours of traffic take seconds, without a
+/// thread or a clock. Every byte, event and output is kept.
 class VirtualBus {
 public:
     struct Sent {
@@ -41,26 +41,26 @@ public:
     TimePoint now{};
     std::vector<bus::Event> events;
     std::vector<Sent> sent;
-    std::uint32_t hostBaud = 19'200;  ///< what the engine has set the port to
+    std::uint32_t hostBaud = 19'200;  ///< rate to which the engine has set the port
     /// Bytes reach the host this much later: the latency of a serial adapter.
     Duration adapterDelay{};
-    /// All bytes of a reply but its first come so much later: the pause that some adapters make.
+    /// All bytes of a reply after its first arrive this much later: the pause that some adapters make.
     Duration tear{};
-    /// Changes what goes to the chain; emptied means lost.
+    /// May change what goes to the chain; a command that it empties is lost.
     std::function<void(std::vector<std::uint8_t>& command)> onCommand;
-    /// Asked with each command: its last byte leaves so much later, because the machine was busy.
+    /// Called with each command: how much later its last byte leaves, as on a busy machine.
     std::function<Duration()> holdsBack;
-    /// Asked with each command: true loses everything the host would hear until the next one.
+    /// Called with each command: if true, the host receives nothing until the next one.
     std::function<bool(ByteSpan command)> losesReply;
-    /// Asked for each byte to the host: true loses it.
+    /// Called for each byte to the host: if true, it is lost.
     std::function<bool(std::uint8_t byte)> losesByte;
-    /// May change a byte on its way to the host, and says how often it arrives there.
+    /// May change a byte on its way to the host, and returns how often it arrives there.
     std::function<unsigned(std::uint8_t& byte)> onHostByte;
-    /// Called whenever time has passed, before the engine hears of it.
+    /// Called whenever time has passed, before the engine is notified.
     std::function<void()> onTime;
 
-    /// Another program takes the place of the one before, which ended without a word: nothing is known any
-    /// more.
+    /// Another program replaces the previous one, which ended without notice: the new one knows nothing about
+    /// the chain.
     void newHost(bus::EngineConfig config = {}) {
         std::destroy_at(&engine);
         std::construct_at(&engine, config);
@@ -68,7 +68,7 @@ public:
 
     void runFor(Duration time) { run(now + time); }
 
-    /// Runs until the condition holds; false when it does not within the limit.
+    /// Runs until the condition holds; false if it does not within the limit.
     template <typename Condition>
     [[nodiscard]] bool runUntil(Condition condition, Duration limit) {
         const TimePoint end = now + limit;
@@ -81,7 +81,7 @@ public:
         return true;
     }
 
-    /// Finds the chain; false when that fails.
+    /// Finds the chain; false if that fails.
     [[nodiscard]] bool connect() {
         return begin([&] { engine.connect(now); });
     }
@@ -125,7 +125,7 @@ public:
         return std::nullopt;
     }
 
-    /// Stops everything and runs until that has ended.
+    /// Stops everything, and runs until the stop has ended.
     [[nodiscard]] std::optional<bus::StopFinished> stopAll() {
         const std::size_t before = count<bus::StopFinished>();
         engine.stopAll(now);
@@ -166,7 +166,7 @@ public:
             n += sample.module.value() == module ? 1U : 0U;
         return n;
     }
-    /// How often a packet that begins with these bytes went out, from the given entry of `sent` on.
+    /// Number of packets that begin with these bytes, from the given entry of `sent` on.
     [[nodiscard]] std::size_t sends(const std::string& prefix, std::size_t from = 0) const {
         std::size_t n = 0;
         for (std::size_t i = from; i < sent.size(); ++i)
@@ -178,7 +178,7 @@ public:
         return chain.snapshot(ModuleIndex(module), now).servo;
     }
 
-    /// The host did nothing that a real chip would not forgive.
+    /// Expects that the host did nothing that a real chip would not tolerate.
     void expectNoViolations() const {
         for (const sim::Violation& v : chain.violations().entries())
             ADD_FAILURE() << "violation " << sim::toText(v.kind) << " at "
@@ -271,7 +271,7 @@ private:
     unsigned m_stuck = 0;
 };
 
-/// `count` PIC-SERVOs of a version.
+/// `count` PIC-SERVOs of this version.
 [[nodiscard]] inline std::vector<ModuleIdentity> servos(std::size_t count, std::uint8_t version = 4) {
     return std::vector<ModuleIdentity>(count, ModuleIdentity{ModuleType::Servo, version});
 }

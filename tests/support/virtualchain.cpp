@@ -18,8 +18,8 @@ namespace nmc::testing_support {
 namespace {
 
 constexpr std::uint8_t kHeaderByte = 0xAA;
-constexpr std::size_t kShortest = 4;      // header, address, command, sum
-constexpr std::uint8_t kStartNow = 0x80;  // of Load Trajectory's control byte
+constexpr std::size_t kShortest = 4;      // header, address, command, checksum
+constexpr std::uint8_t kStartNow = 0x80;  // in the control byte of Load Trajectory
 
 /// In the order of their ports.
 std::vector<VirtualChain*>& chains() {
@@ -35,7 +35,7 @@ bool Packet::starts() const {
            (code() == CommandCode::LoadTrajectory && (control & kStartNow) != 0);
 }
 
-/// Lives in the bus thread, all of it.
+/// Used in the bus thread only.
 class VirtualChain::Port : public Transport {
 public:
     explicit Port(VirtualChain& chain) : m_on(chain) {
@@ -49,7 +49,7 @@ public:
             return tl::unexpected(error(PortProblem::NotFound));
         if (m_on.m_inUse)
             return tl::unexpected(error(PortProblem::InUse));
-        discardInput();  // what nobody has heard
+        discardInput();  // what arrived while no port was open
         return setBaud(19'200);
     }
     tl::expected<void, PortError> setBaud(std::uint32_t baud) override {
@@ -102,7 +102,7 @@ private:
             bytes.push_back(byte.value);
         return bytes;
     }
-    /// Without the nulls between packets.
+    /// Keeps the packets, without the nulls between them.
     void note(ByteSpan bytes) {
         for (std::size_t at = 0; at + kShortest <= bytes.size();) {
             if (bytes[at] != kHeaderByte) {

@@ -15,69 +15,70 @@
 
 namespace nmc::testing_support {
 
-/// What the program gave to its port.
+/// A packet that the program wrote to its port.
 struct Packet {
     TimePoint time;
     std::vector<std::uint8_t> bytes;
 
     [[nodiscard]] std::uint8_t address() const { return bytes[1]; }
     [[nodiscard]] CommandCode code() const { return static_cast<CommandCode>(bytes[2] & 0x0FU); }
-    /// Sets a motor in motion, or may. From the data sheet (DS-V 5.2, DS-S 5.2), not by the encoder.
+    /// True if it sets a motor in motion, or may do so. Follows the data sheet (DS-V 5.2, DS-S 5.2), not the
+    /// encoder.
     [[nodiscard]] bool starts() const;
 };
 
-/// Motor modules, and the port to them, in virtual time. They stay as they are while no port is open. The
-/// program's bus thread runs only while the GUI thread waits in run(), so that a seed is the same
-/// session each time. All public members belong to the GUI thread.
+/// Motor modules, and the port to them, in virtual time. They keep their state while no port is open. The
+/// program's bus thread runs only while the GUI thread waits in run(), so that a seed always gives the same
+/// session. All public members belong to the GUI thread.
 class VirtualChain {
 public:
-    /// `terminal`: where it is found; empty: at one of its own.
+    /// `terminal`: the port at which it is found; if empty, a new one.
     explicit VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed = 1,
                           const QString& terminal = {});
-    /// As nmcsim has it: "servo,servo,step".
+    /// `modules`: as for nmcsim, for example "servo,servo,step".
     explicit VirtualChain(const QString& modules, const QString& terminal = {});
     ~VirtualChain();
     VirtualChain(const VirtualChain&) = delete;
     VirtualChain& operator=(const VirtualChain&) = delete;
 
-    /// The chain at this port; null: there is none.
+    /// The chain at this port; null if there is none.
     [[nodiscard]] static VirtualChain* at(const QString& terminal);
-    /// Lets time pass at all of them.
+    /// Lets time pass on all chains.
     static void runAll(Duration time);
 
-    /// What opens the port to it.
+    /// Factory of the port to it.
     [[nodiscard]] BusWorker::TransportFactory transport();
-    /// Lets time pass, on the bus and not in the window.
+    /// Lets time pass on the bus, but not in the window.
     void run(Duration time);
-    /// A port is open, or about to be, or not yet closed.
+    /// True if a port is open, is about to be opened, or is not yet closed.
     [[nodiscard]] bool open();
 
-    /// A line of the simulator (simulator.md, Control).
+    /// Carries out a control line of the simulator (simulator.md, Control), which must not fail.
     void tell(const std::string& line);
-    // As NmcsimProcess has them.
+    // The same interface as that of NmcsimProcess.
     [[nodiscard]] const QString& terminal() const { return m_terminal; }
     QJsonObject control(const QString& line);
     [[nodiscard]] QJsonObject state(int module) { return control(QStringLiteral("state %1").arg(module)); }
-    /// The first; empty: none.
+    /// The first violation; empty if there is none.
     [[nodiscard]] std::string violations() const;
-    /// The adapter is gone, and comes back.
+    /// The adapter is unplugged, and plugged in again.
     void unplug() { m_plugged = false; }
     void plugIn() { m_plugged = true; }
     [[nodiscard]] bool plugged() const { return m_plugged; }
-    /// Another program has the port open, or has closed it.
+    /// Sets whether another program has the port open.
     void setInUse(bool inUse) { m_inUse = inUse; }
-    /// Something has gone wrong on it since it was set up.
+    /// Notes that something on it has gone wrong since it was set up.
     void disturb() { m_disturbed = true; }
     [[nodiscard]] bool disturbed() const { return m_disturbed; }
 
     [[nodiscard]] std::size_t size() const { return m_chain.moduleCount(); }
     [[nodiscard]] std::uint8_t address(std::size_t place) { return look(place).address; }
     [[nodiscard]] std::uint8_t group(std::size_t place) { return look(place).group; }
-    /// Something turns the motor by command, whatever holds the shaft or turns it besides.
+    /// True if a command drives the motor, whatever holds the shaft or turns it besides.
     [[nodiscard]] bool driven(std::size_t place);
-    /// The motor has current.
+    /// True if the motor has current.
     [[nodiscard]] bool isOn(std::size_t place);
-    /// Those since the last call.
+    /// Packets since the last call.
     [[nodiscard]] std::vector<Packet> takePackets() { return std::exchange(m_packets, {}); }
 
 private:
@@ -85,10 +86,10 @@ private:
 
     [[nodiscard]] TimePoint chainTime() const;
     [[nodiscard]] sim::ModuleSnapshot look(std::size_t place);
-    // In the bus thread.
+    // Called in the bus thread.
     void end();
     void waitForTurn(std::unique_lock<std::mutex>& lock);
-    /// Until that has come, or the GUI has had its turn.
+    /// Returns when this time has come, or after the GUI has had its turn.
     void waitUntil(std::optional<TimePoint> time);
 
     sim::Chain m_chain;
@@ -101,7 +102,7 @@ private:
 
     std::mutex m_mutex;
     std::condition_variable m_changed;
-    bool m_open = false;  ///< there is a bus thread, or will be
+    bool m_open = false;  ///< there is a bus thread, or there will be one
     bool m_guisTurn = true;
     TimePoint m_until{};
 };

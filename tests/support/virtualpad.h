@@ -5,8 +5,7 @@ struct _SDL_Joystick;
 
 namespace nmc::testing_support {
 
-/// A gamepad without hardware, plugged in while this lives: SDL makes no difference between it and a real
-/// one.
+/// A gamepad without hardware, plugged in while this object exists. SDL treats it like a real one.
 class VirtualPad {
 public:
     enum class Button { LeftShoulder, RightShoulder, CrossLeft, CrossRight, B };
@@ -19,7 +18,7 @@ public:
     [[nodiscard]] bool works() const { return m_pad != nullptr; }
     void press(Button button) { set(button, true); }
     void release(Button button) { set(button, false); }
-    /// The left stick; -1 is left, 0 the middle, 1 right.
+    /// Moves the left stick: -1 is left, 0 the middle, 1 right.
     void push(double way);
     void unplug();
 

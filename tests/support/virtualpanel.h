@@ -10,11 +10,11 @@
 
 namespace nmc::testing_support {
 
-/// The whole program at a chain in virtual time: while a test waits, time passes on the bus and in the
-/// window, and otherwise it stands still. So the same test is the same session each time, on any machine.
+/// The whole program at a chain in virtual time: time passes on the bus and in the window while a test waits,
+/// and stands still otherwise. So the same test is the same session each time, on any machine.
 class VirtualPanel : public IntentPanel {
 public:
-    /// As IntentPanel has them.
+    /// The parameters are those of IntentPanel.
     explicit VirtualPanel(const QString& settings = {}, PortController::Places places = {},
                           const QString& data = {}, const FileWriter::Disk& disk = writeFile)
         : IntentPanel(settings, std::move(places), data, disk) {
@@ -27,14 +27,14 @@ public:
             return chain->transport();
         });
     }
-    /// The program would wait for its bus thread, which has time only while somebody waits here.
+    /// The program would wait for its bus thread, for which time passes only while a test waits here.
     ~VirtualPanel() override {
         composition().worker().close();
         for (VirtualChain* chain = VirtualChain::at(m_port); chain != nullptr && chain->open();)
             VirtualChain::runAll(kFrame);
     }
 
-    /// Makes a step by `start`, which is recorded whole.
+    /// Performs a step by calling `start`, and expects a record without missing samples.
     template <typename Start>
     void step(Start start) {
         auto* runs = window().findChild<QTableWidget*>(QStringLiteral("responseRunTable"));
@@ -45,7 +45,7 @@ public:
         const auto* results = window().findChild<QTableWidget*>(QStringLiteral("responseResults"));
         EXPECT_TRUE(results->findItems(QStringLiteral("samples missing, repeat"), Qt::MatchExactly).empty());
     }
-    /// Time passes on the bus only, as when the window is busy with itself.
+    /// Lets time pass on the bus only, as if the window were busy.
     void freeze(Duration time) { VirtualChain::runAll(time); }
 
 protected:
@@ -64,7 +64,7 @@ private:
     static constexpr Duration kFrame = std::chrono::milliseconds(10);
     static constexpr Duration kPatience = std::chrono::seconds(20);
 
-    QString m_port;  ///< that was opened last
+    QString m_port;  ///< the port opened last
 };
 
 }  // namespace nmc::testing_support

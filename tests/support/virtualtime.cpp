@@ -19,8 +19,8 @@ std::int64_t systemTime(clockid_t clock) {
     return time.tv_sec * kNanoseconds + time.tv_nsec;
 }
 
-/// Begins about the system's time, so that what another thread waits for in the kernel is not long past; and
-/// with a whole second, since Qt's coarse timers fall due at round moments.
+/// Starts close to the system's time, so that what another thread waits for in the kernel is not long past,
+/// and at a whole second, because Qt's coarse timers expire at round times.
 std::atomic<std::int64_t>& clock() {
     static std::atomic<std::int64_t> time = (systemTime(CLOCK_MONOTONIC) / kNanoseconds + 1) * kNanoseconds;
     return time;
@@ -38,7 +38,7 @@ void set(TimePoint time) {
 
 }  // namespace nmc::virtualtime
 
-/// Takes the place of the C library's, for everything that this program is linked with.
+/// Replaces the function of the C library for everything that this program is linked with.
 extern "C" int clock_gettime(clockid_t id, timespec* time) noexcept {
     switch (id) {
         case CLOCK_MONOTONIC:

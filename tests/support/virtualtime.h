@@ -3,13 +3,14 @@
 
 #include "base/time.h"
 
-/// The monotonic clocks of this program, Qt's timers included: they stand still until they are set on. So an
-/// hour takes seconds, and what depends on time comes out the same each time. The kernel keeps its own.
+/// The monotonic clocks of this program, including Qt's timers. They stand still until set() advances them,
+/// so that an hour takes seconds, and what depends on time comes out the same each time. The kernel keeps its
+/// own time.
 namespace nmc::virtualtime {
 
-/// Any thread.
+/// May be called from any thread.
 [[nodiscard]] TimePoint now();
-/// Never backwards. By one thread at a time.
+/// Must not go backwards. Called by one thread at a time.
 void set(TimePoint time);
 
 }  // namespace nmc::virtualtime
