@@ -6,7 +6,7 @@
 
 namespace nmc::testing_support {
 
-/// The superuser may do everything; tests of what is not allowed are somebody else meanwhile.
+/// Root may do everything, so tests of what is not permitted run as another user while this object exists.
 class AsNobody {
 public:
     AsNobody() : m_root(::geteuid() == 0) {

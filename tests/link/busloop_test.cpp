@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bus loop in real threads, without Qt: the thread sanitizer watches these. Only the clock is another.
+// The bus loop in real threads, without Qt, so that the thread sanitizer can watch it. Only the clock is
+// replaced.
 #include "link/connection/busloop.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ namespace {
 using namespace testing_support;
 using namespace std::chrono_literals;
 
-/// Time hurries no farther than a thread that beats is heard in time.
+/// Time hurries only so far that the beats of this thread still arrive in time.
 class HurriedRig : public LoopRig {
 public:
     using LoopRig::LoopRig;
@@ -40,7 +41,7 @@ TEST(BusLoop, RunsAChainAndStopsItsMotorsBeforeItCloses) {
     ASSERT_NE(rig.last<bus::StopFinished>(), nullptr);
     EXPECT_EQ(rig.last<bus::StopFinished>()->stopped.size(), 2U);
     EXPECT_FALSE(rig.loop.isOpen());
-    EXPECT_TRUE(std::holds_alternative<PortClosed>(rig.events().back())) << "the last word";
+    EXPECT_TRUE(std::holds_alternative<PortClosed>(rig.events().back())) << "it is the last event";
 }
 
 TEST(BusLoop, CanBeOpenedAgainAndDestroyedWhileOpen) {
@@ -53,10 +54,11 @@ TEST(BusLoop, CanBeOpenedAgainAndDestroyedWhileOpen) {
         }));
     }
     EXPECT_EQ(rig.count<PortClosed>(), 0U)
-        << "each was opened over the one before, which has nothing to tell";
+        << "each connection replaced the one before, whose end is not reported";
 }
 
-/// Tells the loop to close when it is gone: while the loop waits for its thread, to open the next.
+/// Closes the loop when it is destroyed, while the loop waits for its thread in order to open the next
+/// connection.
 class LastWord : public SimulatorTransport {
 public:
     template <typename... Arguments>
@@ -68,7 +70,7 @@ private:
     BusLoop& m_loop;
 };
 
-/// A signal may come at any moment, and its stop is for whoever is connected then.
+/// A signal may arrive at any moment, and its stop concerns whatever is connected then.
 TEST(BusLoop, ACloseThatComesWhileItOpensIsNotForgotten) {
     HurriedRig rig;
     rig.openTransport<LastWord>(simulatorConfig(), &rig.loop, servoChain(1));
@@ -79,7 +81,7 @@ TEST(BusLoop, ACloseThatComesWhileItOpensIsNotForgotten) {
     EXPECT_TRUE(rig.waitUntil([&] {
         const auto* found = rig.last<bus::ChainFound>();
         return found != nullptr && found->modules.size() == 2;
-    })) << "once";
+    })) << "the close applies only once";
 }
 
 TEST(BusLoop, EveryRequestOfEveryThreadEndsOnce) {
@@ -111,7 +113,7 @@ TEST(BusLoop, EveryRequestOfEveryThreadEndsOnce) {
         EXPECT_EQ(times, 1) << "operation " << id;
 }
 
-/// Whoever falls behind misses samples and nothing else.
+/// A listener that falls behind misses samples, and nothing else.
 TEST(BusLoop, KeepsNewsForAListenerWhoFallsBehind) {
     constexpr std::size_t kSamples = 8;
     HurriedRig rig(kSamples);
@@ -128,7 +130,7 @@ TEST(BusLoop, KeepsNewsForAListenerWhoFallsBehind) {
     EXPECT_EQ(rig.count<bus::ChainFound>(), 1U);
     EXPECT_EQ(rig.count<bus::OperationFinished>(), 1U);
     EXPECT_LE(rig.count<bus::Sample>(), kSamples);
-    EXPECT_TRUE(LoopRig::as<bus::Sample>(events.back())) << "the newest is there, behind what came before it";
+    EXPECT_TRUE(LoopRig::as<bus::Sample>(events.back())) << "the newest sample comes last";
 }
 
 TEST(BusLoop, TellsOnceThatTheMachineSleptAndStopsTheMotors) {
@@ -147,8 +149,8 @@ TEST(BusLoop, TellsOnceThatTheMachineSleptAndStopsTheMotors) {
     EXPECT_EQ(rig.count<ComputerSlept>(), 1U);
 }
 
-/// Somebody presses STOP in the moment in which the last byte of an answer arrives; what is sent then is
-/// written down. How long an answer is, the one before to the same packet tells.
+/// Presses STOP at the moment when the last byte of an answer arrives, and keeps the commands that are sent
+/// from then on. The length of an answer is known from the previous answer to the same packet.
 class StopWithAnAnswer : public SimulatorTransport {
 public:
     StopWithAnAnswer(LoopRig& rig, std::atomic<bool>& armed, std::vector<std::uint8_t>& commands)
@@ -203,7 +205,7 @@ TEST(BusLoop, SendsNothingBeforeAStopThatCameWithAnAnswer) {
 
 // ---- guards ----
 
-/// What a guard is told and what the port gets, in one order.
+/// What is reported to a guard and what is sent to the port, in one sequence.
 struct Told {
     enum class What { Begin, Arm, Send, End } what;
     std::vector<std::uint8_t> bytes{};
@@ -232,7 +234,7 @@ public:
         const std::scoped_lock lock(m_mutex);
         return m_all;
     }
-    // Bus thread.
+    // Called in the bus thread.
     [[nodiscard]] bool moving() const { return m_moving; }
     [[nodiscard]] TimePoint lastBeat() const { return m_beat; }
 
@@ -243,7 +245,7 @@ private:
     TimePoint m_beat;
 };
 
-/// The simulator, which writes into the diary too, and counts the waits that are too long for a guard.
+/// The simulator, which also writes to the diary, and counts the waits that are too long for a guard.
 class WatchedTransport : public SimulatorTransport {
 public:
     WatchedTransport(Diary& diary, std::atomic<int>& longWaits, std::atomic<int>& waits)
@@ -297,15 +299,16 @@ TEST_F(GuardedLoop, IsArmedAtTheRateOfTheChainBeforeTheMotorIsOn) {
             armed = true;
             EXPECT_EQ(told.baud, 115'200U);
         }
-        // Stop Motor with AMP_EN, which is what enables it (DS-V 5.2).
+        // Stop Motor with AMP_EN, which enables the motor (DS-V 5.2).
         const bool enables = told.what == Told::What::Send && told.bytes.size() > 3 &&
                              told.bytes[2] == 0x17 && (told.bytes[3] & 0x01U) != 0;
-        EXPECT_FALSE(enables && !armed) << "there would be a moment in which nothing could stop it";
+        EXPECT_FALSE(enables && !armed) << "in between, nothing could stop the motor";
     }
     EXPECT_TRUE(armed);
 }
 
-/// One that has the line once, while motors move, as a guardian does of a loop that stood still.
+/// A guard that reports once that it used the line while motors moved, as a guardian does when the loop
+/// stands still.
 class Stepped : public LoopGuard {
 public:
     void begin(int) override {}

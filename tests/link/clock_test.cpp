@@ -8,7 +8,7 @@
 namespace nmc {
 namespace {
 
-/// Whatever is set, corrected or moved to summer time: nothing here takes time from the wall clock.
+/// The wall clock may be set, corrected, or moved to summer time: no time is taken from it.
 TEST(H06_WallClock, IsNotWhereTimeComesFrom) {
     const auto monotonic = [] {
         timespec time{};

@@ -15,7 +15,7 @@ namespace nmc::testing_support {
 
 inline constexpr int kPatienceMs = 20'000;
 
-/// A worker and a store as the panel has them, and what the store had to tell.
+/// A worker and a store like those of the panel, and the events that the store emitted.
 class Connection {
 public:
     Connection() {
@@ -71,7 +71,7 @@ public:
     void submit(std::vector<bus::Order> steps) {
         m_worker.submit({bus::OperationId(++m_lastId), std::move(steps)});
     }
-    /// Sends the steps and waits for how they ended.
+    /// Sends the steps, waits, and returns how they ended.
     bus::Outcome carryOut(std::vector<bus::Order> steps) {
         m_news.clear();
         submit(std::move(steps));
@@ -84,7 +84,7 @@ public:
     const ModuleState& module(std::uint8_t index) { return *m_store.module(ModuleIndex(index)); }
 
 protected:
-    /// False: it never came to that.
+    /// Returns false if the predicate does not hold in time.
     virtual bool wait(const std::function<bool()>& predicate) {
         return QTest::qWaitFor(predicate, kPatienceMs);
     }
@@ -100,7 +100,7 @@ inline bus::Order step(std::uint8_t module, ServoCommand command) {
     return {ModuleIndex(module), std::move(command)};
 }
 
-/// The gains, the enabling and the move that every end-to-end test makes.
+/// The gains and the enabling of every end-to-end test.
 inline std::vector<bus::Order> gainsAndEnable(std::uint8_t module) {
     return {step(module, servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}),
             step(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}})};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A panel that crashes stops the motors with its last breath: a process of its own, the real worker and
-// serial port, and nmcsim as the witness.
+// A panel that crashes stops the motors before it dies: a separate process with the real worker and serial
+// port, and nmcsim as the witness.
 #include <gtest/gtest.h>
 
 #include <QElapsedTimer>
@@ -19,7 +19,7 @@ using testing_support::NmcsimProcess;
 
 constexpr int kLimitMs = 10'000;
 
-/// A process with a port of its own that ends while motor 2 moves.
+/// A process with its own port that ends while motor 2 moves.
 class Crasher {
 public:
     Crasher(const QString& thread, const QString& how) {
@@ -29,7 +29,7 @@ public:
         while (!m_process.canReadLine())
             ASSERT_TRUE(m_process.waitForReadyRead(kLimitMs));
         ASSERT_EQ(m_process.readLine().trimmed(), "moving");
-        ASSERT_NEAR(velocity(), 8.0, 0.1) << "the simulator has to agree that it moves";
+        ASSERT_NEAR(velocity(), 8.0, 0.1) << "the simulator must see it move, too";
         m_process.write("now\n");
         ASSERT_TRUE(m_process.waitForFinished(kLimitMs));
         EXPECT_EQ(m_process.exitStatus(), QProcess::CrashExit) << "the crash must not be hidden";
@@ -52,8 +52,8 @@ private:
     QProcess m_process;
 };
 
-/// Either thread and either signal, all at once: most of it is waiting. An overflow is a SIGSEGV of which the
-/// handler must not run on the same stack.
+/// Both threads and both signals, in parallel, because the test mostly waits. A stack overflow is a SIGSEGV
+/// whose handler must not run on the same stack.
 TEST(H03_Crash, StopsTheMotor) {
     struct Way {
         const char* thread;
@@ -74,7 +74,7 @@ TEST(H03_Crash, StopsTheMotor) {
     }
 }
 
-/// What the crash path cannot reach, and the proof that the test above would notice a motor that runs on.
+/// The crash path cannot act on SIGKILL. This also shows that H03_Crash would notice a motor that runs on.
 TEST(H02_Killed, LeavesTheMotorRunning) {
     Crasher crasher(QStringLiteral("gui"), QStringLiteral("kill"));
     ASSERT_NO_FATAL_FAILURE(crasher.crash());

@@ -3,9 +3,9 @@
 // input, and then dies in the way and in the thread that the arguments name:
 //   crasher TERMINAL gui|bus|close segv|abort|overflow|kill [BAUD trapezoid|velocity|hold|group|look
 //   NMCGUARD REPORT]
-// With "look" it moves nothing, but looks at what another program moves. With a guardian it says "stopped"
-// when it hears that the guardian has stopped the motors while it lived, and "moving" when it has set them
-// going again; and "unguarded" when it has no guardian any more.
+// With "look" it moves nothing, and only watches what another program moves. With a guardian it says
+// "stopped" when the guardian has stopped the motors while this program was alive, "moving" when it has
+// started them again, and "unguarded" when it no longer has a guardian.
 #include <unistd.h>
 #include <QCoreApplication>
 #include <QSocketNotifier>
@@ -26,7 +26,7 @@ namespace {
 
 using namespace nmc;
 
-/// Deeper than any stack.
+/// Recurses deeper than any stack allows.
 int overflow(volatile int* depth) {
     volatile int here[1'024];
     here[*depth % 1'024] = *depth;
@@ -36,7 +36,8 @@ int overflow(volatile int* depth) {
 
 void die(const char* how) {
     if (std::strcmp(how, "segv") == 0) {
-        // Not null, which a sanitizer would catch before the hardware does; but never mapped.
+        // Not null, which a sanitizer would catch before the hardware does, but an address that is never
+        // mapped.
         auto* nowhere = reinterpret_cast<volatile int*>(std::uintptr_t{4'096});
         *nowhere = 1;
     }
@@ -49,7 +50,7 @@ void die(const char* how) {
     std::abort();
 }
 
-/// A serial port in whose bus thread something goes wrong.
+/// A serial port that dies in its bus thread when told to.
 class Mine : public SerialTransport {
 public:
     Mine(const QString& port, const char* how) : SerialTransport(port), m_how(how) {}
@@ -70,7 +71,7 @@ void say(const char* word) {
     std::fflush(stdout);
 }
 
-/// Motor 2 runs on and on, in a motion of this kind, which `hold` keeps up.
+/// Runs motor 2 without an end in a motion of this kind; `hold` keeps a held one going.
 bool setGoing(testing_support::Connection& connection, std::string_view motion, QTimer& hold) {
     servo::LoadTrajectory load;
     load.velocity = CountsPerTick(8 << 16);
@@ -159,7 +160,7 @@ int main(int argc, char** argv) {
             die(argv[3]);
         if (std::strcmp(argv[2], "close") == 0)
             return QCoreApplication::quit();
-        Mine::s_lit = true;  // the other thread ends this
+        Mine::s_lit = true;  // the bus thread ends the process
     });
     say("moving");
     return QCoreApplication::exec();

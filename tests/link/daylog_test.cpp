@@ -60,7 +60,7 @@ TEST_F(DayLogTest, TheOldestOf31DaysGoes) {
     EXPECT_FALSE(dir.exists(QStringLiteral("messages-2026-10-01.log")));
     EXPECT_FALSE(dir.exists(QStringLiteral("messages-2026-10-01.log.old")));
     EXPECT_TRUE(dir.exists(QStringLiteral("messages-2026-10-02.log")));
-    EXPECT_TRUE(dir.exists(QStringLiteral("notes.log"))) << "it is not ours";
+    EXPECT_TRUE(dir.exists(QStringLiteral("notes.log"))) << "it is not a log of ours";
     EXPECT_EQ(content("messages-2026-11-01.log"), "one\n");
 }
 
@@ -74,7 +74,7 @@ TEST_F(DayLogTest, OneThatIsTooLargeIsBegunAnewAndTheOneBeforeIsKept) {
     EXPECT_EQ(content("messages-2026-11-21.log.old").size(), DayLog::kMostBytes);
 }
 
-// The first line is on its way to a disk that does not answer: the others wait, and none is lost.
+// The first line is on its way to a disk that does not answer: the other lines wait, and none is lost.
 TEST_F(DayLogTest, KeepsNobodyWaitingAndLosesNothing) {
     std::promise<void> asked;
     std::promise<void> answer;

@@ -55,12 +55,12 @@ TEST_F(FileWriterTest, TellsWhatBecameOfIt) {
         writer.write(path(name), text("one"),
                      [&told, file = path(name)](const FileWriter::Result& result) { told[file] = result; });
     ASSERT_TRUE(writer.finish());
-    EXPECT_TRUE(told.empty()) << "not before the event loop has its turn";
+    EXPECT_TRUE(told.empty()) << "nothing is reported before the event loop runs";
     ASSERT_TRUE(QTest::qWaitFor([&] { return told.size() == 3; }));
     EXPECT_TRUE(told[path("a")].has_value());
     EXPECT_EQ(told[path("folder")].error().trouble, FileErrorKind::NotAFile);
     EXPECT_EQ(told[path("none/a")].error().trouble, FileErrorKind::NoFolder);
-    EXPECT_TRUE(QDir(path("folder")).exists()) << "what was there stays";
+    EXPECT_TRUE(QDir(path("folder")).exists()) << "the existing folder stays";
 }
 
 TEST_F(FileWriterTest, TellsNobodyAfterItsEnd) {
@@ -86,12 +86,12 @@ TEST_F(FileWriterTest, KeepsNobodyWaitingForADiskThatDoesNotAnswer) {
     });
     int told = 0;
     const auto count = [&](const FileWriter::Result& /*result*/) { ++told; };
-    writer.write(path("stuck"), text("one"), count);  // returns
+    writer.write(path("stuck"), text("one"), count);  // returns at once
     asked.get_future().wait();
     writer.write(path("stuck"), text("two"), count);
     writer.write(path("stuck"), text("three"), count);
     writer.write(path("elsewhere"), text("four"), count);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return told == 1; })) << "another disk answers";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return told == 1; })) << "the other disk answers";
     EXPECT_FALSE(writer.finish(0ms));
     answer.set_value();
     ASSERT_TRUE(writer.finish());

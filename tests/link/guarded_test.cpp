@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The panel's own worker and serial port with their guardian, in a process of their own that comes to a bad
-// end while a motor moves, in every kind of motion; nmcsim is the witness.
+// The panel's worker and serial port with their guardian, in a separate process that is halted, killed or
+// crashes while a motor moves, in every kind of motion; nmcsim is the witness.
 #include <gtest/gtest.h>
 
 #include <QDir>
@@ -26,7 +26,7 @@ using testing_support::kAtRest;
 using testing_support::kPatienceMs;
 using testing_support::NmcsimProcess;
 
-/// crasher with a guardian, on nmcsim: motor 2 moves, and in a group motor 1 as well.
+/// The crasher with a guardian, on nmcsim: motor 2 moves, and in a group motor 1 as well.
 class Panel {
 public:
     Panel(NmcsimProcess& sim, const QString& motion, int baud, const QStringList& end) : m_sim(sim) {
@@ -45,13 +45,13 @@ public:
     Panel(const Panel&) = delete;
     Panel& operator=(const Panel&) = delete;
 
-    /// Until its motor moves.
+    /// Waits until its motor moves.
     void begin() {
         EXPECT_EQ(word(), "moving");
         m_guard = guardOf(m_process.processId());
-        EXPECT_NEAR(velocity(2), 8.0, 0.1) << "the simulator has to agree that it moves";
+        EXPECT_NEAR(velocity(2), 8.0, 0.1) << "the simulator must see it move, too";
     }
-    /// What it says next.
+    /// The next word that it says.
     QByteArray word() {
         while (!m_process.canReadLine())
             if (!m_process.waitForReadyRead(kPatienceMs))
@@ -63,8 +63,8 @@ public:
     [[nodiscard]] bool ends() { return m_process.waitForFinished(kPatienceMs); }
     [[nodiscard]] QProcess::ExitStatus exitStatus() const { return m_process.exitStatus(); }
     [[nodiscard]] pid_t guard() const { return m_guard; }
-    /// Its guardian has gone, too: as long as that has the port nobody else gets it. What is left of it until
-    /// somebody asks how it ended has no program.
+    /// Waits until its guardian has gone, too, because until then no other program gets the port. A zombie
+    /// has no program any more.
     [[nodiscard]] bool letsGo() const {
         const QString program = QStringLiteral("/proc/%1/exe").arg(m_guard);
         return m_guard > 0 &&
@@ -80,13 +80,13 @@ public:
     [[nodiscard]] std::vector<GuardReport> reports() const {
         return takeGuardReports(m_folder.path().toStdString());
     }
-    /// Reports, when there are some.
+    /// Waits until there is a report.
     [[nodiscard]] bool isReported() const {
         return QTest::qWaitFor([this] { return !reports().empty(); }, kPatienceMs);
     }
 
 private:
-    /// The only child, of whichever thread.
+    /// The only child process, whichever thread started it.
     [[nodiscard]] static pid_t guardOf(qint64 panel) {
         const QDir tasks(QStringLiteral("/proc/%1/task").arg(panel));
         for (const QString& task : tasks.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
@@ -104,13 +104,13 @@ private:
     pid_t m_guard = -1;
 };
 
-/// A motion at a rate.
+/// A motion, and the rate of its chain.
 struct Course {
     const char* motion;
     int baud;
 };
 
-/// All at once, each at a port of its own: most of it is waiting.
+/// All in parallel, each at its own port, because the test mostly waits.
 TEST(H02_GuardedMotions, AreStoppedWhileThePanelIsHaltedAndWhenItIsKilled) {
     struct Session {
         explicit Session(const Course& course)
@@ -132,8 +132,8 @@ TEST(H02_GuardedMotions, AreStoppedWhileThePanelIsHaltedAndWhenItIsKilled) {
         EXPECT_TRUE(panel.motorsStop());
         panel.send(SIGCONT);
         EXPECT_EQ(panel.word(), "stopped");
-        EXPECT_TRUE(panel.reports().empty()) << "told here";
-        ASSERT_EQ(panel.word(), "moving") << "again";
+        EXPECT_TRUE(panel.reports().empty()) << "it was reported in this session";
+        ASSERT_EQ(panel.word(), "moving") << "it moves again";
         EXPECT_NEAR(panel.velocity(2), 8.0, 0.1);
         panel.send(SIGKILL);
         ASSERT_TRUE(panel.ends());
@@ -149,8 +149,8 @@ protected:
     NmcsimProcess sim{QStringLiteral("servo,servo")};
 };
 
-/// The crash path and the guardian both have a say. The second panel is on the port of the first, and finds
-/// its chain.
+/// The crash path and the guardian both act. The second panel uses the port of the first one, and finds its
+/// chain.
 TEST_F(H02_Guarded, IsStoppedWhenItCrashes) {
     for (const auto& [course, how] :
          {std::pair(Course{"group", 19'200}, "segv"), std::pair(Course{"hold", 115'200}, "abort")}) {
@@ -167,7 +167,7 @@ TEST_F(H02_Guarded, IsStoppedWhenItCrashes) {
     }
 }
 
-/// One that only looks at what another program has left in motion.
+/// A panel that only watches what another program has left in motion.
 class H02_ReadOnlyPanel : public testing::Test {
 protected:
     void SetUp() override {
@@ -191,7 +191,7 @@ TEST_F(H02_ReadOnlyPanel, LeavesMotorsAloneWhileItIsHaltedAndWhenItIsKilled) {
     Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("gui"), QStringLiteral("kill")});
     panel.begin();
     panel.send(SIGSTOP);
-    // More than three times what a guardian bears elsewhere.
+    // More than three times what a guardian tolerates otherwise.
     ASSERT_NO_FATAL_FAILURE(testing_support::letPass(sim, std::chrono::milliseconds(500)));
     EXPECT_NEAR(panel.velocity(2), 8.0, 0.01);
     panel.send(SIGCONT);
@@ -223,7 +223,7 @@ TEST_F(H02_Guarded, GoesOnWithoutItsGuardianAndSaysSo) {
     ASSERT_GT(guard, 0);
     ::kill(guard, SIGKILL);
     EXPECT_EQ(panel.word(), "unguarded");
-    EXPECT_NEAR(panel.velocity(2), 8.0, 0.1) << "it goes on";
+    EXPECT_NEAR(panel.velocity(2), 8.0, 0.1) << "the motor runs on";
     panel.goOn();
     ASSERT_TRUE(panel.ends());
     EXPECT_EQ(panel.exitStatus(), QProcess::NormalExit);

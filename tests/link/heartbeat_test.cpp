@@ -20,7 +20,7 @@ TEST(H01_Heartbeat, IsMissedAfterTwoSecondsOnce) {
     EXPECT_FALSE(heart.missed(at(11'999ms), true));
     EXPECT_EQ(heart.deadline(true), at(12s));
     EXPECT_TRUE(heart.missed(at(12s), true));
-    EXPECT_FALSE(heart.missed(at(12'100ms), true)) << "told once";
+    EXPECT_FALSE(heart.missed(at(12'100ms), true)) << "reported once";
     EXPECT_EQ(heart.deadline(true), std::nullopt);
 }
 
@@ -28,7 +28,7 @@ TEST(H01_Heartbeat, IsNotMissedWhileNothingMoves) {
     Heartbeat heart;
     heart.begin(at(10s));
     EXPECT_FALSE(heart.missed(at(60s), false));
-    EXPECT_EQ(heart.deadline(false), std::nullopt) << "and nobody has to wake up for it";
+    EXPECT_EQ(heart.deadline(false), std::nullopt) << "nothing has to wake up for it";
     EXPECT_TRUE(heart.missed(at(61s), true));
 }
 
@@ -62,7 +62,7 @@ TEST(H07_Stall, OfASecondIsNoReasonToStop) {
 
 TEST(H05_SuspendWatch, TellsOnceHowLongTheMachineSlept) {
     SuspendWatch watch;
-    EXPECT_FALSE(watch.check(3h).has_value()) << "asleep before this connection";
+    EXPECT_FALSE(watch.check(3h).has_value()) << "it slept before this connection";
     EXPECT_FALSE(watch.check(3h + 2us).has_value());
     EXPECT_EQ(watch.check(5h), 2h);
     EXPECT_FALSE(watch.check(5h).has_value());

@@ -11,8 +11,8 @@ namespace nmc {
 
 namespace {
 
-// Relaxed: a clock puts nothing in order between threads that it does not put in order elsewhere, or the
-// thread sanitizer would not see what is in none.
+// Relaxed: the clock must not order what threads do, or the thread sanitizer would miss accesses that nothing
+// else orders.
 constexpr auto kOrder = std::memory_order_relaxed;
 std::atomic<Duration::rep> g_now = Duration(std::chrono::seconds(1)).count();
 std::atomic<Duration::rep> g_hurriesUntil = 0;

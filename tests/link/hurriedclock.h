@@ -3,12 +3,12 @@
 
 #include "base/time.h"
 
-/// Another clock in the place of link/clock.h, for a program of which one thread waits for times: they come
-/// at once, as long as another thread allows it, and otherwise as fast as ever. So that threads meet each
-/// other as they do, and nobody waits for a motor.
+/// Replaces the clock of link/clock.h in a program in which one thread waits for points in time: they come at
+/// once as long as another thread allows it, and in real time otherwise. Threads still meet each other as
+/// they do in real time, but no test waits for a motor.
 namespace nmc::hurriedclock {
 
-/// From now on time may hurry for so long. Any thread.
+/// From now on, time may hurry for this long. May be called from any thread.
 void allow(Duration time);
 
 }  // namespace nmc::hurriedclock

@@ -17,7 +17,7 @@ TEST(Lateness, NinetyNineOfAHundredAreWithinThePercentile) {
         lateness.add(microseconds(45));
     lateness.add(microseconds(123));
     lateness.add(seconds(2));
-    EXPECT_EQ(lateness.percentile99(), microseconds(130)) << "to the next 10 us";
+    EXPECT_EQ(lateness.percentile99(), microseconds(130)) << "rounded up to the next 10 us";
     EXPECT_EQ(lateness.largest(), seconds(2));
 }
 
@@ -53,10 +53,10 @@ TEST(LagReport, IsSaidAtOnceThenEveryFiveSecondsAndWhenItIsOver) {
               "0.42 s behind real time; use fewer modules or a lower --speed.");
     EXPECT_FALSE(report.sentence(milliseconds(900), start + milliseconds(4'999)));
     EXPECT_TRUE(report.sentence(milliseconds(900), start + seconds(5)));
-    EXPECT_FALSE(report.sentence(milliseconds(5), start + seconds(6))) << "still behind";
+    EXPECT_FALSE(report.sentence(milliseconds(5), start + seconds(6))) << "it is still behind";
     EXPECT_EQ(report.sentence(Duration::zero(), start + seconds(6)), "caught up with real time.");
     EXPECT_FALSE(report.sentence(Duration::zero(), start + seconds(7)));
-    EXPECT_FALSE(report.sentence(milliseconds(900), start + seconds(8))) << "no chatter";
+    EXPECT_FALSE(report.sentence(milliseconds(900), start + seconds(8))) << "reported every 5 s at most";
     EXPECT_TRUE(report.sentence(milliseconds(900), start + seconds(10)));
 }
 

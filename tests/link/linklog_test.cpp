@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a port logs, as who looks for a fault gets to see it.
+// What the log contains about a port, for a user who looks for a fault.
 #include <gmock/gmock.h>
 
 #include "link/connection/serialtransport.h"

@@ -8,7 +8,7 @@
 
 namespace nmc::testing_support {
 
-/// Collects what goes to the log of this process, of all threads, as "category: text".
+/// Collects what all threads of this process log, as "category: text".
 class LogReader {
 public:
     explicit LogReader(const QString& rules) {

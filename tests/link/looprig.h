@@ -16,7 +16,7 @@
 
 namespace nmc::testing_support {
 
-/// A bus loop, and a thread that listens to it as the GUI's does: woken by the loop and by nothing else.
+/// A bus loop, and a thread that listens to it as the GUI thread does, and is woken by the loop.
 class LoopRig {
 public:
     explicit LoopRig(std::size_t samples = BusChannel::kSamples) : loop([this] { wake(); }, samples) {}
@@ -31,14 +31,14 @@ public:
         loop.open([arguments...] { return std::make_unique<T>(arguments...); }, config);
     }
 
-    /// Everything that was told so far.
+    /// All events so far.
     const std::vector<WorkerEvent>& events() {
         for (WorkerEvent& event : loop.takeEvents())
             m_events.push_back(std::move(event));
         return m_events;
     }
-    /// Takes what is told until the condition holds; beats meanwhile. Gives up when the test itself has gone
-    /// on for far too long.
+    /// Takes events until the condition holds, and beats in the meantime. Gives up when the test has run for
+    /// far too long.
     template <typename Condition>
     [[nodiscard]] bool waitUntil(Condition condition) {
         constexpr Duration kFarTooLong = std::chrono::minutes(1);
@@ -59,7 +59,7 @@ public:
         return waitUntil([this] { return count<Event>() > 0; });
     }
 
-    /// Of what was taken so far: the last one.
+    /// The last event of this type that was taken so far; null if there is none.
     template <typename Event>
     [[nodiscard]] const Event* last() const {
         for (auto event = m_events.rbegin(); event != m_events.rend(); ++event)
@@ -86,7 +86,7 @@ public:
     }
 
 protected:
-    /// Whenever the thread has looked for what is told.
+    /// Called on each turn of waitUntil(), after events were taken.
     virtual void onTurn() {}
 
 private:
@@ -105,7 +105,7 @@ public:
     BusLoop loop;
 };
 
-/// The built-in simulator needs no time for an adapter.
+/// The built-in simulator has no adapter, and so no latency.
 inline bus::EngineConfig simulatorConfig(std::uint32_t baud = 19'200) {
     bus::EngineConfig config;
     config.baud = baud;
@@ -124,7 +124,7 @@ inline bus::Operation servoOperation(std::uint32_t id, std::vector<ServoCommand>
     return operation;
 }
 
-/// Gains, on, and a motion at 4 counts a tick that does not end by itself.
+/// Sends gains, enables the servo, and starts a motion at 4 counts per tick that does not end by itself.
 inline bus::Operation runOn(std::uint32_t id) {
     servo::LoadTrajectory load;
     load.velocity = CountsPerTick(4U << 16U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// H-10, H-14, H-18: files are read within bounds and written whole or not at all, and work that is not saved
-// outlives its program.
+// H-10, H-14, H-18: files are read within bounds and written completely or not at all, and unsaved work
+// survives its program.
 #include "link/files/machineio.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,8 @@ TEST_F(MachineIo, ReadingSaysWhyNot) {
     EXPECT_EQ(readFile(directory.path(), 10).error().trouble, FileErrorKind::NotAFile);
     EXPECT_EQ(readFile(QStringLiteral("/dev/zero"), 10).error().trouble, FileErrorKind::NotAFile);
     ASSERT_EQ(mkfifo(path("fifo").toLocal8Bit().constData(), 0600), 0);
-    EXPECT_EQ(readFile(path("fifo"), 10).error().trouble, FileErrorKind::NotAFile) << "which would block";
+    EXPECT_EQ(readFile(path("fifo"), 10).error().trouble, FileErrorKind::NotAFile)
+        << "reading it would block";
     ASSERT_TRUE(writeFile(path("secret.json"), "x").has_value());
     QFile::setPermissions(path("secret.json"), {});
     QFile::setPermissions(directory.path(), QFile::Permissions(0x7755));
@@ -66,7 +67,7 @@ TEST_F(MachineIo, WritingSaysWhyNot) {
     QFile::setPermissions(directory.path(), QFile::Permissions(0x7755));
     EXPECT_EQ(contentOf(path("old.json")), "old");
     EXPECT_EQ(QDir(directory.path()).entryList(QDir::Files), QStringList{QStringLiteral("old.json")})
-        << "and leaves no pieces";
+        << "no temporary file is left behind";
 }
 
 TEST_F(MachineIo, UnsavedWorkIsFoundByTheNextSessionUntilItIsDropped) {
@@ -75,7 +76,7 @@ TEST_F(MachineIo, UnsavedWorkIsFoundByTheNextSessionUntilItIsDropped) {
         UnsavedWork work(folder);
         EXPECT_FALSE(work.left().has_value());
         EXPECT_TRUE(QDir(folder).entryList({QStringLiteral("unsaved-?")}).isEmpty())
-            << "there is nothing yet";
+            << "nothing has been kept yet";
         work.keep(QStringLiteral("/home/anna/my mill\n.json"), "first", {});
         work.keep(QStringLiteral("/home/anna/my mill\n.json"), "second\nline", {});
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ports that are taken, slow, gone, or back under another name: the parts that need no port.
+// Ports that are in use, slow, gone, or back under another name: the parts that need no port.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -36,7 +36,7 @@ TEST(F29_BackUnderAnotherName, IsKnownByItsSerialNumberAndToldOnce) {
     AdapterMemory memory;
     memory.opened(kUsb0, {adapter(kUsb0, kA), adapter(kUsb1, kB)});
     memory.lost(kUsb0);
-    EXPECT_EQ(memory.back({adapter(kUsb1, kB)}), std::nullopt) << "that is another one";
+    EXPECT_EQ(memory.back({adapter(kUsb1, kB)}), std::nullopt) << "that is another adapter";
     const QList<PortEntry> ports{adapter(QStringLiteral("/dev/ttyUSB2"), kA), adapter(kUsb1, kB)};
     EXPECT_EQ(memory.back(ports), (AdapterMemory::Back{QStringLiteral("/dev/ttyUSB2"), true}));
     EXPECT_EQ(memory.back(ports), std::nullopt);
@@ -61,11 +61,11 @@ TEST(F29_BackUnderAnotherName, IsNotLookedForWhenNothingWasLostOrAConnectionIsOp
 
 TEST(F30_OldName, WithAnotherAdapterIsRecognised) {
     AdapterMemory memory;
-    EXPECT_FALSE(memory.differs(kUsb0, {adapter(kUsb0, kA)})) << "nothing is known of it";
+    EXPECT_FALSE(memory.differs(kUsb0, {adapter(kUsb0, kA)})) << "nothing is known about it yet";
     memory.opened(kUsb0, {adapter(kUsb0, kA)});
     EXPECT_FALSE(memory.differs(kUsb0, {adapter(kUsb0, kA)}));
     EXPECT_TRUE(memory.differs(kUsb0, {adapter(kUsb0, kB)}));
-    EXPECT_FALSE(memory.differs(kUsb0, {})) << "nothing is there";
+    EXPECT_FALSE(memory.differs(kUsb0, {})) << "no adapter is there";
     memory.opened(kUsb0, {adapter(kUsb0, kB)});
     EXPECT_FALSE(memory.differs(kUsb0, {adapter(kUsb0, kB)})) << "the user has agreed";
 }
@@ -106,7 +106,7 @@ TEST(F29_PortWatcher, AsksForTheListOnlyAfterSomethingHasChanged) {
 
 // ---- F-32, F-33, F-34, F-36: who uses the port ----
 
-/// A machine of files: lock files, and processes with what they have open.
+/// A simulated machine: lock files, and processes with their open files.
 class Machine {
 public:
     Machine() {
@@ -224,7 +224,8 @@ TEST(LatencyTimer, IsReadBesideTheDriverAlsoThroughALink) {
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(text);
     };
-    EXPECT_EQ(latencyTimerOf(QStringLiteral("/dev/null"), sysfs.path()), std::nullopt) << "not there";
+    EXPECT_EQ(latencyTimerOf(QStringLiteral("/dev/null"), sysfs.path()), std::nullopt)
+        << "the file does not exist";
     set("16\n");
     EXPECT_EQ(latencyTimerOf(QStringLiteral("/dev/null"), sysfs.path()), 16ms);
     const QString link = sysfs.filePath(QStringLiteral("by-id"));

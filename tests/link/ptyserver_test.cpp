@@ -19,14 +19,14 @@ std::string freshPath(const char* name) {
     return testing::TempDir() + name + "-" + std::to_string(::getpid());
 }
 
-/// A host's side of the terminal.
+/// The host's side of the terminal.
 class Host {
 public:
     explicit Host(const std::string& path) : m_fd(::open(path.c_str(), O_RDWR | O_NOCTTY)) {}
     ~Host() { ::close(m_fd); }
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
-    /// `keeping` the other settings, or with all flags cleared.
+    /// Sets the rate, and either keeps the other settings or clears all flags.
     void setBaud(speed_t baud, bool keeping = true) {
         termios settings{};
         ASSERT_EQ(::tcgetattr(m_fd, &settings), 0);
@@ -53,7 +53,8 @@ TEST(PtyServer, CarriesEveryByteValueBothWaysUnchanged) {
     const auto server = PtyServer::create({});
     ASSERT_TRUE(server.has_value());
     Host host(server->path());
-    // The ones a terminal likes to interpret: interrupt, end of file, carriage return, line feed, XON, XOFF.
+    // Among them are those that a terminal interprets: interrupt, end of file, carriage return, line feed,
+    // XON, XOFF.
     const std::vector<std::uint8_t> bytes{0x00, 0x03, 0x04, 0x0D, 0x0A, 0x11, 0x13, 0x7F, 0xAA, 0xFF};
     host.write(bytes);
     EXPECT_EQ(server->read(), bytes);
@@ -72,9 +73,9 @@ TEST(PtyServer, IsAt19200UntilTheHostChoosesAnyOtherRate) {
     const auto server = PtyServer::create({});
     EXPECT_EQ(server->hostBaud(), 19'200U);
     Host host(server->path());
-    EXPECT_EQ(server->hostBaud(), 19'200U) << "opening it is no choice";
+    EXPECT_EQ(server->hostBaud(), 19'200U) << "opening it chooses no rate";
     host.setBaud(B38400);
-    EXPECT_EQ(server->hostBaud(), 38'400U) << "what a fresh terminal has elsewhere is a choice here";
+    EXPECT_EQ(server->hostBaud(), 38'400U) << "the default of a fresh terminal elsewhere, but a choice here";
     host.setBaud(B115200);
     EXPECT_EQ(server->hostBaud(), 115'200U);
     host.setBaud(B0);
@@ -84,7 +85,7 @@ TEST(PtyServer, IsAt19200UntilTheHostChoosesAnyOtherRate) {
 TEST(PtyServer, TellsWhetherTheHostWroteOrSetItsRateFirst) {
     auto server = PtyServer::create({});
     Host host(server->path());
-    EXPECT_EQ(server->takeActs().first, FirstAct::Unknown) << "it has done nothing";
+    EXPECT_EQ(server->takeActs().first, FirstAct::Unknown) << "it has not done anything yet";
     for (const speed_t rate : {speed_t{B38400}, speed_t{B57600}, speed_t{B115200}}) {
         host.write({1, 2, 3});
         host.setBaud(rate);
@@ -117,7 +118,7 @@ TEST(PtyServer, KnowsThatItIsNotToldOfSettingsMadeFromNothing) {
     Host host(server->path());
     host.setBaud(B38400, false);
     host.write({1});
-    EXPECT_EQ(server->takeActs().first, FirstAct::SetTerminal) << "the first of them is told";
+    EXPECT_EQ(server->takeActs().first, FirstAct::SetTerminal) << "the first change is reported";
     host.setBaud(B115200, false);
     host.write({2});
     EXPECT_EQ(server->takeActs().first, FirstAct::Unknown);
@@ -148,7 +149,7 @@ TEST(PtyServer, TellsThatAHostHasHungUpAndForgetsWhatItHasNotRead) {
     server->write(std::vector<std::uint8_t>{10});
     EXPECT_THAT(host.read(), ElementsAre(10));
 
-    // What was forgotten here does not hide what the host does first.
+    // The discarded bytes do not hide what the host does first.
     host.setBaud(B57600);
     host.write({5});
     const HostActs back = server->takeActs();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording of any kind is opened without a wait of the thread that asks for it.
+// A recording of any kind is opened without blocking the thread that requests it.
 #include "link/files/recordingloader.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ protected:
         ASSERT_TRUE(QTest::qWaitFor([&] { return !loader.isBusy(); }, 20'000));
         ASSERT_TRUE(QTest::qWaitFor([&] { return loaded != nullptr || failed.has_value(); }, 20'000));
     }
-    /// `rows` samples of module 2, a millisecond apart, after gains.
+    /// A recording of gains, followed by `rows` samples of module 2, a millisecond apart.
     static std::string recording(int rows) {
         RecordingHeader header;
         header.startedAt = "2026-11-21T21:21:02.123+01:00";

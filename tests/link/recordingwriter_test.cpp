@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording is on the disk soon, and no disk makes the panel wait or stop.
+// A recording soon reaches the disk, and no disk makes the panel wait or stop.
 #include "link/files/recordingwriter.h"
 
 #include <fcntl.h>
@@ -41,7 +41,7 @@ private:
     rlimit m_before{};
 };
 
-/// One that is there, and does not read.
+/// A reader that has the pipe open, but does not read.
 class IdleReader {
 public:
     explicit IdleReader(const QString& fifo)
@@ -58,7 +58,7 @@ private:
     int m_fd;
 };
 
-/// No two pieces are the same.
+/// A line of `size` bytes, different for each number.
 std::string piece(int number, std::size_t size) {
     std::string text = std::to_string(number) + ',';
     text.resize(size - 1, static_cast<char>('a' + number % 26));
@@ -91,7 +91,7 @@ protected:
     bool waitForEnd() {
         return QTest::qWaitFor([this] { return !m_failures.empty() || !m_finished.empty(); }, kPatienceMs);
     }
-    /// What the recording that is going on ends with, without being stopped.
+    /// The problem with which the current recording ends without being stopped.
     std::optional<RecordingProblemKind> trouble() {
         if (!waitForEnd() || m_failures.size() != 1 || !m_finished.empty())
             return std::nullopt;
@@ -230,13 +230,13 @@ TEST_F(RecordingWriterTest, EndsWhenTheDiskDoesNotKeepUp) {
     make({.queue = 300'000});
     const IdleReader reader(fifo());
     m_writer->start(path("fifo"));
-    // A pipe takes 64 KiB.
+    // A pipe holds 64 KiB.
     int pieces = 0;
     for (; pieces < 100 && m_writer->isRecording(); ++pieces)
         m_writer->append(piece(pieces, 10'000));
     EXPECT_GE(pieces, 30);
     EXPECT_LE(pieces, 38);
-    EXPECT_TRUE(m_failures.empty()) << "not from within the call";
+    EXPECT_TRUE(m_failures.empty()) << "failures are not reported from within the call";
     EXPECT_EQ(trouble(), RecordingProblemKind::TooSlow);
     EXPECT_LE(m_failures.front().bytes, 65'536);
 }

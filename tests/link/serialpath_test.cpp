@@ -17,7 +17,7 @@ namespace {
 
 using namespace testing_support;
 
-/// A chain of its own, and the way to it.
+/// A simulated chain, and the connection to it.
 struct Path {
     NmcsimProcess sim{QStringLiteral("servo,servo,servo@1")};
     Connection connection;
@@ -29,10 +29,11 @@ void moveAndStop(Path& path) {
     ASSERT_EQ(connection.store().link().modules.size(), 3U);
     EXPECT_EQ(connection.module(2).info.identity.version, 1);
 
-    // What is on the bench of a real port is not for a program to change. The line goes before the gains.
+    // A program cannot change what is connected to a real port. The line is sent before the gains, so that it
+    // would have been answered by now.
     connection.worker().control("set 2 power 0");
-    // Without an integral it rests where the filter no longer overcomes dry friction: at most 2 of 255, which
-    // 2 * 256 / Kp 200 makes 2.6 counts.
+    // Without an integral term, the motor rests where the filter no longer overcomes dry friction: at most 2
+    // of 255, which is 2 * 256 / Kp 200 = 2.6 counts.
     ASSERT_EQ(
         connection.carryOut({step(1, servo::SetGain{200, 2'000, 0, 0, 255, 0, 8'000, 1, std::uint8_t{0}}),
                              step(1, servo::StopMotor{true, servo::StopManner::Abruptly, {}})}),
@@ -64,7 +65,7 @@ void moveAndStop(Path& path) {
     EXPECT_EQ(sim.violations(), "");
 }
 
-/// All at once: most of it is waiting.
+/// All rates in parallel, because the test mostly waits.
 TEST(SerialPath, FindsTheChainMovesAMotorAndStopsItAtEachRate) {
     std::map<std::uint32_t, Path> paths;
     for (const std::uint32_t baud : {19'200U, 115'200U, 57'600U, 9'600U})

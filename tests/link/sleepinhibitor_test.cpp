@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// H-05: the computer waits with its sleep until the motors stand. A D-Bus of the test's own, and a logind on
-// it that is made here.
+// H-05: the computer delays its sleep until the motors stand. The test has its own D-Bus, with a fake logind
+// on it.
 #include "link/connection/sleepinhibitor.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,8 @@ namespace {
 
 using namespace testing_support;
 
-/// What systemd's logind does with delays: keeps the other end of each, which is closed when it is let go.
+/// Does what systemd's logind does with delay locks: it keeps the other end of each, which hangs up when the
+/// lock is released.
 class FakeLogind : public QObject {
     Q_OBJECT
     Q_CLASSINFO("D-Bus Interface", "org.freedesktop.login1.Manager")
@@ -36,7 +37,7 @@ public:
     }
     [[nodiscard]] int asked() const { return static_cast<int>(m_ends.size()); }
     [[nodiscard]] const QStringList& lastAsked() const { return m_last; }
-    /// How many locks are held now.
+    /// Number of locks that are held now.
     [[nodiscard]] int held() const {
         int count = 0;
         for (const int end : m_ends) {
@@ -54,7 +55,7 @@ public slots:
         std::array<int, 2> ends{};
         EXPECT_EQ(::pipe(ends.data()), 0);
         m_ends.push_back(ends[0]);
-        QDBusUnixFileDescriptor lock(ends[1]);  // a copy of it
+        QDBusUnixFileDescriptor lock(ends[1]);  // makes a copy of it
         ::close(ends[1]);
         return lock;
     }
@@ -131,7 +132,7 @@ TEST_F(H05_SleepInhibitor, HasTheMotorsStoppedAndSleepWaitsForThat) {
     ASSERT_EQ(connection.carryOut(move(0, 100'000'000)), bus::Outcome::Done);
     ASSERT_TRUE(connection.waitUntil([this] { return logind.held() == 1; }));
 
-    emit logind.PrepareForSleep(true);  // the lid is shut
+    emit logind.PrepareForSleep(true);  // the lid is closed
     ASSERT_TRUE(connection.waitFor<bus::StopFinished>());
     EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 1U);
     EXPECT_TRUE(connection.waitUntil([this] { return logind.held() == 0; })) << "now it may sleep";
@@ -141,7 +142,7 @@ TEST_F(H05_SleepInhibitor, HasTheMotorsStoppedAndSleepWaitsForThat) {
     EXPECT_TRUE(connection.waitUntil([this] { return logind.held() == 1; }));
 }
 
-/// What moves there is for somebody else to stop.
+/// On a read-only connection, motors are for another host to stop.
 TEST_F(H05_SleepInhibitor, LetsTheComputerSleepOverAReadOnlyConnection) {
     NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--enable-faults")});
     ASSERT_NO_FATAL_FAILURE(leaveRunning(sim, 1, 8));
@@ -154,7 +155,7 @@ TEST_F(H05_SleepInhibitor, LetsTheComputerSleepOverAReadOnlyConnection) {
     connection.open([&sim] { return std::make_unique<SerialTransport>(sim.terminal()); }, config);
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     ASSERT_TRUE(connection.waitUntil([&] { return connection.store().movingMotors() > 0; }));
-    // On the same way to logind, behind whatever was asked before.
+    // This request takes the same way to logind, after any earlier one.
     SleepInhibitor next(address);
     next.setMoving(true);
     ASSERT_TRUE(connection.waitUntil([this] { return logind.asked() > 0; }));
@@ -162,14 +163,14 @@ TEST_F(H05_SleepInhibitor, LetsTheComputerSleepOverAReadOnlyConnection) {
     EXPECT_EQ(stopWanted.count(), 0);
 }
 
-/// A motor that cannot be reached does not keep the computer from its sleep for longer than the stop took.
+/// A motor that cannot be reached does not delay the computer's sleep for longer than the stop takes.
 TEST_F(H05_SleepInhibitor, LetsGoWhenTheStopHasRunItsCourse) {
     SleepInhibitor inhibitor(address);
     QSignalSpy stopWanted(&inhibitor, &SleepInhibitor::stopWanted);
     inhibitor.setMoving(true);
     ASSERT_TRUE(QTest::qWaitFor([this] { return logind.held() == 1; }, kPatienceMs));
     inhibitor.stopFinished();
-    EXPECT_EQ(logind.held(), 1) << "a stop that has nothing to do with sleep";
+    EXPECT_EQ(logind.held(), 1) << "this stop has nothing to do with sleep";
     emit logind.PrepareForSleep(true);
     ASSERT_TRUE(stopWanted.wait(kPatienceMs));
     inhibitor.setMoving(false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the system says about a thread that asked to go before the others.
+// What the system reports about a thread that requested to be preferred.
 #include "link/threadpriority.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(ThreadPreference, IsWhatTheSystemGrantedAndStaysWithItsThread) {
     switch (preference) {
         case ThreadPreference::RealTime:
             EXPECT_EQ(preferred.policy, SCHED_RR);
-            EXPECT_EQ(child.policy, SCHED_OTHER) << "a process that it starts is an ordinary one";
+            EXPECT_EQ(child.policy, SCHED_OTHER) << "a thread that it starts is an ordinary one";
             break;
         case ThreadPreference::Nice:
             EXPECT_EQ(preferred.policy, SCHED_OTHER);
@@ -49,7 +49,7 @@ TEST(ThreadPreference, IsWhatTheSystemGrantedAndStaysWithItsThread) {
             EXPECT_EQ(preferred.nice, before.nice);
             break;
     }
-    EXPECT_EQ(ofThisThread().policy, before.policy) << "the others are left alone";
+    EXPECT_EQ(ofThisThread().policy, before.policy) << "other threads are left alone";
     EXPECT_EQ(ofThisThread().nice, before.nice);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real serial path when the port goes away, cannot make the rate, or is somebody else's.
+// The real serial path when the port goes away, does not support the rate, or is in use by another program.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -33,17 +33,16 @@ void expectGoneOnce(Connection& connection) {
     ASSERT_TRUE(connection.waitFor<PortClosed>());
     ASSERT_TRUE(connection.news<PortClosed>()->error.has_value());
     EXPECT_EQ(connection.news<PortClosed>()->error->problem, PortProblem::Gone);
-    // The thread has ended and the transport with it: there is nothing left that could tell it again, or
-    // spin.
+    // The thread has ended, and the transport with it: nothing is left that could report this again, or spin.
     EXPECT_FALSE(connection.worker().isOpen());
     QCoreApplication::processEvents();
     EXPECT_EQ(connection.store().link().phase, LinkPhase::Disconnected);
     EXPECT_EQ(connection.count<PortClosed>(), 1);
-    EXPECT_EQ(connection.count<bus::LinkLost>(), 0) << "one cause, one message";
+    EXPECT_EQ(connection.count<bus::LinkLost>(), 0) << "one cause gives one message";
     EXPECT_EQ(connection.count<bus::ModuleUnresponsive>(), 0);
 }
 
-/// Nothing need be sent for it to be noticed.
+/// It is noticed without anything being sent.
 TEST(F27_Unplug, OfALineThatIsSilentIsSaidByThePortItself) {
     auto terminal = PtyServer::create({});
     ASSERT_TRUE(terminal.has_value());
@@ -56,7 +55,7 @@ TEST(F27_Unplug, OfALineThatIsSilentIsSaidByThePortItself) {
     EXPECT_EQ(received.error().problem, PortProblem::Gone);
 }
 
-/// And F-27: it is told once, the port is closed, and the next connection works.
+/// Also F-27: it is reported once, the port is closed, and the next connection works.
 TEST(F28_UnplugDuringACommand, IsToldOnceDropsTheQueueAndReplaysNothing) {
     const QString link = QStringLiteral("/tmp/nmc-replay-%1").arg(::getpid());
     Connection connection;
@@ -71,13 +70,13 @@ TEST(F28_UnplugDuringACommand, IsToldOnceDropsTheQueueAndReplaysNothing) {
         for (const QString& command : ordered)
             EXPECT_TRUE(executed(sim).contains(command)) << command.toStdString();
         connection.forgetNews();
-        // The wire is never idle while it polls, and this queue takes seconds.
+        // The line is never idle during polling, and this queue takes seconds.
         for (int i = 0; i < 200; ++i)
             connection.submit(gainsAndEnable(0));
         ASSERT_TRUE(connection.waitFor<bus::OperationFinished>());
     }
     expectGoneOnce(connection);
-    connection.submit(move(0, 2'000));  // while nobody is there
+    connection.submit(move(0, 2'000));  // while no module is there
 
     connection.forgetNews();
     NmcsimProcess again(QStringLiteral("servo"), {QStringLiteral("--link"), link});
@@ -155,7 +154,8 @@ TEST(H16_NoDescriptorLeft, IsSaidInsteadOfAborting) {
     EXPECT_EQ(connection.news<PortClosed>()->error->problem, PortProblem::TooManyFiles);
     connection.forgetNews();
     connection.openSerial(sim.terminal());
-    EXPECT_TRUE(connection.waitFor<bus::ChainFound>()) << "it works as soon as there are some again";
+    EXPECT_TRUE(connection.waitFor<bus::ChainFound>())
+        << "it works as soon as descriptors are available again";
 }
 
 }  // namespace

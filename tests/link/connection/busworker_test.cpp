@@ -42,7 +42,7 @@ TEST_F(BusWorkerTest, RunsAChainInThisProcess) {
 TEST_F(BusWorkerTest, DoesNotNeedTheGuiThreadToPollOrToStop) {
     connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
-    // No event loop turns in this thread from here on.
+    // From here on, no event loop runs in this thread.
     const std::uint64_t before = connection.worker().statistics().answered;
     connection.freeze(1s);
     EXPECT_GE(connection.worker().statistics().answered, before + 20);
@@ -70,14 +70,14 @@ TEST_F(BusWorkerTest, StopsTheMotorsBeforeItCloses) {
     EXPECT_FALSE(sim.driven(0));
 }
 
-/// A motor that another program left running, and a window that is closed before the chain is found: as soon
-/// as it is, it is told to stop, and only then the port is let go.
+/// Another program has left a motor running, and the window is closed before the chain is found: the motor is
+/// stopped as soon as it is found, and only then is the port closed.
 TEST(BusWorker, StopsAMotorThatItHasOnlySeenBeforeItCloses) {
     VirtualChain sim(QStringLiteral("servo"));
     ASSERT_NO_FATAL_FAILURE(leaveRunning(sim, 1, 1));
     VirtualConnection connection(sim);
     connection.open();
-    // Its first answer, in the middle of the search for the others.
+    // The first module has answered, in the middle of the search for others.
     ASSERT_TRUE(connection.waitUntil([&] { return connection.store().link().found > 0; }));
     EXPECT_TRUE(sim.driven(0));
     connection.worker().close();
@@ -106,7 +106,7 @@ TEST_F(BusWorkerTest, HasTheSimulatorAnswerControlLines) {
     EXPECT_EQ(connection.news<SimulatorAnswered>()->line, "set 2 power 0");
     EXPECT_EQ(connection.news<SimulatorAnswered>()->json, R"({"ok":true})");
     EXPECT_TRUE(connection.waitUntil([&] { return connection.module(1).activity() == Activity::NoPower; }))
-        << "the wire says what the bench did";
+        << "the status shows what was set at the bench";
     connection.forgetNews();
     connection.worker().control("set 9 power 0");
     ASSERT_TRUE(connection.waitFor<SimulatorAnswered>());
@@ -117,7 +117,7 @@ TEST_F(BusWorkerTest, GivesOneModuleTheBusForAsLongAsItIsWanted) {
     connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     connection.worker().setRecording(true);
-    // Read Status of these items only.
+    // True if a Read Status of exactly these items was sent.
     const auto asked = [&](std::uint8_t items) {
         const auto records = connection.worker().takeRecords();
         return std::any_of(records.begin(), records.end(), [items](const bus::ExchangeRecord& record) {
@@ -127,8 +127,8 @@ TEST_F(BusWorkerTest, GivesOneModuleTheBusForAsLongAsItIsWanted) {
     connection.worker().focus(ModuleIndex(0));
     EXPECT_TRUE(connection.waitUntil([&] { return asked(StatusItems::Position); }));
     connection.worker().focus(std::nullopt);
-    connection.freeze(3s);  // it would end by itself after 5
-    EXPECT_TRUE(asked(StatusItems::All)) << "in full again";
+    connection.freeze(3s);  // it would end automatically after 5 s
+    EXPECT_TRUE(asked(StatusItems::All)) << "all items are requested again";
 }
 
 TEST_F(BusWorkerTest, RestartFindsTheChainAnew) {
@@ -155,7 +155,7 @@ TEST_F(BusWorkerTest, RecordsEveryExchangeWhileAsked) {
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     std::vector<bus::ExchangeRecord> records = connection.worker().takeRecords();
     ASSERT_FALSE(records.empty());
-    EXPECT_EQ(records.front().number, 1U) << "the first packet of the connection is there";
+    EXPECT_EQ(records.front().number, 1U) << "the first packet of the connection is recorded";
     EXPECT_EQ(records.front().purpose, bus::Purpose::Connect);
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     records = connection.worker().takeRecords();
@@ -163,7 +163,7 @@ TEST_F(BusWorkerTest, RecordsEveryExchangeWhileAsked) {
         return r.command.size() > 2 && r.command[2] == 0xE6;
     };
     EXPECT_EQ(std::count_if(records.begin(), records.end(), gains), 1);
-    // Off: what is under way may still come, and nothing after it.
+    // After switching it off, an exchange that is in progress may still be recorded, but no later one.
     connection.worker().setRecording(false);
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     (void)connection.worker().takeRecords();
@@ -171,8 +171,8 @@ TEST_F(BusWorkerTest, RecordsEveryExchangeWhileAsked) {
     EXPECT_TRUE(connection.worker().takeRecords().empty());
 }
 
-/// One that answers at its address has not restarted: it has the gains that it was sent, and where it holds
-/// is known.
+/// A module that answers at its address has not restarted: it still has the gains that it was sent, and the
+/// position at which it holds is known.
 TEST_F(BusStoreTest, KeepsWhatModulesWereToldThatAreFoundAgain) {
     connection.open(115'200);
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What concerns the whole chain, from the GUI thread to the simulator and back: groups, and another rate.
+// Operations on the whole chain, from the GUI thread to the simulator and back: groups, and another rate.
 #include <gtest/gtest.h>
 
 #include "tests/link/connection/virtualconnection.h"
@@ -32,7 +32,8 @@ protected:
 };
 
 TEST_F(Chainwide, GroupsStartTogetherAndTheStoreKnowsThem) {
-    EXPECT_EQ(connection.module(0).info.group, bus::GroupPlace{}) << "everybody's, after a reset";
+    EXPECT_EQ(connection.module(0).info.group, bus::GroupPlace{})
+        << "after a reset, it is in the group of all";
     for (const std::uint8_t module : {std::uint8_t{0}, std::uint8_t{1}}) {
         ASSERT_EQ(connection.carryOut(gainsAndEnable(module)), bus::Outcome::Done);
         ASSERT_EQ(carryOut(bus::GroupChange{ModuleIndex(module), {0x81, module == 1}}), bus::Outcome::Done);
@@ -93,7 +94,7 @@ TEST_F(Chainwide, RateChangesWhileTheMotorsHold) {
 }
 
 TEST_F(Chainwide, AModuleThatRestartsGoesSilentWhileTheOthersGoOn) {
-    sim.tell("power-cycle 2");  // the module nearest the host: nothing hangs on its ADDR_OUT
+    sim.tell("power-cycle 2");  // the module nearest the host: no other one depends on its ADDR_OUT
     ASSERT_TRUE(connection.waitFor<bus::ModuleUnresponsive>());
     EXPECT_EQ(connection.news<bus::ModuleUnresponsive>()->module, ModuleIndex(1));
     EXPECT_EQ(connection.module(1).activity(), Activity::Unresponsive);

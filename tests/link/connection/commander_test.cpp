@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked of modules, carried out without a window.
+// Requests to modules, carried out without a window.
 #include "link/command/commander.h"
 
 #include <gtest/gtest.h>
@@ -91,7 +91,7 @@ TEST_F(CommanderTest, AStopWaitsForNoProcedureAndEndsIt) {
     ASSERT_TRUE(connection.waitUntil([this, until = connection.module(0).latestTime] {
         return connection.module(0).latestTime > until + std::chrono::seconds(1);
     }));
-    EXPECT_NEAR(position(), there, 4) << "nothing follows";
+    EXPECT_NEAR(position(), there, 4) << "no other motion follows";
 }
 
 TEST_F(CommanderTest, AnotherRequestTakesTheModuleFromItsProcedure) {

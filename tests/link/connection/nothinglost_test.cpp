@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between two threads nothing is lost, whatever the one does while the other stands still.
+// Nothing is lost between two threads, whatever one does while the other stands still.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace testing_support;
 
-constexpr std::uint32_t kFlood = 3'000;  // three times what may wait
+constexpr std::uint32_t kFlood = 3'000;  // three times what the queue holds
 
 class NothingLost : public testing::Test {
 protected:
@@ -22,14 +22,14 @@ protected:
         ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     }
 
-    /// How often each operation has ended.
+    /// The number of times that each operation has ended.
     std::map<std::uint32_t, int> endings() {
         std::map<std::uint32_t, int> ends;
         connection.forEach<bus::OperationFinished>(
             [&ends](const bus::OperationFinished& finished) { ++ends[finished.id.value()]; });
         return ends;
     }
-    /// The bus thread stands still meanwhile: it has time only while this one waits.
+    /// The bus thread stands still in the meantime: time passes for it only while this thread waits.
     void flood() {
         for (std::uint32_t i = 0; i < kFlood; ++i)
             connection.submit({bus::Order{ModuleIndex(0), ServoCommand(Nop{})}});
@@ -76,7 +76,7 @@ TEST_F(NothingLost, AReleaseIsHeardBehindAnyNumberOfRequests) {
     connection.worker().release();
     flood();
     EXPECT_TRUE(connection.waitUntil([this] { return connection.module(0).activity() == Activity::Holding; }))
-        << "nothing else would end this motion before an hour is over";
+        << "nothing else ends this motion within an hour";
 }
 
 TEST_F(NothingLost, ARateThatCannotBeAskedForIsRefused) {
@@ -86,7 +86,7 @@ TEST_F(NothingLost, ARateThatCannotBeAskedForIsRefused) {
     EXPECT_EQ(connection.news<bus::RateChangeFailed>()->wanted, 115'200U);
 }
 
-/// F-27: one cause, one message, and the port stays open for another try as long as it is there.
+/// F-27: one cause gives one message, and the port stays open for another attempt as long as it exists.
 TEST_F(NothingLost, NobodyAnsweringIsSaidAndSoIsThePortThatGoesThenOnce) {
     sim.tell("fault bus silent");
     connection.open();
@@ -103,7 +103,7 @@ TEST_F(NothingLost, NobodyAnsweringIsSaidAndSoIsThePortThatGoesThenOnce) {
     EXPECT_EQ(connection.count<bus::ModuleUnresponsive>(), 0);
 }
 
-/// Counters begin anew with the chain; the second behind that has no rate of 1.8e19.
+/// Counters start again with the chain; the next figures must not contain a rate of 1.8e19.
 TEST_F(NothingLost, FiguresBehindANewSearchAreNoUnderflow) {
     open();
     using std::chrono::seconds;

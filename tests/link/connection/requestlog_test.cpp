@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is logged of requests, as who looks for a fault gets to see it.
+// What the log contains about requests, for a user who looks for a fault.
 #include "link/connection/linklog.h"
 
 #include <gmock/gmock.h>
@@ -47,7 +47,7 @@ TEST(LinkLog, TellsOfRequestsAndWhatBecameOfThem) {
     EXPECT_EQ(lines.back(), "nmc.link: port closed");
 }
 
-/// This port, which is none of the system's, has nothing to tell.
+/// This category logs nothing here, because the port is not one of the system's.
 TEST(LinkLog, OneCategoryCanBeChosen) {
     const LogReader log(QStringLiteral("nmc.link.port=true"));
     ASSERT_NO_FATAL_FAILURE(moveAndStop());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bus thread on its own: the GUI thread stands still, or the machine was suspended.
+// The bus thread without the others: the GUI thread stands still, or the machine was suspended.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ TEST_F(H05_Suspend, HasTheMotorsStoppedAndIsToldOnce) {
     EXPECT_EQ(connection.count<ComputerSlept>(), 1);
 }
 
-/// Whose program is not there, on a port with a descriptor.
+/// A guard whose program does not exist, on a port with a descriptor.
 class NoGuardian : public ProcessGuard {
 public:
     NoGuardian() : ProcessGuard({"/no/such/nmcguard", "/no/such/report"}) {}
@@ -79,7 +79,7 @@ TEST(GuardedPanel, SaysOnceThatItHasNoGuardianAndGoesOn) {
     ASSERT_EQ(connection.count<GuardianMissing>(), 1);
     EXPECT_EQ(connection.news<GuardianMissing>()->problem, GuardianProblem::Missing);
     EXPECT_EQ(connection.carryOut(gainsAndEnable(1)), bus::Outcome::Done);
-    EXPECT_EQ(connection.count<GuardianMissing>(), 0) << "once";
+    EXPECT_EQ(connection.count<GuardianMissing>(), 0) << "reported once";
 }
 
 }  // namespace

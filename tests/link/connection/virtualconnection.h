@@ -12,14 +12,14 @@ namespace nmc::testing_support {
 class VirtualConnection : public Connection {
 public:
     explicit VirtualConnection(VirtualChain& chain) : m_chain(chain) {}
-    /// The worker would wait for its bus thread, which has time only while somebody waits here.
+    /// The worker would wait for its bus thread, for which time passes only while a test waits here.
     ~VirtualConnection() override {
         worker().close();
         while (m_chain.open())
             freeze(kFrame);
     }
 
-    /// As it is built in: there is no adapter that would delay anything.
+    /// Opens the chain like the built-in simulator, without an adapter that would delay anything.
     void open(std::uint32_t baud = 19'200) {
         bus::EngineConfig config;
         config.baud = baud;
@@ -29,7 +29,7 @@ public:
         config.adapterLatency = Duration::zero();
         Connection::open(m_chain.transport(), config);
     }
-    /// Time passes on the bus only: no event of this thread is handled.
+    /// Lets time pass on the bus only: no event of this thread is handled.
     void freeze(Duration time) { m_chain.run(time); }
 
 protected:

@@ -26,18 +26,18 @@ TEST(BeatMonitor, LooksWhenABeatWouldBeTooOldAndNotBefore) {
 TEST(BeatMonitor, SaysItOnceABeat) {
     BeatMonitor monitor;
     ASSERT_TRUE(monitor.expired({kBegin, true}, kBegin + 151ms));
-    EXPECT_EQ(monitor.lookBy({kBegin, true}), kBegin + 301ms) << "there may be a new one by then";
+    EXPECT_EQ(monitor.lookBy({kBegin, true}), kBegin + 301ms) << "a new beat may have come by then";
     EXPECT_FALSE(monitor.expired({kBegin, true}, kBegin + 400ms));
     EXPECT_FALSE(monitor.expired({kBegin, true}, kBegin + 1h));
-    EXPECT_TRUE(monitor.expired({kBegin + 3s, true}, kBegin + 3s + 151ms)) << "armed again by a new one";
+    EXPECT_TRUE(monitor.expired({kBegin + 3s, true}, kBegin + 3s + 151ms)) << "a new beat has armed it again";
 }
 
 TEST(BeatMonitor, WhoComesLateHimselfWaitsOnePeriodMore) {
     BeatMonitor monitor;
-    EXPECT_FALSE(monitor.expired({kBegin, true}, kBegin + 171ms)) << "21 ms late";
+    EXPECT_FALSE(monitor.expired({kBegin, true}, kBegin + 171ms)) << "it looks 21 ms late";
     EXPECT_EQ(monitor.lookBy({kBegin, true}), kBegin + 321ms);
     EXPECT_FALSE(monitor.expired({kBegin, true}, kBegin + 320ms));
-    EXPECT_TRUE(monitor.expired({kBegin, true}, kBegin + 2s)) << "one period, however late he is";
+    EXPECT_TRUE(monitor.expired({kBegin, true}, kBegin + 2s)) << "one period more, however late it looks";
 }
 
 TEST(BeatMonitor, ABeatThatComesMeanwhileIsJudgedAsAnyOther) {

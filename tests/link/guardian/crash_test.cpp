@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a crash says, and at which rate: the port may be at another one than the chain.
+// What a crash sends, and at which rate: the port may be at another rate than the chain.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>

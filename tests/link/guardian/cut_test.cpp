@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A panel that is killed in the middle of a command: whatever the module makes of the half of it, it stops.
+// A panel that is killed in the middle of a command: the motor stops, whatever the module makes of the part
+// that it received.
 #include <gtest/gtest.h>
 
 #include "tests/link/guardian/guardhost.h"
@@ -24,7 +25,7 @@ protected:
             host.die();
             EXPECT_TRUE(chain.stops()) << "after " << cut << " bytes";
             EXPECT_TRUE(host.guardIsGone());
-            EXPECT_LT(chain.velocity(), 0.01) << "after " << cut << " bytes, and so it stays";
+            EXPECT_LT(chain.velocity(), 0.01) << "after " << cut << " bytes, and it stays stopped";
         }
     }
 

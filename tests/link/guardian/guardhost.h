@@ -17,7 +17,7 @@
 
 namespace nmc::testing_support {
 
-/// Looks again and again until it is so; false when it never is.
+/// Checks the predicate until it holds; false if it never does.
 template <typename Predicate>
 bool comesTrue(Predicate predicate) {
     const TimePoint patience = monotonicNow() + std::chrono::seconds(20);
@@ -29,7 +29,7 @@ bool comesTrue(Predicate predicate) {
     return true;
 }
 
-/// A folder of its own for reports.
+/// A temporary folder for reports.
 class ReportFolder {
 public:
     ReportFolder() {
@@ -46,10 +46,10 @@ private:
     std::string m_path;
 };
 
-/// nmcsim with two servos, at addresses 1 and 2, of which the first can be set going.
+/// nmcsim with two servos, at addresses 1 and 2, of which the first can be started.
 class Chain {
 public:
-    /// 19 200 or 115 200.
+    /// `baud`: 19 200 or 115 200.
     explicit Chain(std::uint32_t baud = 19'200) : m_baud(baud) {
         Port port(m_sim.terminal());
         port.setRate(B19200);
@@ -58,13 +58,13 @@ public:
         const servo::SetGain gains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
         say(port, packet(encode(gains)));
         if (baud == 115'200) {
-            port.write({0xAA, 0xFF, 0x1A, 0x0A, 0x23});  // Set Baud; nobody answers
+            port.write({0xAA, 0xFF, 0x1A, 0x0A, 0x23});  // Set Baud, which is not answered
             port.setRate(B115200);
             EXPECT_TRUE(comesTrue([&] { return m_sim.state(1)["baud"].get<int>() > 100'000; }));
         }
     }
 
-    /// Motor 1 at a velocity of 8 counts/tick, for ever.
+    /// Runs motor 1 at 8 counts/tick without an end.
     void setGoing() {
         Port port(m_sim.terminal());
         say(port, {0xAA, 0x01, 0x17, 0x05, 0x1D});  // amplifier on, stop abruptly: the servo holds
@@ -76,15 +76,15 @@ public:
         say(port, packet(encode(load)));
         ASSERT_TRUE(comesTrue([&] { return velocity() > 7.9; }));
     }
-    /// Of the command: 0 is told to hold.
+    /// The velocity of the command: 0 if the motor is to hold.
     [[nodiscard]] double velocity() { return std::abs(m_sim.state(1)["command_velocity"].get<double>()); }
     [[nodiscard]] bool stops() {
         return comesTrue([&] { return velocity() < 0.01; });
     }
-    /// Bytes that it has heard so far.
+    /// Number of bytes that it has received so far.
     [[nodiscard]] int received() { return m_sim.control("time")["received"].get<int>(); }
 
-    /// The stop of motor 1, as the engine makes it: nulls, the packet, and nulls for a servo tick.
+    /// The stop of motor 1, as the engine composes it: nulls, the packet, and nulls for a servo tick.
     [[nodiscard]] std::vector<std::uint8_t> burst() const {
         std::vector<std::uint8_t> bytes(16, 0);
         const std::vector<std::uint8_t> stop{0xAA, 0x01, 0x17, 0x05, 0x1D};
@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    /// Status byte and sum come back.
+    /// Sends a packet, and waits for the status byte and the checksum.
     static void say(Port& port, const std::vector<std::uint8_t>& bytes) {
         port.write(bytes);
         std::size_t heard = 0;
@@ -116,7 +116,7 @@ private:
     SimProcess m_sim{"servo,servo", {"--reset-dead-time", "0"}};
 };
 
-/// A panel that is no more than a port and a guardian (host.cpp), on such a chain.
+/// A panel reduced to a port and a guardian (host.cpp), on a Chain.
 class GuardHost {
 public:
     explicit GuardHost(const Chain& chain, const std::string& terminal, const std::string& reportFile,
@@ -125,13 +125,13 @@ public:
         m_ready = m_process.answer();
     }
 
-    /// "ready", or "busy"
+    /// "ready" or "busy".
     [[nodiscard]] const std::string& ready() const { return m_ready; }
     std::string ask(const std::string& line) {
         m_process.tell(line);
         return m_process.answer();
     }
-    /// Its guardian lives, and has the stop of motor 1, which moves.
+    /// Starts its guardian and arms it with the stop of motor 1, which moves.
     void guardMotion() {
         m_guard = std::stoi(ask("start"));
         ASSERT_EQ(ask("arm " + std::to_string(m_chain.baud()) + ' ' + toHex(m_chain.burst())), "ok");

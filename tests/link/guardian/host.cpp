@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A panel reduced to its port and its guardian, which does what it is told, line by line:
+// A panel reduced to its port and its guardian, which carries out commands line by line:
 //   guardhost TERMINAL NMCGUARD REPORT
-// Qt-free, so that the guardian's tests are, and so small that it can be cut off at any byte.
+// It does without Qt, so that the guardian's tests can, too, and is so small that it can be cut off at any
+// byte.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
@@ -39,7 +40,7 @@ public:
     Host(const char* terminal, GuardianPlace place)
         : m_port(::open(terminal, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)), m_place(std::move(place)) {}
 
-    /// As SerialTransport takes a port.
+    /// Takes the port as SerialTransport does.
     [[nodiscard]] bool hasPort() const {
         return m_port >= 0 && ::flock(m_port, LOCK_EX | LOCK_NB) == 0 && ::ioctl(m_port, TIOCEXCL) == 0;
     }
@@ -129,7 +130,7 @@ private:
 int main(int argc, char** argv) {
     if (argc != 4)
         return 2;
-    // What must not reach the guardian: a descriptor that any other program would inherit, and a mask.
+    // The guardian must inherit neither this descriptor, as any other program would, nor the signal mask.
     [[maybe_unused]] const int leak = ::open("/dev/null", O_RDONLY);
     sigset_t mask;
     ::sigemptyset(&mask);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The memory that a panel and its guardian share: never torn, and nobody else's.
+// The memory that a panel and its guardian share: it is never read torn, and forged memory is ignored.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -16,7 +16,7 @@
 namespace nmc {
 namespace {
 
-/// Recognisable: all its bytes and its rate say the same.
+/// A burst whose bytes and rate all follow from `number`, so that a torn one is recognised.
 StopBurst numbered(std::uint32_t number) {
     StopBurst burst;
     burst.baud = number;
@@ -73,7 +73,7 @@ TEST(GuardMemory, IsNeverReadTorn) {
     for (int i = 0; i < 20'000; ++i) {
         const StopBurst burst = guardian->burst();
         ASSERT_TRUE(isWhole(burst));
-        ASSERT_GE(burst.baud, last) << "and never an older one";
+        ASSERT_GE(burst.baud, last) << "it never goes back to an older one";
         last = burst.baud;
     }
     enough = true;
@@ -97,7 +97,7 @@ TEST(GuardMemory, IsWholeWhereverItsWriterWasKilled) {
     }
 }
 
-/// Memory that somebody else made, with the beginning of a good one.
+/// Memory made by another program, with the beginning of a valid one.
 class Forged {
 public:
     explicit Forged(int seals = F_SEAL_SHRINK | F_SEAL_GROW, long more = 0) {
@@ -126,7 +126,7 @@ private:
 };
 
 TEST(ForgedMemory, IsTakenWhenItIsNoForgeryAtAll) {
-    EXPECT_TRUE(Forged().isTaken()) << "or the tests below would prove nothing";
+    EXPECT_TRUE(Forged().isTaken()) << "otherwise the other tests of ForgedMemory would prove nothing";
 }
 
 TEST(ForgedMemory, OfAnotherSizeIsIgnored) {

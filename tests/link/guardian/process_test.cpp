@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guardian as a process: what it does when its panel dies, stands still, goes on, or ends in order.
+// The guardian as a process: what it does when its panel dies, stands still, continues, or ends normally.
 // nmcsim is the witness.
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -57,9 +57,9 @@ TEST_P(GuardianProcess, StopsTheMotorOfAPanelThatStandsStillAndTellsItAfterwards
     host->send(SIGCONT);
     EXPECT_EQ(host->ask("alive?"), "yes");
     EXPECT_EQ(host->ask("stopped?"), "yes");
-    EXPECT_EQ(host->ask("stopped?"), "no") << "told once";
-    EXPECT_THAT(takeGuardReports(folder.path()), IsEmpty()) << "and not again by the next start";
-    // It has armed itself again, and is not done with at the first time.
+    EXPECT_EQ(host->ask("stopped?"), "no") << "reported once";
+    EXPECT_THAT(takeGuardReports(folder.path()), IsEmpty()) << "the next start does not report it again";
+    // It has armed itself again, and stops the motor a second time.
     ASSERT_NO_FATAL_FAILURE(chain.setGoing());
     host->send(SIGSTOP);
     EXPECT_TRUE(chain.stops());
@@ -77,7 +77,7 @@ TEST_P(GuardianProcess, StopsTheMotorWhoseLoopHangsWhileTheProcessLives) {
 TEST_P(GuardianProcess, IsGoneAndHasSentNothingWhenThePanelEndedInOrder) {
     const int before = chain.received();
     ASSERT_EQ(host->ask("end"), "ok");
-    EXPECT_NE(::kill(host->guard(), 0), 0) << "gone before the port is closed";
+    EXPECT_NE(::kill(host->guard(), 0), 0) << "it is gone before the port is closed";
     host.reset();
     EXPECT_EQ(chain.received(), before);
     EXPECT_GT(chain.velocity(), 7.9);
@@ -138,14 +138,14 @@ TEST_P(OneGuardian, EndsWithThePort) {
 
 TEST_P(OneGuardian, KeepsTheLockUntilItHasSpoken) {
     host->die();
-    // Another panel gets the port when the guardian is through, and not before.
+    // Another panel gets the port only when the guardian has finished.
     const int other = ::open(chain.sim().terminal().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
     ASSERT_GE(other, 0);
     EXPECT_TRUE(comesTrue([&] { return ::flock(other, LOCK_EX | LOCK_NB) == 0; }));
     const int received = chain.received();
     EXPECT_GE(received, 3 * static_cast<int>(chain.burst().size()));
     EXPECT_TRUE(chain.stops());
-    EXPECT_EQ(chain.received(), received) << "nothing after that";
+    EXPECT_EQ(chain.received(), received) << "nothing is sent after that";
     ::close(other);
 }
 

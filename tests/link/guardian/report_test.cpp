@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing_support::ReportFolder;
 
-/// 16 nulls, stops for 1 and 3, a packet to the group of all, and the nulls between them.
+/// 16 nulls, stops for modules 1 and 3, a packet to the group of all, and the nulls between them.
 StopBurst burst() {
     std::vector<std::uint8_t> bytes(16, 0);
     for (const std::vector<std::uint8_t>& packet :
@@ -35,7 +35,7 @@ TEST(GuardReport, SaysOnceWhichModulesWereTold) {
     const auto reports = takeGuardReports(folder.path());
     ASSERT_EQ(reports.size(), 1U);
     EXPECT_THAT(reports[0].modules, ElementsAre(1, 3));
-    EXPECT_THAT(takeGuardReports(folder.path()), IsEmpty()) << "once";
+    EXPECT_THAT(takeGuardReports(folder.path()), IsEmpty()) << "reported once";
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
