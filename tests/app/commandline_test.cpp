@@ -81,7 +81,7 @@ TEST(CommandLine, TakesOneMachineFile) {
     EXPECT_EQ(started(QStringLiteral("mill.json")).machine, QStringLiteral("mill.json"));
     EXPECT_FALSE(started(QString()).machine.has_value());
     const Start both = started(QStringLiteral("--simulator ") + file.fileName());
-    EXPECT_EQ(both.machine, file.fileName()) << "it is there, and no chain";
+    EXPECT_EQ(both.machine, file.fileName()) << "the file exists, and it is not a chain";
     EXPECT_EQ(both.port, QStringLiteral("simulator=servo,servo,step"));
     EXPECT_EQ(said(QStringLiteral("mill.json lathe.json")).exitCode, 2);
 }

@@ -23,7 +23,7 @@ namespace {
 
 using testing_support::NmcsimProcess;
 
-/// The whole program without main(), with settings of its own.
+/// The whole program without main(), with its own settings.
 class Panel {
 public:
     Panel()
@@ -98,8 +98,8 @@ public:
         type("accelerationField", QStringLiteral("0.02"));
         click("goButton");
     }
-    /// 8 000 counts at 8 counts/tick and 0.02 counts/tick^2, and back again and far beyond, where Esc stops
-    /// it: on a busy machine nobody sees what is over in half a second.
+    /// Moves 8 000 counts at 8 counts/tick and 0.02 counts/tick^2, then back and far beyond, where Esc stops
+    /// it: on a busy machine, a motion that ends within half a second may go unseen.
     void moveAndStop() {
         goTo(8'000);
         ASSERT_TRUE(waitFor(
@@ -141,7 +141,7 @@ TEST(FirstLightOnATerminal, MovesAMotorWithoutAViolation) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.found(3); }));
     EXPECT_TRUE(panel.window().windowTitle().startsWith(QLatin1String("NMC Panel")));
     EXPECT_FALSE(panel.window().windowTitle().contains(QLatin1String("Simulator")));
-    EXPECT_FALSE(panel.tells("guardian")) << "it is there without a word";
+    EXPECT_FALSE(panel.tells("guardian")) << "a guardian that works is not mentioned";
     panel.selectModule(1);
     panel.setGainsAndEnable();
     if (HasFatalFailure())

@@ -9,7 +9,7 @@
 int main(int argc, char** argv) {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
-    // What moves here is no reason for the developer's computer to delay its sleep.
+    // Motion in tests must not delay the sleep of the developer's computer.
     qputenv("DBUS_SYSTEM_BUS_ADDRESS", "unix:path=/nowhere");
     qputenv("QT_HASH_SEED", "0");
     testing::InitGoogleTest(&argc, argv);
@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     nmc::look::setUp(application);
     nmc::Translations english;
     nmc::installTranslations(english, QLocale::c());
-    // Here a window that closes is one test's end, not the program's.
+    // A window that closes ends a test here, not the program.
     QApplication::setQuitOnLastWindowClosed(false);
     return RUN_ALL_TESTS();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program that was killed leaves behind, and what the next one says of it; with real processes.
+// What a program that was killed leaves behind, and what the next one reports about it; with real processes.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -18,7 +18,7 @@ using testing_support::NmcsimProcess;
 
 const QString kEnded = QStringLiteral("The last session ended while motor 1 was moving.");
 
-/// nmcpanel in a process and a home of its own, connected to a chain whose motor moves.
+/// nmcpanel in its own process and with its own home, connected to a chain whose motor moves.
 class PanelProcess {
 public:
     PanelProcess(const QString& home, const QString& port)
@@ -66,7 +66,7 @@ TEST(H02_Killed, IsSaidAtTheNextStartWithWhatItsGuardianDidAndTheOtherPanelsMark
     ASSERT_TRUE(lives.marks());
     killed.kill();
     {
-        // Where no guardian's reports are.
+        // No guardian's report is found from here.
         IntentPanel next({}, {}, killed.data());
         next.start();
         ASSERT_EQ(next.count(kEnded), 1);
@@ -81,13 +81,13 @@ TEST(H02_Killed, IsSaidAtTheNextStartWithWhatItsGuardianDidAndTheOtherPanelsMark
     next.start();
     const QString told = QStringLiteral("its guardian told module 1 to stop");
     ASSERT_NE(next.standing(told), nullptr);
-    EXPECT_EQ(next.count(kEnded), 0) << "one event, one message";
+    EXPECT_EQ(next.count(kEnded), 0) << "one event gives one message";
     const QString body = next.standing(told)->message().body;
     EXPECT_TRUE(body.startsWith(QStringLiteral("Motor 1 was moving, at %1.").arg(one.terminal())))
         << body.toStdString();
 
     EXPECT_TRUE(lives.end());
-    EXPECT_TRUE(lives.markers().isEmpty()) << "it stopped its motor, and said goodbye";
+    EXPECT_TRUE(lives.markers().isEmpty()) << "it stopped its motor and ended normally";
     EXPECT_NE(next.standing(told), nullptr);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page from the scope to a printer, with the whole program; the print system is two scripts. It needs no
-// modules.
+// Prints a page of the scope with the whole program; two scripts take the place of the print system. No
+// modules are needed.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -29,7 +29,7 @@ protected:
     ~PrintingProgram() override { qputenv("PATH", path); }
 
     [[nodiscard]] QByteArray place(const QString& file) { return directory.filePath(file).toLocal8Bit(); }
-    /// A program of this name that does what the script says.
+    /// Installs a program of this name that runs the script.
     void install(const char* program, const QByteArray& script) {
         QFile file(directory.filePath(QLatin1StringView(program)));
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
@@ -41,7 +41,7 @@ protected:
         install("lpstat", "case $1 in -e) printf '" + names + "';; -d) echo '" + standard + "';; esac");
     }
     void print() { panel.window().findChild<QAction*>(u"scopePrintAction"_s)->trigger(); }
-    /// The dialog, when everything that there is to say of printers has been said.
+    /// Waits until the dialog is open and has finished looking for printers.
     bool asked() {
         return panel.waitFor(
             [&] { return open() && !find<QLabel>(u"printState"_s)->text().startsWith(u"Looking"_s); });
@@ -107,12 +107,12 @@ TEST_F(PrintingProgram, AnotherPrinterIsChosenWithMoreCopiesAndProposedTheNextTi
     print();
     ASSERT_TRUE(asked());
     EXPECT_EQ(chosen(), u"plotter"_s);
-    EXPECT_EQ(find<QLineEdit>(u"copiesField"_s)->text(), u"1"_s) << "nobody wants twelve again unasked";
+    EXPECT_EQ(find<QLineEdit>(u"copiesField"_s)->text(), u"1"_s) << "the number of copies is not remembered";
     click(u"printCancelButton"_s);
     installPrinters("office\\nlab\\n", "system default destination: lab");
     print();
     ASSERT_TRUE(asked());
-    EXPECT_EQ(chosen(), u"lab"_s) << "the other one is not there any more";
+    EXPECT_EQ(chosen(), u"lab"_s) << "the other printer no longer exists";
 }
 
 TEST_F(PrintingProgram, MoreCopiesThanThereCanBePrintNothing) {
@@ -134,7 +134,7 @@ TEST_F(PrintingProgram, CancelPrintsNothing) {
     click(u"printCancelButton"_s);
     EXPECT_FALSE(open());
     print();
-    ASSERT_TRUE(asked()) << "programs that were asked later have answered";
+    ASSERT_TRUE(asked()) << "programs that were started later have answered";
     EXPECT_EQ(panel.count(u"The page"_s), 0);
     EXPECT_FALSE(QFile::exists(directory.filePath(u"asked"_s)));
 }
@@ -145,7 +145,7 @@ TEST_F(PrintingProgram, AnotherPageTakesThePlaceOfTheOneThatIsAskedAbout) {
     QTest::keyClick(find<QComboBox>(u"printerBox"_s), Qt::Key_End);
     print();
     EXPECT_EQ(panel.window().findChildren<QDialog*>(u"printDialog"_s).size(), 1);
-    EXPECT_EQ(chosen(), u"plotter"_s) << "what was chosen stays";
+    EXPECT_EQ(chosen(), u"plotter"_s) << "the selection stays";
     click(u"printButton"_s);
     ASSERT_TRUE(told("The page was sent to the printer."));
     EXPECT_EQ(contentOf(u"asked"_s), "-d plotter -n 1 -t NMC Panel\n");
@@ -176,7 +176,7 @@ TEST_F(PrintingProgram, WithoutAPrinterItSaysWhatToDoAndSavesThePage) {
     ASSERT_TRUE(asked());
     EXPECT_TRUE(
         find<QLabel>(u"printState"_s)->text().startsWith(u"No printer is set up on this computer."_s));
-    // All of its lines are seen.
+    // All of its lines are visible.
     const auto* state = find<QLabel>(u"printState"_s);
     EXPECT_GE(state->height(), state->heightForWidth(state->width()));
     EXPECT_FALSE(find<QPushButton>(u"printButton"_s)->isEnabled());
@@ -218,7 +218,7 @@ TEST_F(PrintingProgram, PrintersThatAreNeverNamedHoldNothingUp) {
     EXPECT_FALSE(panel.window().isVisible());
 }
 
-/// The one of the system is known before the others are found.
+/// The system's printer is known before the others are found.
 TEST_F(PrintingProgram, TheSystemsOwnPrinterNeedNotWaitForTheOthers) {
     install("lpstat", "case $1 in -e) exec sleep 60;; -d) echo 'system default destination: lab';; esac");
     print();
@@ -234,7 +234,7 @@ TEST_F(PrintingProgram, APrintSystemThatDoesNotAnswerHoldsNothingUp) {
     ASSERT_TRUE(asked());
     click(u"printButton"_s);
     print();
-    ASSERT_TRUE(asked()) << "programs that were asked later have answered";
+    ASSERT_TRUE(asked()) << "programs that were started later have answered";
     EXPECT_EQ(panel.count(u"The page"_s), 0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program has crashed, or cannot do what it is used to: what is said of it.
+// What the program reports after a crash, or when it cannot do what it usually does.
 #include <gtest/gtest.h>
 
 #include "link/guardian/guardreport.h"

@@ -34,7 +34,7 @@ TEST(Translation, TheTableOfTextsIsGermanForAGermanLocale) {
         EXPECT_EQ(texts::countOfModules(3), u"3 Module"_s);
         EXPECT_EQ(QCoreApplication::translate("nmc::StopButton", "STOP ALL"), u"ALLES STOPP"_s);
     }
-    // Translators leave the application when they go.
+    // Translators remove themselves from the application when they are destroyed.
     EXPECT_EQ(texts::countOfModules(3), u"3 modules"_s);
 }
 
@@ -76,7 +76,7 @@ TEST_P(TranslationFile, IsFinished) {
         if (xml.name() == u"translation"_s) {
             EXPECT_FALSE(xml.attributes().hasAttribute(u"type"_s)) << source.toStdString();
         }
-        // What counts has a form for one and a form for several.
+        // A text with a number has a singular and a plural form.
         if (xml.name() != (counts ? u"numerusform"_s : u"translation"_s))
             continue;
         const QString translation = xml.readElementText();
@@ -89,7 +89,7 @@ TEST_P(TranslationFile, IsFinished) {
     EXPECT_GT(messages, 0);
 }
 
-/// Whatever lies there.
+/// All translation files of the project.
 std::vector<std::string> translationFiles() {
     std::vector<std::string> files;
     for (const QString& file : QDir(QStringLiteral(TS_DIR)).entryList({u"nmcpanel_*.ts"_s}))
