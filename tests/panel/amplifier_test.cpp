@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Amplifier of an SC, by mouse and keys; the oracle is what the simulator knows of the module.
+// The Amplifier page of an SC, used with mouse and keys; the oracle is what the simulator knows about the
+// module.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -75,7 +76,7 @@ TEST_F(AmplifierPage, AClosedLimitStopsTheMotorAndItIsShownAtRest) {
     EXPECT_EQ(panel.module().activity(), Activity::Holding);
     EXPECT_TRUE(panel.waitFor(
         [&] { return headlines().contains(u"Limit switch 1 of module 1 stopped its motor."_s); }));
-    // Forward is refused before anything is sent; back is not.
+    // Forward is refused before anything is sent; reverse is not.
     const auto forward = plan(
         intent::Move{servomotion::VelocityProfile{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}},
         panel.module());
@@ -114,10 +115,10 @@ TEST_F(AmplifierPage, WhatIsSavedComesBackAtPowerUp) {
     ASSERT_NO_FATAL_FAILURE(press("saveConfigurationButton"));
     ASSERT_NO_FATAL_FAILURE(press("saveConfigurationQuestionGo"));
     EXPECT_TRUE(panel.waitFor([&] { return !panel.module().scIo && !panel.module().silent; }))
-        << "what it was told is forgotten with the reset";
+        << "what it was sent is forgotten with the reset";
     (void)sim.control(u"power-cycle 1"_s);
     EXPECT_TRUE(panel.waitFor([&] { return sim.state(1)[u"antiphase"_s].toBool(); }));
-    EXPECT_EQ(sim.state(1)[u"address"_s].toInt(), 1) << "it has its address again by itself";
+    EXPECT_EQ(sim.state(1)[u"address"_s].toInt(), 1) << "it restored its address by itself";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the panel of a module is whole: every page, in every language, in the window that opens at
-// first; and in a small one.
+// Nothing in the panel of a module is cut off: on every page, in every language, in the window as it first
+// opens, and in a small one.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -34,7 +34,7 @@ void PrintTo(const Shown& shown, std::ostream* out) {
     *out << shown.language << ' ' << shown.size.width();
 }
 
-/// Lines that name what does not stand whole in this widget, if it is one that should.
+/// Names the text that is cut off in this widget, if it is one that should show all of its text.
 [[nodiscard]] QString cutIn(const QWidget& widget) {
     QString text;
     if (const auto* label = qobject_cast<const QLabel*>(&widget);
@@ -76,7 +76,7 @@ protected:
             ADD_FAILURE() << line.toStdString() << "; first at " << where.toStdString();
     }
 
-    /// What the last answer changed has its room only behind the event loop's next turn.
+    /// What the last answer changed gets its space only on the next turn of the event loop.
     void wait(double seconds) {
         ASSERT_TRUE(panel.answersFor(seconds));
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
@@ -91,7 +91,7 @@ protected:
         list->setCurrentIndex(list->model()->index(module, 0));
         ASSERT_TRUE(panel.answersFor(0.2));
     }
-    /// The pages of the module that is selected.
+    /// The pages of the selected module.
     [[nodiscard]] QTabWidget* pages() {
         for (QTabWidget* pages : panel.window().findChildren<QTabWidget*>())
             if (pages->isVisible() && pages->objectName().endsWith(u"Pages"_s))
@@ -119,7 +119,7 @@ protected:
     VirtualPanel panel;
 
 private:
-    std::map<QString, QString> m_first;  ///< where each line was met at first
+    std::map<QString, QString> m_first;  ///< where each line was first found
 };
 
 TEST_P(Whole, IsEveryPageOfEveryModule) {
@@ -155,7 +155,8 @@ TEST_P(Whole, IsAsBeforeWhenThePlotsAreGone) {
     }
 }
 
-/// The safety note and the first steps are open as well: what they lead to must not be below the fold.
+/// The safety note and the first steps are open as well: the controls that they lead to must still be
+/// visible.
 TEST_P(Whole, IsWhatAFirstSessionNeeds) {
     ASSERT_NO_FATAL_FAILURE(choose(u"operateLayoutAction"_s));
     ASSERT_NO_FATAL_FAILURE(select(0));
@@ -179,7 +180,7 @@ TEST_P(Whole, IsEveryDock) {
     }
 }
 
-/// 1080 lines of a screen at 200 % are 540, and a title bar takes some of them.
+/// A screen of 1080 lines at 200 % has 540, and a title bar takes some of them.
 TEST_P(Whole, IsTheStatusLineOnASmallScreen) {
     for (const QString& layout : {u"operateLayoutAction"_s, u"tuneLayoutAction"_s, u"chainLayoutAction"_s}) {
         ASSERT_NO_FATAL_FAILURE(choose(layout));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a servo that nobody knows to its first home, through the whole program against the simulator; and one
-// whose encoder is reversed.
+// From a servo about which nothing is known to its first homing, with the whole program and the simulator;
+// and one whose encoder is reversed.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -20,7 +20,7 @@ class FirstSession : public testing::Test {
 protected:
     void begin() {
         panel.composition().show({sim.terminal(), 115'200, false});
-        panel.window().resize(1'500, 1'100);  // all of the panel is in sight
+        panel.window().resize(1'500, 1'100);  // all of the panel is visible
         ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
     }
     void show(const char* page) {
@@ -34,7 +34,7 @@ protected:
     void click(const char* name) {
         const auto ready = [&] {
             auto* button = panel.window().findChild<QAbstractButton*>(QLatin1String(name));
-            // In sight and laid out: a hand finds it.
+            // Visible and laid out: a user can click it.
             return button != nullptr && !button->visibleRegion().isEmpty() && button->isEnabled();
         };
         ASSERT_TRUE(panel.waitFor(ready)) << name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mistakes of a first day, one behind the other in one sitting: each is said in a sentence, none moves a
-// motor or loses anything, and after each the work goes on. Controls are found by the names that a screen
+// The mistakes of a first day, one after the other in one session: each is reported in a sentence, none moves
+// a motor or loses anything, and after each the work goes on. Controls are found by the names that a screen
 // reader says.
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ protected:
     QTemporaryDir folder;
     VirtualChain nobody{std::vector<ModuleIdentity>{}};
     VirtualChain sim{u"servo,servo,step"_s};
-    // Nobody can write there.
+    // Nobody can write to this place.
     VirtualPanel panel{u"/proc/nmc/panel.ini"_s, {}, folder.path()};
     Hand hand{panel};
 };
@@ -47,30 +47,30 @@ TEST_F(FirstDay, EachMistakeIsSaidAndMovesNothing) {
     panel.window().resize(1'280, 800);
     EXPECT_TRUE(said(u"Settings cannot be saved"_s));
 
-    // The port of something else, which answers nothing; and one whose adapter is not plugged in.
+    // A port on which something else does not answer, and one whose adapter is not plugged in.
     panel.askFor(nobody.terminal());
     ASSERT_TRUE(said(u"no module answered"_s)) << all();
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Disconnect"_s));
     ASSERT_TRUE(said(u"Disconnected from"_s));
-    EXPECT_EQ(panel.count(u"No stop was confirmed"_s), 0) << "there was nobody to be stopped";
+    EXPECT_EQ(panel.count(u"No stop was confirmed"_s), 0) << "there were no modules to stop";
     sim.unplug();
     panel.askFor(sim.terminal());
     ASSERT_TRUE(said(u"not found"_s)) << all();
     sim.plugIn();
-    // Then somebody else's program has it open.
+    // Another program has the port open.
     sim.setInUse(true);
     panel.askFor(sim.terminal());
     ASSERT_TRUE(said(u"is used by another program"_s)) << all();
     sim.setInUse(false);
 
-    // The wrong rate: another program has left the chain at its own.
+    // The wrong rate: another program has left the chain at a different one.
     for (const char* packet : {"AA 00 21 01 FF 21", "AA 00 21 02 FF 22", "AA 00 21 03 FF 23",  // Set Address
                                "AA FF 1A 14 2D"})  // Set Baud Rate of all, divisor 20: 57 600 Bd
         sim.tell(std::string("foreign ") + packet);
     ASSERT_NO_FATAL_FAILURE(connectTo(sim, 3));
     EXPECT_EQ(panel.standing(u"not found"_s), nullptr) << "it has been found since";
 
-    // A machine file that somebody has edited by hand.
+    // A machine file that was edited by hand.
     const QString broken = folder.filePath(u"mill.json"_s);
     {
         QFile file(broken);
@@ -83,7 +83,7 @@ TEST_F(FirstDay, EachMistakeIsSaidAndMovesNothing) {
     EXPECT_TRUE(panel.composition().machine().axes.empty() ||
                 panel.composition().machine().axes.at(0).name.empty());
 
-    // Encoder A and B are swapped: the check finds it before the servo is ever on.
+    // Encoder channels A and B are swapped: the check finds this before the servo is ever on.
     std::ignore = sim.control(u"fault module 2 reverse"_s);
     select(1);
     ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Axis"_s));
@@ -92,7 +92,7 @@ TEST_F(FirstDay, EachMistakeIsSaidAndMovesNothing) {
     ASSERT_TRUE(said(u"is reversed. Do not enable it."_s)) << all();
     EXPECT_FALSE(sim.state(2)[u"servo_on"_s].toBool());
 
-    // A stepper whose supply is not switched on.
+    // A stepper without motor power.
     std::ignore = sim.control(u"set 3 power 0"_s);
     select(2);
     ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Parameters"_s));
@@ -103,13 +103,13 @@ TEST_F(FirstDay, EachMistakeIsSaidAndMovesNothing) {
     })) << hand.find<QAbstractButton>(u"Enable amplifier"_s)->toolTip().toStdString();
     EXPECT_FALSE(hand.find<QAbstractButton>(u"Hold to move forward"_s)->isEnabled());
 
-    // After all that the first motor still runs and stops.
+    // After all that, the first motor still runs and stops.
     select(0);
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Run forward"_s));
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
 
-    // The disk is full: the recording ends with that, and the motor goes on.
+    // The disk is full: this ends the recording, but not the motion.
     ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Scope"_s));
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Record"_s));
     const QString full = folder.filePath(u"run.csv"_s);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program's main job: find a chain, set gains, enable, go to a position, hold to move, and stop with Esc;
-// and what is said where there is no chain, or another one.
+// and what it reports if there is no chain, or another one.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -53,7 +53,7 @@ protected:
         auto& list = find<QAbstractItemView>("chainList");
         list.setCurrentIndex(list.model()->index(row, 0));
     }
-    /// On the mark itself: a check box as wide as its row is not one all over.
+    /// Clicks the mark itself: a check box as wide as its row does not react everywhere.
     void tick(const char* box) { testing_support::clickOn(find<QAbstractButton>(box)); }
     [[nodiscard]] const ModuleState& module(std::uint8_t index) {
         return *panel.composition().store().module(ModuleIndex(index));
@@ -67,7 +67,7 @@ protected:
     VirtualPanel panel;
 };
 
-/// 20 000 counts at 8 counts/tick and 0.02 counts/tick^2, and back again half-way, where Esc stops it.
+/// Moves 20 000 counts at 8 counts/tick and 0.02 counts/tick^2, and then back, until Esc stops it on the way.
 TEST_F(FirstLight, AMotorMovesAndItsTraceIsHonest) {
     ASSERT_NO_FATAL_FAILURE(connectTo(sim, 3));
     EXPECT_EQ(module(2).info.identity.version, 1);
@@ -99,8 +99,8 @@ TEST_F(FirstLight, AMotorMovesAndItsTraceIsHonest) {
         worst = std::max(worst, error);
     }
     EXPECT_NEAR(highest, 20'000, 50);
-    // A lag of 25 counts at 8 counts/tick, and half a tick of doubt about when the position was sampled,
-    // which is another 4 counts.
+    // The lag is 25 counts at 8 counts/tick, and the time of a sample is uncertain by half a tick, which is
+    // another 4 counts.
     EXPECT_GT(all, 100);
     EXPECT_EQ(small, all);
     EXPECT_GT(worst, 5);
@@ -110,7 +110,7 @@ TEST_F(FirstLight, TheSimulatorDockSetsTheBenchWhileItRuns) {
     ASSERT_NO_FATAL_FAILURE(connectTo(sim, 3));
     selectModule(1);
     ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>("sim_servo_powerBox").isChecked(); }))
-        << "as shipped the motor has its power";
+        << "initially, the motor has power";
     tick("sim_servo_limit1Box");
     EXPECT_TRUE(panel.waitFor([&] { return module(1).latest->servoStatus().limit1(); }));
     EXPECT_TRUE(says("bit_limit1", "on"));
@@ -126,8 +126,8 @@ TEST_F(FirstLight, HoldToMoveMovesOnlyWhileItIsHeld) {
     ASSERT_NO_FATAL_FAILURE(panel.makeReady(1));
     auto& button = find<QAbstractButton>("holdForwardButton");
     QTest::mousePress(&button, Qt::LeftButton);
-    // At 0.25 counts/tick the 250 ms that one press alone lasts are 122 counts: the window must have re-armed
-    // it.
+    // One press alone lasts for 250 ms, which at 0.25 counts/tick is 122 counts: the window must have
+    // re-armed it.
     EXPECT_TRUE(panel.waitFor([&] { return *module(1).latest->position > 200; }));
     QTest::mouseRelease(&button, Qt::LeftButton);
     ASSERT_TRUE(panel.waitFor([&] { return module(1).activity() == Activity::Holding; }));
@@ -140,10 +140,10 @@ TEST_F(FirstLight, AHoldThatEndedInAStallIsOverUntilTheButtonWasUp) {
     auto& button = find<HoldButton>("holdForwardButton");
     QTest::mousePress(&button, Qt::LeftButton);
     ASSERT_TRUE(panel.waitFor([&] { return two.driven(0); }));
-    // The bus ends the hold after 250 ms: the button is still down.
+    // The bus ends the hold after 250 ms, while the button is still down.
     panel.freeze(500ms);
     EXPECT_FALSE(two.driven(0));
-    ASSERT_TRUE(panel.waitFor([&] { return !button.isHeld(); })) << "it shows that it is not held any more";
+    ASSERT_TRUE(panel.waitFor([&] { return !button.isHeld(); })) << "it shows that it is no longer held";
     EXPECT_FALSE(button.isDown());
     const TimePoint until = module(0).latestTime + 1s;
     bool movedAgain = false;
@@ -154,7 +154,7 @@ TEST_F(FirstLight, AHoldThatEndedInAStallIsOverUntilTheButtonWasUp) {
     EXPECT_FALSE(movedAgain);
     QTest::mouseRelease(&button, Qt::LeftButton);
     QTest::mousePress(&button, Qt::LeftButton);
-    EXPECT_TRUE(panel.waitFor([&] { return two.driven(0); })) << "pressed again";
+    EXPECT_TRUE(panel.waitFor([&] { return two.driven(0); })) << "it was pressed again";
     QTest::mouseRelease(&button, Qt::LeftButton);
     EXPECT_TRUE(panel.waitFor([&] { return !two.driven(0); }));
 }

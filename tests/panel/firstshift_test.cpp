@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A first shift, whole: somebody who has never seen the panel sets up two axes and works with them until the
+// A whole first shift: a user who has never seen the panel sets up two axes and works with them until the
 // evening, finding each control by the name that a screen reader says, in a window of 1280 x 800. What the
-// motors did is the simulator's word.
+// motors did is checked with the simulator.
 #include <gtest/gtest.h>
 
 #include "tests/support/hand.h"
@@ -20,7 +20,8 @@ class FirstShift : public testing::Test {
 protected:
     void TearDown() override { texts::setModuleNames({}); }
     [[nodiscard]] double shaft(int module) { return sim.state(module)[u"position"_s].toDouble(); }
-    /// Counts from home; a tenth of a millimetre is what these gains leave.
+    /// True if it is at rest this many counts from home; these gains leave an error of a tenth of a
+    /// millimetre.
     [[nodiscard]] bool standsAt(int place) {
         const auto& home = panel->module().home.place();
         return home && !moves(sim) && std::abs(shaft(1) - home->counts - place) <= 40;
@@ -75,7 +76,8 @@ TEST_F(FirstShift, IsWorkedWhole) {
         std::ignore = sim.control(line);
     ASSERT_NO_FATAL_FAILURE(begin());
 
-    // The unit, by the wizard: 500 lines are 2000 counts a turn, and a screw of 5 mm makes 400 counts a mm.
+    // The unit, with the wizard: 500 lines are 2000 counts per turn, and a screw with a lead of 5 mm makes
+    // that 400 counts per mm.
     ASSERT_NO_FATAL_FAILURE(hand->turnTo(u"Axis"_s));
     ASSERT_NO_FATAL_FAILURE(hand->type(u"Name of the axis"_s, u"X"_s));
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Calculate the unit"_s));
@@ -89,7 +91,7 @@ TEST_F(FirstShift, IsWorkedWhole) {
     ASSERT_TRUE(hand->reads(u"✓"_s));
     EXPECT_FALSE(sim.state(1)[u"servo_on"_s].toBool());
 
-    // Starting values, and home on its switch.
+    // Starting values, and homing to the switch.
     ASSERT_NO_FATAL_FAILURE(hand->turnTo(u"Gains"_s));
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Starting values"_s));
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Apply gains"_s));
@@ -100,7 +102,7 @@ TEST_F(FirstShift, IsWorkedWhole) {
     ASSERT_TRUE(hand->reads(u"Done"_s));
     EXPECT_TRUE(panel->module().home.place().has_value());
 
-    // Soft limits, in the new unit.
+    // Travel limits, in the new unit.
     ASSERT_NO_FATAL_FAILURE(hand->turnTo(u"Axis"_s));
     ASSERT_NO_FATAL_FAILURE(hand->type(u"Lowest position"_s, u"-1"_s));
     ASSERT_NO_FATAL_FAILURE(hand->type(u"Highest position"_s, u"50"_s));
@@ -110,7 +112,7 @@ TEST_F(FirstShift, IsWorkedWhole) {
     ASSERT_NO_FATAL_FAILURE(hand->type(u"Velocity of the move"_s, u"20"_s));
     ASSERT_NO_FATAL_FAILURE(hand->type(u"Acceleration"_s, u"100"_s));
 
-    // Three points, taught where the motor stands; gone to in millimetres.
+    // Three points, taught where the motor stands; it is moved there in millimetres.
     hand->strike(Qt::Key_F3);
     ASSERT_NO_FATAL_FAILURE(hand->tick(u"Axes to teach"_s, u"Module 2"_s));
     for (const auto& [point, millimetres] : {std::pair{u"Load"_s, 5}, {u"Dip"_s, 15}, {u"Dry"_s, 25}}) {
@@ -122,7 +124,7 @@ TEST_F(FirstShift, IsWorkedWhole) {
     }
     ASSERT_EQ(panel->composition().machine().program.points.size(), 3U);
 
-    // A sequence: to each of them, a wait, and all of it twice more.
+    // A sequence that goes to each of them, waits, and repeats all of it twice.
     ASSERT_NO_FATAL_FAILURE(hand->click(u"New sequence"_s));
     for (int row = 0; row < 5; ++row)
         ASSERT_NO_FATAL_FAILURE(hand->click(u"Add row"_s));
@@ -135,12 +137,12 @@ TEST_F(FirstShift, IsWorkedWhole) {
     ASSERT_TRUE(hand->reads(u"done after"_s));
     EXPECT_TRUE(standsAt(25 * 400)) << "a dry run moves nothing";
 
-    // Run, pause, one row by itself, and on; Esc in the midst.
+    // Run, pause, a single row, continue, and Esc in the middle.
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Run the sequence"_s));
     ASSERT_TRUE(panel->waitFor([&] { return moves(sim); }));
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Pause the sequence"_s));
     ASSERT_TRUE(hand->reads(u"Paused before"_s));
-    EXPECT_TRUE(standsAt(5 * 400)) << "the row was finished";
+    EXPECT_TRUE(standsAt(5 * 400)) << "it finished the row";
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Single step"_s));
     ASSERT_TRUE(panel->waitFor([&] { return standsAt(15 * 400); }));
     ASSERT_TRUE(hand->reads(u"Paused before"_s));
@@ -149,10 +151,10 @@ TEST_F(FirstShift, IsWorkedWhole) {
     hand->strike(Qt::Key_Escape);
     ASSERT_TRUE(hand->reads(u"Ended"_s));
     ASSERT_TRUE(panel->waitFor([&] { return !moves(sim); }));
-    // Until the stop has run its course, a start would be taken back.
+    // A start would be taken back until the stop has ended.
     ASSERT_TRUE(panel->waitFor([&] { return panel->count(u"1 stopped and holding"_s) == 1; }));
 
-    // From its first row it is run again, to its end.
+    // It is run again from its first row to its end.
     hand->find<QAbstractItemView>(u"Rows of the sequence"_s)
         ->setCurrentIndex(hand->find<QAbstractItemView>(u"Rows of the sequence"_s)->model()->index(0, 0));
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Run from row"_s));
@@ -160,14 +162,14 @@ TEST_F(FirstShift, IsWorkedWhole) {
     ASSERT_TRUE(hand->reads(u"Done"_s));
     EXPECT_TRUE(standsAt(25 * 400));
 
-    // All axes: a step by a click, and as long as a button is held.
+    // All axes: a motion while a button is held.
     hand->strike(Qt::Key_F4);
     const double before = shaft(1);
     ASSERT_NO_FATAL_FAILURE(
         hand->hold(u"Hold to move Module 1 \"X\" forward"_s, [&] { return shaft(1) > before + 100; }));
     ASSERT_TRUE(panel->waitFor([&] { return !moves(sim); }));
 
-    // The pendant: while both keys are held.
+    // The pendant: a motion while both keys are held.
     hand->strike(Qt::Key_F12);
     const double jogged = shaft(1);
     QTest::keyPress(QApplication::focusWidget(), Qt::Key_Shift);
@@ -178,7 +180,7 @@ TEST_F(FirstShift, IsWorkedWhole) {
     QTest::keyRelease(QApplication::focusWidget(), Qt::Key_Right);
     hand->strike(Qt::Key_F12);
 
-    // Operator mode, and out of it again.
+    // Into operator mode and out of it again.
     ASSERT_NO_FATAL_FAILURE(hand->fromMenu(u"Operator mode"_s));
     ASSERT_NO_FATAL_FAILURE(hand->type(u"PIN to leave"_s, u"a1b2"_s));
     ASSERT_NO_FATAL_FAILURE(hand->type(u"PIN again"_s, u"a1b2"_s));
@@ -187,7 +189,7 @@ TEST_F(FirstShift, IsWorkedWhole) {
     ASSERT_NO_FATAL_FAILURE(hand->type(u"PIN"_s, u"a1b2"_s));
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Leave operator mode"_s));
 
-    // Saved, and quit while a motor runs.
+    // Save, and quit while a motor runs.
     hand->strike(Qt::CTRL | Qt::Key_S);
     ASSERT_NO_FATAL_FAILURE(hand->chooseFile(machine));
     ASSERT_TRUE(panel->waitFor([&] { return QFile::exists(machine); }));
@@ -199,7 +201,7 @@ TEST_F(FirstShift, IsWorkedWhole) {
     EXPECT_FALSE(moves(sim));
     panel.reset();
 
-    // The next morning: everything was off; the machine is opened, and home restored.
+    // The next morning: all power was off; the machine is opened, and home is restored.
     std::ignore = sim.control(u"power-cycle all"_s);
     ASSERT_NO_FATAL_FAILURE(begin());
     hand->strike(Qt::CTRL | Qt::Key_O);
@@ -214,7 +216,7 @@ TEST_F(FirstShift, IsWorkedWhole) {
     EXPECT_TRUE(panel->module().home.place().has_value());
     EXPECT_EQ(panel->composition().machine().program.points.size(), 3U);
 
-    // A recording, opened again, and a picture of it.
+    // A recording is made and opened, and a picture of it is saved.
     ASSERT_NO_FATAL_FAILURE(hand->turnTo(u"Scope"_s));
     const QString recording = folder.filePath(u"shift.csv"_s);
     ASSERT_NO_FATAL_FAILURE(hand->click(u"Record"_s));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened around a fault or a stop, in the scope of the whole program.
+// What happened around a fault or a stop, shown in the scope of the whole program.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -49,13 +49,13 @@ TEST_F(Flight, AStopIsShownWithWhatLedToItWhilePollingGoesOn) {
     ASSERT_TRUE(panel.answersFor(0.2));
     for (const QLabel* label : panel.window().findChild<Banner*>()->findChildren<QLabel*>())
         EXPECT_FALSE(label->text().contains(QLatin1String("stopped")))
-            << "a stop that went well moves nothing on the panel";
+            << "a stop that succeeds does not shift the panel";
     ASSERT_TRUE(clickShow(QStringLiteral("stopped and holding")));
     ASSERT_TRUE(scope().showsRecord());
     EXPECT_TRUE(title().contains(QLatin1String("Stop of all motors"))) << title().toStdString();
     EXPECT_NEAR(strips().time().width(), 2.5, 1e-6);
     EXPECT_GT(panel.count(QStringLiteral("stopped and holding")), 0) << "the message stays";
-    // The motor moves at the left edge of what is kept and stands at the right.
+    // The record that is shown stays the same while polling goes on.
     const QString before = title();
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(title(), before);

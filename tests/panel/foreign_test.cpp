@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comes over the line besides answers: another host's packets, and an adapter's echo.
+// What comes over the line apart from answers: packets of another host, and an adapter's echo.
 #include <gtest/gtest.h>
 
 #include <QPushButton>
@@ -12,8 +12,8 @@ namespace {
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
 
-/// Another program on the same line: it sends this to module 2, sum and all. The panel's polls may come
-/// between, so it sends everything again until it is obeyed, as such programs do.
+/// Another program on the same line: it sends these bytes to module 2, with header and checksum. Polls of the
+/// panel may disturb it, so the test sends everything again until the module obeys, as such programs do.
 void otherHostSends(VirtualChain& sim, const QByteArray& hex) {
     const QByteArray bytes = QByteArray::fromHex(hex);
     quint8 sum = 0;
@@ -42,15 +42,15 @@ TEST_F(AnotherHost, ThatStartsAModuleIsToldOfAtOnceAndItsMotionEndsByTheButtonIn
     ASSERT_TRUE(panel.waitFor(rests));
     ASSERT_TRUE(panel.answersFor(0.5));
     ASSERT_TRUE(panel.waitFor([&] {
-        otherHostSends(sim, "02 E6 C8 00 D0 07 14 00 C8 00 FF 00 40 1F 01 00");  // gains of simulator.md
+        otherHostSends(sim, "02 E6 C8 00 D0 07 14 00 C8 00 FF 00 40 1F 01 00");  // the gains of simulator.md
         otherHostSends(sim, "02 17 05");                                         // servo on
-        otherHostSends(sim, "02 94 B6 00 00 04 00 8F 02 00 00");  // velocity 4 counts/tick, now
+        otherHostSends(sim, "02 94 B6 00 00 04 00 8F 02 00 00");  // velocity mode at 4 counts/tick, start now
         return commandVelocity(sim) > 0;
     }));
     const QString told = QStringLiteral("Module 2 moves without a command from this panel.");
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(told) != nullptr; }))
         << panel.headlines().join(QLatin1Char('\n')).toStdString();
-    EXPECT_GT(commandVelocity(sim), 0) << "it is left alone";
+    EXPECT_GT(commandVelocity(sim), 0) << "its motion is left alone";
 
     auto* stop = panel.window().findChild<QPushButton*>(QStringLiteral("bannerAction_stopAll"));
     ASSERT_NE(stop, nullptr);

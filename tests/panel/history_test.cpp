@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened stays told, with its causes, and outlives the session.
+// Messages about what happened are kept, with their causes, and outlive the session.
 #include <gtest/gtest.h>
 
 #include <QDir>
@@ -27,7 +27,7 @@ QString logIn(const QTemporaryDir& folder) {
 
 class HistoryKept : public testing::Test {
 protected:
-    /// The stepper runs; a limit or the E-stop input switches it off.
+    /// Runs the stepper; a limit or the E-stop input switches it off.
     void run(VirtualPanel& panel) {
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() != Activity::Unknown; }));
         ASSERT_TRUE(panel.answersFor(0.3));
@@ -77,12 +77,12 @@ TEST_F(HistoryKept, HeatLimitAndEstopAreThreeEntriesThatEndAndTheLogHasThem) {
     }
     const QString log = logIn(folder);
     for (const QString& cause : causes)
-        EXPECT_EQ(log.count(cause), 2) << "told, and over: " << log.toStdString();
+        EXPECT_EQ(log.count(cause), 2) << "reported, and ended: " << log.toStdString();
     VirtualPanel later({}, {}, folder.path());
     later.start();
     ASSERT_NO_FATAL_FAILURE(later.connectTo(sim.terminal()));
     EXPECT_TRUE(later.waitFor([&] { return logIn(folder).size() > log.size(); }));
-    EXPECT_TRUE(logIn(folder).startsWith(log)) << "a later session goes on behind it";
+    EXPECT_TRUE(logIn(folder).startsWith(log)) << "a later session continues the log";
 }
 
 TEST_F(HistoryKept, ALogThatCannotBeWrittenIsSaidOnceAndEverythingElseWorks) {

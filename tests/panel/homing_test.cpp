@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The homing page through the whole program, by object name, against the simulator: where home is, is the
-// simulator's word.
+// The homing page in the whole program, by object name, with the simulator, which knows where home is.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -22,11 +21,11 @@ using namespace Qt::StringLiterals;
 
 class HomingPage : public testing::Test {
 protected:
-    /// Connected, with gains, enabled, and the homing page in sight.
+    /// Connects, sends gains, enables the servo, and shows the homing page.
     void begin() {
         panel.composition().show({sim.terminal(), 115'200, false});
         ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
-        // Limit 1 is at -700, limit 2 at 9 000; the shaft stands on its index.
+        // Limit 1 is at -700, limit 2 at 9 000; the shaft is on its index.
         for (const QString& line :
              {u"set 1 travel_min -700"_s, u"set 1 travel_max 9000"_s, u"set 1 limits auto"_s})
             std::ignore = sim.control(line);
@@ -34,7 +33,7 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
-        panel.window().resize(1'500, 1'100);  // all of the panel is in sight
+        panel.window().resize(1'500, 1'100);  // all of the panel is visible
         testing_support::turnTo(*panel.window().findChild<QWidget*>(u"homingBox"_s));
         ASSERT_TRUE(panel.waitFor([&] { return button("homeButton")->isEnabled(); }))
             << button("homeButton")->toolTip().toStdString();
@@ -77,7 +76,7 @@ TEST_F(HomingPage, FindsTheLimitGoesThereAndMakesItZero) {
     click("homeButton");
     EXPECT_TRUE(panel.waitFor([&] { return button("cancelHomingButton")->isEnabled(); }));
     EXPECT_FALSE(button("homeButton")->isEnabled());
-    EXPECT_FALSE(button("onLimit2Box")->isEnabled()) << "the search has its recipe";
+    EXPECT_FALSE(button("onLimit2Box")->isEnabled()) << "the search has begun with its settings";
     ASSERT_TRUE(waitForResult(u"Done: home was at"_s));
     EXPECT_TRUE(text("homingResultLabel").contains(u"700 counts"_s) ||
                 text("homingResultLabel").contains(u"701 counts"_s))
@@ -87,29 +86,30 @@ TEST_F(HomingPage, FindsTheLimitGoesThereAndMakesItZero) {
     EXPECT_TRUE(truth[u"limit1"_s].toBool()) << "0 is where the switch closes";
     EXPECT_TRUE(truth[u"servo_on"_s].toBool());
     EXPECT_EQ(panel.count(u"found home"_s), 1);
-    EXPECT_EQ(panel.count(u"imit"_s), 0) << "the switch was to be found: no limit that closed, no limit stop";
+    EXPECT_EQ(panel.count(u"imit"_s), 0)
+        << "the switch was searched for: it is neither a limit that closed nor a limit stop";
     EXPECT_TRUE(panel.waitFor([&] { return button("homeButton")->isEnabled(); }));
     EXPECT_EQ(sim.violations(), "");
 }
 
-/// The shaft's word, whatever the counter was set to: home is where limit 1 closes, at -700.
+/// The shaft is where it should be, whatever its counter was set to: home is where limit 1 closes, at -700.
 TEST_F(HomingPage, GoHomeAfterAZeroGoesWhereHomeIs) {
     ASSERT_NO_FATAL_FAILURE(begin());
     const auto shaft = [&] { return sim.state(1)[u"shaft"_s].toDouble(); };
-    EXPECT_FALSE(button("goHomeButton")->isEnabled()) << "nobody has searched for it";
+    EXPECT_FALSE(button("goHomeButton")->isEnabled()) << "home has not been searched for";
     EXPECT_EQ(text("homeState"), u"Home: unknown"_s);
     type("homingVelocityField", u"1,5"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Done: home was at"_s));
     const double home = shaft();
     EXPECT_NEAR(home, -700, 3);
-    EXPECT_NEAR(sim.state(1)[u"home"_s].toInt(), -700, 3) << "the register was left as it was";
+    EXPECT_NEAR(sim.state(1)[u"home"_s].toInt(), -700, 3) << "the register is left as it was";
     ASSERT_TRUE(panel.module().home.place());
     EXPECT_NEAR(panel.module().home.place()->counts, 0, 2);
     click("goHomeButton");
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().motion == MotionMode::Trapezoidal; }));
     ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
-    EXPECT_NEAR(shaft(), home, 3) << "it is there already";
+    EXPECT_NEAR(shaft(), home, 3) << "it is already there";
     type("goalField", u"500"_s);
     click("goButton");
     ASSERT_TRUE(panel.waitFor([&] { return std::abs(shaft() - home - 500) <= 3; }));
@@ -130,7 +130,7 @@ TEST_F(HomingPage, ScanAgainEndsTheSearchForHomeAndThenLooks) {
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     QTest::keyClick(panel.window().windowHandle(), Qt::Key_F5);
     EXPECT_TRUE(panel.waitFor([&] { return panel.chainsFound() == 2; }));
-    EXPECT_FALSE(testing_support::moves(sim)) << "no motor is left to a search that nobody watches";
+    EXPECT_FALSE(testing_support::moves(sim)) << "no motor is left to a search that nothing supervises";
     EXPECT_EQ(sim.violations(), "");
 }
 
@@ -144,7 +144,7 @@ TEST_F(HomingPage, TheIndexBehindTheLimit) {
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Done"_s));
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 2)
-        << "it began on the index, and did not make it zero";
+        << "it started on the index, and did not make it zero";
     EXPECT_NEAR(sim.state(1)[u"home"_s].toInt(), 0, 1);
     EXPECT_EQ(sim.violations(), "");
 }
@@ -173,7 +173,7 @@ TEST_F(HomingPage, M15_AModuleThatFallsSilentIsNotHomedAndToldToStop) {
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
     ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
-    // It hears and obeys, but its answers are lost.
+    // It receives and carries out commands, but its answers are lost.
     EXPECT_FALSE(sim.control(u"fault module 1 drop status for=4s"_s).contains(u"error"_s));
     ASSERT_TRUE(waitForResult(u"Failed"_s));
     EXPECT_EQ(panel.count(u"is not homed"_s), 1) << panel.headlines().join(u'\n').toStdString();
@@ -220,12 +220,12 @@ TEST_F(HomingPage, CancelStopsTheMotor) {
 
 struct Other {
     const char* button;
-    bool servoOn;  ///< afterwards
+    bool servoOn;  ///< after the search has ended
 };
 
 class OtherWish : public HomingPage, public testing::WithParamInterface<Other> {};
 
-/// Whatever the user asks for meanwhile ends the search, and the motor is left as that asked for.
+/// Any other request ends the search, and leaves the motor as that request wants it.
 TEST_P(OtherWish, EndsTheSearchAndIsNotUndone) {
     const auto [name, on] = GetParam();
     ASSERT_NO_FATAL_FAILURE(begin());
@@ -243,7 +243,8 @@ TEST_P(OtherWish, EndsTheSearchAndIsNotUndone) {
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_FALSE(testing_support::moves(sim));
     EXPECT_EQ(sim.state(1)[u"servo_on"_s].toBool(), on);
-    EXPECT_LT(sim.state(1)[u"position"_s].toInt(), -50) << "it had moved, and nothing made it zero";
+    EXPECT_LT(sim.state(1)[u"position"_s].toInt(), -50)
+        << "it had moved, and nothing has made this position zero";
     EXPECT_EQ(sim.violations(), "");
 }
 
@@ -294,7 +295,7 @@ TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
                              ServoPace{CountsPerTick(1 << 14), CountsPerTickSquared(1'311)}});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     panel.ask(intent::Home{});
-    EXPECT_EQ(panel.count(u"Module 1 cannot do this now"_s), 1) << "not in a queue either";
+    EXPECT_EQ(panel.count(u"Module 1 cannot do this now"_s), 1) << "it is not queued either";
     EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning() && !testing_support::moves(sim); }));
     ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
     panel.ask(intent::MoveBy{{-250, 30, 0.0, false},

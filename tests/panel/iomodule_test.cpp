@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A PIC-I/O, through the window and by object name; the oracle is what the simulator knows of its pins.
+// A PIC-I/O, through the window and by object name; the oracle is what the simulator knows about its pins.
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
@@ -58,8 +58,8 @@ TEST_F(IoModulePage, StopAllTakesLowWhatTheMachineWantsLowAndLeavesTheRest) {
     ASSERT_NO_FATAL_FAILURE(strike("pin2Box"));
     ASSERT_TRUE(reads("pin2Level", QStringLiteral("high")));
     ASSERT_NO_FATAL_FAILURE(strike("pin1OffAtStop"));
-    ASSERT_TRUE(panel.answersFor(0.2));  // the bus knows
-    EXPECT_EQ(sim.violations(), "");     // a stop overtakes what is under way
+    ASSERT_TRUE(panel.answersFor(0.2));  // until the bus thread has it
+    EXPECT_EQ(sim.violations(), "");     // a stop overtakes what is in progress
     panel.click("stopAllButton");
     EXPECT_TRUE(reads("pin1Level", QStringLiteral("low")));
     EXPECT_TRUE(panel.answersFor(0.2));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The chain that was there when the panel ran last: what is known of it, and what the next run makes of that.
+// The chain that was connected when the panel last ran: what is remembered, and what the next run makes of
+// it.
 #include "app/knownchain.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ using testing_support::VirtualPanel;
 
 class KnownChain : public testing::Test {
 protected:
-    /// A run of the panel with the settings of the one before.
+    /// A run of the panel with the settings of the previous one.
     void run(const QString& port) {
         panel = std::make_unique<VirtualPanel>(directory.filePath(QStringLiteral("panel.ini")));
         panel->start();
@@ -41,7 +42,7 @@ TEST_F(KnownChain, AModuleThatWasPowerCycledMeanwhileIsNamedAndNoneTakesItsPlace
     (void)sim.control(QStringLiteral("power-cycle 2"));
     ASSERT_NO_FATAL_FAILURE(run(sim.terminal()));
     ASSERT_EQ(modules().size(), 3U);
-    EXPECT_TRUE(modules()[2].isStepper()) << "Z is where it was";
+    EXPECT_TRUE(modules()[2].isStepper()) << "Z is in its old place";
     EXPECT_EQ(modules()[2].info.address, BusAddress(3));
     ASSERT_TRUE(comes(QStringLiteral("Module 2 restarted"))) << told();
     ASSERT_TRUE(panel->press(QStringLiteral("Module 2 restarted"), QStringLiteral("address")));
@@ -59,7 +60,7 @@ TEST_F(KnownChain, AModuleThatWasTakenOutOnPurposeIsForgotten) {
         if (first) {
             ASSERT_EQ(modules().size(), 3U);
             ASSERT_TRUE(comes(missing)) << told();
-            EXPECT_EQ(panel->count(QStringLiteral("does not answer")), 1) << "once";
+            EXPECT_EQ(panel->count(QStringLiteral("does not answer")), 1) << "reported once";
             ASSERT_TRUE(panel->press(missing, QStringLiteral("Work with 2")));
             ASSERT_TRUE(panel->waitFor([&] { return panel->connected() && modules().size() == 2; }))
                 << told();
@@ -88,7 +89,7 @@ TEST_F(KnownChain, IsRememberedByPort) {
     const std::vector<bus::ModuleInfo> chain{
         {ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}},
         {ModuleIndex(1), BusAddress(77), {ModuleType::Stepper, 1}},
-        {ModuleIndex(2), BusAddress(3), {ModuleType::Servo, 4}},  // addresses are given freely
+        {ModuleIndex(2), BusAddress(3), {ModuleType::Servo, 4}},  // addresses need not be in order
     };
     rememberChain(settings, QStringLiteral("/dev/ttyUSB0"), chain);
     EXPECT_EQ(knownChain(settings, QStringLiteral("/dev/ttyUSB0")), chain);
@@ -101,7 +102,7 @@ TEST_F(KnownChain, ARateThatNoLookTriesIsRemembered) {
     rememberRate(settings, port, 250'000);
     EXPECT_EQ(knownRate(settings, port), 250'000U);
     rememberRate(settings, port, 57'600);
-    EXPECT_EQ(knownRate(settings, port), 0U) << "each look tries it anyway";
+    EXPECT_EQ(knownRate(settings, port), 0U) << "each search tries it anyway";
     settings.setValue(QStringLiteral("chainRate/_dev_ttyUSB0"), QStringLiteral("4000"));
     EXPECT_EQ(knownRate(settings, port), 0U) << "1 250 000 / 256 = 4883 is the slowest";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A limit stop armed for each motion, in the whole program, against what the simulator knows of the motor.
+// A limit stop that is armed for each motion, in the whole program, checked with the simulated motor.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -42,7 +42,7 @@ protected:
     bool armed() {
         return panel.waitFor([&] { return watch().state() == HomeWatch::State::Armed && watch().stops(); });
     }
-    /// On the box itself: its row is wider.
+    /// Clicks the box itself, because its row is wider.
     void tick(const char* name) {
         auto* box = panel.window().findChild<QAbstractButton*>(QLatin1String(name));
         testing_support::turnTo(*box);
@@ -81,10 +81,10 @@ TEST_F(ArmedLimits, TheChipStopsAtTheSwitchAndIsArmedAgain) {
     ASSERT_TRUE(panel.answersFor(0.5));
     EXPECT_NEAR(shaft(), rest, 2);
     (void)sim.control(u"set 1 limit1 0"_s);
-    ASSERT_TRUE(armed()) << "by itself, once the switch is open";
+    ASSERT_TRUE(armed()) << "it was armed automatically, once the switch had opened";
     ASSERT_NO_FATAL_FAILURE(run());
     (void)sim.control(u"set 1 limit1 1"_s);
-    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); })) << "again";
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); })) << "it stopped again";
     EXPECT_EQ(sim.violations(), "");
 }
 
@@ -102,7 +102,8 @@ TEST_F(ArmedLimits, AnOperatorMovesNothingUnarmed) {
         QTest::keyClicks(panel.window().findChild<QLineEdit*>(QLatin1String(name)), u"4711"_s);
     panel.click("operatorBeginButton");
     ASSERT_TRUE(panel.window().operatorLock().isLocked());
-    // A window that loses the focus ends what is held: the dialog's is gone before anything is.
+    // A window that loses the focus ends what is held: wait until the dialog has lost it before anything is
+    // held.
     ASSERT_TRUE(panel.waitFor([&] { return QApplication::activeWindow() == nullptr; }));
     panel.window().activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
@@ -125,7 +126,7 @@ TEST_F(ArmedLimits, APositionErrorStopsIt) {
     tick("armMotorOffButton");
     ASSERT_NO_FATAL_FAILURE(armEachMotion("armPositionErrorBox"));
     ASSERT_NO_FATAL_FAILURE(run());
-    (void)sim.control(u"set 1 friction 1"_s);  // N*m, more than the motor has
+    (void)sim.control(u"set 1 friction 1"_s);  // N m, more than the motor can overcome
     EXPECT_TRUE(panel.waitFor([&] { return !panel.module().servoOn() && !moves(sim); }));
     EXPECT_TRUE(panel.waitFor([&] { return watch().state() == HomeWatch::State::Tripped; }));
 }

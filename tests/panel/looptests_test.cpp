@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Square waves, frequency responses and the report, in the whole program: by its buttons, against the
-// simulator.
+// Square waves, frequency responses and the report, in the whole program, by its buttons, with the simulator.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -50,7 +49,7 @@ protected:
         field->selectAll();
         QTest::keyClicks(field, value);
     }
-    /// `test`: what the names of its controls begin with.
+    /// `test`: the prefix of the names of its controls.
     [[nodiscard]] bool ended(const char* test) {
         const QString name = QLatin1String(test) + u"EndButton"_s;
         auto* end = panel.window().findChild<QAbstractButton*>(name);
@@ -71,7 +70,7 @@ TEST_F(TestsOfTheLoop, ASquareWaveTakesNewGainsAndItsFoldIsKept) {
     auto* field = panel.window().findChild<QLineEdit*>(u"kdField"_s);
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_TRUE(panel.waitFor([&] { return panel.module().gains->kd == 2'000; }));
-    EXPECT_EQ(text("squareWaveState").left(6), u"Moving"_s) << "it goes on";
+    EXPECT_EQ(text("squareWaveState").left(6), u"Moving"_s) << "the test goes on";
     ASSERT_TRUE(ended("squareWave")) << text("squareWaveState").toStdString();
     EXPECT_TRUE(text("squareWaveResults").contains(u"Rise"_s));
     EXPECT_NEAR(position(), 0, 5);
@@ -108,7 +107,7 @@ TEST_F(TestsOfTheLoop, SinesGiveABandwidthAndAReport) {
     ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));
     const QByteArray bytes = pdf.readAll();
     EXPECT_TRUE(bytes.startsWith("%PDF"));
-    EXPECT_TRUE(bytes.contains("/Count 1\n")) << "one page";
+    EXPECT_TRUE(bytes.contains("/Count 1\n")) << "it has one page";
     EXPECT_EQ(sim.violations(), "");
 }
 
@@ -120,12 +119,13 @@ TEST_F(TestsOfTheLoop, EscEndsSinesForGood) {
     ASSERT_TRUE(panel.waitFor([&] { return std::abs(position()) > 100; }));
     QTest::keyClick(&panel.window(), Qt::Key_Escape);
     ASSERT_TRUE(ended("frequency"));
-    ASSERT_TRUE(panel.answersFor(0.5)) << "a stop is told twice, and each time it holds where the motor is";
+    ASSERT_TRUE(panel.answersFor(0.5))
+        << "a stop is sent twice, and each time the servo holds where the motor is";
     const int command = sim.state(1)[u"command_position"_s].toInt();
     ASSERT_TRUE(panel.answersFor(1.0));
     EXPECT_EQ(sim.state(1)[u"command_position"_s].toInt(), command);
     EXPECT_TRUE(panel.module().servoOn()) << "a stop keeps holding";
-    // And it can be begun anew, from where it was stopped.
+    // It can be started again from where it was stopped.
     auto* start = panel.window().findChild<QAbstractButton*>(u"frequencyStartButton"_s);
     if (!start->isEnabled()) {
         ASSERT_NO_FATAL_FAILURE(panel.click("frequencyHoldButton"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The machine file in the whole program, against a simulator that counts what reaches the modules: opening
-// sends nothing, Apply sends what is ticked and nothing else, and no work is lost.
+// The machine file in the whole program, with a simulator that counts what reaches the modules: opening sends
+// nothing, Apply sends what is ticked and nothing else, and no work is lost.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ protected:
         const auto parsed = parseMachine(text.value_or(""));
         return parsed ? parsed->machine : Machine{};
     }
-    /// How often a module carried a command out.
+    /// How often a module has carried out a command.
     static int executed(VirtualChain& sim, int module, const char* command) {
         const QJsonArray modules = sim.control(QStringLiteral("stats"))[QStringLiteral("modules")].toArray();
         return modules[module - 1]
@@ -68,7 +68,7 @@ protected:
             .toObject()[QLatin1String(command)]
             .toInt();
     }
-    /// Everything that each module was told, as text; looking at them is not telling.
+    /// Everything that each module has been sent, as text, apart from queries.
     static std::string told(VirtualChain& sim) {
         std::string all;
         for (const QJsonValue& module :
@@ -102,7 +102,7 @@ protected:
         panel.connectTo(sim.terminal());
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
     }
-    /// In the main window, whatever stood in front of it before.
+    /// Presses keys in the main window, whatever was in front of it before.
     static void strike(VirtualPanel& panel, QKeyCombination keys) {
         panel.window().activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
@@ -205,7 +205,7 @@ TEST_F(MachineFiles, ApplySendsExactlyWhatIsTickedAndMovesNothing) {
     }
     EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"X axis\""));
     EXPECT_EQ(texts::moduleName(ModuleIndex(1)), QStringLiteral("Module 2"));
-    EXPECT_TRUE(panel.window().isWindowModified()) << "it is not what the file says";
+    EXPECT_TRUE(panel.window().isWindowModified()) << "it differs from the file";
     EXPECT_EQ(sim.violations(), "");
 }
 
@@ -221,7 +221,7 @@ TEST_F(MachineFiles, ApplyingAllOfItMakesItTheOpenFile) {
     EXPECT_FALSE(panel.window().isWindowModified());
     EXPECT_TRUE(panel.window().windowTitle().endsWith(QStringLiteral(" - mill[*]")));
     EXPECT_EQ(panel.headlines().first(), QStringLiteral("\"mill.json\" is open. Settings applied: 7."));
-    // Opened again, there is nothing to do.
+    // When it is opened again, there is nothing to do.
     ASSERT_TRUE(panel.waitFor([&] {
         const auto& modules = panel.composition().store().link().modules;
         return modules[1].gains && modules[0].io;
@@ -235,7 +235,7 @@ TEST_F(MachineFiles, AMotorThatMovesGoesOnAndNothingIsSentToIt) {
     VirtualChain sim(QStringLiteral("servo,servo"));
     VirtualPanel panel;
     panel.startMoving(sim);
-    // Its gains are the file's already; the limit pins are not.
+    // It already has the gains of the file, but not the limit pins.
     ASSERT_EQ(kGains.kp, panel.module().gains->kp);
     open(panel, file);
     click(panel, "tickAllButton");
@@ -249,7 +249,7 @@ TEST_F(MachineFiles, AMotorThatMovesGoesOnAndNothingIsSentToIt) {
     EXPECT_EQ(executed(sim, 1, "io_control"), 0);
     ASSERT_NE(table(panel), nullptr);
     EXPECT_TRUE(moves(sim));
-    // Names can be taken meanwhile.
+    // Names can be applied in the meantime.
     tickOnly(panel, {QStringLiteral("Module 1: Name")});
     click(panel, "applyDifferencesButton");
     EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"X axis\""));
@@ -270,7 +270,7 @@ TEST_F(MachineFiles, AFileForOtherHardwareSaysSoAndIsNotOverwritten) {
     click(panel, "applyDifferencesButton");
     ASSERT_TRUE(panel.waitFor([&] { return executed(sim, 2, "set_gain") == 1; }));
     EXPECT_EQ(executed(sim, 1, "set_gain"), 0);
-    EXPECT_TRUE(menu(panel).file().path.isEmpty()) << "Save asks for a name";
+    EXPECT_TRUE(menu(panel).file().path.isEmpty()) << "Save requests a name";
     EXPECT_EQ(readFile(file, kMaxMachineFile).value(), content);
 }
 
@@ -378,12 +378,13 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
         click(panel, "applyDifferencesButton");
         rename(panel, "Unsaved");
     }
-    EXPECT_EQ(machineIn(file), twoServos()) << "the file is the user's to save";
+    EXPECT_EQ(machineIn(file), twoServos()) << "only the user saves the file";
     {
         VirtualPanel panel(settings);
         panel.start();
         EXPECT_EQ(panel.headlines().first(), QStringLiteral("Unsaved changes to \"mill\" were recovered."));
-        EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel")) << "not before it is asked for";
+        EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel"))
+            << "nothing is restored before the user requests it";
         ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Restore")));
         EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel - mill[*]"));
         EXPECT_TRUE(panel.window().isWindowModified());
@@ -394,7 +395,7 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
     }
     VirtualPanel panel(settings);
     panel.start();
-    EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), 0) << "it is saved";
+    EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), 0) << "it has been saved";
 }
 
 TEST_F(MachineFiles, UnsavedWorkThatIsDiscardedIsGone) {
@@ -418,13 +419,13 @@ TEST_F(MachineFiles, UnsavedWorkIsKeptAFewSecondsAfterTheChange) {
     VirtualPanel panel(settings);
     panel.start();
     rename(panel, "Z");
-    // As a program that is killed would leave it.
+    // The file is what a killed program would leave behind.
     const QString kept = directory.filePath(QStringLiteral("unsaved/unsaved-1"));
     EXPECT_FALSE(QFile::exists(kept));
     ASSERT_TRUE(panel.waitFor([&] { return QFile::exists(kept); }));
     EXPECT_THAT(readFile(kept, kMaxMachineFile).value(), testing::HasSubstr("\"name\": \"Z\""));
     saveAs(panel, file);
-    EXPECT_TRUE(panel.waitFor([&] { return !QFile::exists(kept); })) << "nothing is unsaved";
+    EXPECT_TRUE(panel.waitFor([&] { return !QFile::exists(kept); })) << "nothing is unsaved any more";
 }
 
 TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothing) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What moves is kept in a file, and the next program says of one that is left what it means.
+// A file records which motors move; if one is left behind, the next program reports what it means.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -24,7 +24,7 @@ protected:
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(content);
     }
-    /// As a program does that was killed, and that no process has the number of: there are none above 2^22.
+    /// Leaves a file like that of a killed program whose number no process has: there are none above 2^22.
     void leave(const VirtualChain& sim) {
         leave(QStringLiteral("moving-4194305-2-3.json"),
               R"({"port":")" + sim.terminal().toUtf8() + R"(","baud":19200,"modules":[1]})");
@@ -47,7 +47,7 @@ TEST_F(LeftMark, IsSaidAtTheNextStartUntilTheMotorWasSeenAtRest) {
     }
     VirtualPanel next({}, {}, home.path());
     next.start();
-    ASSERT_TRUE(stays(next)) << "to have been told once is not enough";
+    ASSERT_TRUE(stays(next)) << "reporting it once is not enough";
     ASSERT_NO_FATAL_FAILURE(next.connectTo(other.terminal()));
     ASSERT_TRUE(next.answersFor(2.0));
     EXPECT_TRUE(stays(next)) << "that is another port";
@@ -91,15 +91,15 @@ TEST_F(LeftMark, WithWhatTheGuardianDidCanBeLookedAt) {
     next.start();
     const QString told = QStringLiteral("its guardian told module 1 to stop");
     ASSERT_NE(next.standing(told), nullptr);
-    EXPECT_EQ(next.count(kEnded), 0) << "one event, one message";
+    EXPECT_EQ(next.count(kEnded), 0) << "one event gives one message";
     ASSERT_TRUE(next.press(told, QStringLiteral("Look first")));
     ASSERT_TRUE(next.waitFor([&] { return next.connected() && next.module().latest.has_value(); }));
     EXPECT_TRUE(next.composition().store().link().readOnly);
     ASSERT_TRUE(next.answersFor(2.0));
-    EXPECT_NE(next.standing(told), nullptr) << "to look on is not to settle it";
+    EXPECT_NE(next.standing(told), nullptr) << "watching does not settle it";
     ASSERT_TRUE(next.press(told, QStringLiteral("Look first")));
     EXPECT_NE(next.standing(QStringLiteral("A port is already open")), nullptr);
-    EXPECT_TRUE(next.connected()) << "to close it for that might stop motors";
+    EXPECT_TRUE(next.connected()) << "closing the port for that might stop motors";
     ASSERT_TRUE(next.press(told, QStringLiteral("I have checked")));
     EXPECT_EQ(next.standing(told), nullptr);
 }
@@ -122,7 +122,7 @@ TEST(MotionMark, IsAskedForBeforeTheCommandAndGoneWhenTheMotorStands) {
     EXPECT_EQ(panel.markers().size(), 1);
     panel.click("stopAbruptlyButton");
     ASSERT_TRUE(panel.waitFor([&] { return panel.markers().isEmpty(); }));
-    // Whatever is seen of the motor: no time has passed.
+    // The file is there whatever is known about the motor: no time has passed.
     panel.ask(intent::Move{
         servomotion::VelocityProfile{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false}});
     ASSERT_EQ(panel.markers().size(), 1);
@@ -147,7 +147,7 @@ TEST(PortGone, WithAMotorMovingIsNotOverBecauseSomebodyTriedAgain) {
             return !panel.composition().worker().isOpen() && (i > 0 || panel.headlines().size() > before);
         }));
         EXPECT_NE(panel.standing(gone), nullptr);
-        EXPECT_EQ(panel.markers().size(), 1) << "what moved is not forgotten either";
+        EXPECT_EQ(panel.markers().size(), 1) << "the motor that moved is not forgotten either";
     }
 }
 

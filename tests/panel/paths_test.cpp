@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths by mouse and key; the oracle is what the simulator knows of its modules.
+// Paths, with mouse and keys; the oracle is what the simulator knows about its modules.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -37,7 +37,7 @@ protected:
     [[nodiscard]] const ModuleState& module(std::uint8_t index) {
         return *panel.composition().store().module(ModuleIndex(index));
     }
-    /// A swing of so many counts about 0, so many seconds long, in columns of these names.
+    /// A path that swings by `counts` about 0 for `seconds`, in columns with these names.
     QString swing(const QStringList& names, double counts, double seconds) {
         QString text = u"# rate 60\n"_s + names.join(u',') + u'\n';
         const int points = qRound(seconds * 61);
@@ -214,7 +214,7 @@ TEST_F(Paths, OneIsDrawnFromTheMovesOfASequence) {
     EXPECT_EQ(sim.violations(), "");
 }
 
-/// What else happens in the window, or on the line, while a path runs.
+/// Something else that happens in the window, or on the line, while a path runs.
 struct Phase {
     const char* name;
     void (*enter)(VirtualPanel& panel, VirtualChain& sim);
@@ -265,7 +265,7 @@ TEST_P(PathWhile, EscEndsItForGood) {
     ASSERT_NO_FATAL_FAILURE(run());
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
     ASSERT_NO_FATAL_FAILURE(GetParam().enter(panel, sim));
-    QWindow* focused = QGuiApplication::focusWindow();  // none of the main window's, offscreen
+    QWindow* focused = QGuiApplication::focusWindow();  // offscreen, null for the main window
     QTest::keyClick(focused != nullptr ? focused : panel.window().windowHandle(), Qt::Key_Escape);
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     (void)sim.control(u"fault clear"_s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pendant and operator mode in the whole program, against what the simulator knows of the motor.
+// Pendant and operator mode in the whole program, checked with the simulated motor.
 #include <gtest/gtest.h>
 
 #include <QAction>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Adapters that go and come back, and slow ones, through the whole window; and the sentences about ports.
+// Adapters that go and come back, and slow ones, in the whole window; and the messages about ports.
 #include <gtest/gtest.h>
 
 #include <QClipboard>
@@ -17,7 +17,7 @@ namespace {
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
 
-/// A machine whose ports are what the test says.
+/// A machine whose ports the test defines.
 class PortsMachine {
 public:
     PortController::Places places() {
@@ -28,7 +28,7 @@ public:
         return places;
     }
     [[nodiscard]] QString port(const char* name) const { return m_directory.filePath(QLatin1String(name)); }
-    /// The list as it is from now on; something in the folder of devices changes with it.
+    /// Sets the list from now on, and changes something in the folder of devices.
     void set(const QList<PortEntry>& ports) {
         m_ports = ports;
         QFile file(m_directory.filePath(QStringLiteral("change%1").arg(++m_changes)));
@@ -91,7 +91,7 @@ TEST(F29_BackUnderAnotherName, IsOnlyLookedAtWhereItWasOnlyLookedAt) {
     panel.start();
     const LinkState& link = panel.composition().store().link();
     emit panel.window().connectRequested(one, 115'200, true);
-    // Whether the chain has addresses to be looked at does not matter here.
+    // It does not matter here whether the chain has modules with addresses.
     ASSERT_TRUE(
         panel.waitFor([&] { return link.phase == LinkPhase::Connected || link.phase == LinkPhase::Lost; }));
     before.unplug();
@@ -120,7 +120,7 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     machine.set({adapter(port, "B2")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(kDifferent) == 1; }));
     panel.askFor(port);
-    EXPECT_EQ(panel.count(kDifferent), 2) << "asked again, said again";
+    EXPECT_EQ(panel.count(kDifferent), 2) << "a second request is reported again";
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
 
     ASSERT_TRUE(panel.press(kDifferent, QStringLiteral("Connect to it")));
@@ -167,7 +167,8 @@ TEST(SlowAdapter, AtOneMillisecondIsNotSlow) {
     const QString port = machine.port("ttyUSB0");
     machine.setLatency(port, "1\n");
     PortController controller(machine.places());
-    EXPECT_EQ(controller.adapterLatency(port), std::chrono::milliseconds(4)) << "never below";
+    EXPECT_EQ(controller.adapterLatency(port), std::chrono::milliseconds(4))
+        << "it is never assumed to be less";
     int told = 0;
     QObject::connect(&controller, &PortController::reported, [&told] { ++told; });
     controller.opening({port, 19'200});
@@ -176,7 +177,7 @@ TEST(SlowAdapter, AtOneMillisecondIsNotSlow) {
     machine.setLatency(port, "16\n");
     controller.opening({port, 19'200});
     controller.noteRate(0);
-    EXPECT_EQ(told, 0) << "nothing is known of its speed yet";
+    EXPECT_EQ(told, 0) << "its rate is not known yet";
     controller.noteRate(58);
     controller.noteRate(58);
     EXPECT_EQ(told, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where an axis was is offered after its module lost its power, through the window.
+// The last position of an axis is offered after its module has lost power, in the window.
 #include <gtest/gtest.h>
 
 #include <QLabel>
@@ -18,7 +18,7 @@ using testing_support::VirtualPanel;
 
 class PositionKept : public testing::Test {
 protected:
-    /// Home is saved where the servo is, and it goes 5 000 counts away from there.
+    /// Saves home where the servo is, and moves it 5 000 counts away from there.
     void leaveAt5000(VirtualPanel& panel) {
         panel.composition().show({sim.terminal(), 115'200, false});
         ASSERT_TRUE(panel.waitFor(
@@ -37,7 +37,7 @@ protected:
         }));
         ASSERT_TRUE(panel.answersFor(0.3));
     }
-    /// All modules lose their power and have it again.
+    /// Takes the power of all modules away and restores it.
     void power() { (void)sim.control(u"power-cycle all"_s); }
     [[nodiscard]] static QString head(VirtualPanel& panel) {
         return panel.window().findChild<QLabel*>(u"homeState"_s)->text();
@@ -60,11 +60,12 @@ TEST_F(PositionKept, IsOfferedAfterAPowerOffAndIsNotVerifiedUntilHomeIsSavedAgai
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }))
         << panel.headlines().join(u" | "_s).toStdString();
-    EXPECT_FALSE(panel.module().home.place().has_value()) << "never by itself";
+    EXPECT_FALSE(panel.module().home.place().has_value()) << "it is never restored automatically";
     EXPECT_EQ(head(panel), u"Home: unknown"_s);
     ASSERT_TRUE(panel.press(offer, u"Restore home"_s));
     ASSERT_TRUE(panel.module().home.place().has_value());
-    // It stood at 5 000, within 4 counts, and is kept anew from 5 counts on; its counter began at 0 there.
+    // It stood at 5 000, within 4 counts, and its position is saved again from 5 counts on; its counter
+    // started at 0 there.
     EXPECT_NEAR(panel.module().home.place()->counts, -5'000, 4 + 5);
     EXPECT_TRUE(panel.waitFor([&] { return head(panel).endsWith(u"not verified"_s); }))
         << head(panel).toStdString();
@@ -119,7 +120,7 @@ TEST_F(PositionKept, OneThatMovedWhenItsPowerWentIsNotOffered) {
     EXPECT_EQ(panel.count(offer), 0);
 }
 
-/// Quitting stops the motor, which is known to rest then.
+/// Quitting stops the motor, which is then known to be at rest.
 TEST_F(PositionKept, OneThatWasStoppedByQuittingIsOffered) {
     {
         VirtualPanel panel({}, {}, folder.path());
@@ -137,14 +138,14 @@ TEST_F(PositionKept, OneThatWasStoppedByQuittingIsOffered) {
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
     ASSERT_TRUE(panel.press(offer, u"Restore home"_s));
-    // The counter began at 0 where the motor rests; home was at 0.
+    // The counter started at 0 where the motor rests; home was at 0.
     EXPECT_NEAR(panel.module().home.place()->counts, -rests, 4 + 5);
 }
 
-/// Positions are kept for the chain at a port, whatever file the machine was in when it moved last.
+/// Positions are kept for the chain at a port, whichever file the machine was in when it last moved.
 class PositionOfAMachine : public PositionKept {
 protected:
-    /// "press" is saved while it stands at 5 000; then the modules lose their power.
+    /// "press" is saved while the servo stands at 5 000; then the modules lose power.
     void leavePressAt5000() {
         VirtualPanel panel({}, {}, folder.path());
         ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
@@ -157,8 +158,8 @@ protected:
         ASSERT_TRUE(writeFile(mill, writeMachine(other)).has_value());
         power();
     }
-    /// Attached, with what was remembered on offer. At the rate to which a restarted module listens, so that
-    /// it can have its address again.
+    /// Connects to the chain, and waits for the offer. The rate is the one at which a restarted module
+    /// listens, so that it can get its address again.
     void begin(VirtualPanel& panel) {
         panel.composition().show({sim.terminal(), 19'200, false});
         ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
@@ -182,7 +183,7 @@ TEST_F(PositionOfAMachine, IsOfferedUnlessAnotherMachineIsOpened) {
     EXPECT_NE(panel.standing(offer), nullptr) << "it is the same machine";
     ASSERT_NO_FATAL_FAILURE(open(panel, mill, "mill"));
     ASSERT_TRUE(panel.answersFor(0.3));
-    EXPECT_EQ(panel.standing(offer), nullptr) << "that one has never been seen here";
+    EXPECT_EQ(panel.standing(offer), nullptr) << "that machine has never been seen here";
 }
 
 TEST_F(PositionOfAMachine, IsNotOfferedToAnotherWhoseModuleWasSilentWhenItWasOpened) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// faults.md H-02: connected read-only, through the whole window, at a chain that another program has set
-// going. It runs on through everything that stops motors elsewhere; what goes over the wire for that is
-// tests/bus/readonly_test.cpp.
+// faults.md H-02: a read-only connection, in the whole window, to a chain that another program has started.
+// The motor keeps running through everything that stops motors elsewhere; what is sent over the line is
+// covered by tests/bus/readonly_test.cpp.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -37,7 +37,7 @@ protected:
         before = testing_support::changes(sim);
     }
 
-    /// As `nmcpanel --port ... --read-only` does.
+    /// Connects as `nmcpanel --port ... --read-only` does.
     void begin() { panel.composition().show({sim.terminal(), 19'200, false, false, true}); }
     void look() {
         begin();
@@ -62,7 +62,7 @@ protected:
     [[nodiscard]] bool closes() {
         return panel.waitFor([&] { return !panel.composition().worker().isOpen(); });
     }
-    /// Nobody has done anything to a module, and the servo runs as it did.
+    /// Expects that no module was changed, and that the servo runs as it did.
     void expectUndisturbed() {
         EXPECT_NEAR(sim.state(2)[u"command_velocity"_s].toDouble(), 4.0, 0.01);
         EXPECT_EQ(testing_support::changes(sim), before);
@@ -120,7 +120,7 @@ TEST_F(H02_ReadOnly, NoControlOfAModuleSends) {
     expectUndisturbed();
 }
 
-/// By the rule that greys out and the rule that plans, which the window is not asked first.
+/// Checks the rules that disable controls and those that plan, without the help of the window.
 TEST_F(H02_ReadOnly, NoRuleLetsAnythingThroughButTheQuestion) {
     ASSERT_NO_FATAL_FAILURE(look());
     const servomotion::Trapezoid move{Counts(20'000), CountsPerTick(8 << 16), CountsPerTickSquared(1'311)};
@@ -165,7 +165,7 @@ TEST_F(H02_ReadOnly, NoRuleLetsAnythingThroughButTheQuestion) {
 
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"Module 1 cannot do this now"_s) > 0; }));
     ASSERT_TRUE(panel.answersFor(0.3));
-    EXPECT_TRUE(panel.markers().isEmpty()) << "that motion is nobody's here";
+    EXPECT_TRUE(panel.markers().isEmpty()) << "this panel is not responsible for that motion";
     expectUndisturbed();
 }
 
@@ -181,7 +181,7 @@ TEST_F(H02_ReadOnly, TheChainAsAWholeIsToldNothing) {
     trigger(u"chainDoctorAction"_s);
     expectRefused(u"restartChainButton"_s);
     EXPECT_FALSE(find<QAction>(u"restartNetworkAction"_s)->isEnabled());
-    EXPECT_TRUE(find<QAbstractButton>(u"scanButton"_s)->isEnabled()) << "that only asks";
+    EXPECT_TRUE(find<QAbstractButton>(u"scanButton"_s)->isEnabled()) << "scanning only queries";
     expectUndisturbed();
 }
 
@@ -206,7 +206,7 @@ TEST_F(H02_ReadOnly, StopAllStopsAndTheConnectionStaysReadOnly) {
     EXPECT_TRUE(ribbon());
 }
 
-/// A stop that was asked for goes before the close that comes right behind it.
+/// A stop that was requested is carried out before the close that follows immediately.
 TEST_F(H02_ReadOnly, StopsWhenItIsAskedToAndThenCloses) {
     ASSERT_NO_FATAL_FAILURE(look());
     QTest::mousePress(find<QAbstractButton>(u"stopAllButton"_s), Qt::LeftButton);

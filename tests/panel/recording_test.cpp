@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recording and opening recordings, on the simulator, under a German locale.
+// Recordings are made and opened, with the simulator and a German locale.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -112,7 +112,8 @@ TEST_F(RecordingProgram, AMoveIsRecordedToTheLastBit) {
     ASSERT_GE(kept.size(), read.samples.size());
     for (std::size_t i = 0; i < read.samples.size(); ++i) {
         ASSERT_TRUE(sameBits(read.samples[i], kept[i])) << i;
-        EXPECT_EQ(read.samples[i].time.time_since_epoch(), kept[i].time - zero) << i << ": as in the scope";
+        EXPECT_EQ(read.samples[i].time.time_since_epoch(), kept[i].time - zero)
+            << i << ": the same as in the scope";
     }
     EXPECT_GT(read.samples.back().position, read.samples.front().position + 1'000);
 }

@@ -10,8 +10,8 @@ namespace {
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
 
-/// The order of addressing is X, Y, Z. With Y gone, Z must not become the second module: Y's controls would
-/// drive it.
+/// The modules have addresses in the order X, Y, Z. When Y is gone, Z must not become the second module: the
+/// controls of Y would drive it.
 TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces) {
     VirtualChain sim(QStringLiteral("servo,servo,step"));
     VirtualPanel panel;
@@ -28,10 +28,10 @@ TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces)
     };
     ASSERT_TRUE(panel.waitFor(found)) << panel.headlines().join(QLatin1Char('\n')).toStdString();
     EXPECT_EQ(store.link().modules[2].info.address, BusAddress(3));
-    EXPECT_TRUE(store.link().modules[2].isStepper()) << "Z is where it was";
+    EXPECT_TRUE(store.link().modules[2].isStepper()) << "Z is in its old place";
     EXPECT_TRUE(store.link().modules[1].silent) << "STOP ALL does not reach it";
 
-    // Until it was looked at, a chain that was left running may be moving, and no address is given.
+    // Before it has been watched, a chain that was left running may be moving, and no address is assigned.
     const auto rests = [&](std::size_t i) { return store.link().modules[i].activity() != Activity::Unknown; };
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(restarted) != nullptr && rests(0) && rests(2); }));
     ASSERT_TRUE(panel.press(restarted, QStringLiteral("address")));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An axis whose forward is the chip's reverse: what the user reads and asks for has its own direction, and
-// what the motor does is the simulator's word, in the chip's counts.
+// An axis whose forward direction is the chip's reverse: what the user reads and enters has the direction of
+// the axis, while the simulator reports what the motor does in the counts of the chip.
 #include <gtest/gtest.h>
 
 #include "tests/support/hand.h"
@@ -17,7 +17,7 @@ using namespace Qt::StringLiterals;
 
 class Reversed : public testing::Test {
 protected:
-    /// 400 counts a millimetre, and forward counts down.
+    /// The axis has 400 counts per millimetre, and its forward direction counts down.
     void SetUp() override {
         panel.composition().show({sim.terminal(), 115'200, false});
         panel.window().resize(1'280, 800);
@@ -96,7 +96,7 @@ TEST_F(Reversed, ForwardIsForwardOnEveryButton) {
     EXPECT_EQ(sim.violations(), "");
 }
 
-/// Two millimetres forward are 800 counts down: the chip's lowest position is the user's highest.
+/// Two millimetres forward are 800 counts down: the lowest position of the chip is the user's highest.
 TEST_F(Reversed, TheHighestPositionIsWhereTheUserGoesForwardTo) {
     ASSERT_NO_FATAL_FAILURE(makeReady());
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Zero here"_s));
@@ -117,7 +117,7 @@ TEST_F(Reversed, TheHighestPositionIsWhereTheUserGoesForwardTo) {
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Run forward"_s));
     EXPECT_TRUE(panel.waitFor([&] { return rests() && std::abs(counts() + 800) <= 20; })) << counts();
     EXPECT_TRUE(hand.reads(u"At the highest position"_s));
-    // It is turned round on the screen only: what the motor may not do stays the same.
+    // Only the display is reversed: the motor's travel limits stay where they are.
     ASSERT_NO_FATAL_FAILURE(hand.click(u"reversed"_s));
     EXPECT_EQ(travel.lowest, -800);
     EXPECT_TRUE(hand.reads(u"At the lowest position"_s));
@@ -132,7 +132,8 @@ TEST_F(Reversed, ASearchForHomeGoesWhereItSays) {
     ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Homing"_s));
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Reverse: search direction"_s));
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Forward: search direction"_s));
-    EXPECT_TRUE(panel.composition().machine().axes.at(0).homing->reverse) << "to the chip";
+    EXPECT_TRUE(panel.composition().machine().axes.at(0).homing->reverse)
+        << "for the chip, it goes in reverse";
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Home: search"_s));
     ASSERT_TRUE(hand.reads(u"Done"_s));
     EXPECT_LT(sim.state(1)[u"shaft"_s].toDouble(), -900);

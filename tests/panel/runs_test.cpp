@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step responses stay with their machine from session to session, and no file that cannot be read is lost.
+// Step responses stay with their machine from session to session, and a file that cannot be read is not lost.
 #include <gtest/gtest.h>
 
 #include <QDir>
@@ -29,7 +29,7 @@ protected:
         const auto runs = readResponses(text.value_or(""));
         return runs.value_or(std::vector<KeptResponse>{});
     }
-    /// As a step of module 2 would leave it.
+    /// Shows a run like that of a step of module 2.
     static void makeRun(VirtualPanel& panel, int milliseconds) {
         KeptResponse kept;
         kept.run.module = ModuleIndex(1);
@@ -113,7 +113,7 @@ TEST_F(RunsKept, WithTheirNamesUntilTheNextSession) {
     ASSERT_EQ(table->rowCount(), 1);
     EXPECT_EQ(table->item(0, 3)->text(), u"first light"_s);
     EXPECT_EQ(table->item(0, 6)->text(), u"200"_s) << "Kp";
-    EXPECT_TRUE(table->item(0, 10)->text().contains(u"ms"_s)) << "its settling";
+    EXPECT_TRUE(table->item(0, 10)->text().contains(u"ms"_s)) << "its settling time";
     EXPECT_EQ(panel.count(notRead), 0);
     table->setCurrentCell(0, 2);
     panel.click("responseRemoveButton");
@@ -129,7 +129,8 @@ TEST_F(RunsKept, BesideTheMachineFile) {
         ASSERT_NO_FATAL_FAILURE(
             choose(panel, Qt::CTRL | Qt::SHIFT | Qt::Key_S, "saveMachineDialog", file(u"mill.json"_s)));
         ASSERT_TRUE(panel.waitFor([&] { return runsIn(file(u"mill.runs"_s)).size() == 1; }));
-        EXPECT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).empty(); })) << "they are the mill's";
+        EXPECT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).empty(); }))
+            << "they belong to the mill";
         makeRun(panel, 200);
         ASSERT_TRUE(panel.waitFor([&] { return runsIn(file(u"mill.runs"_s)).size() == 2; }));
     }
@@ -142,7 +143,7 @@ TEST_F(RunsKept, BesideTheMachineFile) {
         ASSERT_NO_FATAL_FAILURE(startWith(panel, u"mill.json"_s));
         ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 2; }));
     }
-    // Named, it is found again wherever it is in the chain by then.
+    // A named axis is found again wherever it is in the chain.
     std::vector<KeptResponse> moved = runsIn(file(u"mill.runs"_s));
     moved[0].axisName = "X axis";
     moved[1].axisName = "Y axis";
@@ -162,7 +163,7 @@ TEST_F(RunsKept, ABadFileIsSaidAndSetAside) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(notRead) != nullptr; }));
     EXPECT_TRUE(panel.standing(notRead)->message().body.contains(u"line 4: runs is not a list"_s))
         << panel.standing(notRead)->message().body.toStdString();
-    EXPECT_TRUE(unread().isEmpty()) << "not before there is something to keep";
+    EXPECT_TRUE(unread().isEmpty()) << "not before there is something to save";
     makeRun(panel, 100);
     ASSERT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).size() == 1; }));
     ASSERT_EQ(unread().size(), 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A person teaches points, makes a sequence of them and runs it, in the window against the simulator: where
-// the motor is, is the simulator's word.
+// A user teaches points, makes a sequence of them and runs it, in the window; the simulator knows where the
+// motor is.
 #include <gtest/gtest.h>
 
 #include <QAbstractItemView>
@@ -50,10 +50,10 @@ protected:
     void doubleClick(int row, int column) {
         auto* table = find<QTableView>("rowTable");
         const QPoint at = table->visualRect(table->model()->index(row, column)).center();
-        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, at);  // the first of the two
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, at);  // the first click of the two
         QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, at);
     }
-    /// By a double click on the cell, the arrow keys and Enter.
+    /// Chooses by a double click on the cell, the arrow keys and Enter.
     void choose(int row, int column, const QString& what) {
         auto* table = find<QTableView>("rowTable");
         doubleClick(row, column);
@@ -90,7 +90,7 @@ protected:
             return std::abs(*panel.module().latest->position - position) < 5 && !panel.module().moving();
         }));
     }
-    /// Two points, and a sequence that goes to and fro between them.
+    /// Makes two points, and a sequence that goes back and forth between them.
     void makeSequence() {
         ASSERT_NO_FATAL_FAILURE(begin());
         ASSERT_NO_FATAL_FAILURE(teach(u"Pick"_s));
@@ -133,7 +133,7 @@ TEST_F(Sequences, EscInTheMidstEndsItForGood) {
     ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     const int stood = sim.state(1)[u"position"_s].toInt();
     ASSERT_TRUE(panel.answersFor(1.5));
-    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), stood, 4) << "nothing waits to move again";
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), stood, 4) << "no motion is waiting to start again";
     EXPECT_FALSE(find<QAbstractButton>("stopSequenceButton")->isEnabled());
     EXPECT_EQ(sim.violations(), "");
 }
@@ -143,7 +143,7 @@ TEST_F(Sequences, PausesBehindItsRowAndGoesOn) {
     ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
     ASSERT_NO_FATAL_FAILURE(panel.click("pauseSequenceButton"));
     ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Paused before"_s); }));
-    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 5) << "the row was finished";
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 5) << "it finished the row";
     EXPECT_EQ(find<QAbstractButton>("pauseSequenceButton")->text(), u"Continue"_s);
     ASSERT_NO_FATAL_FAILURE(panel.click("stepSequenceButton"));
     ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Done"_s); })) << state().toStdString();
@@ -158,7 +158,7 @@ TEST_F(Sequences, APanelsStopOfItsModuleEndsIt) {
     ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Ended"_s); })) << state().toStdString();
     ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     EXPECT_EQ(panel.count(u"ended, and its motors"_s), 1);
-    // From where it stands only its first row can be run.
+    // From where the motor stands, only the first row can be run.
     find<QTableView>("rowTable")->selectRow(1);
     EXPECT_FALSE(find<QAbstractButton>("runFromRowButton")->isEnabled());
     EXPECT_TRUE(find<QAbstractButton>("runFromRowButton")->toolTip().contains(u"at point \"Pick\""_s))
@@ -195,7 +195,7 @@ TEST_F(Sequences, EditsAreUndone) {
     EXPECT_EQ(panel.composition().machine().program, made);
     ASSERT_NO_FATAL_FAILURE(panel.click("redoEditButton"));
     EXPECT_EQ(panel.composition().machine().program.sequences[0].rows.size(), 1U);
-    // Two points, a sequence, two rows, one of them edited, one removed.
+    // Two points, a sequence, two rows, one edited row and one removed row.
     for (int edit = 0; edit < 7; ++edit)
         ASSERT_NO_FATAL_FAILURE(panel.click("undoEditButton"));
     EXPECT_FALSE(find<QAbstractButton>("undoEditButton")->isEnabled());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything the servo's panel can ask for, through the whole program by object name, against the simulator.
+// Everything that the servo's panel can request, in the whole program by object name, with the simulator.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -58,7 +58,7 @@ protected:
     [[nodiscard]] const ModuleState& module(std::uint8_t index) {
         return *panel.composition().store().module(ModuleIndex(index));
     }
-    /// By the simulator's word.
+    /// True if the simulated motor arrives there.
     bool arrives(int number, int position) {
         return panel.waitFor(
             [&] { return std::abs(sim.state(number)[u"position"_s].toInt() - position) <= 3; });
@@ -99,7 +99,7 @@ TEST_F(ServoPage, StopsHereInTheMiddleOfARun) {
     EXPECT_EQ(sim.violations(), "");
 }
 
-/// The command is on its way: no answer has said yet that anything moves.
+/// The command has been sent, but no answer has shown a motion yet.
 TEST_F(ServoPage, LeavingRightBehindAStartAsksAsWhileItMoves) {
     ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
@@ -170,7 +170,7 @@ TEST_F(ServoPage, MovesInTurns) {
     type("countsPerUnitField", u"2000"_s);
     find<QAction>("chainDoctorAction")->trigger();
     EXPECT_EQ(find<QLabel>("chainFinding")->text(), u"Chain OK: 3 modules."_s)
-        << "who names one axis means the chain that is there";
+        << "a user who names one axis means the chain that is connected";
     find<QWidget>("chainDialog")->close();
     type("goalField", u"0.5"_s);
     type("velocityField", u"4"_s);  // turns/s: 4.096 counts/tick
@@ -208,7 +208,7 @@ TEST_F(ServoPage, AGroupStartsItsLoadedMovesTogether) {
     EXPECT_TRUE(arrives(1, 4'000));
     EXPECT_TRUE(arrives(2, 4'000));
     click("groupHomeButton");
-    // It may still be settling when home is captured.
+    // The motor may still be settling when home is captured.
     EXPECT_TRUE(panel.waitFor([&] { return std::abs(sim.state(2)[u"home"_s].toInt() - 4'000) <= 50; }))
         << panel.headlines().join(u" | "_s).toStdString();
     EXPECT_EQ(sim.state(3)[u"home"_s].toInt(), 0) << "it is in no group";
@@ -231,14 +231,14 @@ TEST_F(ServoPage, TheChainChangesItsRateAndKeepsItsPositions) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.composition().store().link().baud == 57'600; }));
     const TimePoint before = module(0).latestTime;
     EXPECT_TRUE(panel.waitFor([&] { return module(0).latestTime > before + fromSeconds(0.2); }))
-        << "it goes on answering";
+        << "it still answers";
     EXPECT_TRUE(module(0).servoOn());
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 300, 3);
     EXPECT_EQ(sim.violations(), "");
 }
 
-/// A step ends once its motor was seen at rest. Who jogs before that wants something else of it: the step's
-/// own stop must not come behind the start of the jog.
+/// A step ends once its motor was seen at rest. A user who jogs before that wants something else: the step's
+/// own stop must not be sent after the start of the jog.
 TEST_F(ServoPage, AJogTakesOverFromAStepWhereverThatIs) {
     ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program is told to end, or hangs: what becomes of the motors.
+// The program is requested to end, or hangs: what happens to the motors.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -39,9 +39,10 @@ TEST(H04_Signal, StopsTheMotorsWhileTheGuiThreadIsBlocked) {
     const UnixSignals system(panel.composition().worker());
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     std::raise(SIGTERM);
-    panel.freeze(500ms);  // of the 2 s after which they would be stopped anyway
+    panel.freeze(500ms);  // much less than the 2 s after which they would be stopped anyway
     EXPECT_FALSE(sim.driven(0));
-    EXPECT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); })) << "and it closed";
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }))
+        << "the port was closed, too";
 }
 
 TEST(H01_FrozenPanel, HasItsMotorsStoppedAndSaysSo) {
@@ -49,7 +50,7 @@ TEST(H01_FrozenPanel, HasItsMotorsStoppedAndSaysSo) {
     VirtualPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     panel.freeze(1'900ms);
-    EXPECT_TRUE(sim.driven(0)) << "2 s are not over";
+    EXPECT_TRUE(sim.driven(0)) << "2 s have not passed yet";
     panel.freeze(600ms);
     EXPECT_FALSE(sim.driven(0));
     EXPECT_TRUE(panel.waitFor([&] {
@@ -61,7 +62,7 @@ TEST(H04_EndOfSession, StopsTheMotorsAndEndsTheProgramWithoutAQuestion) {
     VirtualChain sim(QStringLiteral("servo"));
     VirtualPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    // Only the platform can make a session manager, and nobody here looks into it.
+    // Only the platform can create a session manager, and the program does not use it.
     alignas(QObject) std::byte manager[sizeof(QObject)]{};
     emit qApp->commitDataRequest(reinterpret_cast<QSessionManager&>(manager));
     EXPECT_TRUE(panel.waitFor([&] { return !panel.window().isVisible(); }));

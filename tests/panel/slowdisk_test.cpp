@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A disk that does not answer, or answers with no: the panel goes on, motors are stopped by their user only,
-// and what was asked for is told when it is known.
+// A disk that does not answer, or refuses: the panel goes on, only the user stops motors, and the result of
+// each request is reported when it is known.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -22,14 +22,14 @@ using testing_support::turnTo;
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
 
-/// Answers when the test says so.
+/// A disk that answers when the test says so.
 class SlowDisk : public testing::Test {
 protected:
     SlowDisk() {
         setBackground([this](std::function<void()> work) { m_waits.push_back(std::move(work)); });
     }
     ~SlowDisk() override { answer(); }
-    /// What waits is done, and all else at once.
+    /// Carries out what is waiting; from then on, everything is done at once.
     void answer() {
         setBackground([](const std::function<void()>& work) { work(); });
         for (const auto& work : std::exchange(m_waits, {}))
@@ -130,7 +130,7 @@ TEST_F(SlowDisk, IsNotWaitedForByWhoStays) {
 TEST_F(SlowDisk, LetsMotorsRunWhileUnsavedWorkIsKept) {
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     nameTheAxis();
-    ASSERT_TRUE(panel.answersFor(4)) << "longer than it is waited with, and than a frozen panel may last";
+    ASSERT_TRUE(panel.answersFor(4)) << "longer than a save is delayed, and than a frozen panel is tolerated";
     EXPECT_TRUE(sim.driven(0));
     EXPECT_EQ(panel.count(QStringLiteral("not backed up")), 0);
 }
@@ -144,7 +144,7 @@ TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
     ASSERT_NO_FATAL_FAILURE(choose("packetSaveDialog", directory.filePath(QStringLiteral("packets.txt"))));
     ASSERT_TRUE(panel.answersFor(0.5));
     EXPECT_TRUE(sim.driven(0));
-    EXPECT_EQ(panel.count(QStringLiteral("\"packets.txt\"")), 0) << "nothing is known yet";
+    EXPECT_EQ(panel.count(QStringLiteral("\"packets.txt\"")), 0) << "the result is not known yet";
     answer();
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Saved \"packets.txt\".")) == 1; }));
 }

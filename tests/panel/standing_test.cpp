@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A fault is told as long as it is one, and of the chain that has it.
+// A fault is shown as long as it lasts, and only for the chain that has it.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -24,7 +24,7 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return button->isEnabled(); })) << name.toStdString();
         QTest::mouseClick(button, Qt::LeftButton);
     }
-    /// The motor runs into a hard stop, until its servo switches itself off.
+    /// Runs the motor into a hard stop, until its servo switches itself off.
     void trip() {
         (void)sim.control(u"set 1 travel_max 30000"_s);
         ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"switched its servo off"_s) != nullptr; }))
@@ -63,7 +63,7 @@ TEST_F(Standing, MissingPowerIsToldUntilTheServoIsOnAgain) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"has no motor power"_s) != nullptr; }));
     (void)sim.control(u"set 1 power 1"_s);
     ASSERT_TRUE(panel.answersFor(0.5));
-    EXPECT_NE(panel.standing(u"has no motor power"_s), nullptr) << "its servo is still off by itself";
+    EXPECT_NE(panel.standing(u"has no motor power"_s), nullptr) << "its servo is still off";
     click(u"enableButton"_s);
     EXPECT_TRUE(panel.waitFor([&] { return isOver(u"has no motor power"_s); }));
 }
@@ -94,7 +94,7 @@ TEST_F(Standing, ARefusalIsOverWhenTheModuleObeysAgain) {
     panel.ask(
         intent::Move{servomotion::Trapezoid{Counts(100), CountsPerTick(65'536), CountsPerTickSquared(100)}});
     const QString refused = u"Module 1 cannot do this now"_s;
-    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(refused) != nullptr; })) << "the motor runs";
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(refused) != nullptr; })) << "the motor is running";
     click(u"stopAbruptlyButton"_s);
     EXPECT_TRUE(panel.waitFor([&] { return isOver(refused); }));
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
@@ -122,7 +122,7 @@ TEST_F(Standing, ALimitStopThatTripsIsOverWhenItIsDisarmed) {
     const QString tripped = u"The limit stop of module 1 stopped its motor"_s;
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(tripped) != nullptr; }))
         << panel.headlines().join(u" | "_s).toStdString();
-    EXPECT_EQ(panel.count(u"closed while its motor"_s), 0) << "one cause, one message";
+    EXPECT_EQ(panel.count(u"closed while its motor"_s), 0) << "one cause gives one message";
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     panel.ask(intent::ArmLimitStop{});
     EXPECT_TRUE(panel.waitFor([&] { return isOver(tripped); }));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that a PIC-STEP can do, through the window and by object name; the oracle is what the simulator
-// knows of the motor, and it must have seen nothing that a chip would not forgive.
+// knows about the motor, and it must have seen nothing that a chip would not tolerate.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -67,7 +67,7 @@ protected:
     [[nodiscard]] int position() { return truth()[QStringLiteral("position")].toInt(); }
     QStringList headlines() { return panel.headlines(); }
 
-    /// 4x: 100 to 25 000 steps/s.
+    /// Applies parameters with 4x: 100 to 25 000 steps/s.
     void setParameters() {
         auto& mode = find<QComboBox>("stepperSpeedModeField");
         mode.setFocus();
@@ -80,7 +80,7 @@ protected:
         type("stepperThermalLimitField", QStringLiteral("80"));
         type("stepperAccelerationTimeField", QStringLiteral("8"));
         EXPECT_EQ(text("stepperAccelerationRemark"), QStringLiteral("50 000 steps/s²"))
-            << "100 steps/s each 2 ms";
+            << "100 steps/s every 2 ms";
         EXPECT_EQ(text("stepperRunCurrentState"), QStringLiteral("● not sent"));
         click("stepperApplyParametersButton");
         ASSERT_TRUE(waitFor([&] { return module().stepper.parameters().has_value(); }));
@@ -91,7 +91,8 @@ protected:
         ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Holding; }));
     }
     void choose(const char* mode) { click(mode); }
-    /// The stepper has answered for so much longer: what was on its way to it has come.
+    /// Waits until the stepper has answered for this much longer, so that whatever was on its way to it has
+    /// arrived.
     bool answersFor(double seconds) {
         const TimePoint until = module().latestTime + fromSeconds(seconds);
         return waitFor([&] { return module().latestTime >= until; });
@@ -101,7 +102,7 @@ protected:
     }
 
     VirtualChain sim{QStringLiteral("servo,step")};
-    /// A stop, wait, go is under way.
+    /// True while a stop, wait, go is in progress.
     [[nodiscard]] bool changing() {
         return panel.composition().findChild<ProcedureController*>()->anyRunning();
     }
@@ -202,14 +203,14 @@ TEST_F(SteppersByHand, ReversesAndMovesOutOfARunByStopWaitGo) {
     ASSERT_TRUE(waitFor([&] { return rate() == 2'000; }));
     click("stepperRunReverseButton");
     ASSERT_TRUE(waitFor([&] { return rate() == -2'000; }));
-    // The panel learns of it a status later; until then another change is refused.
+    // The panel learns about it one status later; until then, another change is refused.
     ASSERT_TRUE(waitFor([&] { return !changing(); }));
     choose("stepperModeTrapezoidal");
     type("stepperGoalField", QStringLiteral("100"));
     click("stepperGoButton");
     ASSERT_TRUE(standsAt(100));
     EXPECT_EQ(position(), 100);
-    // A stop overtakes it: what was to come does not.
+    // A stop overtakes the change, of which the rest is not carried out.
     choose("stepperModeProfile");
     click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 2'000; }));
@@ -246,7 +247,7 @@ TEST_F(SteppersByHand, MovesOnlyWhileAButtonIsHeld) {
     auto& forward = find<QAbstractButton>("stepperHoldForwardButton");
     ASSERT_TRUE(forward.isEnabled()) << tip("stepperHoldForwardButton");
     QTest::mousePress(&forward, Qt::LeftButton);
-    // One press alone lasts 250 ms: the window must have re-armed it.
+    // One press alone lasts for 250 ms: the window must have re-armed it.
     ASSERT_TRUE(waitFor([&] { return *module().latest->position > 300; }));
     EXPECT_DOUBLE_EQ(rate(), 600);
     EXPECT_FALSE(find("stepperHoldReverseButton").isEnabled());
@@ -263,7 +264,7 @@ TEST_F(SteppersByHand, MovesOnlyWhileAButtonIsHeld) {
 
 TEST_F(SteppersByHand, SwitchesOutputsAndShowsInputsUnderTheirNames) {
     const auto outputs = [&] { return truth()[QStringLiteral("outputs")]; };
-    EXPECT_TRUE(find<QAbstractButton>("stepperOutput5Box").isChecked()) << "high at power-up";
+    EXPECT_TRUE(find<QAbstractButton>("stepperOutput5Box").isChecked()) << "outputs are high at power-up";
     click("stepperOutput2Box");
     ASSERT_TRUE(waitFor([&] { return module().stepper.outputs() == 0x12; }));
     click("stepperOutput5Box");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step responses through the whole program, by object name, against the simulator: what the motor did is the
-// simulator's word.
+// Step responses in the whole program, by object name, with the simulator, which knows what the motor did.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -21,7 +20,7 @@ using namespace Qt::StringLiterals;
 
 class StepResponsePlace : public testing::Test {
 protected:
-    /// Connected, with gains, enabled, and the place in sight.
+    /// Connects, sends gains, enables the servo, and shows the page.
     void begin() {
         panel.composition().show({sim.terminal(), 115'200, false});
         ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
@@ -66,7 +65,7 @@ protected:
             goal += 100;
         });
     }
-    /// How many of one module were taken while that step was recorded.
+    /// How many statuses of a module were received while that step was recorded.
     [[nodiscard]] std::size_t statusesOf(std::uint8_t module, const ResponseTaken& step) {
         const ModuleHistory* history = panel.composition().store().history().module(ModuleIndex(module));
         return history == nullptr ? 0
@@ -92,7 +91,7 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
     EXPECT_TRUE(first.run.metrics.settling);
     ASSERT_TRUE(first.run.metrics.steadyError);
     EXPECT_NEAR(first.run.metrics.steadyError->value, 0, 3);
-    // Three modules share the line; nearly all of it is this one's.
+    // Three modules share the line; nearly all of it is used for this one.
     EXPECT_GT(statusesOf(0, first.run.taken), 10 * statusesOf(1, first.run.taken));
     ASSERT_TRUE(first.run.pwm);
     // (200 x 100 + 2000 x 100 - 20 x 200) / 256 is 843, far above the limit.
@@ -108,7 +107,7 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
     EXPECT_EQ(result(0, 1), firstNumber);
     ASSERT_TRUE(runs()[1].run.metrics.overshoot);
     EXPECT_GT(runs()[1].run.metrics.overshoot->value, runs()[0].run.metrics.overshoot->value + 5)
-        << "with a third of the damping";
+        << "this run has a third of the damping";
     EXPECT_TRUE(find<ResponsePlot>("responsePlot")->legendText(1).startsWith(u"B: run "_s + firstNumber));
 
     auto* table = find<QTableWidget>("responseRunTable");
@@ -117,7 +116,7 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
     EXPECT_EQ(find<QLineEdit>("kdField")->text(), u"2000"_s);
     EXPECT_EQ(find<QLabel>("kdState")->text(), u"● not sent"_s);
     ASSERT_TRUE(panel.answersFor(0.3));
-    EXPECT_EQ(panel.module().gains->kd, 600) << "the module has what it had";
+    EXPECT_EQ(panel.module().gains->kd, 600) << "the module still has its gains";
     EXPECT_EQ(sim.violations(), "");
 }
 

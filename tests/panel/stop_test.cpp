@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STOP ALL and Esc through the whole program, whatever stands or is open: the motor of the simulator stops.
+// STOP ALL and Esc in the whole program, whatever is open: the simulated motor stops.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -43,7 +43,7 @@ TEST_P(StopWhile, ItIsOpenAPressOnStopAllStopsTheMotor) {
     auto* stop = panel.window().findChild<QWidget*>(QStringLiteral("stopAllButton"));
     const QPoint global = stop->mapToGlobal(stop->rect().center());
     if (QWidget* popup = QApplication::activePopupWidget()) {
-        // It has the pointer to itself, wherever that is.
+        // A popup grabs the pointer, wherever the pointer is.
         const QPoint local = popup->mapFromGlobal(global);
         QMouseEvent press(QEvent::MouseButtonPress, local, local, global, Qt::LeftButton, Qt::LeftButton, {});
         QApplication::sendEvent(popup->windowHandle(), &press);

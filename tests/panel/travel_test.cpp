@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits of travel that are set while the motor runs, through the window.
+// Travel limits that are set while the motor runs, through the window.
 #include <gtest/gtest.h>
 
 #include "tests/support/hand.h"
@@ -13,8 +13,8 @@ using testing_support::moves;
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
 
-/// It runs at 8 counts/tick, which are 15 625 counts/s, and slows down by 1311/65536 counts/tick^2, which are
-/// 76 300 counts/s^2: it needs 1600 counts for that, and 1563 for the 0.1 s that a stop may take.
+/// The motor runs at 8 counts/tick, which is 15 625 counts/s, and slows down by 1311/65536 counts/tick^2,
+/// which is 76 300 counts/s^2: this takes 1600 counts, and another 1563 for the 0.1 s that a stop may take.
 TEST(TravelLimits, AFrozenPanelDelaysNoStop) {
     VirtualChain sim{u"servo"_s};
     VirtualPanel panel;
@@ -29,7 +29,7 @@ TEST(TravelLimits, AFrozenPanelDelaysNoStop) {
     ASSERT_NO_FATAL_FAILURE(hand.type(u"Highest position"_s, QString::number(fromHome)));
     ASSERT_EQ(panel.composition().machine().axes.at(0).travel.highest, fromHome);
     ASSERT_TRUE(panel.waitFor([&] { return position() > limit - 15'000; }));
-    ASSERT_LT(position(), limit - 10'000) << "too late to show anything";
+    ASSERT_LT(position(), limit - 10'000) << "it would be too late to show anything";
     panel.freeze(std::chrono::milliseconds(1'800));
     EXPECT_FALSE(moves(sim));
     EXPECT_LE(position(), limit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window says of a motor, against what the simulated motor does.
+// What the window says about a motor, compared with what the simulated motor does.
 #include <gtest/gtest.h>
 
 #include <QLabel>
@@ -55,7 +55,7 @@ TEST_F(Truth, AShaftThatALoadDrivesIsNotCalledFine) {
 TEST_F(Truth, OvercurrentIsSaid) {
     panel.click("stopAbruptlyButton");
     ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
-    // A limit that any reading is above: odd, so over when A/D > CL.
+    // A limit below any reading: it is odd, so A/D > CL is an overcurrent.
     panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 1, 8'000, 1, std::uint8_t{0}}});
     (void)sim.control(QStringLiteral("set 1 analog 200"));
     ASSERT_TRUE(saysSoon("Overcurrent")) << label("stateLabel").toStdString();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From all gains zero to a settled loop, in the whole program: by its buttons, against the simulator.
+// From gains of zero to a settled loop, in the whole program, by its buttons, with the simulator.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -34,7 +34,7 @@ protected:
     [[nodiscard]] QString text(const char* name) {
         return panel.window().findChild<QLabel*>(QLatin1String(name))->text();
     }
-    /// With the starting values, at a position that is known.
+    /// Enables the servo with the starting values, at a known position.
     void hold() {
         ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
         ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
@@ -45,7 +45,7 @@ protected:
     void step() {
         panel.step([this] { panel.click("responseButton"); });
     }
-    /// Types over what stands there, as a person does.
+    /// Types over the contents of the fields, as a user does.
     void fill(std::initializer_list<std::pair<const char*, const char*>> fields) {
         for (const auto& [name, value] : fields) {
             auto* field = panel.window().findChild<QLineEdit*>(QLatin1String(name));
@@ -54,7 +54,7 @@ protected:
             QTest::keyClicks(field, QLatin1String(value));
         }
     }
-    /// The numbers behind a word of the model: what was found, and its standard deviation.
+    /// The numbers after a word of the model: the value found, and its standard deviation.
     [[nodiscard]] std::pair<double, double> found(const QString& word) {
         static const QRegularExpression numbers(u"([\u22120-9.,]+) ± ([0-9.,]+)"_s);
         const QString model = text("motorModel");
@@ -64,14 +64,13 @@ protected:
         };
         return {number(1), number(2)};
     }
-    /// Within this part, or four standard deviations: in real time each run has other samples, and two are
-    /// missed by one in twenty of them.
+    /// Within this part of the truth, or four standard deviations: one run in twenty is off by more than two.
     void expectFound(const QString& word, double truth, double part) {
         const auto [value, doubt] = found(word);
         EXPECT_LE(std::abs(value - truth), std::max(part * truth, 4 * doubt))
             << word.toStdString() << ' ' << value << " ± " << doubt << ", truly " << truth;
     }
-    /// There is no run to find a motor in, and nothing is suggested.
+    /// Expects that there is no run from which to find a motor, and that nothing is suggested.
     void expectNothingFound() {
         EXPECT_EQ(panel.window().findChild<QTableWidget*>(u"responseRunTable"_s)->rowCount(), 0);
         EXPECT_FALSE(panel.window().findChild<QAbstractButton*>(u"identifyButton"_s)->isEnabled());
@@ -124,7 +123,7 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
     EXPECT_EQ(sim.violations(), "");
 }
 
-/// One click, after which the motor is where it was and known.
+/// One click, after which the motor is back where it was, and is known.
 TEST_F(Tuning, OneClickStepsFourTimesAndFindsTheMotor) {
     ASSERT_NO_FATAL_FAILURE(hold());
     const int from = sim.state(1)[u"position"_s].toInt();
@@ -139,12 +138,12 @@ TEST_F(Tuning, OneClickStepsFourTimesAndFindsTheMotor) {
     expectFound(u"Gain"_s, gain(), 0.1);
     expectFound(u"Time constant"_s, timeConstant(), 0.1);
     EXPECT_FALSE(text("motorModel").contains(u"Uncertain"_s)) << text("motorModel").toStdString();
-    EXPECT_EQ(panel.module().gains->kp, 100) << "nothing else is sent";
+    EXPECT_EQ(panel.module().gains->kp, 100) << "nothing else was sent";
     EXPECT_EQ(sim.violations(), "");
 }
 
-/// Kp is what makes of K / tau the stiffness that was asked for, so it is as uncertain as these are together;
-/// the ladder of stiffnesses has steps of 4 %, which are 8 % of Kp.
+/// Kp turns K / tau into the requested stiffness, so it is as uncertain as these are together; the ladder of
+/// stiffnesses has steps of 4 %, which are 8 % of Kp.
 TEST_F(Tuning, ThreeTriesSuggestTheSameKpWithinTheDoubt) {
     static const QRegularExpression kp(u"Kp (\\d+)"_s);
     ASSERT_NO_FATAL_FAILURE(hold());
@@ -194,14 +193,14 @@ TEST_F(Tuning, UnstableGainsThatAreTriedAreTakenBack) {
     ASSERT_TRUE(panel.answersFor(0.02));
     (void)sim.control(u"set 1 load 0"_s);
     EXPECT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 100; }));
-    // And not because the time is over.
+    // The reason is not that the time has ended.
     EXPECT_TRUE(panel.waitFor([&] {
         return panel.count(u"it began to oscillate"_s) + panel.count(u"its output reached the limit OL"_s) ==
                1;
     }));
     EXPECT_TRUE(panel.module().servoOn());
     EXPECT_EQ(sim.violations(), "");
-    // What is said of this one ends with the next.
+    // What is reported about this trial ends with the next one.
     const auto standing = [&] {
         return panel.standing(u"it began to oscillate"_s) != nullptr ||
                panel.standing(u"its output reached the limit OL"_s) != nullptr;
@@ -232,8 +231,9 @@ TEST_F(Tuning, WithoutAStepItSaysWhatIsMissing) {
 
 TEST_F(Tuning, AShaftThatIsHeldGivesNoModel) {
     ASSERT_NO_FATAL_FAILURE(hold());
-    (void)sim.control(u"set 1 friction 5"_s);  // N*m: no motor of its size turns that
-    // Not again where samples are missing: each step takes the command farther from a shaft that stays.
+    (void)sim.control(u"set 1 friction 5"_s);  // N m: no motor of its size can turn that
+    // The step is not repeated if samples are missing: each step takes the command farther away from a shaft
+    // that does not move.
     ASSERT_NO_FATAL_FAILURE(panel.click("responseButton"));
     const auto* runs = panel.window().findChild<QTableWidget*>(u"responseRunTable"_s);
     ASSERT_TRUE(panel.waitFor([&] { return runs->rowCount() == 1; })) << text("responseState").toStdString();
@@ -254,13 +254,13 @@ TEST_F(Tuning, AHardStopInTheWayGivesNoModel) {
     EXPECT_TRUE(text("suggestedGains").isEmpty());
 }
 
-/// Which of them sees it first, the chip, the bus or the test, is a matter of milliseconds.
+/// It is a matter of milliseconds whether the chip, the bus or the test sees it first.
 TEST_F(Tuning, AReversedEncoderEndsWithTheMotorOffAndNoModel) {
     ASSERT_NO_FATAL_FAILURE(hold());
     (void)sim.control(u"fault module 1 reverse"_s);
     ASSERT_NO_FATAL_FAILURE(panel.click("responseButton"));
     ASSERT_TRUE(panel.waitFor([&] { return !panel.module().servoOn(); }));
-    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"Module 1"_s) > 0; })) << "and it is said";
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"Module 1"_s) > 0; })) << "it is reported as well";
     ASSERT_TRUE(panel.answersFor(1.0));
     EXPECT_FALSE(sim.state(1)[u"servo_on"_s].toBool());
     expectNothingFound();
