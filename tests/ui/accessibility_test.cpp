@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What assistive technology is told: names of news, and states. tests/accessibility hears the real program
-// say it.
+// What assistive technology is told: the names of messages, and states. tests/accessibility listens to the
+// real program.
 #include <QAccessible>
 
 #include "windowtest.h"
@@ -14,7 +14,7 @@ protected:
     [[nodiscard]] QAccessible::State stateOf(const QString& name) {
         return QAccessible::queryAccessibleInterface(find(name))->state();
     }
-    /// As it is read out.
+    /// The name as it is read out.
     [[nodiscard]] QString nameOf(const QString& name) {
         return QAccessible::queryAccessibleInterface(find(name))->text(QAccessible::Name);
     }
@@ -61,7 +61,7 @@ TEST_F(Spoken, ThePanelIsBusyWhileTheChainIsLookedFor) {
     EXPECT_FALSE(stateOf(u"modulePanel"_s).busy);
 }
 
-/// A screen reader that has counted asks for each: meanwhile one may have gone.
+/// A screen reader counts the children and then requests each of them: one may have gone in the meantime.
 TEST_F(Spoken, AChildThatHasGoneIsNone) {
     int seen = 0;
     for (QWidget* widget : window->findChildren<QWidget*>()) {

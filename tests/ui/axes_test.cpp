@@ -36,7 +36,7 @@ TEST_F(Axes, ShowWhereEachStandsAndWhatItDoes) {
     EXPECT_EQ(text(u"axisState1"_s), u"Holding"_s);
     EXPECT_EQ(text(u"axisState3"_s), u"Servo off"_s);
     EXPECT_FALSE(button(u"axisHoldForwardButton3"_s)->isEnabled());
-    EXPECT_FALSE(button(u"axisHoldForwardButton3"_s)->toolTip().isEmpty()) << "the reason";
+    EXPECT_FALSE(button(u"axisHoldForwardButton3"_s)->toolTip().isEmpty()) << "it gives the reason";
 }
 
 TEST_F(Axes, SayThatAPositionIsOld) {
@@ -85,7 +85,7 @@ TEST_F(Axes, StepByTheChosenSizeInTheirOwnUnit) {
     machine.axes[1].unit = {UnitKind::Millimetres, 200.0, ""};
     window->showMachine(machine);
     find<QComboBox>(u"jogStepBox"_s)->setCurrentIndex(2);  // 0.1
-    EXPECT_FALSE(button(u"axisStepForwardButton1"_s)->isEnabled()) << "a tenth of a count";
+    EXPECT_FALSE(button(u"axisStepForwardButton1"_s)->isEnabled()) << "a tenth of a count is not possible";
     click(u"axisStepReverseButton2"_s);
     ASSERT_EQ(asked.size(), 1U);
     EXPECT_EQ(asked[0].first, ModuleIndex(1));
@@ -102,7 +102,7 @@ TEST_F(Axes, EnableAllThatAreOff) {
 }
 
 TEST_F(Axes, HomeAllInTheOrderThatTheMachineKeeps) {
-    EXPECT_FALSE(button(u"homeAllButton"_s)->isEnabled()) << "no axis knows how";
+    EXPECT_FALSE(button(u"homeAllButton"_s)->isEnabled()) << "no axis has a homing recipe";
     HomingRecipe recipe;
     recipe.onLimit1 = true;
     machine.axes.resize(2);

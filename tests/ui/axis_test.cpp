@@ -24,7 +24,7 @@ protected:
             if (pages->tabText(i) == page)
                 pages->setCurrentIndex(i);
     }
-    /// 2000 counts a turn.
+    /// Shows values in turns of 2000 counts.
     void readInTurns() {
         showPage(u"Axis"_s);
         choose(u"axisUnitBox"_s, u"turns"_s);
@@ -44,7 +44,7 @@ TEST_F(Axis, ItsNameStandsEverywhere) {
     EXPECT_EQ(text(u"moduleName"_s), u"Module 1 \"Z axis\""_s);
     EXPECT_EQ(machine.axes.front().name, "Z axis");
     const QModelIndex row = find<QAbstractItemView>(u"chainList"_s)->model()->index(0, 0);
-    EXPECT_EQ(row.data(ChainModel::Title).toString(), u"Z axis"_s) << "its number stands on the wire";
+    EXPECT_EQ(row.data(ChainModel::Title).toString(), u"Z axis"_s) << "its number is shown on the wire";
     EXPECT_TRUE(row.data(Qt::AccessibleTextRole).toString().startsWith(u"Module 1 \"Z axis\""_s));
     EXPECT_EQ(name->text(), u"Z axis"_s);
 }
@@ -63,7 +63,7 @@ TEST_F(Axis, U05_AnotherUnitKeepsEveryAmountAndSendsNothing) {
     EXPECT_EQ(text(u"velocityFieldUnit"_s), u"turns/s"_s);
     EXPECT_EQ(text(u"velocityFieldPerSecond"_s), u"= 1 counts/tick"_s);
     EXPECT_EQ(intents.size(), 0);
-    // What is sent is what was typed, not what is left of it after rounding for show.
+    // The value that was typed is sent, not the rounded one that is shown.
     click(u"goButton"_s);
     ASSERT_EQ(intents.size(), 1);
     const auto go = test::motionOf<servomotion::Trapezoid>(intents.at(0).at(1).value<Intent>());
@@ -116,7 +116,7 @@ TEST_F(Axis, TheAnalogValueIsReadInItsOwnScale) {
     EXPECT_EQ(text(u"analogValue"_s), u"1.5 A (125 of 255)"_s);  // -1 + 125 x 0.02
 }
 
-// ---- the same page of either chip ----
+// ---- the same page for both chips ----
 
 class AxisOfEach : public Axis, public testing::WithParamInterface<ModuleType> {
 protected:
@@ -136,7 +136,7 @@ TEST_P(AxisOfEach, ASymbolMayHaveSpaces) {
     EXPECT_EQ(edit(u"axisSymbolField"_s)->text(), u"ml per s"_s);
     EXPECT_EQ(machine.axes.at(0).unit.ownSymbol, "ml per s");
     QTest::keyClick(edit(u"axisSymbolField"_s), Qt::Key_Space);
-    EXPECT_EQ(machine.axes.at(0).unit.ownSymbol, "ml per s") << "a space at its end is none of it";
+    EXPECT_EQ(machine.axes.at(0).unit.ownSymbol, "ml per s") << "a space at its end does not belong to it";
 }
 
 TEST_P(AxisOfEach, NamingItKeepsTheAnalogScaleToTheLastDigit) {
@@ -154,7 +154,8 @@ INSTANTIATE_TEST_SUITE_P(Chips, AxisOfEach, testing::Values(ModuleType::Servo, M
                              return chip.param == ModuleType::Servo ? "Servo" : "Stepper";
                          });
 
-/// 500 lines are 2000 counts a turn; behind 2 : 1 and a screw of 5 mm that is 800 counts a millimetre.
+/// 500 lines are 2000 counts per turn; after a 2 : 1 gear and with a screw of 5 mm, that is 800 counts per
+/// millimetre.
 TEST_F(Axis, ItsUnitIsWorkedOutFromLabels) {
     showPage(u"Axis"_s);
     click(u"workOutUnitButton"_s);
@@ -163,11 +164,12 @@ TEST_F(Axis, ItsUnitIsWorkedOutFromLabels) {
     type(u"unitDialogMotorTurns"_s, u"2"_s);
     type(u"unitDialogTravel"_s, u"5"_s);
     EXPECT_EQ(text(u"unitDialogResult"_s), u"1 mm is 800 counts. The smallest step is 0.00125 mm."_s);
-    EXPECT_NE(machine.axis(ModuleIndex(0)).unit.kind, UnitKind::Millimetres) << "not before its button";
+    EXPECT_NE(machine.axis(ModuleIndex(0)).unit.kind, UnitKind::Millimetres)
+        << "not before its button is clicked";
     click(u"unitDialogUse"_s);
     EXPECT_EQ(machine.axis(ModuleIndex(0)).unit, (AxisUnit{UnitKind::Millimetres, 800, {}}));
     EXPECT_EQ(text(u"positionUnit"_s), u"mm"_s);
-    EXPECT_EQ(text(u"otherPosition"_s), u"= 500 counts"_s) << "every amount is kept";
+    EXPECT_EQ(text(u"otherPosition"_s), u"= 500 counts"_s) << "the position itself has not changed";
     EXPECT_EQ(intents.size(), 0);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     EXPECT_EQ(window->findChild<QDialog*>(u"unitDialog"_s), nullptr);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the two data sheets let a host say, against the controls that say it, in both directions: each command
-// and each bit of a command has a control in the window, and each control of a panel that sends something is
-// in the table.
+// Compares what the two data sheets let a host say with the controls of the window, in both directions: each
+// command and each bit of a command has a control, and each control of a panel that sends something is in the
+// table.
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
@@ -21,12 +21,12 @@ using testing_support::Stepper;
 struct Cell {
     CommandCode code;
     std::uint8_t bits;  ///< of the control byte; 0: the command itself, or a number in it
-    QString control;    ///< empty: nobody is asked, the panel says it by itself
+    QString control;    ///< empty: no control, the panel sends it automatically
 };
 
 using enum CommandCode;
 
-/// Of a group, or of the chain, in whichever panel (DS-V 4.1).
+/// Commands for a group or for the chain, with any panel (DS-V 4.1).
 const std::vector<Cell> kChainCells{
     {ResetPosition, 0, u"groupResetButton"_s},
     {SetAddress, 0, u"address1Box"_s},
@@ -105,7 +105,7 @@ const std::vector<Cell> kServoCells{
     {HardReset, 0, u"resetModuleButton"_s},
 };
 
-/// Of CMC and SC beside those, and of one of them (docs/family.md).
+/// What CMC and SC have in addition; what only one of them has follows (docs/family.md).
 const std::vector<Cell> kLaterCells{
     {LoadTrajectory, 0, u"expertLoadRelative"_s},
     {ResetPosition, 0x03, u"expertResetHow"_s},
@@ -142,7 +142,7 @@ const std::vector<Cell> kStepCells{
     {LoadTrajectory, 0x10, u"expertLoadReverse"_s},
     {LoadTrajectory, 0x80, u"expertLoadNow"_s},
     {LoadTrajectory, 0, u"expertLoadButton"_s},
-    // The goals of DS-S Table 4; from where to where is judged of each load.
+    // The target modes of DS-S Table 4; each load is checked for the modes from which it is allowed.
     {LoadTrajectory, 0, u"stepperModeTrapezoidal"_s},
     {LoadTrajectory, 0, u"stepperModeProfile"_s},
     {LoadTrajectory, 0, u"stepperModeTimedMove"_s},
@@ -187,7 +187,7 @@ const std::vector<Cell> kStepCells{
     {HardReset, 0, u"resetModuleButton"_s},
 };
 
-/// They send what the table has, several commands one after the other, or only tell the panel something.
+/// These send several commands of the table one after the other, or only tell the panel something.
 const QSet<QString> kMadeOfCells{u"moveByForwardButton"_s, u"moveByReverseButton"_s,
                                  u"directionCheckButton"_s, u"declarePositionButton"_s,
                                  u"doubtPositionButton"_s};
@@ -213,7 +213,7 @@ constexpr std::array kScMasks{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x1F},
         cells.insert(cells.end(), other->begin(), other->end());
     return cells;
 }
-/// Those pins are inputs on an SC.
+/// Without the pins of I/O Control, which are inputs on an SC.
 [[nodiscard]] std::vector<Cell> withoutPins(std::vector<Cell> cells) {
     std::erase_if(cells, [](const Cell& cell) { return cell.code == IoControl; });
     return cells;
@@ -249,7 +249,7 @@ protected:
             EXPECT_EQ(reached, byte.mask) << "command " << static_cast<int>(byte.code);
         }
     }
-    /// Presses each control of the panel that can be pressed, and looks whether that sends something.
+    /// Presses each control of the panel that can be pressed, and checks whether this sends something.
     void expectEachSenderInTheTable(const std::vector<Cell>& cells) {
         const auto sent = [this] { return intents.size() + holds.size(); };
         unsigned senders = 0;
@@ -277,7 +277,7 @@ protected:
                                     [&](const Cell& cell) { return cell.control == name; }))
                 << name.toStdString() << " sends what is in no row";
         }
-        EXPECT_GE(senders, 5U) << "or nothing was tried";
+        EXPECT_GE(senders, 5U) << "otherwise nothing was tried";
     }
 
     QSignalSpy intents{window.get(), &MainWindow::intentRequested};

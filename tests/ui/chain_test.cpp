@@ -31,7 +31,7 @@ TEST_F(ChainList, ReadsOutARowInOneSentence) {
               u"Module 1, address 1, PIC-SERVO v4, Holding, position 7 counts. Home: unknown"_s);
 }
 
-/// Nothing in that row turns.
+/// A PIC-I/O has no motor.
 TEST_F(ChainList, ReadsOutOfAPicIoNothingOfAMotor) {
     ModuleState module = Servo{}.state();
     module.info.identity = {ModuleType::Io, 1};
@@ -43,7 +43,7 @@ TEST_F(ChainList, ReadsOutOfAPicIoNothingOfAMotor) {
             EXPECT_FALSE(at(0, role).toString().contains(word)) << at(0, role).toString().toStdString();
 }
 
-/// What is struck out on the screen is told to who cannot see that.
+/// A position that is struck out on the screen is read out with its age.
 TEST_F(ChainList, ReadsOutHowOldAPositionIs) {
     const ModuleState module = Servo{.position = 7}.state();
     LinkState link = connectedTo({module});
@@ -94,7 +94,7 @@ TEST_F(ChainList, ALostLinkStrikesOutEverythingAtOnce) {
     }
 }
 
-/// Scan again asks, and changes nothing: what turns goes on turning, and can be stopped.
+/// Scan again only queries: motors that turn keep turning, and can be stopped.
 TEST_F(ChainList, LookingAgainIsNoFaultOfTheChain) {
     QSignalSpy intents(window.get(), &MainWindow::intentRequested);
     LinkState link =
@@ -113,7 +113,7 @@ TEST_F(ChainList, LookingAgainIsNoFaultOfTheChain) {
         EXPECT_FALSE(words.contains(u"No answer"_s));
         EXPECT_NE(at(row, ChainModel::ActivityValue).toInt(), static_cast<int>(Activity::Unresponsive));
     }
-    EXPECT_EQ(text(u"stateLabel"_s), moving) << "the last that is known";
+    EXPECT_EQ(text(u"stateLabel"_s), moving) << "the last known state";
     EXPECT_TRUE(text(u"stateMeaning"_s).startsWith(u"Looking for modules…"_s));
     EXPECT_EQ(text(u"positionUnit"_s), u"counts, 1.3 s old"_s);
     for (const QString& stop :
@@ -171,7 +171,7 @@ TEST_F(ChainList, SaysInTheToolTipWhatItHasNoRoomFor) {
     const QString tip = at(0, Qt::ToolTipRole).toString();
     for (const int role : {int(ChainModel::Title), int(ChainModel::TypeText), int(ChainModel::ActivityText)})
         EXPECT_TRUE(tip.contains(at(0, role).toString())) << tip.toStdString();
-    EXPECT_EQ(at(1, Qt::ToolTipRole), at(1, ChainModel::TypeText)) << "the port";
+    EXPECT_EQ(at(1, Qt::ToolTipRole), at(1, ChainModel::TypeText)) << "the port is its tool tip";
     texts::setModuleNames({});
 }
 

@@ -207,7 +207,7 @@ TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
     EXPECT_EQ(window->findChild<QLabel*>(u"addressReason"_s)->text(),
               u"Address 1 is used by Module 1. Nothing was sent."_s);
     enter(u"77"_s, Qt::Key_Tab);
-    EXPECT_EQ(addresses.size(), 0) << "without Enter";
+    EXPECT_EQ(addresses.size(), 0) << "nothing is sent without Enter";
     EXPECT_EQ(field->value(), 2);
     enter(u"77"_s, Qt::Key_Return);
     ASSERT_EQ(addresses.size(), 1);
@@ -227,7 +227,7 @@ TEST_F(ChainWindow, AnyDivisorGivesItsRate) {
     rate->setFocus();
     QTest::keyClick(rate, Qt::Key_End);
     ASSERT_TRUE(divisor->isVisible());
-    EXPECT_EQ(divisor->value(), 10) << "where the chain is: 1 250 000 / 11";
+    EXPECT_EQ(divisor->value(), 10) << "the present rate: 1 250 000 / 11";
     EXPECT_FALSE(button(u"changeRateButton"_s)->isEnabled());
     divisor->setFocus();
     divisor->selectAll();
@@ -324,7 +324,7 @@ TEST_F(ChainWindow, TheLongestChainFitsALowScreenAndScrolls) {
     showGrouped(places);
     open("groupsAction");
     auto* dialog = find(u"chainDialog"_s);
-    EXPECT_LE(dialog->minimumSizeHint().height(), 768 - 64) << "less what a desktop keeps for itself";
+    EXPECT_LE(dialog->minimumSizeHint().height(), 768 - 64) << "less what a desktop uses itself";
     EXPECT_LE(dialog->height(), 768 - 64);
     dialog->resize(dialog->width(), 500);
     EXPECT_EQ(dialog->height(), 500);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of groups and of the chain's rate: first what it means for the motors.
+// Messages about groups and about the chain's rate: what they mean for the motors comes first.
 #include "widgets/common/texts.h"
 #include "windowtest.h"
 

@@ -23,7 +23,7 @@ protected:
         QTest::keyClick(QGuiApplication::focusWindow(), key, modifiers);
     }
     QWidget* palette() { return window->findChild<QWidget*>(u"commandPalette"_s); }
-    /// By Ctrl+K, then the words.
+    /// Opens the palette with Ctrl+K, and types the words.
     void look(const QString& words) {
         QTest::keyClick(window->windowHandle(), Qt::Key_K, Qt::ControlModifier);
         ASSERT_NE(palette(), nullptr);
@@ -61,17 +61,18 @@ TEST_F(Commands, SayWhyTheyCannotBeDone) {
     EXPECT_EQ(says(), button(u"runForwardButton"_s)->toolTip());
     strike(Qt::Key_Return);
     EXPECT_EQ(intents.size(), 0);
-    EXPECT_TRUE(palette()->isVisible()) << "the reason is read there";
+    EXPECT_TRUE(palette()->isVisible()) << "the user reads the reason there";
 }
 
 TEST_F(Commands, OfAPageThatIsNotInSightAreAsTheModuleIsNow) {
     showServo({.gains = false});
-    showServo({.millisecond = 20});  // gains were applied meanwhile, and the page Details was never seen
+    showServo({.millisecond = 20});  // gains have been applied, and the Details page was never shown
     look(u"sticky"_s);
     strike(Qt::Key_Return);
     ASSERT_EQ(intents.size(), 1);
     EXPECT_TRUE(std::holds_alternative<intent::ClearStickyBits>(intents.at(0).at(1).value<Intent>()));
-    EXPECT_TRUE(window->findChild<QWidget*>(u"detailsBox"_s)->isVisible()) << "what acts is seen";
+    EXPECT_TRUE(window->findChild<QWidget*>(u"detailsBox"_s)->isVisible())
+        << "the page of the command is shown";
 }
 
 TEST_F(Commands, OfAnotherModuleAreShownAndNotDone) {
@@ -82,7 +83,7 @@ TEST_F(Commands, OfAnotherModuleAreShownAndNotDone) {
     EXPECT_EQ(window->selectedModule(), ModuleIndex(1));
     EXPECT_TRUE(
         QTest::qWaitFor([this] { return QToolTip::text() == button(u"runForwardButton"_s)->toolTip(); }));
-    EXPECT_FALSE(button(u"runForwardButton"_s)->hasFocus()) << "Space would be a command";
+    EXPECT_FALSE(button(u"runForwardButton"_s)->hasFocus()) << "otherwise Space would run the command";
     EXPECT_EQ(intents.size(), 0);
 }
 
@@ -100,7 +101,7 @@ TEST_F(Commands, EscInThePaletteStopsAndClosesIt) {
     EXPECT_FALSE(palette()->isVisible());
 }
 
-/// As it happened: the finder stayed over "Run forward" after STOP ALL, and took the next click.
+/// This has happened: the palette stayed over "Run forward" after STOP ALL, and took the next click.
 TEST_F(Commands, APressAnywhereElseClosesThePaletteAndActs) {
     showServo();
     for (const QString& other : {u"stopAllButton"_s, u"stopAbruptlyButton"_s, u"kpField"_s}) {
@@ -123,7 +124,7 @@ TEST_F(Commands, StandInTheModuleMenuWithTheirKeys) {
     for (const QAction* action : menu->actions())
         texts << action->text().remove(u'&');
     EXPECT_TRUE(texts.contains(u"Go home"_s));
-    EXPECT_TRUE(texts.contains(u"Clear sticky bits"_s)) << "of a page that is not in sight";
+    EXPECT_TRUE(texts.contains(u"Clear sticky bits"_s)) << "although its page is not visible";
     menu->close();
 }
 
@@ -139,7 +140,7 @@ TEST_F(Commands, OfAnOpenMenuAreAsTheModuleIsNow) {
     ModuleState silent = Servo{}.state();
     silent.silent = true;
     window->showLink(connectedTo({silent}));
-    EXPECT_FALSE(clear->isEnabled()) << "its page is out of sight";
+    EXPECT_FALSE(clear->isEnabled()) << "although its page is not visible";
     menu->close();
 }
 
@@ -156,7 +157,8 @@ TEST_F(Commands, OfTheModuleMenuAreThoseOfItsChip) {
 
 TEST_F(Commands, NameTheirKeysInTheToolTip) {
     showServo();
-    EXPECT_EQ(button(u"goHomeButton"_s)->toolTip().count(u"Ctrl+Shift+G"_s), 0) << "not possible: the reason";
+    EXPECT_EQ(button(u"goHomeButton"_s)->toolTip().count(u"Ctrl+Shift+G"_s), 0)
+        << "it is not possible, and the tool tip gives the reason";
     EXPECT_TRUE(button(u"loadButton"_s)->toolTip().endsWith(u" (Ctrl+D)."_s))
         << button(u"loadButton"_s)->toolTip().toStdString();
 }

@@ -47,7 +47,7 @@ TEST_F(Connection, APortCanBeTypedWhilePortsComeAndGo) {
     QTest::keyClick(ports(), Qt::Key_Return);
     ASSERT_EQ(connects.size(), 1);
     EXPECT_EQ(connects.at(0).at(0).toString(), u"/dev/serial/by-id/usb-A1"_s);
-    // One that is listed is called by its name again.
+    // A port of the list is still called by its name.
     field->selectAll();
     QTest::keyClicks(ports(), u"Simulator"_s);
     click(u"connectButton"_s);
@@ -112,7 +112,7 @@ TEST_F(Connection, StatusBarSaysStateAndFigures) {
     EXPECT_EQ(text(u"roundTripLabel"_s), u"round trip 1.98 ms"_s);
     window->showLink({});
     EXPECT_EQ(text(u"linkLabel"_s), u"Not connected"_s);
-    EXPECT_FALSE(text(u"rateLabel"_s).contains(u"482"_s)) << "figures of a link that is gone";
+    EXPECT_FALSE(text(u"rateLabel"_s).contains(u"482"_s)) << "these figures belong to a link that has gone";
 }
 
 TEST_F(Connection, U05_ClosingWhileAMotorMovesAsksAndStopsFirst) {
@@ -124,7 +124,7 @@ TEST_F(Connection, U05_ClosingWhileAMotorMovesAsksAndStopsFirst) {
     click(u"stopAndCloseButton"_s);
     EXPECT_EQ(stops.size(), 1);
     EXPECT_EQ(confirmed.size(), 1);
-    EXPECT_TRUE(window->isVisible()) << "stays until the motors are known to have stopped";
+    EXPECT_TRUE(window->isVisible()) << "it stays until the motors are known to have stopped";
     window->finishClose();
     EXPECT_FALSE(window->isVisible());
 }

@@ -23,7 +23,8 @@ namespace {
 
 class Controls : public WindowTest {
 protected:
-    /// With the docks of simulator, packet monitor and step response, which have controls of their own.
+    /// Shows a servo with the docks of simulator, packet monitor and step response, which have their own
+    /// controls.
     void showSimulatedServo() {
         find(u"responseDock"_s)->show();
         find(u"responseDock"_s)->raise();
@@ -33,7 +34,7 @@ protected:
         link.simulated = true;
         window->showLink(link);
     }
-    /// What a user can operate; not the parts that Qt builds its widgets of.
+    /// The controls that a user can operate, without the parts of which Qt builds its widgets.
     QList<QWidget*> controls() {
         QList<QWidget*> found;
         for (QWidget* widget : window->findChildren<QWidget*>()) {
@@ -64,7 +65,7 @@ TEST_F(Controls, EachHasAnObjectNameAndAnAccessibleName) {
     }
 }
 
-/// The words that stand on it, without underline and drawn arrows; no words: nothing.
+/// The words on a control, without underlines and drawn arrows; empty if there are none.
 QString shownWords(QString text) {
     static const QRegularExpression edges(u"^[^\\p{L}\\p{N}%]+|[^\\p{L}\\p{N}%)]+$"_s,
                                           QRegularExpression::UseUnicodePropertiesOption);
@@ -88,7 +89,7 @@ TEST_F(SpokenNames, BeginWithTheWordsThatTheControlShows) {
     }
 }
 
-/// In a grid what names a field is the first of its row; what follows one is its unit.
+/// In a grid, the label that names a field is the first item of its row; a label after a field is its unit.
 bool begins(const QLayout& layout, int item) {
     const auto* grid = qobject_cast<const QGridLayout*>(&layout);
     int line = 0;
@@ -100,11 +101,11 @@ bool begins(const QLayout& layout, int item) {
     return column == 0;
 }
 
-/// What stands in a layout just before another thing, in reading order.
+/// The labels of a layout, each with the item that follows it in reading order.
 QList<std::pair<QLabel*, QWidget*>> labelledBy(const QLayout& layout) {
     QList<std::pair<QLabel*, QWidget*>> pairs;
     for (int i = 0; i + 1 < layout.count(); ++i)
-        // One with an object name shows a value.
+        // A label with an object name shows a value.
         if (auto* label = qobject_cast<QLabel*>(layout.itemAt(i)->widget());
             label != nullptr && label->objectName().isEmpty() && begins(layout, i))
             pairs.append({label, layout.itemAt(i + 1)->widget()});
@@ -147,7 +148,7 @@ TEST_F(Controls, EachIsReachedByTab) {
     for (const QWidget* control : controls()) {
         if (!control->isVisible() || !control->isEnabled() || control->inherits("QDockWidgetTitleButton"))
             continue;
-        // Of the choices of one question Tab reaches the one that is chosen.
+        // Among exclusive choices, Tab reaches only the selected one.
         const auto* choice = qobject_cast<const QAbstractButton*>(control);
         if (choice != nullptr && choice->autoExclusive() && !choice->isChecked())
             continue;
@@ -155,7 +156,8 @@ TEST_F(Controls, EachIsReachedByTab) {
     }
 }
 
-/// Of the module panel only one page is there at a time, and of its tabs only one; hidden ones do not listen.
+/// Only one panel of a module is visible at a time, and only one of its tabs; hidden ones do not react to
+/// mnemonics.
 struct Panel {
     ModuleType type;
     const char* panel;
@@ -173,7 +175,7 @@ protected:
         module.info.identity = {panel.type, 1};
         window->showLink(connectedTo({module}));
     }
-    /// As far as it is one in the panel and on the tab that are looked at.
+    /// False if it belongs to another panel or another tab than the ones that are shown.
     [[nodiscard]] bool listens(const QWidget* widget, const QWidget* tab) const {
         const QWidget* child = widget;
         const QWidget* above = widget->parentWidget();
@@ -197,7 +199,7 @@ protected:
                                                << owners.value(key).toStdString();
             owners.insert(key, owner);
         };
-        // A menu within a menu is only listened to there.
+        // A menu within a menu reacts only there.
         for (const QMenu* menu :
              find(u"menuBar"_s)->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
             check(menu->title(), menu->title());
@@ -242,7 +244,7 @@ TEST_P(Mnemonics, DoNotCollideWithinAMenu) {
     EXPECT_GT(seen, 20);
 }
 
-/// Each in a window of its own, where its letters are.
+/// Each dialog is a window with its own mnemonics.
 TEST_P(Mnemonics, DoNotCollideWithinADialog) {
     for (const QString& action : {u"chainDoctorAction"_s, u"operatorAction"_s, u"scopeSignalsAction"_s,
                                   u"manualAction"_s, u"reportProblemAction"_s, u"restartNetworkAction"_s})

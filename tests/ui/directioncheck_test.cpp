@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The box of the direction check: what it asks, sends and says.
+// The box of the direction check: what it asks, sends and shows.
 #include <QAbstractButton>
 #include <QTabWidget>
 

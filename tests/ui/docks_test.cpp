@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// However many docks are open in however small a window: each is in sight, or a tab of one that is, and none
-// covers another, the panel or the bars above.
+// However many docks are open, and however small the window is: each dock is visible, or a tab of one that
+// is, and none covers another, the panel or the bars above.
 #include <QAction>
 #include <QDockWidget>
 
@@ -16,7 +16,7 @@ protected:
     [[nodiscard]] QRect place(const QWidget& widget) const {
         return {widget.mapTo(window.get(), QPoint()), widget.size()};
     }
-    /// Those that are drawn somewhere, and the middle, and what is above.
+    /// The visible docks, the centre of the window, and the bars above.
     [[nodiscard]] QList<const QWidget*> inSight() const {
         QList<const QWidget*> all{window->centralWidget(), window->menuWidget()};
         for (const QDockWidget* dock : window->findChildren<QDockWidget*>())
@@ -86,7 +86,8 @@ TEST_F(DockKeys, BringToTheFrontWhatStandsBehind) {
     EXPECT_TRUE(inFront(u"sequencesDock"_s, u"axesDock"_s));
     QCoreApplication::processEvents();
     strike(Qt::Key_F3);
-    EXPECT_FALSE(find<QDockWidget>(u"sequencesDock"_s)->isVisible()) << "closed, where it was in front";
+    EXPECT_FALSE(find<QDockWidget>(u"sequencesDock"_s)->isVisible())
+        << "it was in front, so the key closes it";
 }
 
 }  // namespace

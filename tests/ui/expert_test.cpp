@@ -14,10 +14,10 @@ namespace {
 using testing_support::clickOn;
 using testing_support::Stepper;
 
-/// What one act makes of the first data byte.
+/// What one action does to the first data byte.
 struct Bit {
     QString control;
-    int choice;  ///< of a list; -1: a check box
+    int choice;  ///< index in a list; -1: a check box
     std::uint8_t mask;
     std::uint8_t value;
 };
@@ -34,7 +34,7 @@ const std::vector<Bit> kServoBits{
     {u"expertLoadMode"_s, 2, 0x30, 0x00},
     {u"expertLoadReverse"_s, kBox, 0x40, 0x40},
     {u"expertLoadNow"_s, kBox, 0x80, 0x80},
-    {u"expertStopAmplifier"_s, kBox, 0x01, 0x00},  // it is checked at first
+    {u"expertStopAmplifier"_s, kBox, 0x01, 0x00},  // initially checked
     {u"expertStopManner"_s, 0, 0x1E, 0x00},
     {u"expertStopManner"_s, 1, 0x1E, 0x02},
     {u"expertStopManner"_s, 2, 0x1E, 0x04},
@@ -77,7 +77,7 @@ protected:
 
     void showStepper(const Stepper& stepper) { window->showLink(connectedTo({stepper.module})); }
 
-    /// "expertLoad" of "expertLoadMode".
+    /// Returns "expertLoad" for "expertLoadMode".
     static QString boxOf(const QString& control) {
         for (const QString& box : {u"expertLoad"_s, u"expertStop"_s, u"expertHoming"_s})
             if (control.startsWith(box))
@@ -135,7 +135,7 @@ protected:
 TEST_F(Expert, ReachesEveryBitOfAServo) {
     showServo();
     expectEveryBit(kServoBits);
-    EXPECT_EQ(intents.size(), 0) << "nothing is sent by setting it up";
+    EXPECT_EQ(intents.size(), 0) << "setting up a command sends nothing";
 }
 
 TEST_F(Expert, ReachesEveryBitOfAStepper) {
@@ -193,14 +193,14 @@ TEST_F(Expert, NamesTheModeOfTable4) {
                  testing_support::kTrapezoidalMode);
     showStepper(stepper);
     clickOn(*find<QCheckBox>(u"expertLoadNow"_s));
-    EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled()) << "needs a timer count";
+    EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled()) << "it needs a timer count";
     clickOn(*find<QCheckBox>(u"expertLoadTimerLoaded"_s));
     EXPECT_TRUE(text(u"expertLoadMeaning"_s).contains(u"continues to its position"_s));
     EXPECT_TRUE(button(u"expertLoadButton"_s)->isEnabled());
     clickOn(*find<QCheckBox>(u"expertLoadSpeedLoaded"_s));
     EXPECT_TRUE(text(u"expertLoadMeaning"_s).contains(u"A ramp"_s));
     clickOn(*find<QCheckBox>(u"expertLoadPositionLoaded"_s));
-    EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled()) << "a goal does not change in motion";
+    EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled()) << "a goal cannot change in motion";
 }
 
 TEST_F(Expert, ResetsAModuleAfterAQuestion) {

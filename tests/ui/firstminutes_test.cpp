@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What somebody sees who has the program for the first time: what to connect to, and how the motor gets to
+// What a user sees who runs the program for the first time: what to connect to, and how to make the motor
 // move.
 #include <QComboBox>
 #include <QScrollBar>
@@ -56,7 +56,7 @@ TEST_F(StartPageTest, TakesPortAndRateFromTheListAbove) {
     EXPECT_TRUE(needs(u"startSerialButton"_s).contains(u" Bd"_s));
 }
 
-/// That somebody may know a path that is not listed.
+/// The user may know a path that is not listed.
 TEST_F(StartPageTest, WithoutAnyPortSaysSoAndOpensTheList) {
     window->showPorts({});
     EXPECT_TRUE(needs(u"startSerialButton"_s).contains(u"No serial port found"_s));
@@ -66,7 +66,8 @@ TEST_F(StartPageTest, WithoutAnyPortSaysSoAndOpensTheList) {
     ASSERT_NE(list, nullptr);
     list->close();
     window->showPorts({{u"/dev/ttyUSB3"_s, {}}});
-    EXPECT_EQ(text(u"startSerialButtonTitle"_s), u"Connect to /dev/ttyUSB3"_s) << "plugged in meanwhile";
+    EXPECT_EQ(text(u"startSerialButtonTitle"_s), u"Connect to /dev/ttyUSB3"_s)
+        << "it was plugged in in the meantime";
 }
 
 TEST_F(StartPageTest, KeepsTheSimulatedChainThatWasAskedFor) {
@@ -106,7 +107,7 @@ TEST_F(StartPageTest, IsWholeInASmallWindow) {
 class FirstStepsTest : public WindowTest {
 protected:
     FirstStepsTest() {
-        // As the program tells what became of an intent.
+        // Reports the outcome of an intent, as the program does.
         QObject::connect(window.get(), &MainWindow::intentRequested, window.get(),
                          [this](ModuleIndex, const Intent& intent) {
                              if (const auto* apply = std::get_if<intent::ApplyGains>(&intent))
@@ -139,13 +140,13 @@ protected:
         module.apply(executed(load));
         show();
     }
-    /// Docks give way to the page, and the page to its strip.
+    /// Docks make room for the page, and the page for its strip.
     static void settle() {
         for (int i = 0; i < 5; ++i)
             QApplication::processEvents();
     }
     bool stripIsThere() { return window->findChild<QWidget*>(u"firstSteps"_s)->isVisible(); }
-    /// The one with the arrow, and there is one only.
+    /// The step with the arrow, of which there is only one.
     QString next() {
         QString found;
         for (int i = 1; i <= 4; ++i)
@@ -185,7 +186,7 @@ TEST_F(FirstStepsTest, MoveNothingUnderThePointerWhenTheyGo) {
     settle();
     ASSERT_FALSE(stripIsThere());
     EXPECT_EQ(hold->mapToGlobal(QPoint()), before);
-    // Nobody presses anything while the window is laid out anew.
+    // Nobody presses anything while the window is being resized.
     auto* page = window->findChild<QWidget*>(u"panelScroll"_s);
     const int low = page->height();
     window->resize(901, 640);
@@ -201,7 +202,7 @@ TEST_F(FirstStepsTest, ComeBackWhenTheModuleHasLostItsGains) {
     module.restarted();
     module.hasRestarted = false;
     show();
-    EXPECT_EQ(next(), u"▸ 2. Apply gains"_s) << "they stand in the fields";
+    EXPECT_EQ(next(), u"▸ 2. Apply gains"_s) << "the fields still contain them";
 }
 
 TEST_F(FirstStepsTest, ShowWhereTheNextIsDone) {
@@ -222,7 +223,7 @@ TEST_F(FirstStepsTest, ScrollToWhereTheNextIsDone) {
     const auto* apply = find(u"applyGainsButton"_s);
     for (QScrollArea* area : window->findChildren<QScrollArea*>())
         area->verticalScrollBar()->setValue(0);
-    ASSERT_NE(apply->visibleRegion(), QRegion(apply->rect())) << "there is nothing to be scrolled";
+    ASSERT_NE(apply->visibleRegion(), QRegion(apply->rect())) << "otherwise there is nothing to scroll";
     QTest::mouseClick(window->findChild<QWidget*>(u"firstStepButton"_s), Qt::LeftButton);
     EXPECT_TRUE(QTest::qWaitFor([&] { return apply->visibleRegion() == QRegion(apply->rect()); }));
 }
@@ -242,7 +243,7 @@ TEST_F(FirstStepsTest, AreNotForAServoThatHasMoved) {
     EXPECT_FALSE(stripIsThere());
 }
 
-/// In a window of the size that it has at first, with all its bars.
+/// In a window of its initial size, with all its bars.
 TEST_F(FirstStepsTest, NeedNoScroll) {
     window->resize(1456, 952);
     LinkState link = connectedTo({module});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the focus goes when what has it can be used no longer: by real keys, which go where the focus is.
+// Where the focus goes when the control that has it can no longer be used; with real keys, which go to the
+// focus.
 #include <QAbstractButton>
 #include <QTabBar>
 
@@ -14,7 +15,7 @@ protected:
     void press(Qt::Key key) { QTest::keyPress(window->windowHandle(), key); }
     void release(Qt::Key key) { QTest::keyRelease(window->windowHandle(), key); }
     void strike(Qt::Key key) { QTest::keyClick(window->windowHandle(), key); }
-    /// By Tab, as often as it takes.
+    /// Presses Tab as often as needed.
     void tabTo(const QString& name) {
         const int all = static_cast<int>(window->findChildren<QWidget*>().size());
         for (int i = 0; i < all && focused() != name; ++i)
@@ -25,7 +26,7 @@ protected:
         const QWidget* widget = QApplication::focusWidget();
         return widget != nullptr ? widget->objectName() : QString();
     }
-    /// As Enable leaves it: there is nothing to enable any more.
+    /// Shows the module after Enable, when there is nothing left to enable.
     void showEnabled() {
         ModuleState module = Servo{.millisecond = 40}.state();
         module.amplifierEnabled = true;
@@ -69,7 +70,7 @@ TEST_F(Focus, OfEnableDoesNotGoToMotorOff) {
     showEnabled();
     strike(Qt::Key_Space);
     strike(Qt::Key_Space);
-    EXPECT_EQ(intents.size(), 1) << "a second Space drops no load";
+    EXPECT_EQ(intents.size(), 1) << "a second Space does not drop a load";
 }
 
 TEST_F(Focus, TabGoesOnFromWhereItWas) {
@@ -91,7 +92,7 @@ TEST_P(FocusAfter, AClickStaysOnTheButtonAndNotInAField) {
     type(u"goalField"_s, u"1000"_s);
     QTest::mouseClick(button(name), Qt::LeftButton);
     ASSERT_EQ(intents.size(), 1);
-    EXPECT_EQ(focused(), QString()) << "while the module's answer is waited for";
+    EXPECT_EQ(focused(), QString()) << "while it waits for the module's answer";
     strike(Qt::Key_7);
     showServo({.millisecond = 20});
     EXPECT_EQ(focused(), name);

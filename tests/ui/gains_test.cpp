@@ -55,7 +55,7 @@ TEST_F(Gains, SayWhetherTheyWereSentEditedOrNobodyKnows) {
     EXPECT_TRUE(text(u"kpState"_s).contains(u"not sent"_s));
 }
 
-/// A bar that came with the first digit would move the buttons away from under the mouse.
+/// A scroll bar that appears with the first digit would move the buttons away from under the mouse.
 TEST_F(Gains, NeedNoScrollBarToSaySo) {
     window->resize(1'456, 952);
     showServo({.version = 10, .gains = false});
@@ -92,7 +92,7 @@ TEST_F(Gains, U01_OutOfRangeIsNotSent) {
 }
 
 TEST_F(Gains, StartingValuesFillTheFieldsAndSendNothing) {
-    window->resize(1'456, 952);  // in a smaller one marks stand for words
+    window->resize(1'456, 952);  // a smaller one shows marks instead of words
     showServo({.on = false, .gains = false});
     click(u"fillGainsButton"_s);
     EXPECT_EQ(intents.size(), 0);
@@ -129,7 +129,7 @@ TEST_F(Gains, EachModuleHasItsOwnDraft) {
     EXPECT_EQ(field(u"kpField"_s)->value(), 42);
 }
 
-/// One rule for both chips: what an opened file says goes before what was typed and not sent.
+/// The same rule holds for both chips: an opened file takes precedence over what was typed and not sent.
 TEST_F(Gains, AMachineFileGoesBeforeWhatWasTypedAndUndoBringsThatBack) {
     showServos({{.gains = false}, {.gains = false}});
     type(u"kpField"_s, u"42"_s);
@@ -146,7 +146,7 @@ TEST_F(Gains, AMachineFileGoesBeforeWhatWasTypedAndUndoBringsThatBack) {
     EXPECT_EQ(field(u"kpField"_s)->value(), 43);
     select(0);
     EXPECT_EQ(field(u"kpField"_s)->value(), someGains().kp)
-        << "also where the file came while another was shown";
+        << "also if another module was shown when the file was opened";
 }
 
 TEST_F(Gains, ToolTipsGiveMeaningRangeAndAdvice) {
@@ -169,7 +169,7 @@ TEST_F(Gains, UndoChangesTheFieldAndNotTheMotor) {
     type(u"kpField"_s, u"150"_s);
     type(u"kdField"_s, u"2000"_s);
     QTest::keyClick(field(u"kdField"_s), Qt::Key_Z, Qt::ControlModifier);
-    // A button that is clicked by its shortcut lets itself be seen pressed first.
+    // A button that is clicked by its shortcut first looks pressed for a moment.
     EXPECT_TRUE(QTest::qWaitFor([this] { return field(u"kdField"_s)->value() == 1000; }));
     EXPECT_EQ(field(u"kpField"_s)->value(), 150);
     click(u"undoGainsButton"_s);
@@ -184,7 +184,7 @@ TEST_F(Gains, UndoTakesBackAFillAsOneEdit) {
     showServo();
     click(u"zeroGainsButton"_s);
     EXPECT_EQ(field(u"kpField"_s)->value(), 0);
-    EXPECT_EQ(field(u"srField"_s)->value(), 1);  // the least the chip takes
+    EXPECT_EQ(field(u"srField"_s)->value(), 1);  // the lowest value that the chip accepts
     click(u"undoGainsButton"_s);
     EXPECT_EQ(field(u"kpField"_s)->value(), 100);
     EXPECT_EQ(field(u"elField"_s)->value(), 4000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands above everything of a module, whatever is scrolled or chosen below it.
+// What is shown above everything else of a module, whatever is scrolled or selected below it.
 #include <QAbstractItemModel>
 #include <QListView>
 #include <QRegularExpression>
@@ -50,7 +50,7 @@ TEST_F(Head, StaysInViewWhereThePageScrolls) {
         EXPECT_FALSE(find(name)->visibleRegion().isEmpty()) << name.toStdString();
 }
 
-/// Whole: not one pixel of it is cut, by the window or by a scroll area.
+/// True if not one pixel of it is cut off, by the window or by a scroll area.
 bool isWhole(const QWidget& widget) {
     return widget.visibleRegion().boundingRect() == widget.rect() &&
            widget.width() >= widget.sizeHint().width();
@@ -99,7 +99,7 @@ TEST_F(Head, NothingThatStopsOrTellsIsCutInTheSmallestWindow) {
     for (const QString& name : {u"rateLabel"_s, u"errorLabel"_s, u"roundTripLabel"_s})
         EXPECT_TRUE(!find(name)->isVisible() || isWhole(*find(name))) << name.toStdString();
     EXPECT_TRUE(find(u"rateLabel"_s)->isVisible());
-    // The motions are a page of their own there, and the first.
+    // In such a window, the motions have their own page, which is the first.
     EXPECT_TRUE(find(u"goButton"_s)->isVisible());
     EXPECT_EQ(find<QTabWidget>(u"servoPages"_s)->currentIndex(), 0);
 }
@@ -185,7 +185,7 @@ TEST_F(Head, AndTheListKeepTheLastPositionStruckOutWhenTheAdapterIsUnplugged) {
     EXPECT_EQ(text(u"positionUnit"_s), u"counts, 1.3 s old"_s);
     window->showTime(module.latestTime + std::chrono::milliseconds(2300));
     EXPECT_EQ(text(u"positionUnit"_s), u"counts, 2.3 s old"_s);
-    // The next connection knows nothing of it.
+    // The next connection knows nothing about it.
     LinkState next;
     next.port = "/dev/ttyUSB0";
     next.phase = LinkPhase::Connecting;
@@ -212,8 +212,8 @@ TEST_F(Head, AServoThatHoldsAndSwingsSaysSo) {
     EXPECT_TRUE(listed().contains(u"Holding, oscillating"_s)) << listed().toStdString();
 }
 
-/// Held at 0 by Kp 100 and an integral of Ki 80, IL 50: at 24 counts that asks for (2400 + 4000) / 256 = 25
-/// PWM counts, at 400 for 171.
+/// Held at 0 by Kp 100 and an integral of Ki 80, IL 50: at 24 counts this requires (2400 + 4000) / 256 = 25
+/// PWM counts, at 400 counts 171.
 TEST_F(Head, SaysHowFarAServoIsOffThePositionItShouldHold) {
     const auto standAt = [this](std::int32_t position, std::uint8_t ol) {
         ModuleState module = Servo{.held = true}.state();

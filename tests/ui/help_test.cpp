@@ -24,7 +24,7 @@ class Help : public WindowTest {
 protected:
     Help() { showServo(); }
 
-    /// To the window that has the keyboard.
+    /// Presses a key in the window that has the keyboard.
     static void strike(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
         ASSERT_NE(QGuiApplication::focusWindow(), nullptr);
         QTest::keyClick(QGuiApplication::focusWindow(), key, modifiers);
@@ -32,7 +32,7 @@ protected:
     }
     void focus(const QString& name) { find(name)->setFocus(Qt::OtherFocusReason); }
     QTextBrowser& browser() { return *window->findChild<QTextBrowser*>(u"manualBrowser"_s); }
-    /// "homing.md#limitStopBox"
+    /// What is shown, for example "homing.md#limitStopBox".
     QString shown() {
         auto* manual = window->findChild<QWidget*>(u"manualWindow"_s);
         if (manual == nullptr || !manual->isVisible())
@@ -47,7 +47,7 @@ protected:
             return active != nullptr && active->objectName() == name;
         });
     }
-    /// Whether the page can be jumped to there.
+    /// True if the page can be opened at this place.
     bool hasAnchor(const QTextDocument& document, const QString& name) {
         for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
             for (auto part = block.begin(); !part.atEnd(); ++part)
@@ -117,7 +117,7 @@ TEST_F(Help, PagesAreListedAndReadOneAfterTheOther) {
     for (int i = 0; i < list->count(); ++i)
         listed << list->item(i)->text();
     ASSERT_TRUE(listed.contains(u"Homing"_s));
-    // All that there are; what a new page is called stands in the index.
+    // All existing pages are listed; the index contains the name of a new one.
     EXPECT_EQ(list->count(), QDir(QStringLiteral(MANUAL_DIR)).entryList({u"*.md"_s}).size());
     const int homing = static_cast<int>(listed.indexOf(u"Homing"_s));
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
@@ -139,7 +139,7 @@ TEST_F(Help, ALinkIsFollowedToItsPlace) {
     strike(Qt::Key_F1);
     ASSERT_EQ(shown(), u"first-servo.md#gainsBox"_s);
     ASSERT_TRUE(active(u"manualWindow"_s));
-    // Somewhere on its words.
+    // A place within its words.
     QTextCursor link = browser().document()->find(u"direction check"_s);
     for (QTextBlock block = browser().document()->begin(); block.isValid(); block = block.next())
         for (auto part = block.begin(); !part.atEnd(); ++part)
@@ -149,7 +149,7 @@ TEST_F(Help, ALinkIsFollowedToItsPlace) {
     browser().ensureCursorVisible();
     QTest::mouseClick(browser().viewport(), Qt::LeftButton, {}, browser().cursorRect(link).center());
     EXPECT_EQ(shown(), u"tuning.md#try-gains"_s);
-    EXPECT_GT(browser().verticalScrollBar()->value(), 0) << "not at its top";
+    EXPECT_GT(browser().verticalScrollBar()->value(), 0) << "it is not shown at its top";
 }
 
 TEST_F(Help, WordsOfThePageAreFoundOneAfterTheOther) {
@@ -166,7 +166,7 @@ TEST_F(Help, WordsOfThePageAreFoundOneAfterTheOther) {
     strike(Qt::Key_Return, Qt::ShiftModifier);
     EXPECT_EQ(browser().textCursor().position(), first.position());
     strike(Qt::Key_Return, Qt::ShiftModifier);
-    EXPECT_GE(browser().textCursor().position(), second.position()) << "goes on at the end";
+    EXPECT_GE(browser().textCursor().position(), second.position()) << "the search goes on at the end";
     EXPECT_EQ(text(u"manualFoundLabel"_s), u""_s);
     strike(Qt::Key_F, Qt::ControlModifier);
     QTest::keyClicks(find<QLineEdit>(u"manualSearchField"_s), u"xyzzy"_s);
@@ -279,7 +279,7 @@ INSTANTIATE_TEST_SUITE_P(Manual, HelpPage, testing::ValuesIn(pagesOfTheManual())
     return QString::fromStdString(page.param).chopped(3).remove(u'-').toStdString();
 });
 
-/// With some module, in some dock or some dialog.
+/// Each anchor is a widget of some module, some dock or some dialog.
 TEST_F(Help, EachAnchorOfTheManualIsAWidget) {
     QSet<QString> wanted;
     for (const std::string& page : pagesOfTheManual())

@@ -21,12 +21,13 @@ protected:
         EXPECT_EQ(releases.size(), 1);
         EXPECT_FALSE(forward->isHeld());
         const qsizetype before = holds.size();
-        // A timer like the button's own: when it has fired again and again, the button's had its chances.
+        // A timer like the button's own: once it has fired several times, the button's would have fired as
+        // well.
         QTimer reference;
         QSignalSpy chances(&reference, &QTimer::timeout);
         reference.start(5);
         EXPECT_TRUE(QTest::qWaitFor([&chances] { return chances.size() >= 3; }));
-        EXPECT_EQ(holds.size(), before) << "evidence went on after the end";
+        EXPECT_EQ(holds.size(), before) << "no evidence comes after the end";
     }
     HoldButton* forward = nullptr;
     QSignalSpy holds{window.get(), &MainWindow::holdRequested};
@@ -55,7 +56,7 @@ TEST_F(Hold, EachPressHasANumberOfItsOwnThatItKeeps) {
     const qsizetype before = holds.size();
     QTest::mousePress(button(u"holdReverseButton"_s), Qt::LeftButton);
     ASSERT_EQ(holds.size(), before + 1);
-    EXPECT_GT(number(before), number(0)) << "of whichever button";
+    EXPECT_GT(number(before), number(0)) << "whichever button it is";
     QTest::mouseRelease(button(u"holdReverseButton"_s), Qt::LeftButton);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Home as the window shows it, and goes there or not.
+// How the window shows home, and whether it goes there.
 #include <QAbstractButton>
 #include <QAbstractItemView>
 
@@ -12,7 +12,7 @@ namespace {
 
 class HomeInTheWindow : public WindowTest {
 protected:
-    /// Its register says -304, whatever is known.
+    /// Shows a servo whose home register contains -304, whatever is known about home.
     void show(std::optional<std::int32_t> home, std::int32_t position = 10) {
         ModuleState module = Servo{.position = position}.state();
         module.latest->home = -304;
@@ -49,7 +49,7 @@ TEST_F(HomeInTheWindow, KnownItIsSeenAndGoneTo) {
     click(u"goHomeButton"_s);
     ASSERT_EQ(intents.size(), 1);
     const auto goHome = std::get<intent::GoHome>(intents.at(0).at(1).value<Intent>());
-    EXPECT_EQ(std::get<ServoPace>(goHome.pace).velocity.value(), 65'536U) << "that of Go to";
+    EXPECT_EQ(std::get<ServoPace>(goHome.pace).velocity.value(), 65'536U) << "the velocity of Go to";
 }
 
 TEST_F(HomeInTheWindow, ZeroHereSaysWhatItDestroys) {

@@ -19,7 +19,7 @@ protected:
         showServo(servo);
         open();
     }
-    /// With the status byte and what was sent changed by `change`.
+    /// Shows a servo whose status byte or settings were changed by `change`.
     template <typename Change>
     void showChanged(const Servo& servo, Change change) {
         ModuleState module = servo.state();
@@ -76,7 +76,7 @@ TEST_F(Homing, WhatIsShownIsSentAndKept) {
     EXPECT_TRUE(home.recipe.goToHome);
     EXPECT_FALSE(home.recipe.makeZero);
     EXPECT_EQ(kept(), home.recipe);
-    EXPECT_EQ(home.tolerance, 1) << "of counts";
+    EXPECT_EQ(home.tolerance, 1) << "in counts";
 }
 
 TEST_F(Homing, ShowingEmitsNothing) {
@@ -134,7 +134,7 @@ TEST_F(Homing, APositionErrorLeavesNoChoiceOfStop) {
     EXPECT_TRUE(button(u"homingMotorOffButton"_s)->isChecked());
     EXPECT_TRUE(reason(u"homingAbruptlyButton"_s).contains(u"switches the servo off"_s));
     click(u"onPositionErrorBox"_s);
-    EXPECT_TRUE(button(u"homingAbruptlyButton"_s)->isChecked()) << "as it was";
+    EXPECT_TRUE(button(u"homingAbruptlyButton"_s)->isChecked()) << "the earlier choice is back";
     EXPECT_TRUE(button(u"homingAbruptlyButton"_s)->isEnabled());
 }
 
@@ -178,7 +178,7 @@ TEST_F(Homing, ShowsItsCourseAndCancelNeverWaits) {
     EXPECT_FALSE(button(u"armLimitStopButton"_s)->isEnabled());
     EXPECT_FALSE(button(u"homeButton"_s)->isEnabled());
     click(u"cancelHomingButton"_s);
-    ASSERT_EQ(intents.size(), 2) << "though the module has not spoken since the first click";
+    ASSERT_EQ(intents.size(), 2) << "although the module has not answered since the first click";
     EXPECT_TRUE(std::holds_alternative<intent::CancelProcedure>(intents.at(1).at(1).value<Intent>()));
     report(ProcedureStage::GoingHome, {}, 512);
     EXPECT_TRUE(text(u"homingStagesLabel"_s).contains(u"✓\u00A0Verifying"_s));
@@ -253,7 +253,7 @@ TEST_F(Homing, TheLimitStopShowsItsState) {
     });
     EXPECT_TRUE(text(u"limitStopState"_s).startsWith(u"▲ Tripped by limit 2;"_s));
     showChanged({}, [](ModuleState& module) { module.latest->status |= 0x80U; });
-    EXPECT_TRUE(text(u"limitStopState"_s).startsWith(u"?"_s)) << "nobody here has asked for it";
+    EXPECT_TRUE(text(u"limitStopState"_s).startsWith(u"?"_s)) << "this panel has not requested it";
 }
 
 TEST_F(Homing, ALimitThatIsActiveIsNotArmed) {
@@ -262,10 +262,10 @@ TEST_F(Homing, ALimitThatIsActiveIsNotArmed) {
     click(u"armLimit1Box"_s);
     EXPECT_TRUE(button(u"armLimitStopButton"_s)->isEnabled());
     click(u"armLimit2Box"_s);
-    EXPECT_FALSE(button(u"armLimitStopButton"_s)->isEnabled()) << "none is chosen";
+    EXPECT_FALSE(button(u"armLimitStopButton"_s)->isEnabled()) << "none is selected";
 }
 
-// ---- a stepper's ----
+// ---- homing of a stepper ----
 
 TEST(StepperHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     ModuleState module;

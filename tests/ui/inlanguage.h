@@ -10,7 +10,7 @@
 
 namespace nmc {
 
-/// All that the program speaks: what has a translation is tested by that.
+/// All languages of the program: each translation is tested.
 inline std::vector<std::string> allLanguages() {
     std::vector<std::string> all;
     for (const QString& language : languages::available())
@@ -18,8 +18,8 @@ inline std::vector<std::string> allLanguages() {
     return all;
 }
 
-/// Words and numbers, as the program sets them up at its start. Before the window, which is made in its
-/// language.
+/// Sets up words and numbers as the program does at its start. It must precede the window, which is created
+/// in its language.
 struct InLanguage {
     explicit InLanguage(const std::string& language) {
         const QLocale locale = languages::localeOf(QString::fromStdString(language), QLocale::c());

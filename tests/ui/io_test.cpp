@@ -105,7 +105,7 @@ TEST_F(IoPage, NothingThatWasTypedOutlivesTheConnection) {
     showServo({.on = false});
     const QString speed = field(u"pwmField"_s)->text();
     type(u"pwmField"_s, u"51"_s);
-    type(u"kpField"_s, u"4321"_s);  // which the axis keeps; what was there before it, nobody
+    type(u"kpField"_s, u"4321"_s);  // kept by the axis, but not the value before it
     ASSERT_TRUE(button(u"undoGainsButton"_s)->isEnabled());
     type(u"goalField"_s, u"1234"_s);
     window->showLink({});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Qt demands of an item model, of all of the window's, while what they show changes at random.
+// Checks Qt's requirements of an item model for all models of the window, while their contents change at
+// random.
 #include <QAbstractItemModelTester>
 #include <QAbstractItemView>
 #include <QHeaderView>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr int kChanges = 300;
 
-/// The tester warns of what is wrong, and a warning fails the test.
+/// The tester warns of errors, and a warning fails the test.
 using Demands = QAbstractItemModelTester;
 constexpr auto kWarns = QAbstractItemModelTester::FailureReportingMode::Warning;
 
@@ -45,7 +46,7 @@ protected:
             axis.name = oneIn(2) ? "X" : "";
         return machine;
     }
-    /// In a row, with a gap here and there; long ones fill the log.
+    /// Consecutive records with a gap here and there; long ones fill the log.
     std::vector<bus::ExchangeRecord> records(std::size_t count, bool longOnes) {
         std::vector<bus::ExchangeRecord> records(count);
         for (bus::ExchangeRecord& record : records) {
@@ -105,15 +106,15 @@ TEST_P(ItemModels, ThePacketsKeepThem) {
                 dropped += model.append(records(below(4), oneIn(2)));
         }
     }
-    EXPECT_GT(dropped, 0) << "the log was never full";
+    EXPECT_GT(dropped, 0) << "otherwise the log was never full";
     model.begin({});
     EXPECT_EQ(model.rowCount(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, ItemModels, testing::Range(1, 4));
 
-/// Those that come with Qt's table and tree widgets, which the window fills by itself; a new list is found
-/// here without being told of.
+/// The models of Qt's table and tree widgets, which the window itself fills; a new list is found here
+/// automatically.
 class WindowsItemModels : public WindowTest {};
 
 TEST_F(WindowsItemModels, KeepThem) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Choosing what the panel speaks.
+// Selecting the language of the panel.
 #include <QAction>
 #include <QFontMetrics>
 #include <QMenu>
@@ -13,7 +13,7 @@ namespace {
 
 class Language : public WindowTest {
 protected:
-    /// By the mouse, from the menu.
+    /// Selects with the mouse, in the menu.
     void choose(const QString& action) {
         auto* menu = find<QMenu>(u"languageMenu"_s);
         menu->popup(window->mapToGlobal(QPoint(20, 40)));
@@ -79,7 +79,7 @@ TEST(Languages, AreThoseOfTheSystemsCountryWhereItSpeaksThem) {
     EXPECT_EQ(english.toString(1.5), u"1.5"_s);
 }
 
-/// scripts/packages.develop names the package of those that are missing.
+/// scripts/packages.develop names the packages of missing fonts.
 TEST(Languages, HaveFonts) {
     const QFontMetrics font(QApplication::font());
     const QStringList all = languages::available() + QStringList{u"ja"_s};

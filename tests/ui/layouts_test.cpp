@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window is laid out for, and the loop of editing, applying, stepping and looking in it.
+// The layouts of the window, and the loop of editing, applying, stepping and looking in them.
 #include <QAction>
 #include <QDockWidget>
 #include <QTabWidget>
@@ -28,7 +28,7 @@ protected:
     }
     QDockWidget* dock(const char* name) { return window->findChild<QDockWidget*>(QLatin1String(name)); }
     [[nodiscard]] int area(const char* name) { return dock(name)->width() * dock(name)->height(); }
-    /// Without a scroll: no find(), which scrolls.
+    /// Expects that it is completely visible without scrolling. It avoids find(), which scrolls.
     void expectWhole(const QString& name) {
         const auto* widget = window->findChild<QWidget*>(name);
         ASSERT_NE(widget, nullptr) << name.toStdString();
@@ -42,7 +42,7 @@ protected:
         EXPECT_NE(wanted, nullptr);
         return wanted != nullptr ? *wanted : T{};
     }
-    /// Typed over, and not sent.
+    /// Types over the value, and does not send it.
     void typeGain(const QString& name, const QString& value) {
         auto* field = window->findChild<QLineEdit*>(name);
         field->setFocus();
@@ -53,7 +53,7 @@ protected:
     QSignalSpy intents{window.get(), &MainWindow::intentRequested};
 };
 
-/// Of the whole window, its bars and the place for a message among them.
+/// Two thirds of the whole window, including its bars and the place for a message.
 TEST_F(LayoutsTest, TuneGivesTwoThirdsToThePlotsWithGainsAndStepBesideThem) {
     strike(Qt::Key_2, Qt::ControlModifier);
     const int plots = area("scopeDock") + area("responseDock");
@@ -68,7 +68,7 @@ TEST_F(LayoutsTest, TuneGivesTwoThirdsToThePlotsWithGainsAndStepBesideThem) {
         expectWhole(QLatin1String(name));
 }
 
-/// X11: the keys of the digits 1 to 8 are 10 to 17, and type these without Shift.
+/// On X11, the keys of the digits 1 to 8 have the codes 10 to 17, and type these characters without Shift.
 TEST_F(LayoutsTest, AreChosenByTheKeysOfDigitsWhereTheseAreShifted) {
     const QString azerty = u"&é\"'(-è_"_s;
     const auto strikeKey = [&](int digit) {
@@ -124,7 +124,7 @@ TEST_F(LayoutsTest, EachComesBackAsItWasLeft) {
     EXPECT_TRUE(dock("chainDock")->isVisible());
     window->findChild<QAction*>(u"resetLayoutAction"_s)->trigger();
     settle();
-    EXPECT_FALSE(dock("chainDock")->isVisible()) << "as it is at first";
+    EXPECT_FALSE(dock("chainDock")->isVisible()) << "as it was initially";
     EXPECT_TRUE(dock("responseDock")->isVisible());
 }
 
@@ -184,11 +184,11 @@ TEST_F(LayoutsTest, EnterInAFieldAppliesTheGains) {
     typeGain(u"kpField"_s, u"99999"_s);
     intents.clear();
     QTest::keyClick(window->findChild<QWidget*>(u"kpField"_s), Qt::Key_Return);
-    EXPECT_TRUE(intents.isEmpty()) << "out of range";
+    EXPECT_TRUE(intents.isEmpty()) << "it is out of range";
 }
 
 TEST_F(LayoutsTest, GainsAreTriedAndKept) {
-    EXPECT_FALSE(button(u"tryGainsButton"_s)->isEnabled()) << "it has these";
+    EXPECT_FALSE(button(u"tryGainsButton"_s)->isEnabled()) << "the module already has these";
     EXPECT_FALSE(button(u"keepGainsButton"_s)->isEnabled());
     typeGain(u"kpField"_s, u"101"_s);
     intents.clear();
@@ -200,7 +200,7 @@ TEST_F(LayoutsTest, GainsAreTriedAndKept) {
     window->showProcedure(report);
     settle();
     EXPECT_FALSE(button(u"tryGainsButton"_s)->isEnabled());
-    // The trial has lowered the output limit of the module; that is no edit of anybody's.
+    // The trial has lowered the output limit of the module, but this is not an edit.
     Servo servo;
     servo.held = true;
     ModuleState module = servo.state();
@@ -230,7 +230,7 @@ TEST_F(LayoutsTest, AStepThatIsRefusedSaysWhy) {
     EXPECT_FALSE(text(u"responseState"_s).isEmpty());
 }
 
-/// With a machine that keeps what is typed, as the program does.
+/// The machine keeps what is typed, as in the program.
 class UnsentGains : public LayoutsTest {
 protected:
     UnsentGains() {

@@ -21,7 +21,7 @@
 namespace nmc {
 namespace {
 
-/// One of the program's own, or the desktop's that the tests run on.
+/// Colours of the program, or those of the desktop on which the tests run.
 struct Named {
     const char* name;
     look::Colours colours;
@@ -32,7 +32,7 @@ void PrintTo(const Named& named, std::ostream* out) {
 
 class Look : public testing::TestWithParam<Named> {
 protected:
-    /// As a window has it.
+    /// The palette as it is in a window.
     static QPalette inWindow(const QPalette& palette) {
         QWidget widget;
         widget.setPalette(palette);
@@ -49,7 +49,8 @@ protected:
         GetParam().colours == look::Colours::HighContrast ? 7.0 : 4.5;  // WCAG 2.1, 1.4.6 and 1.4.3
 };
 
-/// The formula of WCAG 2.1 ("relative luminance", "contrast ratio"), by hand for two greys and a red.
+/// The formula of WCAG 2.1 ("relative luminance", "contrast ratio"), calculated by hand for two greys and a
+/// red.
 TEST(LookOfContrast, IsThatOfWcag) {
     EXPECT_NEAR(look::contrast(Qt::white, Qt::black), 21.0, 1e-9);
     EXPECT_NEAR(look::contrast(QColor(0x77, 0x77, 0x77), Qt::white), 4.478, 0.001);
@@ -91,10 +92,10 @@ TEST_P(Look, KindsOfMessagesHaveItToo) {
     }
 }
 
-/// WCAG asks nothing of it; it can be read all the same, and told from what is enabled.
+/// WCAG requires nothing of it; it is readable nevertheless, and can be distinguished from enabled text.
 TEST_P(Look, DisabledTextIsQuieterAndStillThere) {
     if (GetParam().colours == look::Colours::System)
-        return;  // the desktop's affair
+        return;  // this is up to the desktop
     for (const auto& [text, ground] :
          {std::pair{QPalette::WindowText, QPalette::Window}, std::pair{QPalette::Text, QPalette::Base},
           std::pair{QPalette::ButtonText, QPalette::Button}}) {
@@ -106,7 +107,7 @@ TEST_P(Look, DisabledTextIsQuieterAndStillThere) {
 
 TEST_P(Look, LinksHaveItToo) {
     if (GetParam().colours == look::Colours::System)
-        return;  // the desktop's affair, and there is none in the window
+        return;  // this is up to the desktop, and the window has no links
     for (const auto role : {QPalette::Link, QPalette::LinkVisited})
         for (const auto ground : {QPalette::Window, QPalette::Base})
             EXPECT_GE(look::contrast(of(role), of(ground)), least) << role;
@@ -126,7 +127,7 @@ TEST_P(Look, EachStateHasAShapeOfItsOwn) {
         QPainter painter(&image);
         paintActivity(painter, QRectF(4, 4, 40, 40), activity, palette);
         painter.end();
-        // In grey: the shape alone must do.
+        // In grey, the shape alone must be sufficient.
         image = image.convertToFormat(QImage::Format_Grayscale8);
         for (const QImage& other : seen)
             EXPECT_NE(image, other) << a;
@@ -179,7 +180,7 @@ TEST_F(LookOfWindow, WhatStandsInAnEmptyFieldIsReadable) {
 class ColourMenu : public LookOfWindow {
 protected:
     ~ColourMenu() override { look::useColours(look::Colours::System); }
-    /// Through the menus, by keyboard.
+    /// Selects in the menu, with the mouse.
     void choose(const QString& name) {
         auto* action = window->findChild<QAction*>(name + u"ColoursAction"_s);
         auto* menu = find<QMenu>(u"coloursMenu"_s);
@@ -187,7 +188,7 @@ protected:
         QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
         QApplication::processEvents();
     }
-    /// What stands on the screen there.
+    /// The colour on the screen in its corner.
     QColor ground(const QString& name) {
         QWidget* widget = find(name);
         return window->grab(QRect(widget->mapTo(window.get(), QPoint(2, 2)), QSize(1, 1)))
@@ -229,8 +230,8 @@ TEST_F(ColourMenu, IsKeptForTheNextStart) {
     EXPECT_TRUE(look::isDark(window->palette()));
 }
 
-/// WCAG 2.1, 1.4.11: what shows where a control is, and that it has the focus, has 3:1 upon what is beside
-/// it.
+/// WCAG 2.1, 1.4.11: what shows where a control is, and that it has the focus, has a contrast of 3:1 to what
+/// is next to it.
 class Frames : public testing::TestWithParam<look::Colours> {
 protected:
     Frames() {
@@ -248,7 +249,8 @@ protected:
         control->show();
         return control;
     }
-    /// The best of the first pixels of its left edge: the poorer of its contrasts to these two.
+    /// The lower one of the contrasts of a pixel to these two colours, for the best of the first pixels of
+    /// the left edge.
     [[nodiscard]] double edge(const QWidget* control, QRect frame, QPalette::ColorRole outside,
                               QPalette::ColorRole inside) {
         QCoreApplication::processEvents();

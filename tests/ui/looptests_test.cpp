@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Square waves and frequency responses in the window: what is asked for, why not, and what is shown of them.
+// Square waves and frequency responses in the window: what is requested, why it is not possible, and what is
+// shown.
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
@@ -90,7 +91,7 @@ TEST_F(LoopTestsInTheWindow, SayWhyTheyAreNotPossible) {
     EXPECT_TRUE(reason(u"squareWaveStartButton"_s).contains(u"nable"_s))
         << reason(u"squareWaveStartButton"_s).toStdString();
     EXPECT_EQ(label(u"squareWaveState"_s), reason(u"squareWaveStartButton"_s));
-    EXPECT_TRUE(button(u"tuningReportButton"_s)->isEnabled()) << "what is known can be kept all the same";
+    EXPECT_TRUE(button(u"tuningReportButton"_s)->isEnabled()) << "what is known can still be saved";
 }
 
 TEST_F(LoopTestsInTheWindow, ABadNumberIsNotSent) {
@@ -99,7 +100,7 @@ TEST_F(LoopTestsInTheWindow, ABadNumberIsNotSent) {
     EXPECT_TRUE(reason(u"squareWaveStartButton"_s).contains(u"0.1 to 5"_s))
         << reason(u"squareWaveStartButton"_s).toStdString();
     type(u"frequencyToField"_s, u"0.7"_s);
-    EXPECT_FALSE(reason(u"frequencyStartButton"_s).isEmpty()) << "that is below where it begins";
+    EXPECT_FALSE(reason(u"frequencyStartButton"_s).isEmpty()) << "it is below the lowest frequency";
     EXPECT_EQ(intents.size(), 0);
 }
 

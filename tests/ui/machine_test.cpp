@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The File menu's machine part, the table of differences, and what is asked before unsaved work gives way.
+// The machine part of the File menu, the table of differences, and the questions before unsaved work is given
+// up.
 #include <QAction>
 #include <QFileDialog>
 #include <QMenu>
@@ -31,7 +32,7 @@ protected:
         row.wanted = wanted;
         return row;
     }
-    /// A name, gains that are sent, limit pins that are not ticked, and a module that is not there.
+    /// Shows a name, gains that are sent, limit pins that are not ticked, and a module of another type.
     void showSome() {
         menu().showDifferences(u"/home/anna/mill.json"_s,
                                {difference(MachinePart::AxisName, Applying::ChangesPanel),
@@ -136,7 +137,7 @@ TEST_F(MachineWindow, TheTableShowsFileAndPresentAndWhatApplyingDoes) {
     EXPECT_EQ(gains->child(0)->text(2), u"150"_s);
     EXPECT_EQ(gains->child(1)->text(2), u"unknown"_s);
     EXPECT_EQ(table()->topLevelItem(2)->checkState(0), Qt::Unchecked);
-    EXPECT_FALSE(table()->topLevelItem(3)->data(0, Qt::CheckStateRole).isValid()) << "cannot be ticked";
+    EXPECT_FALSE(table()->topLevelItem(3)->data(0, Qt::CheckStateRole).isValid()) << "it cannot be ticked";
     EXPECT_FALSE(find<QDialog>(u"differencesDialog"_s)->isModal()) << "STOP ALL stays within reach";
 }
 
@@ -151,7 +152,7 @@ TEST_F(MachineWindow, ApplyTellsWhatIsTicked) {
     EXPECT_THAT(chosen, ElementsAre(PartId{ModuleIndex(0), MachinePart::Gains}));
     click(u"tickAllButton"_s);
     click(u"applyDifferencesButton"_s);
-    EXPECT_EQ(chosen.size(), 3U) << "never what cannot be applied";
+    EXPECT_EQ(chosen.size(), 3U) << "never including what cannot be applied";
     click(u"tickNoneButton"_s);
     click(u"applyDifferencesButton"_s);
     EXPECT_TRUE(chosen.empty());
@@ -202,7 +203,8 @@ TEST_F(MachineWindow, TheKeyboardAloneTicksAndApplies) {
     table()->setCurrentItem(table()->topLevelItem(0));
     QTest::keyClick(table(), Qt::Key_Space);
     QTest::keyClick(menu().differences(), Qt::Key_A, Qt::AltModifier);
-    ASSERT_TRUE(QTest::qWaitFor([&chosen] { return !chosen.empty(); })) << "a key's click shows for a moment";
+    ASSERT_TRUE(QTest::qWaitFor([&chosen] { return !chosen.empty(); }))
+        << "a button clicked by a key first looks pressed for a moment";
     EXPECT_THAT(chosen, ElementsAre(PartId{ModuleIndex(0), MachinePart::Gains}));
 }
 
@@ -258,13 +260,13 @@ TEST_F(MachineWindow, UnsavedChangesAreAskedAboutOnceBeforeTheWindowCloses) {
     EXPECT_FALSE(window->isVisible());
 }
 
-/// It blocks nothing, so whoever works on may not see it any more, and would find it hours later.
+/// The question blocks nothing, so a user who works on may no longer see it, and would find it hours later.
 TEST_F(MachineWindow, AQuestionThatWaitsSaysSoWhereTheUserLooks) {
     menu().showFile({u"/home/anna/mill.json"_s, {}, true, {}});
     window->close();
     const QWidget* asked = find(u"unsavedDialog"_s);
     ASSERT_TRUE(QTest::qWaitForWindowActive(const_cast<QWidget*>(asked)));
-    EXPECT_FALSE(find(u"banner"_s)->isVisible()) << "it is in sight";
+    EXPECT_FALSE(find(u"banner"_s)->isVisible()) << "the question is visible";
     window->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
     ASSERT_TRUE(QTest::qWaitFor([&] { return find(u"banner"_s)->isVisible(); }));
@@ -273,7 +275,7 @@ TEST_F(MachineWindow, AQuestionThatWaitsSaysSoWhereTheUserLooks) {
     click(u"bannerAction_showQuestion"_s);
     EXPECT_TRUE(QTest::qWaitFor([&] { return asked->isActiveWindow(); }));
     EXPECT_TRUE(QTest::qWaitFor([&] { return !find(u"banner"_s)->isVisible(); }));
-    // Answered elsewhere: there is nothing left to ask.
+    // It is answered elsewhere, and there is nothing left to ask.
     window->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
     menu().showFile({u"/home/anna/mill.json"_s, {}, false, {}});
@@ -284,7 +286,7 @@ TEST_F(MachineWindow, SavingFirstClosesOnlyWhenItWorked) {
     menu().showFile({u"/home/anna/mill.json"_s, {}, true, {}});
     window->close();
     click(u"saveFirstButton"_s);
-    EXPECT_TRUE(window->isVisible()) << "nobody has saved it";
+    EXPECT_TRUE(window->isVisible()) << "it has not been saved yet";
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QObject::connect(&menu(), &MachineMenu::saveRequested, &menu(), [this] {
         menu().showFile({u"/home/anna/mill.json"_s, {}, false, {}});
@@ -301,11 +303,11 @@ TEST_F(MachineWindow, ClosingWaitsForTheDiskUnlessTheUserDoesNot) {
     EXPECT_EQ(text(u"closeText"_s), u"Saving \"mill\". The window closes when it is saved."_s);
     click(u"staySavingButton"_s);
     menu().showFile({u"/home/anna/mill.json"_s, {}, false, {}});
-    EXPECT_TRUE(window->isVisible()) << "that was said to stay";
+    EXPECT_TRUE(window->isVisible()) << "the user chose to stay";
     menu().showFile(saving);
     window->close();
     menu().showFile({u"/home/anna/mill.json"_s, {}, true, {}});
-    EXPECT_TRUE(window->isVisible()) << "it did not work";
+    EXPECT_TRUE(window->isVisible()) << "it was not saved";
     menu().showFile(saving);
     window->close();
     menu().showFile({u"/home/anna/mill.json"_s, {}, false, {}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the manual says of the window, held against the window.
+// Compares what the manual says about the window with the window itself.
 #include <QAbstractButton>
 #include <QAction>
 #include <QDockWidget>
@@ -18,7 +18,7 @@ QString page(const QString& name) {
     return QString::fromUtf8(file.readAll());
 }
 
-/// The keys that stand in the first column of its tables.
+/// The keys in the first column of its tables.
 QSet<QString> keysOfThePage() {
     static const QRegularExpression row(u"^\\| ([^|]*`[^|]*) \\|"_s, QRegularExpression::MultilineOption);
     static const QRegularExpression key(u"`([^`]+)`"_s);
@@ -32,7 +32,7 @@ QSet<QString> keysOfThePage() {
 
 class Manual : public WindowTest {
 protected:
-    /// Of all that is in the window now: what has a key by itself, not by its underlined letter.
+    /// Collects the keys of everything that is in the window now, apart from underlined letters.
     void collectKeys() {
         const auto take = [this](const QKeySequence& key, const QObject* owner) {
             if (!key.isEmpty() && !key.toString().startsWith(u"Alt+"_s))
@@ -46,7 +46,7 @@ protected:
         for (const QAbstractButton* button : window->findChildren<QAbstractButton*>())
             take(button->shortcut(), button);
     }
-    QHash<QString, QString> keys;  ///< who has it
+    QHash<QString, QString> keys;  ///< with the name of the owner
 };
 
 TEST_F(Manual, NamesEveryKey) {
@@ -56,7 +56,7 @@ TEST_F(Manual, NamesEveryKey) {
     }
     window->findChild<QAction*>(u"manualAction"_s)->trigger();
     collectKeys();
-    // Of the window, of a dock that is made when it is shown, of a page of each module.
+    // They belong to the window, to a dock that is created when it is shown, and to a page of each module.
     for (const QString& key : {u"F5"_s, u"Ctrl+Alt+Z"_s, u"Ctrl+0"_s, u"Ctrl+L"_s, u"F1"_s, u"Ctrl+F"_s})
         ASSERT_TRUE(keys.contains(key)) << key.toStdString();
     const QSet<QString> told = keysOfThePage();

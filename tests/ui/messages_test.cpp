@@ -17,7 +17,7 @@ namespace {
 class Messages : public WindowTest {
 protected:
     MessageList* list() { return find<MessageList>(u"messageList"_s); }
-    /// Two servos, as the `number`th connection has them.
+    /// Two servos in the connection with this number.
     LinkState connection(std::uint32_t number, LinkPhase phase = LinkPhase::Connected) {
         LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1}.state()});
         link.connection = number;
@@ -34,7 +34,7 @@ protected:
         window->showLink(connection(1));
         window->showMessage(texts::withRecord(texts::tripped(ModuleIndex(1), 400)));
     }
-    /// Of the rows that can be seen, newest first.
+    /// Keys of the visible rows, newest first.
     [[nodiscard]] QStringList shownKeys() {
         QStringList keys;
         for (const MessageRow* row : list()->rows())
@@ -42,7 +42,7 @@ protected:
                 keys << row->message().key;
         return keys;
     }
-    /// So many down from the first.
+    /// Selects the entry that is this many below the first.
     void choose(const QString& box, int downs) {
         auto* combo = find<QComboBox>(box);
         combo->setFocus();
@@ -121,7 +121,8 @@ TEST_F(Messages, WhatIsFilteredOutIsHiddenAndComesBack) {
     QTest::keyClicks(find<QLineEdit>(u"messageTextField"_s), u" and cold"_s);
     EXPECT_TRUE(shownKeys().isEmpty());
     EXPECT_TRUE(find(u"noMessagesLabel"_s)->isVisible());
-    EXPECT_TRUE(find(u"banner"_s)->isVisible()) << "the worst that is not over, whatever the list shows";
+    EXPECT_TRUE(find(u"banner"_s)->isVisible())
+        << "the worst message that has not ended, whatever the list shows";
     find<QLineEdit>(u"messageTextField"_s)->selectAll();
     QTest::keyClick(find<QLineEdit>(u"messageTextField"_s), Qt::Key_Delete);
     EXPECT_EQ(shownKeys().size(), 3);
@@ -263,7 +264,7 @@ TEST_F(Messages, WhatCommandsIsOfferedAsLongAsItsConnectionIsThere) {
     EXPECT_FALSE(offers(u"clearAndStayOff"_s));
     window->showLink(connection(2));
     EXPECT_FALSE(offers(u"clearAndStayOff"_s)) << "that would be another motor";
-    EXPECT_TRUE(offers(u"showRecord"_s)) << "what was kept can be looked at";
+    EXPECT_TRUE(offers(u"showRecord"_s)) << "the record can still be shown";
 }
 
 TEST_F(Messages, AnotherConnectionWithoutAWordOfTheEndOfTheFirstTakesTheButtonToo) {
@@ -278,7 +279,7 @@ TEST_F(Messages, AChainIsAcceptedOnlyInTheConnectionThatLacksAModule) {
     EXPECT_TRUE(offers(u"workWith"_s));
     window->showLink(connection(1, LinkPhase::Disconnected));
     EXPECT_FALSE(offers(u"workWith"_s));
-    EXPECT_TRUE(offers(u"scanAgain"_s)) << "that connects, and tells nobody anything";
+    EXPECT_TRUE(offers(u"scanAgain"_s)) << "it connects, and sends no command";
 }
 
 TEST_F(Messages, AButtonThatIsHeldWhileItsConnectionGoesDoesNothing) {
@@ -301,7 +302,7 @@ TEST_F(Messages, AQuestionThatAMessageAskedGoesWithTheConnection) {
     window->showLink(connection(2, LinkPhase::Connecting));
     window->showLink(connection(2));
     auto* dialog = window->findChild<QWidget*>(u"restartDialog"_s);
-    EXPECT_TRUE(dialog == nullptr || !dialog->isVisible()) << "the same port, and another chain perhaps";
+    EXPECT_TRUE(dialog == nullptr || !dialog->isVisible()) << "the same port may have another chain";
     EXPECT_EQ(restarts.size(), 0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Model: what it asks for, what it shows of the answers, and which answers no longer count.
+// The Model page: what it requests, what it shows of the answers, and which answers no longer count.
 #include <QAction>
 #include <QSlider>
 #include <QTabWidget>
@@ -49,7 +49,7 @@ protected:
         click(u"identifyButton"_s);
         dock().showMotor(ModuleIndex(0), motor());
     }
-    /// Counts, of the steps that were asked for last.
+    /// The counts of the steps that were requested last.
     [[nodiscard]] std::vector<std::int32_t> steppedBy() {
         const Intent intent = intents.isEmpty() ? Intent{} : intents.last().at(1).value<Intent>();
         const auto* series = std::get_if<intent::StepSeries>(&intent);
@@ -60,7 +60,7 @@ protected:
         run.run.taken.goal = run.run.taken.from + counts;
         window->showResponse(run);
     }
-    /// Gain known to 21 %.
+    /// A motor whose gain is known to 21 %.
     [[nodiscard]] static Identified uncertain() {
         Identified found = motor();
         found.motor.gain.doubt = 165;
@@ -79,7 +79,7 @@ protected:
 TEST_F(ModelPage, LooksIntoTheLastFiveRunsOfTheSelectedModule) {
     EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled());
     window->showResponse(ramp(100, 1));
-    EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled()) << "of another module";
+    EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled()) << "the run is of another module";
     for (int i = 0; i < 7; ++i)
         window->showResponse(ramp(100 + i));
     click(u"identifyButton"_s);
@@ -88,7 +88,7 @@ TEST_F(ModelPage, LooksIntoTheLastFiveRunsOfTheSelectedModule) {
     ASSERT_EQ(runs.size(), 5U);
     EXPECT_EQ(runs.front().points.back().position, 602);
     EXPECT_EQ(runs.back().points.back().position, 606);
-    EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled()) << "it is being looked for";
+    EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled()) << "the search is in progress";
     EXPECT_EQ(intents.size(), 0);
 }
 
@@ -105,7 +105,7 @@ TEST_F(ModelPage, ShowsTheMotorAndFillsInWhatIsSuggested) {
     EXPECT_EQ(intents.size(), 0) << "nothing is sent";
 }
 
-/// A deadband and play are told where there are any; of a resonance, what these steps cannot tell.
+/// A deadband and play are shown if there are any; about a resonance, it shows what these steps cannot tell.
 TEST_F(ModelPage, SaysWhatIsBetweenTheChipAndTheLoad) {
     find();
     EXPECT_FALSE(text(u"motorModel"_s).contains(u"deadband"_s));
@@ -153,7 +153,7 @@ TEST_F(ModelPage, SaysThatItStepsFourTimesBeforeItDoes) {
     EXPECT_EQ(std::get<intent::StepSeries>(intents.last().at(1).value<Intent>()).each.record, 0.4);
 }
 
-/// 910 + 91 + 4 is less than an error limit of 2000 counts, 2 x 910 + 182 + 4 more.
+/// 910 + 91 + 4 is less than the error limit of 2000 counts, but 2 x 910 + 182 + 4 is more.
 TEST_F(ModelPage, SaysWhyItCannotStepFourTimes) {
     Servo servo;
     servo.held = true;
@@ -162,14 +162,15 @@ TEST_F(ModelPage, SaysWhyItCannotStepFourTimes) {
     window->showLink(connectedTo(modules));
     settle();
     type(u"responseDistanceField"_s, u"910"_s);
-    EXPECT_TRUE(button(u"responseButton"_s)->isEnabled()) << "once it can";
+    EXPECT_TRUE(button(u"responseButton"_s)->isEnabled()) << "a single step is possible";
     EXPECT_FALSE(button(u"stepAndFindButton"_s)->isEnabled());
     EXPECT_FALSE(button(u"stepAndFindButton"_s)->toolTip().contains(u"twice as far"_s));
     type(u"responseDistanceField"_s, u"900"_s);
     EXPECT_TRUE(button(u"stepAndFindButton"_s)->isEnabled()) << "1800 + 180 + 4";
 }
 
-/// There and back by 100, then by 200: both ways, and two sizes. Where that leaves it uncertain, so on.
+/// Steps there and back by 100, then by 200: both directions, and two sizes. If the motor is still uncertain,
+/// they continue in this order.
 TEST_F(ModelPage, StepsOnceMoreWhereAllThatLeavesTheMotorUncertain) {
     for (const int made : {100, -100, 200})
         showStepBy(made);
@@ -184,10 +185,10 @@ TEST_F(ModelPage, StepsOnceMoreWhereAllThatLeavesTheMotorUncertain) {
     }
     click(u"identifyButton"_s);
     dock().showMotor(ModuleIndex(0), motor());
-    EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step 4 times and find"_s) << "of one that is sure";
+    EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step 4 times and find"_s) << "this motor is certain";
 }
 
-/// One step, or steps that are alike, are too little to go on with.
+/// One step, or several equal ones, are not enough to continue from.
 TEST_F(ModelPage, StepsFourTimesWhereTheStepsWereTooFewOrAlike) {
     for (int i = 0; i < 3; ++i) {
         showStepBy(100);
@@ -196,7 +197,7 @@ TEST_F(ModelPage, StepsFourTimesWhereTheStepsWereTooFewOrAlike) {
     }
 }
 
-/// Gains are careful until the motor is known.
+/// Suggested gains are careful until the motor is known.
 TEST_F(ModelPage, IsCarefulWhereTheMotorIsUncertain) {
     for (const int made : {100, -100, 200, -200})
         showStepBy(made);
@@ -204,7 +205,7 @@ TEST_F(ModelPage, IsCarefulWhereTheMotorIsUncertain) {
     EXPECT_TRUE(text(u"motorModel"_s).contains(u"Uncertain"_s));
     EXPECT_EQ(task().wish.phaseMargin, 60);
     click(u"identifyButton"_s);
-    EXPECT_EQ(intents.size(), 0) << "whoever clicks twice moves nothing";
+    EXPECT_EQ(intents.size(), 0) << "a second click moves nothing";
     dock().showMotor(ModuleIndex(0), motor());
     EXPECT_EQ(task().wish.phaseMargin, 45);
 }
@@ -252,7 +253,7 @@ TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
     EXPECT_TRUE(tasks.isEmpty());
 }
 
-/// They are there for some seconds, and with less output than anybody asked for.
+/// They are in effect for some seconds only, and with less output than was requested.
 TEST_F(ModelPage, GainsThatAreTriedSuggestNoOthers) {
     find();
     const auto asked = tasks.count();
@@ -268,7 +269,7 @@ TEST_F(ModelPage, GainsThatAreTriedSuggestNoOthers) {
     settle();
     EXPECT_EQ(tasks.count(), asked);
     modules.front().gains = someGains();
-    modules.front().gains->kp = 321;  // others have come meanwhile
+    modules.front().gains->kp = 321;  // other gains have arrived in the meantime
     window->showLink(connectedTo(modules));
     settle();
     EXPECT_EQ(tasks.count(), asked);

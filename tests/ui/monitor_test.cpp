@@ -45,7 +45,7 @@ protected:
         return texts;
     }
     int rows() { return table()->model()->rowCount(); }
-    /// A connect, two polls, a silent stop: one row of each that the filters tell apart.
+    /// Shows a connect, two polls and an unanswered stop, which the filters distinguish.
     void showFour() {
         window->showPackets({resetRecord(1, 100), pollRecord(2, 2'000'000), pollRecord(3, 2'500'000, 1),
                              with(pollRecord(4, 3'000'000), Purpose::Stop, ExchangeEnd::Unresponsive)});
@@ -56,7 +56,7 @@ protected:
             records.push_back(pollRecord(from + static_cast<std::uint64_t>(i), i));
         window->showPackets(std::move(records));
     }
-    /// What would be written to the file that the user chooses.
+    /// The content for the file that the user chooses.
     QByteArray saved(const QString& name) {
         QSignalSpy saves(window.get(), &MainWindow::saveRequested);
         click(u"packetSave"_s);

@@ -222,7 +222,8 @@ TEST_F(Motion, StatusBitsHaveTheirDataSheetNames) {
 TEST_F(Motion, AMoveByItsShortcutIsOfTheModuleThatWasSeen) {
     showServo();
     QTest::keyClick(window.get(), Qt::Key_U, Qt::AltModifier);
-    EXPECT_EQ(intents.size(), 1) << "at once: soon another may be selected, or nothing be allowed any more";
+    EXPECT_EQ(intents.size(), 1)
+        << "at once, because soon another module may be selected, or nothing may be allowed";
     showServo({.millisecond = 20});
     QTest::keyClick(window.get(), Qt::Key_D, Qt::ControlModifier);
     EXPECT_EQ(intents.size(), 2);

@@ -14,7 +14,7 @@ namespace {
 
 using Problem = NumberField::Problem;
 
-/// Every rule holds whatever the user's locale writes.
+/// All rules hold in every locale of the user.
 class NumberFieldIn : public testing::TestWithParam<const char*> {
 protected:
     NumberFieldIn() { QLocale::setDefault(QLocale(QLatin1StringView(GetParam()))); }
@@ -62,7 +62,7 @@ TEST_P(NumberFieldIn, U02_AWholeNumberHasNoMark) {
         QTest::keyClicks(&target, text);
         EXPECT_EQ(target.value(), std::nullopt) << text.toStdString();
         EXPECT_EQ(target.problem(), Problem::NotWhole) << text.toStdString();
-        EXPECT_EQ(target.text(), text) << "as typed";
+        EXPECT_EQ(target.text(), text) << "it stays as typed";
     }
 }
 
@@ -73,7 +73,7 @@ TEST_P(NumberFieldIn, U02_WhatCanBeReadInTwoWaysHasNoValueUntilEnterHasShownIt) 
         EXPECT_TRUE(field->toolTip().startsWith(field->problemText()));
         QSignalSpy entered(field.get(), &QLineEdit::returnPressed);
         QTest::keyClick(field.get(), Qt::Key_Return);
-        EXPECT_EQ(entered.size(), 0) << "what acts on Enter must wait until it was seen";
+        EXPECT_EQ(entered.size(), 0) << "what Enter starts must wait until the value was seen";
         EXPECT_TRUE(field->text().endsWith(u'0'));
         EXPECT_EQ(field->value(), text.startsWith(u'1') ? 1.234 : text.startsWith(u'-') ? -12.5 : 999.0);
         QTest::keyClick(field.get(), Qt::Key_Return);
@@ -98,7 +98,7 @@ TEST_P(NumberFieldIn, U02_WhatCanBeReadInOneWayOnlyNeedsNoSecondEnter) {
     EXPECT_EQ(typed(u"1.2340"_s), 1.234);
     EXPECT_EQ(typed(u"1,23"_s), 1.23);
     EXPECT_EQ(typed(u"1 000.000"_s), 1000.0);
-    // What the field shows by itself is no riddle.
+    // A value that the field itself shows is not ambiguous.
     NumberField& target = shown();
     target.showValue(1.234);
     EXPECT_EQ(target.value(), 1.234);
@@ -119,7 +119,7 @@ TEST_P(NumberFieldIn, U02_PastedTextFollowsTheSameRules) {
     EXPECT_EQ(target.value(), 2.75);
 }
 
-/// What the panel writes is what can be copied from it.
+/// Whatever the panel writes can be copied from it.
 TEST_P(NumberFieldIn, U02_ReadsTheGroupsAndTheMinusThatThePanelWrites) {
     for (const char16_t space : {u' ', u'\u00a0', u'\u2009', u'\u202f'}) {
         NumberField& target = shown();
@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(Locales, NumberFieldIn,
                          testing::Values("de_DE", "en_US", "fr_FR", "es_ES", "ja_JP", "de_CH", "ar_EG",
                                          "hi_IN"));
 
-/// As it happened: the servo on at 0, ten thousand meant, ten sent.
+/// This has happened: with the servo on at 0, ten thousand was meant, and ten was sent.
 class AmbiguousNumbers : public testing::WithParamInterface<std::string>,
                          public InLanguage,
                          public WindowTest {
@@ -265,7 +265,7 @@ TEST_F(NumberFieldWheel, MarksABadFieldWithAShapeNotOnlyAColour) {
                 count += image.pixelColor(x, y) == QColor(0xE6, 0x9F, 0x00) ? 1 : 0;
         return count;
     };
-    QApplication::processEvents();  // laid out, as one sees it
+    QApplication::processEvents();  // performs the layout
     EXPECT_EQ(orange(), 0);
     type(u"goalField"_s, u"99999999999"_s);
     EXPECT_GT(orange(), 20) << "the triangle at the left of the field";

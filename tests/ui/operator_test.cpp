@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Operator mode in the window: who begins it, who leaves it, and what is in reach meanwhile.
+// Operator mode in the window: who begins it, who leaves it, and what can be used in the meantime.
 #include <QAction>
 #include <QCheckBox>
 #include <QDialog>
@@ -20,7 +20,7 @@ const QString kPin = u"lathe-4711"_s;
 class OperatorMode : public WindowTest {
 protected:
     OperatorMode() {
-        // As the program does with what the lock says.
+        // Reacts to a change of the lock as the program does.
         QObject::connect(&window->operatorLock(), &OperatorLock::changed, window.get(), [this] { show(); });
         show();
     }
@@ -34,7 +34,7 @@ protected:
         settle();
         window->findChild<QAction*>(u"operatorAction"_s)->trigger();
     }
-    /// A question that was answered is gone.
+    /// Deletes questions that were answered.
     static void settle() { QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); }
     void typePin(const QString& field, const QString& pin) {
         auto* edit = find<QLineEdit>(field);
@@ -62,7 +62,7 @@ protected:
         module.apply(sample);
         return module;
     }
-    /// All but those that leave the mode or the connection.
+    /// All buttons except those that leave the mode or the connection.
     [[nodiscard]] QList<QPointer<QAbstractButton>> buttons() {
         QList<QPointer<QAbstractButton>> all;
         for (QAbstractButton* button : window->findChildren<QAbstractButton*>())
@@ -163,7 +163,7 @@ TEST_F(OperatorMode, StopsInEveryPhaseAndWhileItsQuestionStands) {
         EXPECT_EQ(stops.size(), ++expected);
         click(u"leaveOperatorButton"_s);
         QTest::keyClick(find(u"operatorDialog"_s), Qt::Key_Escape);
-        EXPECT_EQ(stops.size(), ++expected) << "Esc, in the question";
+        EXPECT_EQ(stops.size(), ++expected) << "Esc works in the question";
         settle();
     }
 }
@@ -191,8 +191,8 @@ TEST_F(OperatorMode, WhatIsExpectedOfTheChainIsNotForTheOperator) {
     EXPECT_TRUE(button(u"acceptChainButton"_s)->toolTip().contains(u"operator mode"_s));
 }
 
-/// Every button of the window that is enabled, pressed as a person would: whatever it asks for is the
-/// operator's, and nothing that is kept of the machine changes.
+/// Presses each enabled button of the window as a user would: whatever it requests is allowed for the
+/// operator, and no setting of the machine changes.
 TEST_F(OperatorMode, NoButtonThatIsEnabledDoesMoreThanIsLeft) {
     window->resize(1500, 1100);
     for (const char* dock : {"responseDockAction", "sequencesDockAction", "axesDockAction"})

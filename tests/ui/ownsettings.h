@@ -41,7 +41,7 @@ protected:
     [[nodiscard]] int selected() const { return list->currentIndex().row(); }
     [[nodiscard]] bool servo() const { return selected() < 2; }
 
-    /// By a click on its tab.
+    /// Opens a page by a click on its tab.
     void openPage(const QString& page) {
         auto* tabs = find<QTabBar>(servo() ? u"servoPagesBar"_s : u"stepperPagesBar"_s);
         int tab = 0;
@@ -50,7 +50,7 @@ protected:
         ASSERT_LT(tab, tabs->count()) << page.toStdString();
         QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(tab).center());
     }
-    /// Where a person would scroll to.
+    /// Scrolls to where the control is, as a user would.
     template <typename T = QWidget>
     T* reach(const QString& name) {
         T* widget = find<T>(name);
@@ -61,7 +61,7 @@ protected:
         EXPECT_TRUE(widget->isVisible()) << name.toStdString();
         return widget;
     }
-    /// Over what stands there, key by key; `typed` hears of each.
+    /// Types over the contents, key by key; `typed` is called after each key.
     void typeOver(
         const QString& name, const QString& text, const std::function<void()>& typed = [] {}) {
         auto* target = reach<QLineEdit>(name);
@@ -80,7 +80,7 @@ protected:
             QTest::keyClick(combo, Qt::Key_Down);
         ASSERT_EQ(combo->currentText(), entry);
     }
-    /// False: a person cannot.
+    /// Returns false if a user cannot press it.
     bool press(const QString& name) {
         auto* target = reach<QAbstractButton>(name);
         if (!target->isEnabled())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is typed into the panel of a module is kept for that module, and nothing else is: showing a module
-// writes nowhere.
+// changes nothing.
 #include "ownsettings.h"
 
 namespace nmc {
@@ -33,8 +33,7 @@ TEST_F(OwnSettings, NamingAnAxisKeepsItsNameAndNothingElse) {
     typeOver(u"axisNameField"_s, u"X"_s);
     AxisSettings named;
     named.name = "X";
-    EXPECT_EQ(machine.axes[0], named)
-        << "not the numbers that other fields begin with, nor as they are rounded";
+    EXPECT_EQ(machine.axes[0], named) << "neither initial nor rounded numbers of other fields are kept";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keyboard and gamepad as a pendant: two hands move, and whatever takes one of them away stops.
+// Keyboard and gamepad as a pendant: a motion takes two hands, and whatever takes one of them away stops it.
 #include <QAbstractItemView>
 #include <QAction>
 #include <QDialog>
@@ -20,7 +20,7 @@ protected:
         showServo();
         window->setHoldInterval(5);
     }
-    /// What has the focus, as a keyboard has it.
+    /// The widget that receives the keys.
     QWidget* focused() {
         QWidget* widget = QApplication::focusWidget();
         return widget != nullptr ? widget : window.get();
@@ -40,14 +40,14 @@ protected:
         QApplication::sendEvent(focused(), &down);
     }
     bus::HoldToMove hold(qsizetype at = 0) { return holds.at(at).at(0).value<bus::HoldToMove>(); }
-    /// Ended, and no evidence goes on.
+    /// Expects that the hold has ended, and that no evidence comes any more.
     void expectEnded() {
         EXPECT_EQ(releases.size(), 1);
         const qsizetype before = holds.size();
         wait();
         EXPECT_EQ(holds.size(), before);
     }
-    /// Longer than evidence takes to come again, and a gamepad to be read.
+    /// Waits for longer than it takes to send evidence again and to read a gamepad.
     static void wait() {
         QTimer reference;
         QSignalSpy chances(&reference, &QTimer::timeout);
@@ -86,7 +86,7 @@ TEST_F(PendantMode, NeitherKeyAloneMovesAndNothingDoesOutsideOfTheMode) {
     begin();
     QTest::keyClick(focused(), Qt::Key_Shift);
     QTest::keyPress(focused(), Qt::Key_Right);
-    QTest::keyPress(focused(), Qt::Key_Shift);  // an arrow that was held before
+    QTest::keyPress(focused(), Qt::Key_Shift);  // the arrow was held before
     autoRepeat(Qt::Key_Right);
     QTest::keyRelease(focused(), Qt::Key_Right);
     QTest::keyClick(focused(), Qt::Key_Right, Qt::ControlModifier | Qt::ShiftModifier);
@@ -103,7 +103,7 @@ TEST_F(PendantMode, AutoRepeatIsNeitherAPressNorARelease) {
     EXPECT_EQ(releases.size(), 1);
     const qsizetype before = holds.size();
     autoRepeat(Qt::Key_Right);
-    EXPECT_EQ(holds.size(), before) << "once ended it stays so until the key was up";
+    EXPECT_EQ(holds.size(), before) << "it stays ended until the key was released";
     QTest::keyRelease(focused(), Qt::Key_Right, Qt::ShiftModifier);
     press();
     EXPECT_EQ(holds.size(), before + 1);
@@ -203,7 +203,7 @@ protected:
         begin();
         ASSERT_TRUE(QTest::qWaitFor([this] { return saysGamepad(); }));
     }
-    /// Shoulder first, then to the right.
+    /// Holds the shoulder button first, then pushes the stick to the right.
     void hold() {
         pad.press(kShoulder);
         wait();
@@ -240,7 +240,7 @@ TEST_F(GamepadMode, TheCrossAndTheOtherShoulderDoTheSame) {
     pad.press(Button::CrossLeft);
     ASSERT_TRUE(QTest::qWaitFor([this] { return !holds.isEmpty(); }));
     EXPECT_TRUE(PendantMode::hold().reverse);
-    pad.press(Button::CrossRight);  // both ways are none
+    pad.press(Button::CrossRight);  // both directions cancel out
     ASSERT_TRUE(ended());
     expectEnded();
 }
@@ -254,7 +254,7 @@ TEST_F(GamepadMode, NeitherHandAloneMovesNorOneThatCameFirst) {
     pad.release(kShoulder);
     pad.push(1);
     wait();
-    pad.press(kShoulder);  // to a stick that is pushed, or stuck
+    pad.press(kShoulder);  // while the stick is pushed, or stuck
     wait();
     EXPECT_EQ(holds.size(), 0);
 }
@@ -275,7 +275,7 @@ TEST_F(GamepadMode, EndsWithTheShoulderButton) {
     expectEnded();
     pad.press(kShoulder);
     wait();
-    EXPECT_EQ(releases.size(), 1) << "the stick has not been in its middle";
+    EXPECT_EQ(releases.size(), 1) << "the stick has not been back in its middle";
 }
 
 TEST_F(GamepadMode, EndsWithTheOtherWay) {
@@ -293,7 +293,8 @@ TEST_F(GamepadMode, EndsWhenItIsUnpluggedAndIsFoundAgain) {
     ASSERT_TRUE(ended());
     expectEnded();
     EXPECT_FALSE(saysGamepad());
-    EXPECT_TRUE(window->findChild<QAction*>(u"pendantAction"_s)->isChecked()) << "the keyboard is there";
+    EXPECT_TRUE(window->findChild<QAction*>(u"pendantAction"_s)->isChecked())
+        << "the keyboard can still be used";
     testing_support::VirtualPad another;
     EXPECT_TRUE(QTest::qWaitFor([this] { return saysGamepad(); }));
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pictures that the manual shows, taken anew; "cmake --build ... --target update_pictures" puts them
-// there.
+// Takes the pictures of the manual again; "cmake --build ... --target update_pictures" stores them there.
 #include <QDir>
 #include <QFileInfo>
 
@@ -9,7 +8,7 @@
 namespace nmc {
 namespace {
 
-/// Widget, and the file that shows it.
+/// Each widget, and the file of its picture.
 const QMap<QString, QString> kPictures{{u"panelHead"_s, u"head.png"_s},
                                        {u"motionBox"_s, u"motion.png"_s},
                                        {u"gainsBox"_s, u"gains.png"_s},

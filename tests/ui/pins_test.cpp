@@ -49,7 +49,7 @@ protected:
             return {};
         return std::get<Asked>(intents.takeFirst().at(1).template value<Intent>());
     }
-    /// As the machine file says of this pin.
+    /// Sets what the machine file says about this pin.
     void settings(std::size_t pin, const OutputSettings& output) {
         machine.axes.resize(1);
         machine.axes[0].pins.emplace();
@@ -70,7 +70,7 @@ TEST_F(Pins, SayWhatTheyReadAndWhichWayTheyGo) {
     EXPECT_EQ(text(u"pin12Level"_s), u"high"_s);
     EXPECT_EQ(find<QComboBox>(u"pin1Direction"_s)->currentText(), u"output"_s);
     EXPECT_EQ(find<QComboBox>(u"pin3Direction"_s)->currentText(), u"input"_s);
-    EXPECT_FALSE(find<QCheckBox>(u"pin3Box"_s)->isEnabled()) << "an input";
+    EXPECT_FALSE(find<QCheckBox>(u"pin3Box"_s)->isEnabled()) << "it is an input";
     latch(0x0800, 20);
     EXPECT_EQ(text(u"pin1Level"_s), u"low, set high"_s);
 }
@@ -171,7 +171,7 @@ TEST_F(Pins, ASilentModuleTakesNothing) {
     EXPECT_EQ(text(u"ioStateLabel"_s), u"No answer"_s);
 }
 
-/// A/D 2 is in bar, 0.5 of them each count above -10; it rises by a count in 10 ms.
+/// A/D 2 is in bar, with 0.5 bar per count above -10 bar; it rises by one count every 10 ms.
 TEST_F(Pins, AreOnTheScopeByTheNamesOfTheMachine) {
     machine.axes.resize(1);
     PinSettings& pins = machine.axes[0].pins.emplace();

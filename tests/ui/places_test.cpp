@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can set a motor going stays under the pointer: no message, no state and no typing moves it.
+// Controls that can start a motor stay where they are under the pointer: no message, state or typing moves
+// them.
 #include <QAbstractButton>
 #include <QTabBar>
 
@@ -20,13 +21,13 @@ protected:
         showServo();
         settle();
     }
-    /// The docks give way to the first page.
+    /// The docks make room for the first page.
     static void settle() {
         for (int i = 0; i < 5; ++i)
             QApplication::processEvents();
     }
 
-    /// Of all controls that can start a motor and are on the page that is shown: where on the screen.
+    /// The places on the screen of all controls of the page that can start a motor.
     QMap<QString, QRect> places() {
         QApplication::processEvents();
         QMap<QString, QRect> found;
@@ -70,7 +71,7 @@ protected:
         module.apply(sample);
         window->showLink(connectedTo({module}));
     }
-    /// Those of the motions are in sight on every page; these two pages have some of their own.
+    /// Checks each page: the controls of the motions are visible on all of them, and some have their own.
     void onEachPage(const QString& pages, const std::function<void()>& check) {
         auto* tabs = find<QTabWidget>(pages);
         for (int i = 0; i < tabs->count(); ++i) {
@@ -79,7 +80,7 @@ protected:
             check();
         }
     }
-    /// All that a button of the banner needs, and the window has.
+    /// Expects that each button of the banner has the room that it needs, within the banner.
     void expectBannerWhole() {
         QApplication::processEvents();
         const auto* banner = find(u"banner"_s);
@@ -140,7 +141,7 @@ TEST_P(Places, StayWhateverBecameOfAStop) {
 TEST_P(Places, StayWhereAFieldSaysWhatItTakes) {
     for (const QString& name :
          {u"goalField"_s, u"velocityField"_s, u"runVelocityField"_s, u"holdVelocityField"_s}) {
-        find(name);  // as far as it has to be scrolled
+        find(name);  // scrolls to it
         const auto before = places();
         type(name, u"99999999999"_s);
         EXPECT_EQ(places(), before) << name.toStdString();

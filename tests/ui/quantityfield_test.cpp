@@ -27,7 +27,7 @@ protected:
     std::unique_ptr<QWidget> parent;
 };
 
-/// Lines of usual encoders, times 4, and steps in a millimetre; servo rates as they are used.
+/// Lines of common encoders times 4, and steps per millimetre, with common servo rates.
 TEST_F(Quantities, NoUnitRefusesALimitThatTheFieldItselfWrites) {
     for (const double counts : {80.0, 400.0, 2'000.0, 2'048.0, 4'000.0, 4'096.0, 8'192.0, 10'000.0})
         for (const int rate : {1, 2, 3, 5, 10, 255}) {
@@ -61,11 +61,12 @@ TEST_F(Quantities, AnArrowKeyIsAsMuchInEveryUnit) {
     };
     EXPECT_EQ(up(AxisScale::servo({}, 1)), 100);
     EXPECT_EQ(up(AxisScale::servo({UnitKind::Turns, 2'000}, 1)), 100) << "0.05 turns";
-    EXPECT_EQ(up(AxisScale::step({UnitKind::Millimetres, 80})), 80) << "1.25 mm are no round number; 1 mm is";
+    EXPECT_EQ(up(AxisScale::step({UnitKind::Millimetres, 80})), 80)
+        << "1.25 mm is not a round number, 1 mm is";
     EXPECT_EQ(up(AxisScale::servo({UnitKind::Degrees, 10}, 1)), 100) << "10 degrees";
 }
 
-/// 10 mm/s is no number of counts per tick while nobody knows how long a tick is.
+/// 10 mm/s cannot be converted to counts per tick while the length of a tick is unknown.
 TEST_F(Quantities, NothingPerSecondIsShownOrTakenWhileTheServoRateIsUnknown) {
     QuantityField& field =
         shown(QuantityField::Kind::Velocity, AxisScale::servo({UnitKind::Millimetres, 100}, 1));

@@ -12,7 +12,7 @@
 namespace nmc {
 namespace {
 
-/// Somebody who edits everything that can be edited, here and there, and what should have come of it.
+/// Edits everything that can be edited, at random, and knows what the result should be.
 class RandomEdits : public OwnSettings, public testing::WithParamInterface<unsigned> {
 protected:
     RandomEdits() {
@@ -52,7 +52,7 @@ protected:
         }
         return typed;
     }
-    /// Types one of some numbers; `keep` gets each that stands in the field meanwhile.
+    /// Types one of the numbers; `keep` gets each value that the field has on the way.
     void number(const QString& name, Amount amount, const std::vector<QString>& numbers,
                 const std::function<void(double)>& keep) {
         done = name;
@@ -95,7 +95,7 @@ protected:
             case 3:
                 return number(u"moveByDistanceField"_s, Amount::Position, {u"20"_s, u"7"_s},
                               [&](double d) { motion.stepSize = d; });
-            default:  // typed for now, and not kept
+            default:  // only typed, and not kept
                 return number(
                     any(servo() ? std::vector{u"goalField"_s, u"holdVelocityField"_s}
                                 : std::vector{u"stepperGoalField"_s, u"stepperHoldVelocityField"_s}),
@@ -132,7 +132,7 @@ protected:
         done = u"unit"_s;
         const QString unit = any(units);
         choose(named(u"axisUnitBox"_s), unit);
-        // The keys pass by the first one, which has no counts per unit.
+        // The keys pass the first unit, which has no counts per unit.
         axis().unit.kind = static_cast<UnitKind>(units.size() - 1);
         for (std::size_t i = 0; i < units.size(); ++i)
             if (units[i] == unit)
@@ -158,7 +158,7 @@ protected:
         const auto keep = [this](double HomingRecipe::*part) {
             return [this, part](double n) { recipe().*part = n; };
         };
-        // A recipe is kept whole, as it stands there.
+        // A recipe is kept completely, as it is shown.
         recipe();
         if (what == 3)
             number(named(u"homingTravelField"_s), Amount::Position, numbers,
@@ -213,12 +213,12 @@ protected:
             QString before = field(name)->text();
             return number(name, Amount::Plain, {u"21"_s, u"7"_s, u"113"_s}, [&](double value) {
                 setGain(mine, gain, static_cast<int>(value));
-                // The same number is no edit.
+                // Typing the same number is not an edit.
                 if (std::exchange(before, field(name)->text()) != field(name)->text())
                     axis().gains = mine;
             });
         }
-        // What these four do to the gains has tests of its own; to all else they do nothing.
+        // What these buttons do to the gains is tested elsewhere; they do nothing to anything else.
         done = any(std::vector{u"fillGainsButton"_s, u"zeroGainsButton"_s, u"undoGainsButton"_s,
                                u"redoGainsButton"_s, u"revertGainsButton"_s});
         press(done);
@@ -286,7 +286,7 @@ protected:
         QTest::keyClick(list, any(std::vector{Qt::Key_Up, Qt::Key_Down, Qt::Key_Home}));
     }
 
-    /// The modules have said something new.
+    /// Shows new statuses of all modules.
     void hearNews() {
         done = u"a status"_s;
         for (ModuleState& module : modules)
@@ -315,8 +315,8 @@ protected:
 
     std::mt19937 random{GetParam()};
     Machine expected;
-    std::vector<servo::SetGain> gains;               ///< as they stand in the fields, by module
-    std::vector<stepper::SetParameters> parameters;  ///< the same
+    std::vector<servo::SetGain> gains;               ///< as shown in the fields, by module
+    std::vector<stepper::SetParameters> parameters;  ///< as shown in the fields, by module
     QString done;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keys that are held down: they type and go on, and command nothing twice.
+// Keys that are held down: they go on typing and moving the focus, but give no command twice.
 #include <QComboBox>
 #include <QTabBar>
 
@@ -12,7 +12,7 @@ namespace {
 class Repeat : public WindowTest {
 protected:
     Repeat() { showServo(); }
-    /// Pressed once and repeated as the system does; the module answers all the while.
+    /// Presses a key once and repeats it as the system does, while the module keeps answering.
     void keepDown(Qt::Key key, Qt::KeyboardModifiers modifiers = {}, const QString& text = {}) {
         for (int i = 0; i < kTimes; ++i) {
             QTest::simulateEvent(window->windowHandle(), true, key, modifiers, text, i > 0);
@@ -72,7 +72,7 @@ TEST_F(Repeat, TypesAndGoesOn) {
     const QWidget* before = QApplication::focusWidget();
     keepDown(Qt::Key_Tab, {}, u"\t"_s);
     QTest::keyClick(window->windowHandle(), Qt::Key_Tab, Qt::ShiftModifier);
-    EXPECT_NE(QApplication::focusWidget(), before) << "more than one control further";
+    EXPECT_NE(QApplication::focusWidget(), before) << "it went on by more than one control";
     EXPECT_EQ(intents.size(), 0);
 }
 

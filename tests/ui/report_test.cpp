@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a report of a problem says, and that nothing else becomes of it than a file.
+// What a report of a problem contains, and that it is only written to a file.
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -20,7 +20,7 @@ protected:
         window->findChild<QAction*>(u"reportProblemAction"_s)->trigger();
         return find<QPlainTextEdit>(u"reportTextField"_s)->toPlainText();
     }
-    /// Of the part with this title, its lines.
+    /// The lines of the part with this title.
     static QStringList part(const QString& report, const QString& title) {
         return report.section(u"== %1 ==\n"_s.arg(title), 1)
             .section(u"\n\n=="_s, 0, 0)

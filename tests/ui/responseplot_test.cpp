@@ -17,7 +17,7 @@ bool near(const QColor& a, const QColor& b) {
     return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) < 90;
 }
 
-/// Of a line of pixels across the curve at that point.
+/// True if a line of pixels across the curve at this point contains the colour.
 bool drawn(const QImage& picture, const QPointF& at, const QColor& colour) {
     for (int y = -3; y <= 3; ++y)
         if (near(picture.pixelColor(at.toPoint() + QPoint(0, y)), colour))
@@ -82,7 +82,7 @@ TEST(StepPlotPicture, NoLineCrossesAGap) {
     EXPECT_TRUE(drawn(picture, plot.pointAt(0.07, 60), colour));
 }
 
-/// A step of 100 counts that takes 10 ms, in a plot of its own.
+/// A step of 100 counts that takes 10 ms, in its own plot.
 class ResponsePlotHands : public testing::Test {
 protected:
     ResponsePlotHands() {
@@ -119,7 +119,7 @@ TEST_F(ResponsePlotHands, TheWheelZoomsAboutThePointer) {
     EXPECT_NEAR(now().y(50), at.y(), 1e-6);
     for (int i = 0; i < 200; ++i)
         wheel(at, 1);
-    EXPECT_GE(now().right - now().left, 1e-5) << "there is an end to it";
+    EXPECT_GE(now().right - now().left, 1e-5) << "zooming has an end";
     QTest::mouseDClick(&plot, Qt::LeftButton);
     EXPECT_NEAR(now().right, 0.1, 1e-9) << "the whole record";
 }
@@ -174,7 +174,7 @@ TEST_F(ResponsePlotHands, TheCursorsReadWhatIsThere) {
     EXPECT_TRUE(plot.readings().empty());
 }
 
-/// A reader of SVG need not know clipping.
+/// A reader of SVG need not support clipping.
 TEST_F(ResponsePlotHands, NothingIsDrawnBesideAZoomedPlot) {
     drag(plot.pointAt(0.004, 20), plot.pointAt(0.006, 90), Qt::ShiftModifier);
     wheel(plot.pointAt(0.005, 50), 5, Qt::ControlModifier);
@@ -202,7 +202,7 @@ TEST(ResponseWords, NoMoreDigitsThanTheDoubtLeavesAMeaning) {
     EXPECT_EQ(texts::plusMinus({12.3456, 0.14}, u"ms"_s), u"12.35 ± 0.14 ms"_s);
     EXPECT_EQ(texts::plusMinus({-834.2, 25}, u"ms"_s), u"\u2212834 ± 25 ms"_s);
     EXPECT_EQ(texts::plusMinus({-0.5, 0.5}, u"counts"_s), u"\u22120.5 ± 0.5 counts"_s);
-    EXPECT_EQ(texts::plusMinus({-0.01, 0.5}, u"counts"_s), u"0.0 ± 0.5 counts"_s) << "no minus zero";
+    EXPECT_EQ(texts::plusMinus({-0.01, 0.5}, u"counts"_s), u"0.0 ± 0.5 counts"_s) << "there is no minus zero";
 }
 
 TEST(ResponseTextsOf, EveryEndOfATestSaysWhatToDo) {

@@ -6,7 +6,8 @@
 
 namespace nmc {
 
-/// A motor that is on its way for 10 ms, straight, and then stays at `there`; a sample every millisecond.
+/// A motor that moves in a straight line for 10 ms and then stays at `there`, with a sample every
+/// millisecond.
 inline KeptResponse ramp(double there = 100, int module = 0) {
     KeptResponse kept;
     kept.run.module = ModuleIndex(static_cast<std::uint8_t>(module));

@@ -21,7 +21,7 @@ protected:
     Scope() { showServo(); }
     ScopePlot* plot(const QString& name = u"scopePlot1"_s) { return find<ScopePlot>(name); }
     void show(HandMadeHistory& made, double now) {
-        // The labels have their places when they are painted, and the plot what they leave of the strip.
+        // The labels get their places when they are painted, and the plot gets what they leave of the strip.
         for (QRectF area; area != plot()->plotArea(); QApplication::processEvents()) {
             area = plot()->plotArea();
             window->showHistory(made.history(), HandMadeHistory::at(now));
@@ -55,7 +55,7 @@ TEST_F(Scope, DrawsASpikeOfOneSample) {
     level.add(0, 0);
     show(level, 10);
     const QRectF area = plot()->plotArea();
-    // In the middle of a pixel: between two of them each has half of its colour.
+    // In the middle of a pixel: between two pixels, each would have half of the colour.
     const double middle = std::floor(area.center().x()) + 0.5;
     const auto at = std::lround((middle - area.left()) / area.width() * 4800);
     HandMadeHistory history;
@@ -92,8 +92,8 @@ TEST_F(Scope, AReversedAxisIsDrawnFromItsOtherSide) {
     EXPECT_LT(rowsAt(u"scopePlot1"_s, 2).first(), rowsAt(u"scopePlot1"_s, 8).first()) << "it goes down";
 }
 
-/// An error of ±100 counts. A band of a fifth more is in the strip; of one of a thousand the strip says so,
-/// and the error is still seen as what it is.
+/// An error of ±100 counts. A band of ±140 fits in the strip; a band of ±10 000 does not, which the strip
+/// says, and the error remains visible.
 TEST_F(Scope, AnErrorsBandIsTakenInAsFarAsTheErrorCanStillBeSeen) {
     window->resize(1500, 1100);  // in a low strip the axis has few numbers, and ends at round ones
     ScopeSetup setup = ScopeSetup::usual();
@@ -113,7 +113,7 @@ TEST_F(Scope, AnErrorsBandIsTakenInAsFarAsTheErrorCanStillBeSeen) {
         const bool whole = range.min <= -half && range.max >= half;
         EXPECT_EQ(whole, half < 1'000) << range.min << ".." << range.max;
         EXPECT_EQ(strip->bandNotice().isEmpty(), whole) << strip->bandNotice().toStdString();
-        EXPECT_LE(range.max - range.min, 10 * 200) << "a tenth of the strip is the error's";
+        EXPECT_LE(range.max - range.min, 10 * 200) << "the error has a tenth of the strip";
     }
 }
 
@@ -131,7 +131,7 @@ TEST_F(Scope, AGapIsAGap) {
     EXPECT_FALSE(rowsAt(u"scopePlot1"_s, 7).isEmpty());
 }
 
-/// What is measured, or what is left of it, is solid, so that a short excursion cannot hide in a gap.
+/// Measured signals, and those derived from them, are solid, so that a short excursion cannot hide in a gap.
 TEST_F(Scope, OnlyWhatIsCommandedIsDashed) {
     HandMadeHistory history;
     for (int i = 0; i <= 1000; ++i)
@@ -156,10 +156,10 @@ TEST_F(Scope, OnlyWhatIsCommandedIsDashed) {
     EXPECT_TRUE(plot(u"scopePlot2"_s)->legendText(0).contains(u"calculated"_s));
 }
 
-/// With a sample or two in every pixel, as with few: a line that goes up three pixels in each stays as smooth
-/// as it is straight. In every row the middle of what is coloured is where the line crosses it.
+/// A line that rises by three pixels per pixel is smooth and straight, with one or two samples in every pixel
+/// as well as with few. In every row, the middle of the coloured pixels is where the line crosses it.
 TEST_F(Scope, ASteepLineIsSmoothHoweverManySamplesThereAre) {
-    window->resize(1500, 952);  // so high that the line is as steep as that
+    window->resize(1500, 952);  // high enough for a line of this slope
     ScopeSetup setup;
     setup.strips[0] = {{std::nullopt, ScopeSignal::Position}};
     find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
@@ -229,7 +229,7 @@ TEST_F(Scope, PauseHoldsThePictureStill) {
     EXPECT_EQ(plot()->grab().toImage(), before);
 }
 
-/// The A/D value of a PIC-SERVO; a PIC-STEP has no current to tell, and no error (DS-S 5.2).
+/// The A/D value of a PIC-SERVO; a PIC-STEP reports no current, and no error (DS-S 5.2).
 TEST_F(Scope, TheCurrentStandsBesideThePositionWhereItIsReported) {
     HandMadeHistory history;
     for (int i = 0; i <= 1000; ++i)
@@ -253,8 +253,8 @@ TEST_F(Scope, NumbersAtTheAxesAndInWordsLookAlike) {
     EXPECT_EQ(texts::numberAt(12'345'678, 1'000), u"12\u202f345\u202f678"_s);
 }
 
-/// Recorded: at rest for 3 s, then 400 counts/s. Live: at rest for 5 s, then 200 counts/s. A second after the
-/// beginning of either they are at 400 and 200 counts, one over the other.
+/// Recorded: at rest for 3 s, then 400 counts/s. Live: at rest for 5 s, then 200 counts/s. One second after
+/// each motion has begun, they are at 400 and 200 counts, one above the other.
 TEST_F(Scope, ARecordingLiesUnderTheLiveTraceFromWhereTheMotionBegan) {
     auto recorded = std::make_shared<ScopeRecord>();
     HandMadeHistory old;
@@ -281,7 +281,7 @@ TEST_F(Scope, ARecordingLiesUnderTheLiveTraceFromWhereTheMotionBegan) {
 
     QTest::mouseClick(find<QPushButton>(u"scopeUnderEndButton"_s), Qt::LeftButton);
     show(live, 10);
-    EXPECT_NEAR(rowsAt(u"scopePlot1"_s, 6).first(), rowOf(200), 4) << "removed";
+    EXPECT_NEAR(rowsAt(u"scopePlot1"_s, 6).first(), rowOf(200), 4) << "it was removed";
     EXPECT_FALSE(find<QLabel>(u"scopeUnderLabel"_s)->isVisible());
 }
 

@@ -37,7 +37,7 @@ protected:
     }
     ScopeStrips& strips() { return *find<ScopeStrips>(u"scopeStrips"_s); }
     ScopePlot& plot() { return *find<ScopePlot>(u"scopePlot1"_s); }
-    /// At a time that is seen, half-way up.
+    /// The point at a visible time, half-way up.
     QPoint at(double seconds) {
         const QRectF area = plot().plotArea();
         const double share = (seconds - strips().time().left()) / strips().time().width();
@@ -66,7 +66,7 @@ protected:
     }
     double left() { return strips().time().left(); }
     double right() { return strips().time().right(); }
-    /// The layout Tune, where the strips are high.
+    /// Switches to the Tune layout, in which the strips are high.
     void makeRoom() {
         window->resize(1456, 952);
         QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
@@ -116,7 +116,8 @@ TEST_F(ScopeControls, DraggingWithShiftChoosesAStretch) {
     EXPECT_TRUE(paused());
     EXPECT_NEAR(left(), 12, 0.05);
     EXPECT_NEAR(right(), 15, 0.05);
-    EXPECT_LT(find<QComboBox>(u"scopeWindowBox"_s)->currentIndex(), 0) << "it is none of the listed lengths";
+    EXPECT_LT(find<QComboBox>(u"scopeWindowBox"_s)->currentIndex(), 0)
+        << "it is not one of the listed lengths";
 }
 
 TEST_F(ScopeControls, ADoubleClickShowsEverything) {
@@ -174,14 +175,14 @@ TEST_F(ScopeControls, CursorsReadTimesValuesAndDifferences) {
     EXPECT_EQ(table->item(1, 3)->text(), u"40"_s);
     EXPECT_EQ(table->item(2, 1)->text(), u"–"_s) << "the command position is not known";
     drag(12, 13);
-    EXPECT_NEAR((*strips().cursors())[0], 13, 0.05) << "a cursor under the mouse goes with it";
+    EXPECT_NEAR((*strips().cursors())[0], 13, 0.05) << "a cursor under the mouse moves with it";
     EXPECT_NEAR(left(), 10, 1e-6);
     click(u"scopeCursorsButton"_s);
     EXPECT_FALSE(table->isVisible());
 }
 
-/// What a signal comes to between them, here of a ramp of 10 counts/s from 120 to 160 counts and of a swing
-/// of 100 counts at 2 Hz.
+/// The figures of a signal between the cursors, here of a ramp of 10 counts/s from 120 to 160 counts and of a
+/// swing of 100 counts at 2 Hz.
 TEST_F(ScopeControls, TheTableTellsWhatASignalComesToBetweenTheCursors) {
     HandMadeHistory swinging{2};
     for (int i = 0; i <= 2000; ++i) {
@@ -231,15 +232,15 @@ TEST_F(ScopeControls, TheTableFoldsAndStaysFolded) {
     frame();
     frame();
     EXPECT_FALSE(window->findChild<QWidget*>(u"scopeCursorTable"_s)->isVisible());
-    EXPECT_GT(strips().width() * strips().height(), before) << "the strips have its room";
+    EXPECT_GT(strips().width() * strips().height(), before) << "the strips get its room";
     EXPECT_TRUE(fold->text().contains(u"Hz"_s)) << fold->text().toStdString();
     EXPECT_FALSE(ScopeSetup::fromText(settings.value(u"scope"_s).toString()).readings);
     click(u"scopeCursorFoldButton"_s);
     EXPECT_TRUE(find(u"scopeCursorTable"_s)->isVisible());
 }
 
-/// One strip becomes higher and its neighbour lower, the next start has it so, and a double click makes all
-/// of them equal.
+/// One strip becomes higher and its neighbour lower, this is kept for the next start, and a double click
+/// makes all of them equal.
 TEST_F(ScopeControls, TheLineBetweenTwoStripsIsDragged) {
     ScopeSetup setup = ScopeSetup::usual();
     setup.strips[2].clear();
@@ -267,7 +268,8 @@ TEST_F(ScopeControls, TheLineBetweenTwoStripsIsDragged) {
     EXPECT_NEAR(plot().height(), second->height(), 1);
 }
 
-/// Made of samples only now that they are chosen; the shaft of module 1 goes at one speed.
+/// They are calculated from the samples once they are selected; the shaft of module 1 has a constant
+/// acceleration.
 TEST_F(ScopeControls, AccelerationAndPwmAreDrawnWhenTheyAreChosen) {
     HandMadeHistory moving{2};
     for (int i = 0; i <= 2000; ++i) {
@@ -321,7 +323,7 @@ TEST_F(ScopeControls, TheListOfSignalsIsFiltered) {
     QTest::keyClicks(filter, u"2 VELO"_s);
     EXPECT_EQ(seen(), QStringList{u"Module 2: velocity"_s});
     QTest::keyClick(filter, Qt::Key_Return);
-    EXPECT_TRUE(dialog->isVisible()) << "Enter is no wish to leave";
+    EXPECT_TRUE(dialog->isVisible()) << "Enter does not close it";
     filter->selectAll();
     QTest::keyClicks(filter, u"nothing of the kind"_s);
     EXPECT_TRUE(seen().isEmpty());
@@ -343,7 +345,7 @@ TEST_F(ScopeControls, SignalsOfAnyModuleStandInAnyStripAndAreRemembered) {
     frame();
     ASSERT_EQ(plot().traces().size(), 3U);
     EXPECT_EQ(plot().traces()[2].module, ModuleIndex(1));
-    EXPECT_EQ(plot().traces()[2].tag, u"2"_s) << "where there are several modules each says its number";
+    EXPECT_EQ(plot().traces()[2].tag, u"2"_s) << "with several modules, each trace has its number";
     EXPECT_GE(plot().valueRange().max, 500);
     EXPECT_TRUE(find<ScopePlot>(u"scopePlot3"_s)->isVisible());
     const ScopeSetup kept = ScopeSetup::fromText(settings.value(u"scope"_s).toString());
@@ -380,7 +382,7 @@ TEST_F(ScopeControls, StatusBitsAreDrawnHighAndLow) {
     EXPECT_GT(low.first(), rowHeight / 2);
 }
 
-/// It is set as long as the servo is off, and tells nothing then.
+/// The bit is set as long as the servo is off, and means nothing then.
 TEST_F(ScopeControls, ThePositionErrorBitIsGreyWhileTheServoIsOff) {
     HandMadeHistory bits;
     for (int i = 0; i <= 1000; ++i) {
@@ -404,7 +406,7 @@ TEST_F(ScopeControls, ThePositionErrorBitIsGreyWhileTheServoIsOff) {
     };
     const auto coloured = [](const QColor& c) { return c.blue() - c.red() > 20; };
     EXPECT_FALSE(coloured(at(2.5)));
-    EXPECT_NE(at(2.5), lane->palette().color(QPalette::Base)) << "it is there";
+    EXPECT_NE(at(2.5), lane->palette().color(QPalette::Base)) << "it is drawn";
     EXPECT_TRUE(coloured(at(7.5)));
 }
 

@@ -36,7 +36,7 @@ protected:
         EXPECT_NE(found, nullptr) << objectName.toStdString();
         return found;
     }
-    /// What is to be written where.
+    /// The content for the file that is chosen.
     std::string exported(const QString& name, HandMadeHistory& made, double now, int filter = 0) {
         action(u"scopeExport"_s + name + u"Action"_s)->trigger();
         auto* dialog = find<QFileDialog>(u"scopeExport"_s + name.toLower() + u"Dialog"_s);
@@ -51,7 +51,7 @@ protected:
         EXPECT_EQ(saved[0][0].toString(), u"/home/anna/run.x"_s);
         return saved.takeFirst()[1].value<FileContent>()();
     }
-    /// 30 s of module 1, and 10 s of module 2: 10 samples a second.
+    /// 30 s of module 1, and 10 s of module 2, with 10 samples per second.
     static HandMadeHistory twoModules() {
         HandMadeHistory made(2);
         for (int i = 0; i <= 300; ++i)
@@ -101,7 +101,7 @@ TEST_F(ScopeFilesTest, CsvHasAColumnForEachSignalWhereThatIsChosen) {
     const qsizetype acceleration = sparse[0].split(u',').indexOf(u"Module_1/acceleration_counts_per_s2"_s);
     ASSERT_GT(acceleration, 0);
     const QString first = sparse[1].split(u',')[acceleration];
-    EXPECT_FALSE(first.isEmpty()) << "it is made of the samples before these, too";
+    EXPECT_FALSE(first.isEmpty()) << "earlier samples contribute to it, too";
     EXPECT_NEAR(first.toDouble(), 0, 1e-6) << "10 counts/s all the time";
     const QStringList even = QString::fromStdString(exported(u"Csv"_s, made, 29.5, 2)).split(u'\n');
     EXPECT_EQ(even[0], sparse[0]);
@@ -114,7 +114,7 @@ TEST_F(ScopeFilesTest, CsvSaysWhenOlderSamplesAreOnlyKeptInACoarserForm) {
     HandMadeHistory young = twoModules();
     show(young, 30);
     EXPECT_EQ(exported(u"Csv"_s, young, 30).find(words), std::string::npos);
-    HandMadeHistory old(2);  // as many as there is memory for, and more
+    HandMadeHistory old(2);  // more samples than there is memory for
     for (int i = 0; i < 900'000; ++i)
         old.add(30 + i / 100'000.0, i);
     show(old, 39);
@@ -140,7 +140,7 @@ TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
     plot->zoomValues(0.001, 0);  // the step leaves the plot far above
     const std::string svg = exported(u"Svg"_s, made, 30);
     QXmlStreamReader xml(QByteArray::fromStdString(svg));
-    QList<qsizetype> curves;  // how many places each has
+    QList<qsizetype> curves;  // number of points of each
     QString words;
     while (!xml.atEnd()) {
         xml.readNext();
@@ -148,7 +148,7 @@ TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
             words += xml.text();
         if (!xml.isStartElement() || (xml.name() != u"polyline"_s && xml.name() != u"path"_s))
             continue;
-        // No coordinate leads out of the picture, as the step's line would.
+        // No coordinate is outside of the picture, as those of the step's line would be.
         static const QRegularExpression number(u"-?[0-9.]+(e[+-]?[0-9]+)?"_s);
         const QString shape =
             xml.attributes().value(xml.name() == u"path"_s ? u"d"_s : u"points"_s).toString();
@@ -172,11 +172,11 @@ TEST_F(ScopeFilesTest, APageHoldsThePictureInVectors) {
     show(made, 30);
     const std::string pdf = exported(u"Pdf"_s, made, 30);
     EXPECT_TRUE(pdf.starts_with("%PDF-"));
-    EXPECT_NE(pdf.find("/MediaBox [0 0 842"), std::string::npos) << "A4, lying on its side";
+    EXPECT_NE(pdf.find("/MediaBox [0 0 842"), std::string::npos) << "A4 in landscape format";
     EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos) << "vectors only";
 }
 
-/// A page without what its writer puts in of the day and of chance.
+/// A page without the date and the random numbers that its writer inserts.
 std::string pageIn(std::string pdf) {
     static const std::regex chance("/CreationDate[^\n]*|/ID[^\n]*|<xmp[^\n]*");
     return std::regex_replace(pdf, chance, "");
@@ -199,7 +199,7 @@ TEST_F(ScopeFilesTest, PaperKnowsNothingOfTheScreensColours) {
         << "the screen stays as it was";
     window->setPalette(look::paletteOf(look::Colours::HighContrast));
     EXPECT_EQ(find(u"scopeStrips"_s)->palette().color(QPalette::Base), QColor(Qt::black))
-        << "and follows its palette as before";
+        << "it follows its palette as before";
 }
 
 TEST_F(ScopeFilesTest, ACopyIsAPictureAndItsFewSamples) {

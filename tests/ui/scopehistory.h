@@ -5,7 +5,7 @@
 
 namespace nmc {
 
-/// Samples of one module by hand, at seconds since some zero, where the first must be.
+/// Samples made by hand, at seconds since some zero, at which the first must be.
 class HandMadeHistory {
 public:
     static TimePoint at(double seconds) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of both panels, light and dark, kept as artefacts of the run; and that nothing in them is cut off.
-// Run once for each scale (tests/ui/CMakeLists.txt). In every language that there is a translation for.
+// Pictures of the panels and dialogs, light and dark, in every language with a translation, kept as artefacts
+// of the run; nothing in them is cut off. Runs once for each scale (tests/ui/CMakeLists.txt).
 #include <QAction>
 #include <QApplication>
 #include <QDir>
@@ -43,7 +43,7 @@ protected:
         module.apply(sample);
         window->showLink(connectedTo({module}));
     }
-    /// One picture for each page of the panel.
+    /// Saves a picture of each page of the panel, and expects that nothing is cut off.
     void keep(const QString& panel, const QString& pages) {
         auto* tabs = find<QTabWidget>(pages);
         for (int i = 0; i < tabs->count(); ++i) {
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(As, Screenshots, testing::ValuesIn(allShown()), [](cons
     return shown.param.language + (shown.param.dark ? "Dark" : "Light");
 });
 
-/// By their grey alone, on a print or to who cannot tell the colours apart.
+/// They differ by their grey alone, in print or for users who cannot distinguish the colours.
 TEST(Greyscale, TheSeveritiesDifferWithoutTheirColours) {
     for (const QPalette& palette : {QPalette(), darkPalette()}) {
         const int attention = qGray(look::severityFill(Severity::Attention, palette).rgb());

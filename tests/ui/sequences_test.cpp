@@ -61,7 +61,7 @@ TEST_F(SequencePage, SaysWhatIsMissingBeforeTeaching) {
     EXPECT_FALSE(machine.program.points[0].axes.at(0).fromHome);
     showServo({.position = 50});
     QTest::keyClick(name, Qt::Key_Return);
-    ASSERT_EQ(machine.program.points.size(), 1U) << "the same point anew";
+    ASSERT_EQ(machine.program.points.size(), 1U) << "the same point was taught again";
     EXPECT_EQ(machine.program.points[0].axes.at(0).counts, 50);
     window->showLink({});
     EXPECT_FALSE(whyNot(u"teachButton"_s).isEmpty());
@@ -131,7 +131,7 @@ TEST_F(SequencePage, ARunMarksItsRowAndForbidsAnother) {
     window->sequences().showRun(report);
     EXPECT_EQ(table->model()->headerData(2, Qt::Vertical).toString(), u"▸ 3"_s);
     QApplication::processEvents();
-    EXPECT_EQ(table->viewport()->x(), before) << "the mark has its room at all times";
+    EXPECT_EQ(table->viewport()->x(), before) << "the mark always has its room";
     EXPECT_EQ(whyNot(u"runSequenceButton"_s), u"A sequence is already running."_s);
     EXPECT_EQ(whyNot(u"stopSequenceButton"_s), QString());
     QSignalSpy stops(&window->sequences(), &SequencesDock::stopRequested);
@@ -157,7 +157,7 @@ TEST_F(SequencePage, ASequenceIsNotOfferedToItself) {
     EXPECT_FALSE(kinds.contains(u"repeat"_s)) << "nothing stands above the first row";
 }
 
-/// A servo and a PIC-I/O.
+/// The chain consists of a servo and a PIC-I/O.
 TEST(SequenceModels, OfferThePinsThatAModuleHas) {
     Program program{{},
                     {{"Main", {action::WaitForInput{ModuleIndex(0)}, action::SetOutput{ModuleIndex(0), 2}}}}};
@@ -184,9 +184,11 @@ TEST(SequenceModels, OfferThePinsThatAModuleHas) {
     choose(1, RowsModel::How, u"IO7 high"_s);
     EXPECT_EQ(program.sequences[0].rows[1], Action(action::SetOutput{ModuleIndex(1), 7, true}));
     choose(1, RowsModel::What, u"Module 1"_s);
-    EXPECT_EQ(rows.index(1, RowsModel::How).data().toString(), u"output 1 on"_s) << "it has no seventh";
+    EXPECT_EQ(rows.index(1, RowsModel::How).data().toString(), u"output 1 on"_s)
+        << "it has no seventh output";
     choose(1, RowsModel::Do, u"wait for A/D"_s);
-    EXPECT_EQ(rows.index(1, RowsModel::What).data().toString(), u"Module 2"_s) << "the first that has one";
+    EXPECT_EQ(rows.index(1, RowsModel::What).data().toString(), u"Module 2"_s)
+        << "the first module that has one";
     choose(1, RowsModel::How, u"A/D 3 below"_s);
     EXPECT_TRUE(rows.setData(rows.index(1, RowsModel::Number), 200, Qt::EditRole));
     EXPECT_FALSE(rows.setData(rows.index(1, RowsModel::Number), 256, Qt::EditRole));
@@ -196,7 +198,7 @@ TEST(SequenceModels, OfferThePinsThatAModuleHas) {
     EXPECT_EQ(rows.index(1, RowsModel::Within).data().toString(), u"within 2.5 s"_s);
 }
 
-/// What Qt demands of an item model, while programs change at random.
+/// Checks Qt's requirements of an item model, while programs change at random.
 TEST(SequenceModels, KeepQtsDemands) {
     sim::Random random(7);
     RowsModel rows;

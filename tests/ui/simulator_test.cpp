@@ -94,7 +94,7 @@ protected:
     QDockWidget* dock() { return find<QDockWidget>(u"simulatorDock"_s); }
     QAction* toggle() { return window->findChild<QAction*>(u"simulatorDockAction"_s); }
 
-    /// Waits until the dock asks, then answers.
+    /// Waits until the dock sends this query, and answers it.
     void answer(const QString& line, const QJsonObject& json) {
         ASSERT_TRUE(QTest::qWaitFor([&] { return asked(line); })) << line.toStdString();
         lines.clear();
@@ -104,7 +104,7 @@ protected:
         return std::any_of(lines.cbegin(), lines.cend(),
                            [&line](const QList<QVariant>& said) { return said.at(0).toString() == line; });
     }
-    /// The last line that is not one of the dock's own questions.
+    /// The last line that is not one of the dock's own queries.
     QString lastLine() {
         for (auto said = lines.crbegin(); said != lines.crend(); ++said)
             if (const QString line = said->at(0).toString(); !line.startsWith(u"sta"_s))
@@ -113,7 +113,7 @@ protected:
     }
     void toPage(const QString& bench, int page) { find<QTabWidget>(bench)->setCurrentIndex(page); }
     void press(const QString& objectName) { click(objectName); }
-    /// On the mark itself: a check box as wide as its row is not one all over.
+    /// Clicks the mark itself: a check box as wide as its row does not react everywhere.
     void tick(const QString& objectName) {
         QAbstractButton* box = button(objectName);
         QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
@@ -126,7 +126,7 @@ TEST_F(Simulator, IsThereOnlyWhileAttachedToTheSimulator) {
     EXPECT_FALSE(dock()->isVisible());
     EXPECT_FALSE(toggle()->isVisible());
     showServo();
-    EXPECT_FALSE(dock()->isVisible()) << "a real port";
+    EXPECT_FALSE(dock()->isVisible()) << "it is a real port";
     EXPECT_FALSE(toggle()->isVisible());
     attach();
     EXPECT_TRUE(dock()->isVisible());
@@ -149,7 +149,8 @@ TEST_F(Simulator, ClosedStaysClosedUntilTheUserOpensIt) {
     LinkState link = connectedTo({Servo{}.state()});
     link.simulated = true;
     next.showLink(link);
-    EXPECT_FALSE(next.findChild<QDockWidget*>(u"simulatorDock"_s)->isVisible()) << "nor in the next session";
+    EXPECT_FALSE(next.findChild<QDockWidget*>(u"simulatorDock"_s)->isVisible())
+        << "it also stays closed in the next session";
     toggle()->trigger();
     EXPECT_TRUE(dock()->isVisible());
     window->showLink({});
@@ -187,7 +188,7 @@ TEST_F(Simulator, ShowsTheStateItIsTold) {
     EXPECT_EQ(text(u"simTruth_shaft"_s), u"1\u202f234.5"_s);
     EXPECT_EQ(text(u"simTruth_position_error"_s), u"16"_s);
     EXPECT_EQ(text(u"simTruth_pwm"_s), u"\u221220"_s);
-    EXPECT_TRUE(lastLine().isEmpty()) << "showing asks for nothing";
+    EXPECT_TRUE(lastLine().isEmpty()) << "showing values sends nothing";
 }
 
 TEST_F(Simulator, AClickIsTheControlLineOfNmcsim) {
@@ -208,7 +209,7 @@ TEST_F(Simulator, AClickIsTheControlLineOfNmcsim) {
     press(u"sim_servo_overrunButton"_s);
     EXPECT_EQ(lastLine(), u"set 1 servo_overrun 1"_s);
     press(u"sim_servo_analogBox"_s);
-    EXPECT_EQ(lastLine(), u"set 1 analog 13"_s) << "begins with what the converter reads";
+    EXPECT_EQ(lastLine(), u"set 1 analog 13"_s) << "it starts with what the converter reads";
     press(u"sim_servo_analogBox"_s);
     EXPECT_EQ(lastLine(), u"set 1 analog auto"_s);
 }
@@ -218,7 +219,7 @@ TEST_F(Simulator, LoadsActWhenTheNumberIsFinished) {
     answer(u"state 1"_s, servoState());
     toPage(u"sim_servo_bench"_s, 1);
     type(u"sim_servo_loadField"_s, u"0.05"_s);
-    EXPECT_TRUE(lastLine().isEmpty()) << "a number that begins is not one that was meant";
+    EXPECT_TRUE(lastLine().isEmpty()) << "an unfinished number is not sent";
     QTest::keyClick(field(u"sim_servo_loadField"_s), Qt::Key_Return);
     EXPECT_EQ(lastLine(), u"set 1 load 0.05"_s);
     QTest::keyClick(field(u"sim_servo_loadField"_s), Qt::Key_Up);
@@ -258,14 +259,14 @@ TEST_F(Simulator, AnAnswerFromBeforeTheClickDoesNotUndoIt) {
     EXPECT_FALSE(button(u"sim_servo_powerBox"_s)->isChecked());
     lines.clear();
     answer(u"state 1"_s, servoState());
-    EXPECT_TRUE(button(u"sim_servo_powerBox"_s)->isChecked()) << "the simulator has the last word";
+    EXPECT_TRUE(button(u"sim_servo_powerBox"_s)->isChecked()) << "the simulator's answer counts";
 }
 
 TEST_F(Simulator, AStepperHasItsOwnControls) {
     attach();
     answer(u"stats"_s, {{u"modules"_s, QJsonArray{1, 2, 3}}, {u"violation_count"_s, 0}});
     auto* modules = find<QComboBox>(u"simModuleBox"_s);
-    EXPECT_EQ(modules->count(), 3) << "modules that the panel did not find";
+    EXPECT_EQ(modules->count(), 3) << "including modules that the panel did not find";
     modules->setCurrentIndex(1);
     answer(u"state 2"_s, stepState());
     EXPECT_TRUE(find(u"sim_step_bench"_s)->isVisible());
@@ -294,7 +295,7 @@ TEST_F(Simulator, FollowsTheListOfModules) {
     EXPECT_EQ(lastLine(), u"set 2 limit1 1"_s);
     find<QComboBox>(u"simModuleBox"_s)->setCurrentIndex(0);
     attach();
-    EXPECT_EQ(find<QComboBox>(u"simModuleBox"_s)->currentIndex(), 0) << "a choice of its own stays";
+    EXPECT_EQ(find<QComboBox>(u"simModuleBox"_s)->currentIndex(), 0) << "its own selection stays";
 }
 
 TEST_F(Simulator, ViolationsAreCounted) {
@@ -347,7 +348,7 @@ TEST_F(Simulator, APicIoHasABenchOfItsOwn) {
     EXPECT_TRUE(button(u"sim_io_pin1Box"_s)->isChecked());
     EXPECT_FALSE(button(u"sim_io_pin2Box"_s)->isChecked());
     EXPECT_TRUE(button(u"sim_io_pin3Box"_s)->isChecked());
-    EXPECT_FALSE(button(u"sim_io_pin3Box"_s)->isEnabled()) << "the module sets an output";
+    EXPECT_FALSE(button(u"sim_io_pin3Box"_s)->isEnabled()) << "an output is set by the module";
     EXPECT_EQ(find<QLabel>(u"sim_io_pwm"_s)->text(), u"100 and 255"_s);
     EXPECT_EQ(find<QLabel>(u"sim_io_count"_s)->text(), u"counter, "_s + texts::grouped(1'234));
     tick(u"sim_io_pin2Box"_s);
@@ -361,7 +362,7 @@ TEST_F(Simulator, APicIoHasABenchOfItsOwn) {
     QTest::keyClicks(field, u"200"_s);
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_EQ(lastLine(), u"set 1 analog 2 200"_s);
-    EXPECT_FALSE(find<QLabel>(u"simTruth_analog"_s)->isVisible()) << "it has three";
+    EXPECT_FALSE(find<QLabel>(u"simTruth_analog"_s)->isVisible()) << "it has three of them";
 }
 
 }  // namespace

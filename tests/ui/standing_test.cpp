@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told of a state, for as long as the state says so.
+// What is reported about a state, as long as the state lasts.
 #include <gmock/gmock.h>
 
 #include "tests/model/servofixture.h"
@@ -49,7 +49,7 @@ TEST_F(StandingTexts, NothingIsToldOfAChainThatIsWell) {
 
 TEST_F(StandingTexts, ATripEndsWithItsAcknowledgement) {
     says(2.0, kOk | kPosError, 0);
-    EXPECT_THAT(keys(), IsEmpty()) << "one answer is no fact";
+    EXPECT_THAT(keys(), IsEmpty()) << "one answer is not enough";
     says(2.05, kOk | kPosError, 0);
     EXPECT_THAT(keys(), ElementsAre("tripped.1"));
     servo().apply(executedAt(2.1, stopWith(servo::StopManner::MotorOff)));
@@ -78,7 +78,7 @@ TEST_F(StandingTexts, SilenceIsToldUnlessItIsThatOfTheWholeLink) {
     link.modules.back().latest.emplace();
     EXPECT_THAT(keys(), ElementsAre("silent.1", "silent.2"));
     link.phase = LinkPhase::Lost;
-    EXPECT_THAT(keys(), IsEmpty()) << "one cause, one text";
+    EXPECT_THAT(keys(), IsEmpty()) << "one cause gives one text";
     link.phase = LinkPhase::Connecting;
     EXPECT_THAT(keys(), IsEmpty());
 }
@@ -116,10 +116,10 @@ TEST_F(StandingTexts, ALimitStopThatTripsIsToldUntilItIsArmedAnewOrDisarmed) {
     says(1.2, kPower | kHoming);
     EXPECT_THAT(keys(), IsEmpty());
     says(1.3, kOk | kLimit1);
-    EXPECT_THAT(keys(), ElementsAre("limitStop.1")) << "and not of the limit, which was watched";
-    EXPECT_THAT(keys(true), IsEmpty()) << "a search for home stops so, too";
+    EXPECT_THAT(keys(), ElementsAre("limitStop.1")) << "the limit that was watched is not reported itself";
+    EXPECT_THAT(keys(true), IsEmpty()) << "a search for home stops in the same way";
     says(1.4, kOk);
-    EXPECT_THAT(keys(), ElementsAre("limitStop.1")) << "nothing stops it the next time";
+    EXPECT_THAT(keys(), ElementsAre("limitStop.1")) << "nothing would stop it the next time";
     servo().apply(executedAt(1.5, servo::SetHoming{}));
     EXPECT_THAT(keys(), IsEmpty());
 }

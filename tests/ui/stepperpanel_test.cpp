@@ -27,7 +27,7 @@ protected:
         const T* wanted = std::get_if<T>(&intent);
         return wanted == nullptr ? std::nullopt : std::optional(*wanted);
     }
-    /// On the mark itself: a choice as wide as its row is not one all over.
+    /// Clicks the mark itself: a choice as wide as its row does not react everywhere.
     void choose(const QString& mode) {
         QAbstractButton* choice = button(mode);
         QTest::mouseClick(choice, Qt::LeftButton, {}, {choice->height() / 2, choice->height() / 2});
@@ -59,7 +59,7 @@ TEST_F(StepperPanelTest, OffersWhatTheChipForbidsAsStopWaitGo) {
     click(u"stepperRunReverseButton"_s);
     const auto change = asked<intent::ChangeMotion>();
     ASSERT_TRUE(change);
-    // 200 steps/s at 1x is speed 8; 40 is where it begins, 10 ms.
+    // 200 steps/s at 1x is speed 8; the initial acceleration time is 40, which is 10 ms.
     EXPECT_EQ(change->motion, StepperMotion(steppermotion::VelocityProfile{8, 40, true}));
 }
 
@@ -100,7 +100,7 @@ TEST_F(StepperPanelTest, SaysTheRangeAndSendsNothingOutOfIt) {
         << text(u"stepperMotionHint"_s).toStdString();
     QTest::keyClick(field(u"stepperGoalField"_s), Qt::Key_Return);
     EXPECT_EQ(intents.size(), 0);
-    // The timer goes faster than the profile: 625 000 / 86.
+    // The timer allows higher speeds than the profile: 625 000 / 86.
     choose(u"stepperModeTimedMove"_s);
     type(u"stepperSpeedField"_s, u"7000"_s);
     EXPECT_TRUE(button(u"stepperGoButton"_s)->isEnabled())
@@ -138,7 +138,7 @@ TEST_F(StepperPanelTest, ReadsInTheUsersUnitAndChangesNothingBySwitchingIt) {
     EXPECT_EQ(plain(u"stepperRampOutcome"_s), u"Ramp of 2 500 steps/s² (12.5 mm/s²)."_s);
 }
 
-// 200 of 255 at half a degree each, from -10.
+// A reading of 200 of 255, at half a degree per step, from -10 degrees.
 TEST_F(StepperPanelTest, ReadsTheTemperatureInTheUsersScale) {
     show(Stepper::holding());
     EXPECT_EQ(text(u"stepperAnalogLabel"_s), u"3.92 V (200 of 255)"_s);
@@ -172,14 +172,14 @@ TEST_F(StepperPanelTest, HoldsAtALowSpeedAndEndsWithTheModeAndTheModule) {
     EXPECT_EQ(hold.pace, (bus::StepperPace{4, 40})) << "100 steps/s";
     EXPECT_FALSE(hold.reverse);
     choose(u"stepperModeProfile"_s);
-    EXPECT_EQ(releases.size(), 1) << "a change of mode";
+    EXPECT_EQ(releases.size(), 1) << "the mode has changed";
     QTest::mouseRelease(forward, Qt::LeftButton);
     QTest::mousePress(forward, Qt::LeftButton);
     Stepper blocked = Stepper::holding();
     blocked.inputs = kLimit1In;
     blocked.says(kStepPower | kAmplifier);
     show(blocked);
-    EXPECT_EQ(releases.size(), 2) << "its permission went";
+    EXPECT_EQ(releases.size(), 2) << "it is no longer allowed";
     QTest::mouseRelease(forward, Qt::LeftButton);
 }
 
@@ -193,7 +193,7 @@ TEST_F(StepperPanelTest, NeverHoldsFasterThanWhatStandsThere) {
 }
 
 TEST_F(StepperPanelTest, StagesParametersAndSendsThemAllAtOnce) {
-    window->resize(1'456, 952);  // in a smaller one marks stand for words
+    window->resize(1'456, 952);  // a smaller one shows marks instead of words
     Stepper fresh;
     fresh.says(kStepPower);
     show(fresh);
@@ -304,7 +304,7 @@ TEST_F(StepperPanelTest, AnOutputThatIsKnownShowsWhatWasConfirmed) {
     button(u"stepperOutput1Box"_s)->click();
     ASSERT_TRUE(asked<stepperintent::SetOutputs>());
     EXPECT_EQ(asked<stepperintent::SetOutputs>()->outputs, 0x11);
-    EXPECT_FALSE(button(u"stepperOutput1Box"_s)->isChecked()) << "not before the module has said so";
+    EXPECT_FALSE(button(u"stepperOutput1Box"_s)->isChecked()) << "not before the module has confirmed it";
 }
 
 TEST_F(StepperPanelTest, SaysWhyNothingIsPossibleWithoutAConnection) {
@@ -329,7 +329,7 @@ TEST_F(StepperPanelTest, EachControlIsReachedByTab) {
                                   qobject_cast<const QComboBox*>(control) != nullptr;
             if (!operates || !control->isVisible() || control->parentWidget()->inherits("QTabBar"))
                 continue;
-            // Of the choices of one question Tab reaches the one that is chosen.
+            // Among exclusive choices, Tab reaches only the selected one.
             const auto* choice = qobject_cast<const QAbstractButton*>(control);
             const bool another = choice != nullptr && choice->autoExclusive() && !choice->isChecked();
             EXPECT_TRUE(reached.contains(control) || !control->isEnabled() || another)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told of the states of a PIC-STEP: each cause by itself, for as long as it is the case.
+// What is reported about the states of a PIC-STEP: each cause by itself, as long as it lasts.
 #include <gmock/gmock.h>
 
 #include "tests/model/stepperfixture.h"
@@ -47,7 +47,7 @@ TEST_F(StepperStanding, HeatLimitAndEstopAreThreeCauses) {
     stepper.inputs = kLimit1In;
     stepper.says(kStepPower);
     stepper.says(kStepPower);
-    EXPECT_THAT(keys(), ElementsAre("limitOff.1")) << "and not of the limit once more";
+    EXPECT_THAT(keys(), ElementsAre("limitOff.1")) << "the limit is not reported once more";
     runsAgain(true);
     stepper.inputs = kEstopIn;
     stepper.says(kStepPower);

@@ -19,7 +19,7 @@
 namespace nmc {
 namespace {
 
-/// At 90 of 100 counts after 10 ms, and at its goal after 30 ms.
+/// A motor that is at 90 of 100 counts after 10 ms, and at its goal after 30 ms.
 KeptResponse inTwoStages() {
     KeptResponse kept = ramp();
     for (ResponsePoint& point : kept.run.points)
@@ -31,7 +31,7 @@ KeptResponse inTwoStages() {
 
 class Responses : public WindowTest {
 protected:
-    /// Held where it is, unless it is about that.
+    /// Shows a servo that holds its position if it is on.
     void showServo(Servo servo = {}) {
         servo.held = servo.on;
         WindowTest::showServo(servo);
@@ -44,7 +44,7 @@ protected:
         showServo(servo);
         open();
     }
-    /// With what was sent changed by `change`.
+    /// Shows a servo whose settings were changed by `change`.
     template <typename Change>
     void showChanged(Change change) {
         ModuleState module = Servo{.held = true}.state();
@@ -78,7 +78,7 @@ protected:
             cells << result(row, column);
         return cells.join(u" | "_s);
     }
-    /// As the space bar does.
+    /// Toggles a mark with the space bar.
     void tick(int row, int column) {
         table()->setFocus();
         table()->setCurrentCell(row, column);
@@ -107,7 +107,7 @@ TEST_F(Responses, OpenFromTheGainsPage) {
     showServo();
     click(u"openStepResponseButton"_s);
     EXPECT_TRUE(QTest::qWaitFor([this] { return find(u"responsePage"_s)->isVisible(); }));
-    EXPECT_TRUE(button(u"responseButton"_s)->isEnabled()) << "it knows the module that was shown before";
+    EXPECT_TRUE(button(u"responseButton"_s)->isEnabled()) << "it knows the module that was shown earlier";
 }
 
 TEST_F(Responses, TakeRoomFromTheMessagesBesideThem) {
@@ -145,7 +145,7 @@ TEST_F(Responses, WhatTheShortcutMovesComesInSight) {
     EXPECT_TRUE(QTest::qWaitFor([this] { return !button(u"responseButton"_s)->visibleRegion().isEmpty(); }));
 }
 
-/// It settles within 10 ms of a record of 100.
+/// It settles within 10 ms, in a record of 100 ms.
 TEST_F(Responses, ThePlotShowsTheTransientOrByADoubleClickAll) {
     openWith();
     window->showResponse(ramp());
@@ -258,7 +258,7 @@ TEST_F(Responses, TellWhatARunComesTo) {
     EXPECT_EQ(result(4), u"9.8 ± 1.1 ms"_s);
     EXPECT_EQ(listed(0, 10), u"9.8 ± 1.1 ms, off its goal"_s);
     EXPECT_EQ(result(5), u"\u221220.0 ± 0.5 counts"_s);
-    EXPECT_EQ(result(6), u"unknown"_s) << "the error before the step is not";
+    EXPECT_EQ(result(6), u"unknown"_s) << "the error before the step is unknown";
     EXPECT_EQ(result(7), u"1 ms"_s);
     EXPECT_EQ(result(1, 1), u"–"_s) << "there is no B";
     KeptResponse limited = ramp();
@@ -281,11 +281,11 @@ TEST_F(Responses, ANewRunIsComparedWithTheOneBefore) {
     EXPECT_TRUE(!ticked(1, 0) && ticked(1, 1));
     window->showResponse(ramp(120));
     EXPECT_EQ(result(0, 0), u"3"_s);
-    EXPECT_EQ(result(0, 1), u"1"_s) << "what is compared with stays";
+    EXPECT_EQ(result(0, 1), u"1"_s) << "the run to compare with stays";
     EXPECT_EQ(result(2, 0), u"21.5 ± 2.0 %"_s);
     EXPECT_TRUE(result(2, 1).startsWith(u"1."_s)) << "10 counts in the last ms: the parabola adds 1.25";
     const QDateTime started = QDateTime::fromString(u"2026-11-21T21:21:02.123+01:00"_s, Qt::ISODateWithMs);
-    EXPECT_EQ(listed(0, 5), QLocale().toString(started, QLocale::ShortFormat)) << "not today";
+    EXPECT_EQ(listed(0, 5), QLocale().toString(started, QLocale::ShortFormat)) << "it was not taken today";
     EXPECT_EQ(listed(0, 6), u"100"_s);
     EXPECT_EQ(listed(0, 7), u"1000"_s);
     EXPECT_EQ(listed(0, 9), u"21.5 ± 2.0 %"_s);
@@ -298,7 +298,7 @@ TEST_F(Responses, TheBoxesSayWhichTwoAreDrawn) {
         window->showResponse(ramp(there));
     tick(1, 0);
     EXPECT_EQ(result(0, 0), u"2"_s);
-    EXPECT_FALSE(ticked(0, 0)) << "there is one A";
+    EXPECT_FALSE(ticked(0, 0)) << "there is only one A";
     tick(0, 1);
     EXPECT_EQ(result(0, 1), u"3"_s);
     auto* plot = find<ResponsePlot>(u"responsePlot"_s);
@@ -320,7 +320,7 @@ TEST_F(Responses, AnotherBandJudgesAllRunsAnew) {
     EXPECT_TRUE(result(3).startsWith(u"29"_s) || result(3).startsWith(u"30"_s)) << result(3).toStdString();
     EXPECT_EQ(listed(0, 10), result(3));
     type(u"responseBandField"_s, u"80"_s);
-    EXPECT_EQ(listed(0, 10), result(3)) << "8 was one, 80 is out of range";
+    EXPECT_EQ(listed(0, 10), result(3)) << "8 was applied while typing, 80 is out of range";
     EXPECT_FALSE(field(u"responseBandField"_s)->problemText().isEmpty());
 }
 
@@ -381,15 +381,16 @@ TEST_F(Responses, WhatWasRemovedCanBePutBack) {
     for (const int row : {1, 1}) {  // 2, then 1
         table()->setCurrentCell(row, 2);
         click(u"responseRemoveButton"_s);
-        EXPECT_FALSE(button(u"responseRemoveButton"_s)->isEnabled()) << "nobody has chosen the next one";
+        EXPECT_FALSE(button(u"responseRemoveButton"_s)->isEnabled())
+            << "the next run was not selected by the user";
     }
     ASSERT_EQ(table()->rowCount(), 1);
     click(u"responsePutBackButton"_s);
     ASSERT_EQ(table()->rowCount(), 2);
-    EXPECT_EQ(listed(1, 2), u"1"_s) << "the last first";
+    EXPECT_EQ(listed(1, 2), u"1"_s) << "the last one removed comes back first";
     QTest::keyClick(window.get(), Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
     ASSERT_EQ(table()->rowCount(), 3);
-    EXPECT_EQ(listed(1, 2), u"2"_s) << "where it was";
+    EXPECT_EQ(listed(1, 2), u"2"_s) << "it is back in its place";
     EXPECT_FALSE(button(u"responsePutBackButton"_s)->isEnabled());
 }
 
@@ -418,7 +419,7 @@ TEST_F(Responses, ARunCanHaveANameAndANote) {
     EXPECT_EQ(intents.size(), 0);
 }
 
-/// The row goes down by one while somebody writes in it.
+/// The row moves down by one while the user types in it.
 TEST_F(Responses, ANewRunDoesNotTakeTheNameThatIsBeingWritten) {
     openWith();
     window->showResponse(ramp(100));
@@ -435,7 +436,7 @@ TEST_F(Responses, ANewRunDoesNotTakeTheNameThatIsBeingWritten) {
     EXPECT_EQ(listed(0, 3), u""_s);
 }
 
-/// The file comes in when a run has been made already.
+/// The file is read when a run has already been made.
 TEST_F(Responses, KeptRunsComeBelowThoseThatAreThere) {
     openWith();
     window->showResponse(ramp(110));
@@ -447,10 +448,10 @@ TEST_F(Responses, KeptRunsComeBelowThoseThatAreThere) {
         run.earlier = true;
     QSignalSpy changes(&window->stepResponses(), &ResponseDock::runsChanged);
     window->stepResponses().showKept(kept);
-    EXPECT_EQ(changes.size(), 0) << "the file has them";
+    EXPECT_EQ(changes.size(), 0) << "they are already in the file";
     ASSERT_EQ(table()->rowCount(), 3);
     EXPECT_EQ(listed(0, 2), u"6"_s);
-    EXPECT_TRUE(ticked(0, 0)) << "it is A still";
+    EXPECT_TRUE(ticked(0, 0)) << "it is still A";
     EXPECT_EQ(result(0, 0), u"6"_s);
     EXPECT_EQ(listed(2, 3), u"old"_s);
     table()->setCurrentCell(2, 2);

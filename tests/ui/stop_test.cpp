@@ -88,7 +88,7 @@ TEST_F(StopAll, SaysWhatItReachesAndWhatItReached) {
     EXPECT_EQ(text(u"bannerHeadline"_s), text(u"stopResultLabel"_s));
 }
 
-/// As it happened: one motor held, two were off, and each Esc left another line in the list.
+/// This has happened: one motor held, two were off, and each Esc left another line in the list.
 TEST_F(StopAll, SaysWhatHoldsAndWhatWasOffInOneEntryHoweverOftenItIsPressed) {
     showServos({{}, {.index = 1, .on = false}, {.index = 2, .on = false}});
     const auto rows = [this] { return find<MessageList>(u"messageList"_s)->entries(); };
@@ -100,7 +100,7 @@ TEST_F(StopAll, SaysWhatHoldsAndWhatWasOffInOneEntryHoweverOftenItIsPressed) {
     ASSERT_EQ(rows().size(), before + 1);
     EXPECT_EQ(rows().front().message.headline, text(u"stopResultLabel"_s));
     EXPECT_EQ(rows().front().count, 3);
-    // What was stopped before something moved again is another stop.
+    // A stop after something has moved again is another one.
     showServos({{.moveDone = false}, {.index = 1, .on = false}, {.index = 2, .on = false}});
     showServos({{.millisecond = 40}, {.index = 1, .on = false}, {.index = 2, .on = false}});
     window->showStopResult({all, {}, {}, {}, fromSeconds(0.02), {all.begin() + 1, all.end()}});
@@ -110,7 +110,7 @@ TEST_F(StopAll, SaysWhatHoldsAndWhatWasOffInOneEntryHoweverOftenItIsPressed) {
 TEST_F(StopAll, NeverCallsItselfAnEmergencyStop) {
     for (const QWidget* widget : window->findChildren<QWidget*>()) {
         if (widget->objectName() == u"sim_step_estopBox"_s)
-            continue;  // the stepper's input is called so
+            continue;  // this is the name of the stepper's input
         for (QString words : {widget->accessibleName(), widget->toolTip()}) {
             words.remove(u"E-stop input"_s);
             EXPECT_FALSE(words.contains(u"emergency"_s, Qt::CaseInsensitive)) << words.toStdString();
@@ -128,7 +128,7 @@ TEST_F(StopAll, U10_EscWorksFromATextField) {
 TEST_F(StopAll, U10_EscThroughTheWindowSystemStopsOnce) {
     field(u"kpField"_s)->setFocus();
     QTest::keyPress(window->windowHandle(), Qt::Key_Escape);
-    EXPECT_EQ(stops.size(), 1) << "on press";
+    EXPECT_EQ(stops.size(), 1) << "it acts on press";
     QTest::keyRelease(window->windowHandle(), Qt::Key_Escape);
     EXPECT_EQ(stops.size(), 1);
     QTest::keyClick(window->windowHandle(), Qt::Key_Escape);

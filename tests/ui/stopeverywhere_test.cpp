@@ -40,17 +40,17 @@ public:
         QWidget* stop = find(u"stopAllButton"_s);
         return stop->mapToGlobal(stop->rect().center());
     }
-    /// As the window system does it: to the window that has the pointer there.
+    /// Clicks as the window system does: in the window that has the pointer there.
     void pressStop() {
         QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, window->mapFromGlobal(stopPlace()));
     }
-    /// To a popup, which has the pointer to itself wherever it is.
+    /// Presses outside of a popup, which grabs the pointer wherever it is.
     static void pressOutside(QWidget& popup, const QPoint& global) {
         const QPoint local = popup.mapFromGlobal(global);
         QMouseEvent press(QEvent::MouseButtonPress, local, local, global, Qt::LeftButton, Qt::LeftButton, {});
         QApplication::sendEvent(popup.windowHandle(), &press);
     }
-    /// To the window that has the keyboard.
+    /// Presses Esc in the window that has the keyboard.
     static void pressEsc() {
         ASSERT_NE(QGuiApplication::focusWindow(), nullptr);
         QTest::keyClick(QGuiApplication::focusWindow(), Qt::Key_Escape);
@@ -60,7 +60,7 @@ public:
 
 struct Opened {
     const char* name;
-    const char* window;  ///< object name of what is open then
+    const char* window;  ///< object name of what it opens
     std::function<void(StopEverywhere&)> open;
 };
 void PrintTo(const Opened& opened, std::ostream* out) {
@@ -173,7 +173,7 @@ TEST_P(StopThroughPopup, ThePressStopsAndClosesItAndChoosesNothing) {
     EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
     QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, window->mapFromGlobal(stopPlace()));
     QApplication::processEvents();
-    EXPECT_EQ(stops.size(), 1) << "one press, one stop";
+    EXPECT_EQ(stops.size(), 1) << "one press gives one stop";
     pressStop();
     EXPECT_EQ(stops.size(), 2);
 }
@@ -268,7 +268,7 @@ TEST_F(StopEverywhere, ASecondFingerStopsWhileTheFirstHolds) {
         .release(1, window->mapFromGlobal(stopPlace()));
 }
 
-// ---- what Qt asks by itself ----
+// ---- questions that Qt asks by itself ----
 
 TEST_F(StopEverywhere, TheFileDialogsOwnQuestionBlocksOnlyTheFileDialog) {
     const QString there = directory.filePath(u"there.json"_s);
@@ -299,7 +299,7 @@ TEST_F(StopEverywhere, TheFileDialogsOwnQuestionBlocksOnlyTheFileDialog) {
     EXPECT_TRUE(dialog->isEnabled());
 }
 
-// ---- what a question asks about changes while it stands ----
+// ---- the subject of a question changes while it is open ----
 
 class Standing : public StopEverywhere {
 protected:
@@ -331,7 +331,7 @@ TEST_F(Standing, SaysWhatIsSoNow) {
     EXPECT_EQ(stops.size(), 1);
 }
 
-// What was started a moment ago stands still until its first answer.
+// A motor that was started a moment ago is not shown moving until its first answer.
 TEST_F(Standing, IsAskedWhileAProcedureRunsThatMovesAMotor) {
     atRest(*this);
     QSignalSpy disconnects(window.get(), &MainWindow::disconnectRequested);
@@ -361,7 +361,7 @@ TEST_F(Standing, IsWithdrawnWhenThePortIsGoneOrAnother) {
     QSignalSpy restarts(window.get(), &MainWindow::restartNetworkRequested);
     LinkState other = connectedTo({Servo{}.state()});
     other.port = "/dev/ttyUSB1";
-    other.connection = 1;  // each has a number of its own
+    other.connection = 1;  // each connection has its own number
     for (const LinkState& link : {LinkState{}, other}) {
         showServos({{.moveDone = false}});
         click(u"disconnectButton"_s);
@@ -390,7 +390,7 @@ TEST_F(Standing, LargeStepIsWithdrawnWhenItsModuleIsOffOrItsGainsAreOthers) {
     ask();
     type(u"kpField"_s, u"901"_s);
     click(u"applyLargeStepButton"_s);
-    EXPECT_EQ(intents.size(), 0) << "these are not what was asked about";
+    EXPECT_EQ(intents.size(), 0) << "the question was about other gains";
     ask();
     window->showLink({});
     EXPECT_EQ(question(u"largeStepDialog"_s), nullptr);

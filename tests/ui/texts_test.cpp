@@ -263,7 +263,7 @@ TEST(Texts, NoForbiddenWords) {
     add(texts::guardianStopped());
     add(texts::guardianStoppedBefore({ModuleIndex(0), ModuleIndex(2)}));
     for (QString& sentence : all) {
-        // The one thing that has that name (interface.md, "Stop").
+        // The only thing with this name (interface.md, "Stop").
         sentence.remove(u"E-stop input"_s);
         for (const QString& word :
              {u"invalid"_s, u"illegal"_s, u"fatal"_s, u"!"_s, u"dead-man"_s, u"E-stop"_s})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits of travel and of speed, as a person sets and meets them.
+// Travel and speed limits, as a user sets and meets them.
 #include <QAbstractButton>
 #include <QComboBox>
 
@@ -21,7 +21,7 @@ protected:
         window->resize(1500, 1100);
         standAt(0);
     }
-    /// A servo that holds there; home is where the counter is 0, if that is known.
+    /// Shows a servo that holds there; home, if known, is where the counter is 0.
     void standAt(std::int32_t position, bool homed = true) {
         ModuleState module = Servo{.position = position, .millisecond = m_millisecond += 10}.state();
         if (homed)
@@ -53,7 +53,7 @@ TEST_F(TravelPanel, WhatIsTypedIsKeptWithTheAxisAndSendsNothing) {
     EXPECT_EQ(kept(), (TravelSettings{-500, 1'500, 1.5}));
     enter(u"highestField"_s, u" "_s);
     enter(u"fastestField"_s, u" "_s);
-    EXPECT_EQ(kept(), (TravelSettings{-500, std::nullopt, 0.0})) << "empty is no limit";
+    EXPECT_EQ(kept(), (TravelSettings{-500, std::nullopt, 0.0})) << "an empty field means no limit";
     EXPECT_TRUE(intents.isEmpty());
 }
 
@@ -93,7 +93,8 @@ TEST_F(TravelPanel, TheOfferOfANearerGoalMovesNothing) {
     EXPECT_EQ(places(), before);
 }
 
-/// As it happened: a limit at home and backlash left "Go home" grey for ever, naming a limit of 50.
+/// This has happened: a limit at home and backlash left "Go home" grey for ever, with a reason that named a
+/// limit of 50.
 TEST_F(TravelPanel, SettingsThatExcludeEachOtherAreNamedWhereTheyRefuse) {
     standAt(400);
     enter(u"lowestField"_s, u"0"_s);
@@ -105,7 +106,7 @@ TEST_F(TravelPanel, SettingsThatExcludeEachOtherAreNamedWhereTheyRefuse) {
         u"To take up the backlash, the move would turn round at −50 counts, below the lowest position 0 counts. Lower that position, or change the backlash or its direction (Axis page)."_s);
     EXPECT_TRUE(text(u"travelHint"_s).startsWith(u"With this backlash, no move can end at home"_s))
         << "where it is entered, too";
-    // Each of the three ways out that it names.
+    // Each of the three remedies that it names works.
     enter(u"lowestField"_s, u"-50"_s);
     EXPECT_TRUE(button(u"goHomeButton"_s)->isEnabled());
     EXPECT_EQ(text(u"travelHint"_s), QString());
@@ -130,7 +131,7 @@ TEST_F(TravelPanel, AFieldWhoseRangeIsASettingSaysWhichOne) {
 TEST_F(TravelPanel, HalfANumberIsNoLimit) {
     setLimits();
     type(u"highestField"_s, u"2000"_s);
-    EXPECT_EQ(kept().highest, 1'500) << "2, 20 and 200 would have stopped what moves";
+    EXPECT_EQ(kept().highest, 1'500) << "2, 20 and 200 would have stopped a moving motor";
     find<QWidget>(u"lowestField"_s)->setFocus();
     EXPECT_EQ(kept().highest, 2'000);
 }
@@ -153,13 +154,13 @@ TEST_F(TravelPanel, AGoalBeyondIsRefusedAndTheNearestOneOffered) {
     EXPECT_TRUE(text(u"motionHint"_s).contains(u"1\u202f500 counts"_s));
     whyNot(u"loadButton"_s);
     QTest::keyClick(field(u"goalField"_s), Qt::Key_Return);
-    EXPECT_TRUE(intents.isEmpty()) << "nor by Enter";
+    EXPECT_TRUE(intents.isEmpty()) << "Enter does not send it either";
     ASSERT_TRUE(button(u"nearestGoalButton"_s)->isVisible());
     EXPECT_EQ(button(u"nearestGoalButton"_s)->text(), u"Use 1\u202f500 counts"_s);
     click(u"nearestGoalButton"_s);
     EXPECT_EQ(field(u"goalField"_s)->value(), 1'500);
     EXPECT_FALSE(button(u"nearestGoalButton"_s)->isVisible());
-    EXPECT_TRUE(intents.isEmpty()) << "it moves nothing";
+    EXPECT_TRUE(intents.isEmpty()) << "using it moves nothing";
     click(u"goButton"_s);
     EXPECT_EQ(test::motionOf<servomotion::Trapezoid>(lastIntent<intent::Move>()).position.value(), 1'500);
 }

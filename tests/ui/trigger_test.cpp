@@ -13,7 +13,7 @@
 namespace nmc {
 namespace {
 
-/// Samples of module 1 a hundredth of a second apart, 1 s in a picture, 0.2 s of it from before the trigger.
+/// Samples of module 1 every 10 ms, with 1 s in a picture, of which 0.2 s are from before the trigger.
 class Trigger : public WindowTest {
 protected:
     Trigger() {
@@ -28,7 +28,7 @@ protected:
         combo->setCurrentIndex(row);
         emit combo->activated(row);
     }
-    /// Up to `end`, a frame every 50 ms.
+    /// Adds samples up to `end`, with a frame every 50 ms.
     template <typename Fill>
     void run(double end, const Fill& fill) {
         for (; m_next <= end * 100 + 0.5; ++m_next) {
@@ -66,7 +66,7 @@ void ramp(double t, ScopeSample& sample) {
     sample.position = t < 3 ? 0 : static_cast<std::int32_t>(std::lround((t - 3) * 100));
 }
 
-/// Stands, moves from 3 to 4 s, stands.
+/// At rest, apart from a move from 3 to 4 s.
 void oneMove(double t, ScopeSample& sample) {
     sample.status = t > 2.995 && t < 3.995 ? 0x08 : 0x09;
     sample.velocity = t > 2.995 && t < 3.995 ? 500.0F : 0.0F;
@@ -133,7 +133,8 @@ TEST_F(Trigger, NormalGoesOnByItself) {
     expectShown(5.0 - 0.2, 5.0 + 0.8);
 }
 
-/// As long as what was seen when it was armed, or what has been seen since then; and the values as well.
+/// A picture is as long as the one that was visible when the trigger was armed, or has been since then; the
+/// range of values is kept as well.
 TEST_F(Trigger, KeepsTheZoomThatIsSet) {
     choose(u"triggerSourceBox"_s, u"move_done"_s);
     choose(u"triggerModeBox"_s, u"Normal"_s);
@@ -197,11 +198,10 @@ TEST_F(Trigger, OffersTheSignalsOfTheOtherModules) {
     EXPECT_EQ(sources->itemText(0), u"position"_s);
     EXPECT_GE(sources->findText(u"Module 2: velocity"_s), 0);
     EXPECT_GE(sources->findText(u"Module 2: move_done"_s), 0);
-    EXPECT_EQ(sources->findText(u"Module 1: position"_s), -1) << "it is the selected one";
+    EXPECT_EQ(sources->findText(u"Module 1: position"_s), -1) << "it is the selected module";
 }
 
-/// Moves off at 3 s with 20 000 counts/s^2. Of the parabola over five samples half of it is seen when it
-/// does.
+/// Starts at 3 s with 20 000 counts/s^2. At this moment, the parabola over five samples shows half of it.
 void speedsUp(double t, ScopeSample& sample) {
     const auto hundredths = std::lround((t - 3) * 100);
     sample.position = t < 3 ? 0 : static_cast<std::int32_t>(hundredths * hundredths);
@@ -228,7 +228,7 @@ TEST_F(Trigger, WaitsForAnAccelerationInTheAxisUnit) {
 }
 
 /// 20 counts for 1 s are 39 062 in the sum over ticks of 0.512 ms, of which IL leaves 100 times 256: a PWM of
-/// 100 that stays, and would be 0 of the samples since the trigger was set.
+/// 100 that remains, but would be 0 if calculated only from the samples since the trigger was set.
 TEST_F(Trigger, WaitsForThePwmThatThePlotShows) {
     made.noteGains(0, {0, 0, 256, 100, 255, 0, 16'000, 1, std::uint8_t{0}});
     const auto pushed = [](double t, ScopeSample& sample) {
@@ -257,7 +257,7 @@ TEST_F(Trigger, OffersWhatIsMadeOfSamplesOnlyWhereItCanBe) {
     };
     show(ModuleType::Stepper);
     EXPECT_GE(sources->findText(u"acceleration"_s), 0);
-    EXPECT_EQ(sources->findText(u"PWM, calculated"_s), -1) << "it follows its steps";
+    EXPECT_EQ(sources->findText(u"PWM, calculated"_s), -1) << "a stepper has no PWM";
     show(ModuleType::Io);
     EXPECT_GE(sources->findText(u"count rate"_s), 0);
     EXPECT_EQ(sources->findText(u"acceleration"_s), -1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wheel over what has a value, as it comes from the system: it may give the focus, and goes on upwards.
+// The wheel over controls that have a value, with events as they come from the system: they may set the
+// focus, and are passed on to the parents.
 #include <QComboBox>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -25,7 +26,7 @@ protected:
         QWheelEvent event(at, top->mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
                           Qt::NoScrollPhase, false);
         QSpontaneKeyEvent::setSpontaneous(&event);
-        qApp->notify(top->windowHandle(), &event);  // sendEvent() would say that it is not the system's
+        qApp->notify(top->windowHandle(), &event);  // sendEvent() would mark it as not coming from the system
     }
     void turnTo(const QString& page) {
         auto* tabs = find<QTabWidget>(u"servoPages"_s);
@@ -49,7 +50,7 @@ TEST_F(Wheel, MakesNoOutputOfALimitPin) {
     QTest::keyClick(use, Qt::Key_Escape);
     use->setFocus(Qt::TabFocusReason);
     wheel(use);
-    EXPECT_EQ(intents.size(), 1) << "with the focus it is as ever";
+    EXPECT_EQ(intents.size(), 1) << "with the focus, it works as usual";
 }
 
 TEST_F(Wheel, ChangesNoBoxWithoutTheFocusOnAnyPage) {

@@ -61,7 +61,7 @@ QPalette darkPalette() {
 WindowTest::WindowTest() {
     settings.setValue(u"safety/understood"_s, true);
     window = std::make_unique<MainWindow>(settings);
-    // The settings of the axes are kept, as the program keeps them.
+    // Keeps the settings of the axes, as the program does.
     QObject::connect(window.get(), &MainWindow::axisEdited, window.get(),
                      [this](ModuleIndex module, const AxisSettings& edited) {
                          if (machine.axes.size() <= module.value())
@@ -84,7 +84,7 @@ void WindowTest::showInEveryDock(const ModuleIdentity& identity) {
     for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
         dock->show();
         dock->raise();
-        QCoreApplication::processEvents();  // some are made when they are seen
+        QCoreApplication::processEvents();  // some are created when they are shown
     }
 }
 

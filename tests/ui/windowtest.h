@@ -24,7 +24,7 @@ inline void PrintTo(const QString& text, std::ostream* out) {
 
 using namespace Qt::StringLiterals;
 
-/// A servo as it would be after these statuses.
+/// A servo in the state that follows from these values.
 struct Servo {
     int index = 0;
     std::uint8_t version = 4;
@@ -43,14 +43,14 @@ struct Servo {
 [[nodiscard]] LinkState connectedTo(std::vector<ModuleState> modules);
 [[nodiscard]] QPalette darkPalette();
 
-/// A shown, active window with settings of its own, and its controls by object name.
+/// A visible, active window with its own settings, and its controls by object name.
 class WindowTest : public testing::Test {
 protected:
     WindowTest();
 
     void showServos(std::vector<Servo> servos);
     void showServo(const Servo& servo = {}) { showServos({servo}); }
-    /// One of them, simulated, with every dock open.
+    /// Shows one such module, simulated, with every dock open.
     void showInEveryDock(const ModuleIdentity& identity);
 
     template <typename T = QWidget>
@@ -66,7 +66,7 @@ protected:
     QString text(const QString& objectName) { return find<QLabel>(objectName)->text(); }
     /// As a user would: selects what is there and types over it.
     void type(const QString& objectName, const QString& text);
-    /// What has the focus as Tab is struck again and again, until it is where it was.
+    /// The widgets that have the focus as Tab is pressed again and again, until it is where it was.
     QSet<const QWidget*> reachedByTab();
     void click(const QString& objectName) { QTest::mouseClick(button(objectName), Qt::LeftButton); }
 
