@@ -5,17 +5,17 @@ from readonlymutants import READ_ONLY
 from stopmutants import STOPS
 
 RESYNC = (
-    Mutant("no-flush-in-a-resync", "link.md 2.2: 16 nulls, or a module goes on waiting for the rest of a packet", (
+    Mutant("no-flush-in-a-resync", "link.md 2.2: without 16 nulls, a module keeps waiting for the rest of a packet", (
         Edit("core/bus/recovery.cpp",
              "{Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},",
              "{Line::Pause{m_quarantine}, DiscardInput{},"),
     )),
-    Mutant("no-quarantine", "link.md 2.2: a late reply is waited out, or it answers the next command", (
+    Mutant("no-quarantine", "link.md 2.2: a late reply must not answer the next command", (
         Edit("core/bus/recovery.cpp",
              "{Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},",
              "{DiscardInput{}, Line::Nulls{},"),
     )),
-    Mutant("no-challenge", "link.md 2.2: after a resync nothing is believed before two right answers", (
+    Mutant("no-challenge", "link.md 2.2: after a resync, nothing is believed before two right answers", (
         Edit("core/bus/recovery.cpp",
              "    return challenge();",
              "    if (!m_doubt->wasUnresponsive) {\n"
@@ -24,27 +24,27 @@ RESYNC = (
              "    }\n"
              "    return challenge();"),
     )),
-    Mutant("one-answer-ends-a-doubt", "link.md 2.2: a second challenge, of another length", (
+    Mutant("one-answer-ends-a-doubt", "link.md 2.2: a second challenge, with a reply of another length, is required", (
         Edit("core/bus/recovery.cpp", "constexpr unsigned kPasses = 2;", "constexpr unsigned kPasses = 1;"),
     )),
-    Mutant("items-not-defined-anew", "faults.md F-43: replies may have another length after a doubt", (
+    Mutant("items-not-defined-anew", "faults.md F-43: after a doubt, replies may have another length", (
         Edit("core/bus/recovery.cpp", "belief.forgetItems();", "{}"),
     )),
 )
 
 BELIEVING = (
-    Mutant("never-in-full", "link.md 2.2: two layouts of different length take turns", (
+    Mutant("never-in-full", "link.md 2.2: two layouts of different length alternate", (
         Edit("core/bus/pollschedule.cpp", "module.full = !module.full;", "module.full = false;"),
     )),
-    Mutant("always-in-full", "link.md 2.2: two layouts of different length take turns", (
+    Mutant("always-in-full", "link.md 2.2: two layouts of different length alternate", (
         Edit("core/bus/pollschedule.cpp", "module.full = !module.full;", "module.full = true;"),
     )),
-    Mutant("sum-only", "link.md 2.4: the sum misses every 16th error of two bits", (
+    Mutant("sum-only", "link.md 2.4: the sum misses one error of two bits in sixteen", (
         Edit("core/bus/plausibility.cpp",
              "    if (const auto impossible = structure(end))\n        return impossible;\n",
              "    return std::nullopt;\n"),
     )),
-    Mutant("no-structure", "link.md 2.4: bits that cannot be together", (
+    Mutant("no-structure", "link.md 2.4: some bits exclude each other", (
         Edit("core/bus/plausibility.cpp",
              "    if (const auto impossible = structure(end))\n        return impossible;\n", ""),
     )),
@@ -63,22 +63,22 @@ BELIEVING = (
              "        (pending.framing == Framing::Open ? pending.received.capacity() : pending.wanted()) -\n"
              "        pending.received.size();"),
     )),
-    Mutant("early-bytes-are-the-reply", "faults.md F-46: no module answers before it has heard the command", (
+    Mutant("early-bytes-are-the-reply", "faults.md F-46: no module answers before it has received the command", (
         Edit("core/bus/line.cpp",
              "if (m_pending->received.empty() && now < m_pending->left) {",
              "if (m_done && m_pending->received.empty() && now < m_pending->left) {"),
     )),
-    Mutant("one-reply-permits", "link.md 2.4: two in a row to permit", (
+    Mutant("one-reply-permits", "link.md 2.4: two replies in a row are needed to permit", (
         Edit("core/bus/trust.cpp",
              "const unsigned confirmed = second ? unsigned{before} : 0U;",
              "const unsigned confirmed = 0xFFU;"),
     )),
-    Mutant("two-of-one-length-permit", "link.md 2.4: two of different length to permit", (
+    Mutant("two-of-one-length-permit", "link.md 2.4: two replies of different length are needed to permit", (
         Edit("core/bus/trust.cpp",
              "const bool second = m_last && m_last->length != length;",
              "const bool second = m_last.has_value();"),
     )),
-    Mutant("refused-reply-believed", "faults.md F-08: a refusal shows that the module lives, and is no sample", (
+    Mutant("refused-reply-believed", "faults.md F-08: a refusal shows that the module answers, but is no sample", (
         Edit("core/bus/engine.cpp",
              "    if (end.result == ReplyResult::Refused) {\n        module.trust.interrupt();",
              "    if (false) {\n        module.trust.interrupt();"),
@@ -86,18 +86,18 @@ BELIEVING = (
 )
 
 COMMANDS = (
-    Mutant("blind-retry-of-set-address", "link.md 2.3: the new address is asked first, or two modules get it", (
+    Mutant("blind-retry-of-set-address", "link.md 2.3: the new address is queried first, or two modules may get it", (
         Edit("core/bus/discovery.cpp",
              "encode(set), {}}, 0, Quarantine::Brief);",
              "encode(set), {}}, 1, Quarantine::Brief);"),
     )),
-    Mutant("address-number-sent-twice", "link.md 2.3: whoever took it may only not have been heard", (
+    Mutant("address-number-sent-twice", "link.md 2.3: a module may have taken the number although no answer arrived", (
         Edit("core/bus/discovery.cpp",
              "    const SetAddress set{BusAddress(++m_number), kEverybody, false};",
              "    m_number = static_cast<std::uint8_t>(m_modules.size() + 1);\n"
              "    const SetAddress set{BusAddress(m_number), kEverybody, false};"),
     )),
-    Mutant("states-kept-through-new-addresses", "link.md 2.6: one that was reset is off, and stays off", (
+    Mutant("states-kept-through-new-addresses", "link.md 2.6: a module that was reset is off, and stays off", (
         Edit("core/bus/engine.cpp",
              "        m_chain.forgetStates();\n", ""),
     )),
@@ -105,17 +105,17 @@ COMMANDS = (
         Edit("core/module/commandfacts.cpp",
              "trapezoidal ? Never : OffThePath", "OffThePath"),
     )),
-    Mutant("blind-retry-of-start", "link.md 2.3: a start that nobody answered is never repeated", (
+    Mutant("blind-retry-of-start", "link.md 2.3: a start without an answer is never repeated unverified", (
         Edit("core/module/commandfacts.cpp",
              "{ return {kGiveUp, Motion, AsLoaded, Effect::Start}; }",
              "{ return {kRepeat, Motion, AsLoaded, Effect::Start}; }"),
     )),
-    Mutant("blind-retry-of-a-refused-start", "faults.md F-09: that it was refused is the module's word alone", (
+    Mutant("blind-retry-of-a-refused-start", "faults.md F-09: the refusal itself may be a transmission error", (
         Edit("core/bus/operationtask.cpp",
              "        ask.refusedAttempts = 1;\n        ask.refusedBefore",
              "        ask.refusedBefore"),
     )),
-    Mutant("start-without-all-loads", "faults.md M-26: the start is withheld when one member refused its load", (
+    Mutant("start-without-all-loads", "faults.md M-26: the start is withheld if a member refused its load", (
         Edit("core/bus/operationtask.cpp",
              "    if (end.result == ReplyResult::Accepted)\n        return accept(end);",
              "    if (!unanswered(end.result))\n        return accept(end);"),
@@ -130,7 +130,7 @@ COMMANDS = (
              "    if (!belief.fresh())\n        return Permission::NeedsStatus;\n    if (belief.mayMove())\n",
              "    if (belief.mayMove())\n"),
     )),
-    Mutant("hard-reset-to-connect", "faults.md F-23: connecting asks only; a reset needs consent", (
+    Mutant("hard-reset-to-connect", "faults.md F-23: connecting only queries; a reset needs consent", (
         Edit("core/bus/discovery.cpp",
              "m_phase(start == Start::Look ? Phase::Look : Phase::Restart),",
              "m_phase(Phase::Restart),"),
@@ -138,33 +138,33 @@ COMMANDS = (
 )
 
 LOSING = (
-    Mutant("silent-module-at-the-full-rate", "faults.md F-10: a silent module is asked ever more rarely", (
+    Mutant("silent-module-at-the-full-rate", "faults.md F-10: a silent module is queried rarely", (
         Edit("core/bus/pollschedule.cpp",
              "    if (!m_lastProbe)\n        return module.due;\n",
              "    return TimePoint{};\n"),
     )),
-    Mutant("lost-link-never-told", "faults.md F-11: silence of all is one cause, told once", (
+    Mutant("lost-link-never-told", "faults.md F-11: silence of all modules has one cause, reported once", (
         Edit("core/bus/recovery.cpp", "    if (!m_givenUp)\n        m_events.emplace_back(LinkLost{});\n", ""),
     )),
     Mutant("no-stops-on-a-dead-line", "faults.md F-11: commands may still arrive", (
         Edit("core/bus/engine.cpp", "    if (findings.allLost)\n        onLinkLost();\n", ""),
     )),
-    Mutant("health-never-lost", "link.md 2.5: LOST from 100 on", (
+    Mutant("health-never-lost", "link.md 2.5: the link is lost from 100 on", (
         Edit("core/bus/health.cpp", "if (m_level == LinkHealth::Lost || m_bucket >= kLost)", "if (false)"),
     )),
-    Mutant("health-comes-back", "link.md 2.5: LOST is latched", (
+    Mutant("health-comes-back", "link.md 2.5: a lost link stays lost", (
         Edit("core/bus/health.cpp",
              "if (m_level == LinkHealth::Lost || m_bucket >= kLost)", "if (m_bucket >= kLost)"),
     )),
-    Mutant("restarted-module-is-only-silent", "faults.md F-15: it is told that it lost everything", (
+    Mutant("restarted-module-is-only-silent", "faults.md F-15: it is reported as having lost its settings", (
         Edit("core/bus/restartsearch.cpp",
              "    if (unanswered(end.result) || m_chain.anyRestarted())\n",
              "    if (true)\n"),
     )),
-    Mutant("restart-named-at-once", "faults.md F-15: who it is follows from who still answers", (
+    Mutant("restart-named-at-once", "faults.md F-15: which module it was follows from which ones still answer", (
         Edit("core/bus/restartsearch.cpp", "    if (m_others.empty()) {", "    if (true) {"),
     )),
-    Mutant("restarted-module-gets-its-address-back", "faults.md F-15: never brought back unasked", (
+    Mutant("restarted-module-gets-its-address-back", "faults.md F-15: never without a request", (
         Edit("core/bus/restartsearch.cpp",
              "        name();\n",
              "        name();\n"
@@ -175,50 +175,50 @@ LOSING = (
              "                        module.belief.info().address, BusAddress(0xFF), false})})},\n"
              "                    Line::Lag{kAfterNulls}, DiscardInput{}};\n"),
     )),
-    Mutant("noise-for-a-restarted-module", "faults.md F-16: no more packets at the rate that it does not hear", (
+    Mutant("noise-for-a-restarted-module", "faults.md F-16: no more packets at a rate at which it does not listen", (
         Edit("core/bus/restartsearch.cpp", "    m_quiet = m_chain.rate() != kPowerUpBaud;\n", "    m_quiet = false;\n"),
     )),
 )
 
 GROUPS = (
-    Mutant("old-leader-stays", "faults.md F-44: never two leaders of a group", (
+    Mutant("old-leader-stays", "faults.md F-44: a group never has two leaders", (
         Edit("core/bus/groupwork.cpp", "        orders.push_back(orderTo(info.index, {info.group->group, false}));\n", ""),
     )),
-    Mutant("group-start-blindly-repeated", "link.md 2.3: no second start on a doubt", (
+    Mutant("group-start-blindly-repeated", "link.md 2.3: no second start after a doubt", (
         Edit("core/bus/groupwork.cpp", "    ask.silentRepeats = 0;\n", "    ask.silentRepeats = 2;\n"),
     )),
-    Mutant("leader-speaks-for-all", "faults.md M-27: only a look tells what the other members did", (
+    Mutant("leader-speaks-for-all", "faults.md M-27: only a query of each member shows what it did", (
         Edit("core/bus/grouprun.cpp", "        at(leader).outcome = MemberOutcome::Done;\n",
              "        for (Member& member : m_members)\n            member.outcome = MemberOutcome::Done;\n"),
     )),
-    Mutant("half-a-group-goes-on", "faults.md M-27: a group that started in part is stopped", (
+    Mutant("half-a-group-goes-on", "faults.md M-27: a group of which only a part started is stopped", (
         Edit("core/bus/groupwork.cpp", "    if (run.partly())\n        m_halfStarted = members;\n", ""),
     )),
-    Mutant("command-to-an-unknown-group", "a module whose group is not known may be a member", (
+    Mutant("command-to-an-unknown-group", "link.md 2.3: a module in an unknown group may be a member", (
         Edit("core/bus/groupwork.cpp", "        if (!info.group || (everybody",
              "        if (!info.group)\n            continue;\n        if ((everybody"),
     )),
-    Mutant("refused-load-leaves-the-old-one", "faults.md M-26: what waits is not what was asked for", (
+    Mutant("refused-load-leaves-the-old-one", "faults.md M-26: the load that is waiting is not the one requested", (
         Edit("core/bus/engine.cpp", "            module.belief.forgetLoad();\n", "            ;\n"),
     )),
     Mutant("rate-changed-for-group-ff-only", "protocol.md 1: a module is in exactly one group", (
         Edit("core/bus/ratetask.cpp", "        groups.emplace_back(module.belief.info().group->group);\n", ""),
     )),
-    Mutant("no-way-back-from-a-rate", "faults.md F-24: those that followed are brought back", (
+    Mutant("no-way-back-from-a-rate", "faults.md F-24: modules that have changed their rate are brought back", (
         Edit("core/bus/ratetask.cpp", "RateChange::WayBack::Wanted", "RateChange::WayBack::None"),
     )),
     Mutant("stop-waits-for-the-rate", "faults.md N7: a stop is never queued", (
         Edit("core/bus/ratetask.cpp", "    if (m_change && (", "    if (false && ("),
     )),
-    Mutant("stop-at-one-rate-only", "in the midst of a change nobody knows who is at which rate", (
+    Mutant("stop-at-one-rate-only", "link.md 2.6: during a change of rate, modules may listen at either rate", (
         Edit("core/bus/ratetask.cpp",
              "stops = m_stops.blindStops();\n    if (m_stops.stopping())\n        m_stops.onBlindSent();\n",
              "stops{};\n"),
     )),
-    Mutant("rate-changed-with-a-leader", "faults.md F-26: its answer would come at the new rate", (
+    Mutant("rate-changed-with-a-leader", "faults.md F-26: the leader's answer would come at the new rate", (
         Edit("core/bus/ratetask.cpp", "return b.info().group->leader; })", "return false && b.info().group->leader; })"),
     )),
-    Mutant("rate-change-without-an-end", "a connect in the midst of a change ends it, and says so", (
+    Mutant("rate-change-without-an-end", "engine.h: connecting during a change of rate ends it, with an event", (
         Edit("core/bus/ratetask.cpp",
              "            if (const auto dropped = std::exchange(*ended, std::nullopt))\n"
              "                m_events.emplace_back(RateChangeFailed{\n"
@@ -228,7 +228,7 @@ GROUPS = (
 )
 
 PORT = (
-    Mutant("port-kept-open-after-a-hangup", "faults.md F-27: told once, closed at once; Qt alone would spin", (
+    Mutant("port-kept-open-after-a-hangup", "faults.md F-27: reported once and closed at once; Qt alone would spin", (
         Edit("core/link/connection/serialtransport.cpp",
              "    if (fds[0].revents != 0)\n        return tl::unexpected(gone());\n", ""),
     ), "link"),

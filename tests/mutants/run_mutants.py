@@ -27,7 +27,7 @@ LONGEST = 300  # seconds for a test program
 
 @dataclass(frozen=True)
 class Suite:
-    """The tests that a mutant is shown to."""
+    """The tests that a mutant is tried on."""
     folder: str
     gui: str  # whether they need the Qt parts
     programs: tuple[str, ...]
@@ -55,7 +55,7 @@ def misfits(mutant):
 
 
 def copy_tree():
-    """What git knows or would, as it is now; what has not changed keeps its time, so that little is built."""
+    """Copies the working tree as it is now. Unchanged files keep their times, so that little is rebuilt."""
     listing = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, check=True,
                              capture_output=True, text=True).stdout
     names = {name for name in listing.split("\0") if name and (ROOT / name).is_file()}
@@ -85,7 +85,7 @@ def compiles(suite, jobs, *programs):
 
 
 def failures(suite, program):
-    """The names of the tests that fail; and one for the program when it does not come to its end."""
+    """The names of the tests that fail, and one for the program if it does not end."""
     report = suite.build / f"{program}.json"
     report.unlink(missing_ok=True)
     command = [suite.build / "bin" / program, f"--gtest_output=json:{report}", f"--gtest_filter={suite.filter}"]
@@ -101,7 +101,7 @@ def failures(suite, program):
 
 
 def noticed_by(suite, jobs, before):
-    """The tests of the first program in which any fails that did not before; nothing when it does not compile."""
+    """The tests that newly fail in the first program in which any do; None if it does not compile."""
     for program in suite.programs:
         if not compiles(suite, jobs, program):
             return None
@@ -112,7 +112,7 @@ def noticed_by(suite, jobs, before):
 
 
 def run(mutant, suite, jobs, before):
-    """Names of the tests that noticed it; nothing when it does not compile."""
+    """The names of the tests that noticed the mutant; None if it does not compile."""
     originals = {edit.file: (TREE / edit.file).read_text(encoding="utf-8") for edit in mutant.edits}
     try:
         for edit in mutant.edits:
@@ -125,7 +125,7 @@ def run(mutant, suite, jobs, before):
 
 
 def run_all(suite, mutants, jobs):
-    """How many survive; nothing when the tree does not build without any."""
+    """How many mutants survive; None if the tree does not build without any."""
     configure(suite)
     if not compiles(suite, jobs, *suite.programs):
         print("run_mutants: the tree does not build", file=sys.stderr)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Deliberate breakages of the promise that a stop always acts, and that nothing is called stopped before it is."""
+"""Deliberate breakages of the promise that a stop always acts, and is confirmed only at rest."""
 from mutant import Edit, Mutant
 
 STOPPING = (
-    Mutant("no-nulls-before-a-stop", "link.md 2.6: nulls first on a link in doubt, or the stop is swallowed", (
+    Mutant("no-nulls-before-a-stop", "link.md 2.6: nulls come first if the link is in doubt, or the stop may be lost", (
         Edit("core/bus/stoplane.cpp",
              "script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});",
              "script.emplace_back(Line::Pause{kAfterNulls});"),
@@ -11,20 +11,20 @@ STOPPING = (
              "Line::Script{Line::Nulls{}, Line::Pause{kAfterNulls}, DiscardInput{}};",
              "Line::Script{Line::Pause{kAfterNulls}, DiscardInput{}};"),
     )),
-    Mutant("stop-behind-the-quarantine", "link.md 2.6: a stop goes past everything", (
+    Mutant("stop-behind-the-quarantine", "link.md 2.6: a stop overtakes everything", (
         Edit("core/bus/engine.cpp", "taken = turn(m_stops);", "taken = turn(m_recovery, m_stops);"),
     )),
-    Mutant("stop-behind-a-reply", "link.md 2.6: a stop may pre-empt a reply in flight", (
+    Mutant("stop-behind-a-reply", "link.md 2.6: a stop may cut off a reply in flight", (
         Edit("core/bus/engine.cpp",
              "        m_stops.stopAll(now);\n        interrupt(now);\n",
              "        m_stops.stopAll(now);\n"),
     )),
-    Mutant("stop-with-its-queue-left", "faults.md N2: what was to come does not come after a stop", (
+    Mutant("stop-with-its-queue-left", "faults.md N2: a stop cancels everything that is waiting", (
         Edit("core/bus/engine.cpp",
              "    cancelAll(Change::Kind::StopAll);\n",
              "    m_hold.clear();\n"),
     )),
-    Mutant("tried-gains-left-at-a-stop", "trialtask.h: they go back before anything else is asked", (
+    Mutant("tried-gains-left-at-a-stop", "trialtask.h: the previous gains are restored before anything else", (
         Edit("core/bus/trialtask.cpp", "    if (change.cancelsAll())\n", "    if (false)\n"),
     )),
     Mutant("abrupt-stop-of-a-servo-that-is-off", "link.md 2.6: it would switch the servo on", (
@@ -32,7 +32,7 @@ STOPPING = (
              "            if (belief.mayBeOn())\n                return ServoCommand(",
              "            if (true)\n                return ServoCommand("),
     )),
-    Mutant("stop-to-groups-of-another-host", "faults.md F-44: a group that another host left may have a leader", (
+    Mutant("stop-to-groups-of-another-host", "faults.md F-44: a group chosen by another host may have a leader", (
         Edit("core/bus/chain.cpp",
              "        const auto& other = module.belief.info().group;\n",
              "        const std::optional other = module.belief.info().group.value_or(GroupPlace{});\n"),
@@ -52,12 +52,12 @@ STOPPING = (
 
 # In every phase, as long as the port is open.
 ALWAYS = (
-    Mutant("no-stop-while-looking-again", "issue 13, 1: the chain that was known last is told at once", (
+    Mutant("no-stop-while-looking-again", "link.md 2.6: during a search, the chain known before is stopped at once", (
         Edit("core/bus/engine.cpp",
              "    if (!m_chain.empty()) {\n        if (m_search.active()",
              "    if (!m_chain.empty() && !m_search.active()) {\n        if (m_search.active()"),
     )),
-    Mutant("no-stop-after-a-search-in-vain", "issue 13, 1: the chain that was known last may still hear", (
+    Mutant("no-stop-after-a-search-in-vain", "link.md 2.6: the chain known before may still receive commands", (
         Edit("core/bus/engine.cpp",
              "    if (!m_chain.empty()) {\n        if (m_search.active()",
              "    if (!m_chain.empty() && (m_connected || m_search.active())) {\n        if (m_search.active()"),
@@ -65,11 +65,11 @@ ALWAYS = (
              "        m_stops.stopAll(now);  // nobody",
              "        m_events.emplace_back(StopFinished{});  // nobody"),
     )),
-    Mutant("no-nulls-after-a-search", "issue 13, 1: whoever was looked for may have heard half of something", (
+    Mutant("no-nulls-after-a-search", "link.md 2.6: the search may have left half a command in a module", (
         Edit("core/bus/engine.cpp",
              "        if (m_search.active() || !m_connected)\n            m_recovery.doubtLine();\n", ""),
     )),
-    Mutant("stop-at-the-rate-of-the-port", "issue 13, 1: at the rate at which the chain was known", (
+    Mutant("stop-at-the-rate-of-the-port", "link.md 2.6: a stop is sent at the rate of the chain known before", (
         Edit("core/bus/stoplane.cpp",
              "    if (m_line.baud() != m_chain.rate())\n        script.emplace_back(SetHostBaud{m_chain.rate()});\n",
              ""),
@@ -83,53 +83,53 @@ ALWAYS = (
         Edit("core/bus/engine.cpp",
              "    if (m_stops.running()) {", "    m_stops.drop();\n    if (m_stops.running()) {"),
     )),
-    Mutant("chain-forgotten-at-connect", "issue 13, 1: it is kept until another one is found", (
+    Mutant("chain-forgotten-at-connect", "link.md 2.6: the chain is kept until another one is found", (
         Edit("core/bus/engine.cpp",
              "        interrupt(now);\n        m_recovery.reset();\n",
              "        interrupt(now);\n        m_chain = Chain();\n        m_recovery.reset();\n"),
     )),
 )
 
-# What is said of it, and when.
+# How its outcome is reported, and when.
 REPORTING = (
-    Mutant("one-look-after-a-stop", "link.md 2.6: confirmed twice", (
+    Mutant("one-look-after-a-stop", "link.md 2.6: a stop is confirmed by two replies", (
         Edit("core/bus/stoptarget.h", "return m_confirmed >= 2;", "return m_confirmed >= 1;"),
     )),
-    Mutant("stop-given-up-after-one-silence", "link.md 2.6: repeated while its module may still answer", (
+    Mutant("stop-given-up-after-one-silence", "link.md 2.6: a stop is repeated while its module may still answer", (
         Edit("core/bus/stoplane.cpp",
              "constexpr unsigned kSilences = 3;", "constexpr unsigned kSilences = 1;"),
         Edit("core/bus/stoplane.cpp",
              "(member.wasUnresponsive || now - m_run->began >= kSilentFor);",
              "(true || now - m_run->began >= kSilentFor);"),
     )),
-    Mutant("stop-over-with-the-first-answer", "link.md 2.6: repeated until confirmed", (
+    Mutant("stop-over-with-the-first-answer", "link.md 2.6: a stop is repeated until it is confirmed", (
         Edit("core/bus/stoplane.cpp",
              "!member.givenUp && !target(member).stopped();", "!member.givenUp && !target(member).heard();"),
     )),
-    Mutant("stopped-when-told", "issue 13, 2: stopped is who was seen at rest", (
+    Mutant("stopped-when-told", "link.md 2.6: stopped means seen at rest", (
         Edit("core/bus/stoplane.cpp",
              "!member.givenUp && !target(member).stopped();", "!member.givenUp && !target(member).heard();"),
         Edit("core/bus/stoplane.cpp",
              "} else if (module.owed->target.stopped()) {", "} else if (module.owed->target.heard()) {"),
     )),
-    Mutant("unconfirmed-counts-as-stopped", "issue 13, 2: told, but its rest is not seen", (
+    Mutant("unconfirmed-counts-as-stopped", "link.md 2.6: a stop was sent, but rest was not seen", (
         Edit("core/bus/stoplane.cpp",
              "} else if (module.owed->target.stopped()) {", "} else if (module.owed->target.heard()) {"),
     )),
-    Mutant("silent-counts-as-stopped", "issue 13, 2: who does not answer is not reached", (
+    Mutant("silent-counts-as-stopped", "link.md 2.6: a module that does not answer is not reached", (
         Edit("core/bus/stoplane.cpp",
              "} else if (module.owed->target.stopped()) {",
              "} else if (module.owed->target.stopped() || module.owed->target.silences() > 0) {"),
     )),
-    Mutant("moving-servo-counts-as-stopped", "issue 13, 2: one that moves on is not confirmed", (
+    Mutant("moving-servo-counts-as-stopped", "link.md 2.6: a motor that continues to move is not confirmed", (
         Edit("core/bus/stoptarget.cpp",
              "            if (!report.servoStatus().moveDone() ||",
              "            return true;\n            if (!report.servoStatus().moveDone() ||"),
     )),
-    Mutant("moving-stepper-counts-as-stopped", "issue 13, 2: one that moves on is not confirmed", (
+    Mutant("moving-stepper-counts-as-stopped", "link.md 2.6: a motor that continues to move is not confirmed", (
         Edit("core/bus/stoptarget.cpp", "return !report.stepperStatus().moving();", "return true;"),
     )),
-    Mutant("restarted-module-in-no-list", "issue 13, 2: one of three, for each module", (
+    Mutant("restarted-module-in-no-list", "types.h: each module is in one list of StopFinished", (
         Edit("core/bus/stoplane.cpp",
              "        if (module.belief.restarted()) {\n            event.unreached.push_back(index);\n        } else",
              "        if (module.belief.restarted()) {\n        } else"),
@@ -138,7 +138,7 @@ REPORTING = (
 
 # A stop of one module, until it is confirmed.
 OWING = (
-    Mutant("owed-stop-dropped-after-four-tries", "issue 13, 3: never", (
+    Mutant("owed-stop-dropped-after-four-tries", "link.md 2.6: an owed stop is never given up", (
         Edit("core/bus/stoplane.cpp",
              "    const bool looked = ",
              "    if (owed->target.silences() > kAtOnce) {\n"
@@ -147,7 +147,7 @@ OWING = (
              "    }\n"
              "    const bool looked = "),
     )),
-    Mutant("owed-stop-dropped-when-its-module-is-silent", "issue 13, 3: sent again, blindly", (
+    Mutant("owed-stop-dropped-when-its-module-is-silent", "link.md 2.6: it is repeated blindly", (
         Edit("core/bus/stoplane.cpp",
              "        module.owed->due = now + kBlindEvery;\n",
              "        if (!m_chain.answers(index)) {\n"
@@ -156,7 +156,7 @@ OWING = (
              "        }\n"
              "        module.owed->due = now + kBlindEvery;\n"),
     )),
-    Mutant("owed-stop-dropped-when-the-link-is-lost", "issue 13, 3: commands may still arrive", (
+    Mutant("owed-stop-dropped-when-the-link-is-lost", "link.md 2.6: commands may still arrive", (
         Edit("core/bus/engine.cpp",
              "    for (const Order& stop : m_chain.stops())\n"
              "        if (!m_chain.at(stop.module).owed)\n"
@@ -164,19 +164,19 @@ OWING = (
              "    for (Chain::Module& module : m_chain.modules())\n"
              "        module.owed.reset();\n"),
     )),
-    Mutant("owed-stop-dropped-by-a-connect", "issue 13, 3: it goes on while a chain is looked for", (
+    Mutant("owed-stop-dropped-by-a-connect", "link.md 2.6: it is repeated while the chain is being searched for", (
         Edit("core/bus/engine.cpp",
              "    m_stops.onSearchBegun();\n",
              "    m_stops.onSearchBegun();\n"
              "    for (Chain::Module& module : m_chain.modules())\n"
              "        module.owed.reset();\n"),
     )),
-    Mutant("owed-stop-dropped-with-its-chain", "issue 13, 3: whoever is found where it was is owed it still", (
+    Mutant("owed-stop-dropped-with-its-chain", "link.md 2.6: it remains owed to a module that is found where it was", (
         Edit("core/bus/engine.cpp",
              "            if (module.owed && info.address == module",
              "            if (false && module.owed && info.address == module"),
     )),
-    Mutant("owed-stop-over-when-answered", "issue 13, 3: ended by a confirmation only", (
+    Mutant("owed-stop-over-when-answered", "link.md 2.6: only a confirmation ends it", (
         Edit("core/bus/stoplane.cpp",
              "    if (owed->target.stopped()) {", "    if (end.result == ReplyResult::Accepted) {"),
     )),
@@ -184,26 +184,26 @@ OWING = (
         Edit("core/bus/engine.cpp",
              "    if (m_recovery.resyncing() && m_stops.anyUnsent())\n        interrupt(now);\n", ""),
     )),
-    Mutant("switched-off-motor-held-by-a-stop-of-all", "M-17: it would run on the wrong way", (
+    Mutant("switched-off-motor-held-by-a-stop-of-all", "link.md 2.6: with its servo on, it would run on the wrong way", (
         Edit("core/bus/stoplane.cpp",
              "        const bool off = module.owed && module.owed->target.manner() == StopManner::Off;\n",
              "        const bool off = false;\n"),
     )),
-    Mutant("limit-reported-during-a-stop-of-all", "types.h: StoppedBeforeLimit is for a stop that the limit made", (
+    Mutant("limit-reported-during-a-stop-of-all", "types.h: StoppedBeforeLimit is for a stop that the limit has caused", (
         Edit("core/bus/engine.cpp",
              "        manner && mayOwe(module, *manner) &&", "        manner &&"),
     )),
-    Mutant("hold-without-an-end", "link.md 2.7: hold to move ends when the evidence stops coming", (
+    Mutant("hold-without-an-end", "link.md 2.7: held motion ends when the evidence stops coming", (
         Edit("core/bus/holdlane.cpp", "m_until = now + m_timeout;", "m_until = now + 1000 * m_timeout;"),
     )),
-    Mutant("hold-that-owes-nothing", "link.md 2.6: hold to move ends with a stop", (
+    Mutant("hold-that-owes-nothing", "link.md 2.6: held motion ends with a stop", (
         Edit("core/bus/holdtask.cpp",
              "told && m_chain.has(told->module))", "told && false && m_chain.has(told->module))"),
     )),
-    Mutant("press-that-is-over-moves-again", "holdlane.h: its late evidence moves nothing", (
+    Mutant("press-that-is-over-moves-again", "holdlane.h: late evidence of a press that has ended moves nothing", (
         Edit("core/bus/holdlane.h", "press <= *m_over;", "press < *m_over;"),
     )),
-    Mutant("press-that-was-refused-moves-later", "holdlane.h: over before it began", (
+    Mutant("press-that-was-refused-moves-later", "holdlane.h: a press that was refused has ended", (
         Edit("core/bus/engine.cpp", "        return m_hold.refuse(hold);", "        return;"),
     )),
 )
