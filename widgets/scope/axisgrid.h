@@ -8,9 +8,10 @@
 
 namespace nmc {
 
-/// The axes of a strip: their lines, grid and numbers. Qt Charts' own numbers have a width that cannot be
-/// known beforehand, so strips with one time axis would not line up, and become dots where they are close;
-/// and its axes lay out an item for each line and number, which is most of what a chart costs.
+/// The axes of a strip: lines, grid and numbers. They replace those of Qt Charts: the width of its numbers
+/// cannot be known in advance, so strips that share a time axis would not line up, and numbers that are close
+/// together become dots; and its axes lay out an item for each line and number, which is most of the cost of
+/// a chart.
 class AxisGrid : public QGraphicsItem {
 public:
     explicit AxisGrid(QGraphicsItem* parent);
@@ -22,12 +23,12 @@ public:
     void setLook(const Look& look);
     /// The plot area, in the parent's coordinates.
     void setArea(const QRectF& area);
-    /// Whether this changes anything, here and below.
+    /// Returns true if this changes anything.
     bool setValues(double bottom, double top, double interval);
-    /// `labelInterval` 0: this strip does not say the time.
+    /// Returns true if this changes anything. `labelInterval` 0: this strip shows no times.
     bool setTimes(double left, double right, double division, double labelInterval);
 
-    /// Room that the values need left of the plot area, whatever the layout.
+    /// Width that the values need to the left of the plot area, whatever the layout.
     [[nodiscard]] int widthNeeded() const;
 
     [[nodiscard]] QRectF boundingRect() const override;

@@ -10,7 +10,7 @@ namespace nmc {
 
 namespace {
 constexpr double kShrinkDelay = 2.0;   ///< s before a range shrinks
-constexpr double kMuchSmaller = 0.45;  ///< of the present range
+constexpr double kMuchSmaller = 0.45;  ///< fraction of the present range
 }  // namespace
 
 AxisRange::Range AxisRange::around(double low, double high, double smallest, int divisions) {
@@ -30,7 +30,7 @@ const AxisRange::Range& AxisRange::fit(double low, double high, double seconds, 
         return m_range;
     }
     if (low < m_range.min || high > m_range.max) {
-        // A tenth of room beyond, so that a ramp does not change the axis on every frame.
+        // Leaves a tenth free, so that a ramp does not change the axis in every frame.
         const double room = 0.1 * (high - low);
         m_range =
             around(low < m_range.min ? low - room : low, high > m_range.max ? high + room : high, smallest);

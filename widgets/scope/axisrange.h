@@ -3,8 +3,8 @@
 
 namespace nmc {
 
-/// An axis range that does not jump: it grows at once, in whole divisions, and shrinks only when what is
-/// shown has been much smaller for a while.
+/// An axis range that does not jump: it grows at once, in whole divisions, and shrinks only when the visible
+/// values have spanned much less for a while.
 class AxisRange {
 public:
     struct Range {
@@ -13,12 +13,13 @@ public:
         double step = 1;  ///< one division: 1, 2 or 5 times a power of ten
         bool operator==(const Range&) const = default;
     };
-    /// Counts: rounding noise is not worth the whole strip.
+    /// In counts, so that rounding noise does not fill the whole strip.
     static constexpr double kSmallestSpan = 4.0;
 
-    /// What is visible now, and when (s, any origin). Never less than `smallest` from end to end.
+    /// Fits the range to the values that are visible at the time `seconds` (of any origin). It never spans
+    /// less than `smallest`.
     const Range& fit(double low, double high, double seconds, double smallest = kSmallestSpan);
-    /// Nothing is visible: keeps the range.
+    /// The last range, which is kept while nothing is visible.
     [[nodiscard]] const Range& range() const { return m_range; }
     void reset();
 

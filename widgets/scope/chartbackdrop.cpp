@@ -25,7 +25,7 @@ ChartBackdrop::ChartBackdrop(QObject* parent)
         m_grid->setArea(area);
         invalidate();
     });
-    // What changes in the scene later, when the event loop lays it out.
+    // The scene also changes later, when the event loop lays it out.
     connect(&m_scene, &QGraphicsScene::changed, this, &ChartBackdrop::invalidate);
 }
 
@@ -50,7 +50,7 @@ void ChartBackdrop::setLegend(const std::vector<LegendEntry>& entries) {
         m_series[i]->setName(entries[i].label);
         QPen pen(entries[i].colour, 2, Qt::SolidLine, Qt::FlatCap);
         if (entries[i].dashed)
-            pen.setDashPattern({1.5, 1.0});  // two dashes fit upon the marker
+            pen.setDashPattern({1.5, 1.0});  // two dashes fit on the marker
         m_series[i]->setPen(pen);
     }
     m_entries = entries;

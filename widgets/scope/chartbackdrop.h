@@ -17,8 +17,8 @@ namespace nmc {
 
 class AxisGrid;
 
-/// Axes, grid and legend of a strip, a chart of Qt Charts drawn into a picture that is made anew only when
-/// one of them changes; the traces are painted over it. The one place that knows Qt Charts, which is
+/// Axes, grid and legend of a strip: a chart of Qt Charts, drawn into a picture that is drawn again only when
+/// one of them changes; the traces are painted over it. The only class that uses Qt Charts, which is
 /// deprecated.
 class ChartBackdrop : public QObject {
     Q_OBJECT
@@ -37,22 +37,22 @@ public:
     [[nodiscard]] QString legendText(std::size_t entry) const;
     void setLook(const QPalette& palette, const QFont& font);
     void resize(const QSizeF& size);
-    /// Left of the plot area for labels, right, and below.
+    /// Space to the left of the plot area (for labels), to its right, and below it.
     void setMargins(int left, int right, int bottom);
-    /// `labelInterval` 0: this strip does not say the time.
+    /// `labelInterval` 0: this strip shows no times.
     void setTimeAxis(double left, double right, double division, double labelInterval);
     void setValueAxis(double bottom, double top, double interval);
 
     [[nodiscard]] QRectF plotArea() const;
-    /// Room that the numbers left of the plot area need.
+    /// Width that the numbers to the left of the plot area need.
     [[nodiscard]] int labelWidth() const;
-    /// For the screen.
+    /// Returns the picture for the screen.
     [[nodiscard]] const QPixmap& picture(double devicePixelRatio);
-    /// For paper, in vectors.
+    /// Draws vectors, for paper.
     void render(QPainter& painter);
 
 signals:
-    /// The picture, or where the plot area lies.
+    /// The picture or the position of the plot area has changed.
     void changed();
 
 private:
@@ -61,7 +61,7 @@ private:
     QGraphicsScene m_scene;
     QChart* m_chart;
     AxisGrid* m_grid;
-    std::vector<QLineSeries*> m_series;  ///< without data: they are there for the legend
+    std::vector<QLineSeries*> m_series;  ///< without data, for the legend only
     std::vector<LegendEntry> m_entries;
     QPixmap m_picture;
     bool m_outdated = true;

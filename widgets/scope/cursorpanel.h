@@ -11,7 +11,8 @@ class CursorTable;
 class History;
 class ScopeStrips;
 
-/// What the cursors read, below a line that says how far they are apart; the table folds into that line.
+/// The cursor readings: a line that shows how far apart the cursors are, and below it a table that folds into
+/// that line.
 class CursorPanel : public QWidget {
     Q_OBJECT
 
@@ -19,9 +20,10 @@ public:
     explicit CursorPanel(QWidget* parent);
 
     void setUnfolded(bool unfolded);
-    /// The strips, and not below them: as high as these.
+    /// True if the panel is beside the strips, and as high as they are; false if it is below them.
     void setBeside(bool beside);
-    /// As CursorTable's.
+    /// Updates the line and, while unfolded, the table. Returns false if another call is needed, as
+    /// CursorTable::showReadings() does.
     bool showReadings(const ScopeStrips& strips, const History& history);
 
 signals:

@@ -57,7 +57,7 @@ void CursorTable::make(Kept& kept, const DerivedSignals::Source& source, TimePoi
     const auto [first, last] = std::minmax(kept.times[0], kept.times[1]);
     const TimePoint from = zero + fromSeconds(first);
     kept.figures.reset();
-    // Of what is only kept in a coarser form the extremes are known and no more.
+    // Where samples are kept only in a coarser form, only their extremes are known.
     if (const auto since = source.samples->keptSince();
         !since || (*since > from && *source.samples->begin() < *since))
         return;
@@ -81,7 +81,7 @@ const std::optional<StretchFigures>& CursorTable::figures(const ScopePlot::Trace
     auto kept = std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& one) { return one.of == of; });
     if (kept == m_kept.end())
         kept = m_kept.insert(kept, Kept{of, {}, {}});
-    // More samples matter only where there may be some in between.
+    // New samples matter only if some of them may lie between the cursors.
     const auto last = source.samples->last();
     const bool open = !last || last->time < zero + fromSeconds(std::max(times[0], times[1]));
     const std::uint64_t samples = open ? source.samples->count() : UINT64_MAX;
@@ -147,7 +147,7 @@ bool CursorTable::showReadings(const ScopeStrips& strips, const History& history
                               second ? texts::numberAt(*second, step) : kNothing,
                               first && second ? texts::numberAt(*second - *first, step) : kNothing};
             const auto& made = figures(trace, times, source, zero);
-            // An average tells more than one value does.
+            // An average is more accurate than a single value.
             cells << (made ? texts::numberAt(made->mean, step / 10) : kNothing)
                   << (made ? texts::numberAt(made->rms, step / 10) : kNothing)
                   << (made ? texts::numberAt(made->peakToPeak, step) : kNothing)

@@ -9,24 +9,24 @@
 
 namespace nmc {
 
-/// What the two cursors read: their times and the time between, and for each trace the values, their
-/// difference, and what the signal comes to in between.
+/// The readings of the two cursors: their times and the time between them and, for each trace, the values,
+/// their difference, and the figures of the signal in between.
 class CursorTable : public QTableWidget {
     Q_OBJECT
 
 public:
     explicit CursorTable(QWidget* parent = nullptr);
 
-    /// False: not everything is up to date, and another call makes more of it so. At most one signal is gone
-    /// through in a call, however many samples it has.
+    /// Returns false if not everything is up to date yet, which needs another call. Each call evaluates at
+    /// most one signal, however many samples it has.
     bool showReadings(const ScopeStrips& strips, const History& history);
-    /// How far they are apart.
+    /// How far apart the cursors are, in words.
     [[nodiscard]] static QString between(const CursorTimes& times);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {0, fontMetrics().height() * 4}; }
 
 private:
-    /// What was made of a trace, and of which samples.
+    /// The figures of a trace, and the samples from which they were calculated.
     struct Kept {
         ModuleSignal of;
         LinearScale scale;
@@ -43,8 +43,8 @@ private:
     void setCell(int row, int column, const QString& text);
 
     std::vector<Kept> m_kept;
-    std::vector<SignalPoint> m_points;  ///< room that is used again
-    bool m_made = false;                ///< one of them, in this call
+    std::vector<SignalPoint> m_points;  ///< kept only so that its memory is used again
+    bool m_made = false;                ///< figures were calculated in this call
     bool m_upToDate = true;
 };
 

@@ -45,7 +45,7 @@ QAction* ScopeBar::newAction(const QString& objectName, const QString& text, con
     action->setObjectName(objectName);
     action->setToolTip(meaning);
     action->setShortcut(key);
-    // Plain letters and arrows belong to the plots only while these have the focus.
+    // Plain letters and arrow keys act on the plots only while these have the focus.
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     m_menuActions << action;
     return action;
@@ -107,7 +107,7 @@ void ScopeBar::buildButtons() {
     addButton(trigger, u"scopeTriggerButton"_s);
 }
 
-/// Of its own, because titles are long.
+/// A row of its own, because titles are long.
 QWidget* ScopeBar::newRecordRow() {
     auto* back = new QToolButton(this);
     back->setText(tr("Back to live"));

@@ -15,24 +15,24 @@ namespace nmc {
 
 class FlowLayout;
 
-/// The scope's tool bar: how much time is shown, and what else stands beside the traces. It says whose
-/// samples these are.
+/// The scope's tool bar: how much time is shown, and what else is shown besides the traces. It also names the
+/// selected module.
 class ScopeBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit ScopeBar(QWidget* parent);
 
-    /// For a context menu and for the shortcuts of the plots: everything that is a button here.
+    /// The actions of this bar's own buttons, for a context menu and for the shortcuts of the plots.
     [[nodiscard]] const QList<QAction*>& menuActions() const { return m_menuActions; }
-    /// Another button, left of the words.
+    /// Adds a button to the left of the module's name.
     QToolButton* addButton(QAction* action, const QString& objectName);
 
     void showSetup(const ScopeSetup& setup);
     void showTime(const TimeWindow& time);
     void showCursors(bool shown);
     void showWhich(const QString& module);
-    /// What is over and shown instead of what is live; empty: it is live.
+    /// Shows the title of the record that is displayed instead of the live samples; empty: none.
     void showRecord(const QString& title);
     [[nodiscard]] bool paused() const { return m_pause->isChecked(); }
 
@@ -52,7 +52,7 @@ private:
     void buildButtons();
     [[nodiscard]] QWidget* newRecordRow();
 
-    QList<QAction*> m_menuActions;  ///< filled while those below are made
+    QList<QAction*> m_menuActions;  ///< filled while the actions below are created
     FlowLayout* m_buttons;
     QComboBox* m_window;
     QLabel* m_which;

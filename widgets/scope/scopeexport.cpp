@@ -24,7 +24,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// More of them are for a file.
+/// Larger numbers of samples are exported only to a file.
 constexpr std::uint64_t kMaxForClipboard = 5'000;
 
 class ExportTexts {
@@ -34,12 +34,12 @@ class ExportTexts {
 enum Form { Long, Sparse, Even };
 
 struct SeenHistory {
-    std::shared_ptr<const History> history;  ///< in a wide form all: signals are made of what was before
+    std::shared_ptr<const History> history;  ///< complete for a wide form, to derive signals
     TimePoint from, to;
     std::optional<TimePoint> coarserBefore;
 };
 
-/// When some module's older samples, which are seen as well, are only kept in a coarser form.
+/// The time before which some module's samples, though visible, are kept only in a coarser form.
 std::optional<TimePoint> coarserBefore(const History& history, TimePoint left) {
     std::optional<TimePoint> latest;
     for (std::size_t i = 0; i < history.modules(); ++i) {
@@ -58,14 +58,15 @@ SeenHistory seenOf(const ScopeStrips& strips, const History& history, int form =
             coarserBefore(history, left)};
 }
 
-/// In the order of the forms.
+/// In the order of Form.
 QStringList csvForms() {
     return {ExportTexts::tr("One row per reply, can be reopened here (*.csv)"),
             ExportTexts::tr("One column per signal, for other programs only (*.csv)"),
             ExportTexts::tr("One column per signal, every millisecond, for other programs only (*.csv)")};
 }
 
-/// Only the long form can be opened here again, and the others say so (recordingtexts.cpp).
+/// Only the long form can be opened here again; the panel says so when another one is opened
+/// (recordingtexts.cpp).
 FileContent contentOf(const SeenHistory& seen, const std::vector<ScopeModule>& modules,
                       const ScopeOrigin& origin, int form = Long) {
     constexpr Duration kInterval = std::chrono::milliseconds(1);
@@ -84,7 +85,7 @@ FileContent contentOf(const SeenHistory& seen, const std::vector<ScopeModule>& m
     };
 }
 
-/// Empty where there are many.
+/// Returns empty text if there are too many samples for the clipboard.
 std::string fewSamples(const SeenHistory& seen, const std::vector<ScopeModule>& modules,
                        const ScopeOrigin& origin) {
     std::uint64_t count = 0;
@@ -174,7 +175,7 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, double now, 
     const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
     const Picture picture{&strips, captionOf(origin, title, strips.time().left()), [&](QPainter& painter) {
                               strips.showFrame(history, now, kSharpness);
-                              strips.showFrame(history, now, kSharpness);  // the first has found the margins
+                              strips.showFrame(history, now, kSharpness);  // the first one finds the margins
                               strips.renderTo(painter);
                           }};
     switch (wanted.kind) {
@@ -199,7 +200,7 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, double now, 
             copy(imageOf(picture), fewSamples(seenOf(strips, history), strips.modules(), origin));
             break;
     }
-    strips.showFrame(history, now);  // as the screen has it
+    strips.showFrame(history, now);  // with the sharpness of the screen
 }
 
 void ScopeExport::copy(const QImage& image, const std::string& samples) {

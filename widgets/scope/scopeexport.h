@@ -16,11 +16,11 @@ namespace nmc {
 
 class ScopeStrips;
 
-/// What a file is to hold. May take a second to make, and be made in any thread.
+/// Makes the content of a file. A call may take a second, and may come from any thread.
 using FileContent = std::function<std::string()>;
 
-/// Takes what is seen out of the scope: samples as CSV, a picture as PNG, SVG or a page of PDF, onto the
-/// clipboard or to a printer. It asks for the file, and takes the picture in the next frame.
+/// Exports what the scope shows: samples as CSV, or a picture as PNG, SVG or a page of PDF, to the clipboard
+/// or to a printer. It asks for a file name, and takes the picture in the next frame.
 class ScopeExport : public QObject {
     Q_OBJECT
 
@@ -28,13 +28,13 @@ public:
     explicit ScopeExport(QWidget* panel);
 
     [[nodiscard]] QMenu* menu() const { return m_menu; }
-    /// What a frame shows: to be called after each one, with its time. `title`: what it is called when it is
-    /// not live.
+    /// Carries out the export that was requested, if any; call it after each frame, with the time of that
+    /// frame. `title`: of the record or overlay that is shown; empty if there is none.
     void take(ScopeStrips& strips, const History& history, double now, const ScopeOrigin& origin,
               const QString& title);
 
 signals:
-    /// take() is to be called soon.
+    /// take() must be called soon.
     void frameWanted();
     void saveRequested(const QString& path, const nmc::FileContent& content);
     void printRequested(const QByteArray& pdf);
@@ -44,7 +44,7 @@ private:
     struct Wanted {
         Kind kind = Kind::Csv;
         QString path{};
-        int form = 0;  ///< of CSV: which of the dialog's filters was chosen
+        int form = 0;  ///< of CSV: index of the filter chosen in the dialog
     };
 
     void addAction(Kind kind, const QString& objectName, const QString& text, const QString& meaning);

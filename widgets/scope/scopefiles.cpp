@@ -22,7 +22,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kMove = 0.005;  ///< of the time that is seen, at each press
+constexpr double kMove = 0.005;  ///< share of the visible time, for each press
 
 const QString kRecordingFileSuffix = QString::fromLatin1(kRecordingSuffix.data(), kRecordingSuffix.size());
 
@@ -153,7 +153,7 @@ void ScopeFiles::chooseToRecord() {
                       {tr("Recordings (*.%1)").arg(kRecordingFileSuffix), tr("All files (*)")}, m_folder);
     if (dialog == nullptr)
         return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);  // and asks before a file is replaced
+    dialog->setAcceptMode(QFileDialog::AcceptSave);  // also asks before a file is replaced
     dialog->setDefaultSuffix(kRecordingFileSuffix);
     dialog->selectFile(QDateTime::currentDateTime().toString(u"yyyy-MM-dd HHmmss"_s));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {

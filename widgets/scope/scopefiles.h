@@ -12,8 +12,9 @@ class QPushButton;
 
 namespace nmc {
 
-/// The scope and files: recording to one, opening one, laying one under the live traces, and what is
-/// exported. It asks for names and says how it goes, in a row for each thing that goes on; others do it.
+/// The file functions of the scope: recording to a file, opening one, showing one under the live traces, and
+/// exporting. Asks for file names and shows the progress, in a row for each activity; other classes carry
+/// them out.
 class ScopeFiles : public QWidget {
     Q_OBJECT
 
@@ -35,27 +36,27 @@ public:
     [[nodiscard]] QAction* underAction() const { return m_under; }
     [[nodiscard]] ScopeExport& exporting() { return m_export; }
 
-    /// There is something to be recorded.
+    /// True if there is something to record.
     void showConnected(bool connected);
-    /// What is being recorded; nothing: no recording.
+    /// Shows the recording in progress; empty: none.
     void showRecording(const std::optional<Recording>& recording);
-    /// What is being opened; nothing: no file.
+    /// Shows the file that is being opened; empty: none.
     void showOpening(const std::optional<Opening>& opening);
-    /// What lies under the live traces; empty: nothing.
+    /// Shows the title of the recording under the live traces; empty: none.
     void showUnder(const QString& title);
 
 signals:
-    /// The user has agreed that the file is replaced.
+    /// If the file exists, the user has agreed to replace it.
     void recordRequested(const QString& path);
     void recordingEndRequested();
     void openRequested(const QString& path);
     void underRequested(const QString& path);
-    /// By a share of the time that is seen; later is positive.
+    /// The recording is to be moved by a share of the visible time; later is positive.
     void underMoved(double share);
     void underRemoved();
     void openingCancelled();
     void saveRequested(const QString& path, const nmc::FileContent& content);
-    /// One page, by the system's usual printer.
+    /// One page; the receiver asks for a printer.
     void printRequested(const QByteArray& pdf);
 
 private:

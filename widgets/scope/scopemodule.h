@@ -15,15 +15,15 @@ namespace nmc {
 
 /// How the scope reads the samples of one module.
 struct ScopeModule {
-    QString name;  ///< "Module 2", or the user's
+    QString name;  ///< "Module 2", or the user's name for it
     ModuleIdentity identity;
     AxisScale scale;
     AnalogScale analog;
-    std::optional<TravelRange> travel{};  ///< its limits, while they are in force
+    std::optional<TravelRange> travel{};  ///< its travel limits, while they are in force
     PinSettings pins{};                   ///< PIC-I/O: names, and the scales of its A/D values
 
     [[nodiscard]] bool isIo() const { return identity.type == ModuleType::Io; }
-    /// What one of its A/D values means.
+    /// Scale of one of its A/D values.
     [[nodiscard]] AnalogScale analogOf(ScopeSignal signal) const {
         const auto input = analogInputOf(signal);
         return isIo() && input ? PinSettings::of(pins.analog, *input).scale : analog;
@@ -35,20 +35,20 @@ struct ScopeModule {
             return {};
         return {scale.position(1.0), 0.0};
     }
-    /// In its samples there is nothing else in the place of this signal: a PIC-I/O has no motor, and the
-    /// others have no more than one A/D input and no counter.
+    /// True if its samples contain this signal and not another one in its place: a PIC-I/O has no motor, and
+    /// the other modules have only one A/D input and no counter.
     [[nodiscard]] bool has(ScopeSignal signal) const {
         return isIo() ? signal == ScopeSignal::Analog || isOfIo(signal) : !isOfIo(signal);
     }
-    /// A PIC-STEP follows its steps: it has no position error, no control filter, and its A/D value is no
-    /// motor current (DS-S 5.2).
+    /// True if the signal is meaningful for this module: a PIC-STEP always follows its steps, so it has no
+    /// position error and no control filter, and its A/D value is not a motor current (DS-S 5.2).
     [[nodiscard]] bool reports(ScopeSignal signal) const {
         if (!has(signal))
             return false;
         return identity.type != ModuleType::Stepper ||
                (!isCalculated(signal) && signal != ScopeSignal::Analog);
     }
-    /// What is drawn across the strip of a signal, in the unit it is shown in.
+    /// Travel limits to draw across the strip of a signal, in the unit in which it is shown.
     [[nodiscard]] std::vector<double> limitsOf(ScopeSignal signal) const {
         std::vector<double> limits;
         if (travel && (signal == ScopeSignal::Position || signal == ScopeSignal::Command))
@@ -60,7 +60,7 @@ struct ScopeModule {
     bool operator==(const ScopeModule&) const = default;
 };
 
-/// A signal in a strip; no module: that of the module that is selected in the window.
+/// A signal in a strip; if `module` is empty, that of the module selected in the window.
 struct SignalRef {
     std::optional<ModuleIndex> module;
     ScopeSignal signal = ScopeSignal::Position;

@@ -12,7 +12,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kKeyPan = 0.1;  ///< of what is seen
+constexpr double kKeyPan = 0.1;  ///< share of the visible range
 
 class MoveTexts {
     Q_DECLARE_TR_FUNCTIONS(Scope)
@@ -48,7 +48,7 @@ QList<QAction*> newScopeMoves(QObject* parent, const std::function<void(const Mo
         action->setObjectName(objectName);
         action->setToolTip(text);
         action->setShortcuts(keys);
-        // Plain letters and arrows belong to the plots only while these have the focus.
+        // Plain letters and arrow keys act on the plots only while these have the focus.
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         QObject::connect(action, &QAction::triggered, parent, [carryOut, move] { carryOut(move); });
         actions << action;

@@ -9,8 +9,8 @@ namespace nmc {
 
 class ScopeStrips;
 
-/// What the wheel and the mouse can do, for the keyboard: actions whose owner is `parent`. Each hands what it
-/// does to `carryOut`.
+/// Creates actions that do by keyboard what the wheel and the mouse do; `parent` owns them. Each passes its
+/// change to `carryOut`.
 [[nodiscard]] QList<QAction*> newScopeMoves(
     QObject* parent, const std::function<void(const std::function<void(ScopeStrips&)>&)>& carryOut);
 

@@ -25,10 +25,10 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-/// What is seen at first of what happened: "Show the last 2 s".
+/// Seconds before and after an event that are visible at first: "Show the last 2 s".
 constexpr double kBeforeEvent = 2.0;
 constexpr double kBehindEvent = 0.5;
-/// Lines of text: as high as strips and readings need below one another.
+/// Height, in lines of text, that strips and readings need one below the other.
 constexpr int kEnoughRows = 32;
 }  // namespace
 
@@ -105,7 +105,7 @@ void ScopePanel::buildStrips() {
     applyModules();
 }
 
-/// With the first cursors.
+/// Called when cursors are first shown.
 void ScopePanel::buildReadings() {
     m_readings = new CursorPanel(this);
     m_readings->setUnfolded(m_setup.readings);
@@ -118,7 +118,7 @@ void ScopePanel::buildReadings() {
     placeReadings();
 }
 
-/// Below the strips; beside them where these would become too low.
+/// Places the readings below the strips, or beside them where the strips would become too low.
 void ScopePanel::placeReadings() {
     if (m_readings == nullptr)
         return;
@@ -126,7 +126,7 @@ void ScopePanel::placeReadings() {
     const bool below = !m_setup.readings || room >= kEnoughRows * fontMetrics().height();
     m_stripsAndReadings->setDirection(below ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     m_readings->setBeside(!below);
-    m_readings->setMaximumWidth(below ? QWIDGETSIZE_MAX : width() * 2 / 5);  // the rest is scrolled to
+    m_readings->setMaximumWidth(below ? QWIDGETSIZE_MAX : width() * 2 / 5);  // the rest needs scrolling
 }
 
 void ScopePanel::resizeEvent(QResizeEvent* event) {
@@ -140,7 +140,7 @@ void ScopePanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
 }
 
-// ---- what is arranged ----
+// ---- the arrangement ----
 
 void ScopePanel::setSetup(const ScopeSetup& setup) {
     m_setup = setup;
@@ -213,7 +213,7 @@ void ScopePanel::contextMenuEvent(QContextMenuEvent* event) {
     menu.exec(event->globalPos());
 }
 
-/// The one file that is dragged, if it is one.
+/// The dragged file; empty unless there is exactly one.
 static QString droppedFile(const QMimeData& data) {
     return data.urls().size() == 1 ? data.urls().front().toLocalFile() : QString();
 }
@@ -227,7 +227,7 @@ void ScopePanel::dropEvent(QDropEvent* event) {
     emit m_files->openRequested(droppedFile(*event->mimeData()));
 }
 
-// ---- the time that is seen ----
+// ---- the visible time ----
 
 bool ScopePanel::paused() const {
     return m_bar->paused();
@@ -254,7 +254,7 @@ void ScopePanel::setWidth(double seconds) {
     change(setup);
 }
 
-/// The controls tell what the window of time has become.
+/// Shows the present window of time in the controls.
 void ScopePanel::showTime() {
     m_bar->showTime(m_strips->time());
     if (m_record == nullptr)
@@ -424,7 +424,7 @@ void ScopePanel::backToLive() {
     showTime();
 }
 
-// ---- what lies under the live traces ----
+// ---- the recording under the live traces ----
 
 void ScopePanel::showUnder(std::shared_ptr<const ScopeRecord> record) {
     if (record == nullptr || record->history.empty())

@@ -24,9 +24,9 @@ class ScopeStrips;
 class TriggerControl;
 class Underlay;
 
-/// The scope: its tool bar, the strips, and what cursors read. Rolls with the present, stands while paused,
-/// or shows a record that is over. The charts are built when the panel is first seen, and painted only while
-/// it is.
+/// The scope: its tool bar, the strips, and the cursor readings. It rolls with the live samples, stands still
+/// while paused, or shows a record. The charts are built when the panel or a record is first shown, and
+/// painted only while the panel is visible.
 class ScopePanel : public QWidget {
     Q_OBJECT
 
@@ -34,19 +34,19 @@ public:
     explicit ScopePanel(QWidget* parent = nullptr);
     ~ScopePanel() override;
 
-    /// How to read the live samples, and whose are "the selected module's".
+    /// How to read the live samples, and which module is selected.
     void showModules(std::vector<ScopeModule> modules, std::optional<ModuleIndex> selected);
     [[nodiscard]] const std::vector<ScopeModule>& modules() const { return m_modules; }
-    /// At most 60 times a second. Nothing is kept of `history` but what this frame shows.
+    /// Call at most 60 times a second. Nothing of `history` is kept except what this frame shows.
     void showHistory(const History& history, TimePoint now);
-    /// Instead of what is live, until backToLive().
+    /// Shows a record instead of the live samples, until backToLive().
     void showRecord(std::shared_ptr<const ScopeRecord> record);
     void backToLive();
-    /// Below the live traces, until removeUnder() or another one.
+    /// Shows a record under the live traces, until removeUnder() or the next call.
     void showUnder(std::shared_ptr<const ScopeRecord> record);
     void removeUnder();
     [[nodiscard]] bool showsRecord() const { return m_record != nullptr; }
-    /// What the user has arranged.
+    /// The user's arrangement.
     void setSetup(const ScopeSetup& setup);
     [[nodiscard]] const ScopeSetup& setup() const { return m_setup; }
     [[nodiscard]] bool paused() const;
@@ -56,7 +56,7 @@ public:
 
 signals:
     void setupChanged(const nmc::ScopeSetup& setup);
-    /// Something else is to be seen: a call of showHistory() soon, though nothing may have come in.
+    /// The display must change: showHistory() must be called soon, even if no samples have arrived.
     void frameWanted();
 
 protected:
@@ -85,7 +85,7 @@ private:
     void showTime();
     void showTrigger();
     void restartTrigger();
-    /// The next frame is drawn whether it rolls or not.
+    /// Makes sure that the next frame is drawn, whether the scope rolls or not.
     void touch();
     void drawLive(const History& history, TimePoint now);
     void draw(const History& history, double now);
@@ -97,17 +97,17 @@ private:
     TriggerControl* m_trigger;
     QList<QAction*> m_menuActions;
     ScopeStrips* m_strips = nullptr;
-    CursorPanel* m_readings = nullptr;  ///< there since the first cursors
+    CursorPanel* m_readings = nullptr;  ///< null until cursors are first shown
     QBoxLayout* m_stripsAndReadings = nullptr;
     ScopeSetup m_setup = ScopeSetup::usual();
     std::vector<ScopeModule> m_modules;
     std::optional<ModuleIndex> m_selected;
     std::shared_ptr<const ScopeRecord> m_record;
     std::unique_ptr<Underlay> m_under;
-    ScopeOrigin m_origin;                            ///< of what is live
-    std::optional<TimePoint> m_zero;                 ///< of the live history
-    bool m_another = false;                          ///< history than the strips have shown
-    std::optional<ScopeTrigger::Picture> m_picture;  ///< of the trigger, that was shown last
+    ScopeOrigin m_origin;             ///< of the live samples
+    std::optional<TimePoint> m_zero;  ///< of the live history
+    bool m_another = false;           ///< the live history is not the one that the strips have shown
+    std::optional<ScopeTrigger::Picture> m_picture;  ///< the trigger's picture that was shown last
     bool m_touched = true;
     bool m_everythingWanted = false;
 };

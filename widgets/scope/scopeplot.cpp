@@ -19,10 +19,10 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr double kWheelPan = 0.1;         ///< of what is seen, for each notch
-constexpr double kSmallestPart = 1e-4;    ///< of a count: zooming ends here
-constexpr float kUnderlayOpacity = 0.4F;  ///< of what lies under the traces
-constexpr double kBandRoom = 2.0;         ///< a band may take so much more, on either side, than its signals
+constexpr double kWheelPan = 0.1;         ///< share of the visible time, for each notch
+constexpr double kSmallestPart = 1e-4;    ///< share of the smallest span of a fitted axis: zooming ends here
+constexpr float kUnderlayOpacity = 0.4F;  ///< of the recording under the traces
+constexpr double kBandRoom = 2.0;         ///< maximum room for a band on either side, in spans of the signals
 }  // namespace
 
 ScopePlot::ScopePlot(QWidget* parent) : QWidget(parent) {
@@ -97,7 +97,7 @@ void ScopePlot::showFrame(const View& view, const History& history, double now, 
     emit paintWanted();
 }
 
-/// In the unit of the axis.
+/// Smallest span of a fitted value axis, in its unit.
 double ScopePlot::smallestSpan() const {
     double count = std::numeric_limits<double>::infinity();
     for (const Trace& trace : m_traces)
@@ -124,7 +124,7 @@ void ScopePlot::fitValues(double now) {
     }
     if (low > high)
         return setValueAxis(m_range.range());
-    // More would make a line of the signal.
+    // With more room, the signal would look like a straight line.
     const double room = kBandRoom * std::max(high - low, smallestSpan());
     setValueAxis(
         m_range.fit(std::max(lowBand, low - room), std::min(highBand, high + room), now, smallestSpan()));
@@ -141,7 +141,7 @@ void ScopePlot::noteBand() {
                                     texts::numberAt(drawing.highestBand(), valueRange().step));
 }
 
-/// As many labels as there is room for.
+/// Sets the value axis, with as many labels as there is room for.
 void ScopePlot::setValueAxis(const AxisRange::Range& range) {
     const double room = std::max(1.0, plotArea().height() / (fontMetrics().height() * 1.7));
     double interval = range.step;
@@ -150,7 +150,7 @@ void ScopePlot::setValueAxis(const AxisRange::Range& range) {
         if ((range.max - range.min) / interval <= room)
             break;
     }
-    // What fits itself ends at labels; what the user has moved stands where he put it.
+    // A fitted axis ends at labels; one that the user has moved stays where it was put.
     m_geometry.bottom = m_manual ? range.min : std::floor(range.min / interval + 1e-9) * interval;
     m_geometry.top = m_manual ? range.max : std::ceil(range.max / interval - 1e-9) * interval;
     m_backdrop.setValueAxis(m_geometry.bottom, m_geometry.top, interval);
@@ -281,7 +281,7 @@ void ScopePlot::paintCursors(QPainter& painter) const {
     for (std::size_t i = 0; i < m_cursors->size(); ++i) {
         const double x = m_geometry.x((*m_cursors)[i]);
         if (x < m_geometry.area.left() || x > m_geometry.area.right())
-            continue;  // an SVG file knows no clipping
+            continue;  // an SVG file has no clipping
         painter.setPen(QPen(palette().color(QPalette::Text), 1, i == 0 ? Qt::SolidLine : Qt::DashLine));
         painter.drawLine(QLineF(x, m_geometry.area.top(), x, m_geometry.area.bottom()));
         painter.drawText(QPointF(x + 3, m_geometry.area.top() + QFontMetricsF(painter.font()).ascent() + 1),

@@ -19,8 +19,8 @@ class Underlay;
 /// The times of the two cursors, seconds since the history's zero.
 using CursorTimes = std::array<double, 2>;
 
-/// One strip of the scope: some signals over time on one value axis. It draws; what is to be seen is decided
-/// by its owner, whom it tells what mouse and wheel want.
+/// One strip of the scope: signals over time on one value axis. Its owner decides which time is visible, and
+/// receives what the user requests with the mouse and the wheel.
 class ScopePlot : public QWidget {
     Q_OBJECT
 
@@ -30,9 +30,9 @@ public:
         ScopeSignal signal = ScopeSignal::Position;
         LinearScale scale;
         QString label;
-        QString tag;  ///< empty where there is one module only
+        QString tag;  ///< empty if all traces belong to the same module
         double samplesPerSecond = 0;
-        std::vector<double> limits{};  ///< of travel, drawn as lines
+        std::vector<double> limits{};  ///< travel limits, drawn as lines
         bool operator==(const Trace&) const = default;
     };
     /// The visible time, in seconds since `zero`.
@@ -41,58 +41,59 @@ public:
         double left = 0;
         double right = 10;
         double division = 1;
-        double sharpness = 1;  ///< device pixels in a pixel
+        double sharpness = 1;  ///< device pixels per pixel
         bool operator==(const View&) const = default;
     };
 
-    /// `timeLabels`: only the lowest of a stack of strips says the time.
     explicit ScopePlot(QWidget* parent = nullptr);
 
     void setTraces(std::vector<Trace> traces);
     [[nodiscard]] const std::vector<Trace>& traces() const { return m_traces; }
+    /// Only the lowest of a stack of strips shows the times.
     void setTimeLabels(bool shown);
-    /// One frame. `now` (s) paces the value axis while that fits itself; `derived` has what samples have not;
-    /// `under` is drawn pale below the traces.
+    /// Shows one frame. `now` (s) paces the value axis while it fits itself; `derived` contains the signals
+    /// that samples do not; `under` is drawn in pale colours under the traces.
     void showFrame(const View& view, const History& history, double now, const DerivedSignals& derived = {},
                    const Underlay* under = nullptr);
-    /// Other data: the value axis may jump.
+    /// Call when the data are replaced: the value axis may then jump.
     void forget();
     void showCursors(const std::optional<CursorTimes>& cursors);
-    /// Where something happened, s.
+    /// Marks the time of an event, in s.
     void showMarker(const std::optional<double>& seconds);
-    /// A level across the strip, where a trigger looks.
+    /// Shows the level of a trigger as a line across the strip.
     void showLevel(const std::optional<double>& level);
 
-    /// Whether the value axis fits itself to what is seen; zooming or moving it ends that.
+    /// True if the value axis fits itself to the visible values; zooming or moving it ends that.
     [[nodiscard]] bool fits() const { return !m_manual; }
     void fit();
     void zoomValues(double factor, double at);
-    /// By a share of what is seen.
+    /// Moves by a share of the visible range.
     void panValues(double share);
 
-    /// For lining up strips: the room that the labels left of the plot area need, and what to leave.
+    /// For aligning strips: the width that the labels to the left of the plot area need; leaveLeft() sets the
+    /// width that they get.
     [[nodiscard]] int labelWidth() const { return m_backdrop.labelWidth(); }
     void leaveLeft(int width);
 
     [[nodiscard]] QRectF plotArea() const { return m_backdrop.plotArea(); }
     [[nodiscard]] AxisRange::Range valueRange() const;
-    /// What the strip says of a band that it does not show whole; empty when it does.
+    /// The note about a band that the strip does not show completely; empty if it does.
     [[nodiscard]] const QString& bandNotice() const { return m_bandNotice; }
     [[nodiscard]] QString legendText(std::size_t trace) const { return m_backdrop.legendText(trace); }
-    /// In vectors where the painter can.
+    /// Draws vectors if the painter supports them.
     void renderTo(QPainter& painter);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
-    /// There is a new frame, or new axes, and update() shows it.
+    /// There is a new frame, or new axes; update() shows it.
     void paintWanted();
-    /// More than 1 shows more; `at` (s) stays.
+    /// A `factor` above 1 shows more; `at` (s) stays in place.
     void timeZoomed(double factor, double at);
     void timePanned(double seconds);
     void timeChosen(double left, double right);
     void cursorMoved(int cursor, double seconds);
-    /// Double click: all of it.
+    /// After a double click: everything is to be shown.
     void everythingWanted();
     void focusWanted();
 
@@ -121,7 +122,7 @@ private:
     ChartBackdrop m_backdrop;
     std::vector<Trace> m_traces;
     std::vector<TraceDrawing> m_drawings;
-    std::vector<TraceDrawing> m_under;  ///< of the same traces
+    std::vector<TraceDrawing> m_under;  ///< of the recording under the traces, in the order of m_traces
     View m_view;
     bool m_timeLabels = true;
     AxisRange m_range;

@@ -141,7 +141,7 @@ void ScopeSetup::set(std::size_t strip, const SignalRef& signal, bool shown) {
     std::erase(strips[strip], signal);
     if (!shown)
         return;
-    // In the order of the table they are chosen from.
+    // In the order of the table from which they are chosen.
     const auto place = std::lower_bound(strips[strip].begin(), strips[strip].end(), signal);
     strips[strip].insert(place, signal);
 }

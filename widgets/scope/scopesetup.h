@@ -15,29 +15,31 @@ namespace nmc {
 struct ScopeSetup {
     static constexpr std::size_t kStrips = 4;
 
-    /// Of a strip, against the others.
+    /// Limits of the height of a strip, relative to the others.
     static constexpr double kLowest = 0.05, kHighest = 20;
 
     /// From the top; a strip without signals is not shown.
     std::array<std::vector<SignalRef>, kStrips> strips;
     std::array<double, kStrips> heights{1.5, 1, 1.2, 1.2};  ///< in any unit
-    bool lane = false;                                      ///< of status bits
-    bool readings = true;                                   ///< unfolded, where there are cursors
+    bool lane = false;                                      ///< of status bits is shown
+    bool readings = true;                                   ///< unfolded while cursors are shown
     double seconds = 10;
-    /// Of each kind of module, where they are not the usual ones.
+    /// Bits in the lane for each type of module, where they are not the usual ones.
     std::map<ModuleType, std::vector<ScopeBit>> bits{};
 
-    /// Position with its command, below them the error, and the current where it is reported.
+    /// Position and command position, below them the error, and below that the A/D values (such as the motor
+    /// current) where they are reported.
     [[nodiscard]] static ScopeSetup usual();
-    /// For the settings file.
+    /// Text for the settings file.
     [[nodiscard]] QString toText() const;
-    /// What cannot be read is left out; nothing readable at all is the usual.
+    /// Anything unreadable is left out; if neither signals nor the lane remain, the signals are the usual
+    /// ones.
     [[nodiscard]] static ScopeSetup fromText(const QString& text);
 
     [[nodiscard]] bool shows(std::size_t strip, const SignalRef& signal) const;
     void set(std::size_t strip, const SignalRef& signal, bool shown);
     [[nodiscard]] std::vector<ScopeBit> bitsOf(ModuleType type) const;
-    /// Modules that are shown whichever is selected.
+    /// Modules that are shown whichever module is selected.
     [[nodiscard]] std::vector<ModuleIndex> fixedModules() const;
 
     bool operator==(const ScopeSetup&) const = default;

@@ -16,7 +16,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kTurn = 6;           ///< ms between the pictures of two strips
+constexpr int kTurn = 6;           ///< ms between painting two strips
 constexpr double kRateTime = 1.0;  ///< s over which samples are counted, and between two counts
 const std::array<QString, ScopeSetup::kStrips> kPlotNames{u"scopePlot1"_s, u"scopePlot2"_s, u"scopePlot3"_s,
                                                           u"scopePlot4"_s};
@@ -37,7 +37,7 @@ ScopeStrips::ScopeStrips(QWidget* parent)
     connect(&m_turns, &QTimer::timeout, this, &ScopeStrips::paintNext);
 }
 
-/// Strips are built when they are first needed: each takes a chart with it.
+/// A strip is built only when it is first needed, because each has a chart.
 ScopePlot* ScopeStrips::newPlot(std::size_t strip) {
     auto* plot = new ScopePlot(this);
     const auto above = std::count_if(m_plots.begin(), m_plots.begin() + static_cast<std::ptrdiff_t>(strip),
@@ -81,7 +81,7 @@ void ScopeStrips::setSetup(const ScopeSetup& setup) {
 void ScopeStrips::setModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected) {
     if (modules == m_modules && selected == m_selected)
         return;
-    // Strips that show other modules than the selected one stay as they are.
+    // Strips that do not follow the selection keep their labels.
     if (modules != m_modules || followsSelection())
         m_labelled.reset();
     m_modules = modules;
@@ -96,8 +96,8 @@ bool ScopeStrips::followsSelection() const {
     });
 }
 
-/// Of the selected module what it reports; of one that was chosen by name all that was asked for and could
-/// be.
+/// For the selected module, the chosen signals that it reports; for a module chosen by name, all chosen
+/// signals that it can have.
 std::vector<SignalRef> ScopeStrips::signalsOf(std::size_t strip) const {
     std::vector<SignalRef> signalsShown = m_setup.strips[strip];
     std::erase_if(signalsShown, [this](const SignalRef& signal) {
@@ -136,10 +136,10 @@ void ScopeStrips::shareHeight() {
     for (std::size_t i = 0; i < m_plots.size(); ++i)
         if (m_plots[i] != nullptr)
             sizes << qRound(1'000 * m_setup.heights[i]);
-    m_splitter->setSizes(sizes);  // which shares out what there is
+    m_splitter->setSizes(sizes);  // distributes the height that there is
 }
 
-/// As they are; a strip that is not seen keeps what it had.
+/// The present heights; a hidden strip keeps its last one.
 std::array<double, ScopeSetup::kStrips> ScopeStrips::heights() const {
     std::array<double, ScopeSetup::kStrips> chosen = m_setup.heights;
     const std::vector<ScopePlot*> shown = shownPlots();
@@ -174,7 +174,7 @@ QString ScopeStrips::labelOf(const SignalRef& signal, const ScopeModule& module)
     return signal.module ? tr("%1: %2").arg(module.name, words) : words;
 }
 
-/// Names, units and the achieved rates.
+/// Updates names, units and the achieved rates.
 void ScopeStrips::label(const History& history, double now) {
     if (m_labelled && std::abs(now - *m_labelled) < kRateTime)
         return;
@@ -223,7 +223,7 @@ std::vector<ModuleSignal> ScopeStrips::shownSignals() const {
 void ScopeStrips::showFrame(const History& history, double now, std::optional<double> sharpness) {
     if (sharpness) {
         layout()->activate();
-        shareHeight();  // anew: a splitter that was resized rounds what it had before
+        shareHeight();  // again, because a splitter that was resized rounds its previous sizes
     }
     m_time.follow(now);
     m_derived.want(shownSignals());

@@ -17,8 +17,8 @@ namespace nmc {
 
 class StatusLane;
 
-/// The strips and the lane of status bits, one below the other over the same time, and what mouse and wheel
-/// do there.
+/// The strips and the lane of status bits, one below the other over the same time, and what the mouse and the
+/// wheel do there.
 class ScopeStrips : public QWidget {
     Q_OBJECT
 
@@ -26,48 +26,49 @@ public:
     explicit ScopeStrips(QWidget* parent = nullptr);
 
     void setSetup(const ScopeSetup& setup);
-    /// How to read the samples; `selected`: whose signals stand for "the selected module's".
+    /// How to read the samples; `selected`: the module whose signals are shown where a strip names no module.
     void setModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected);
-    /// One frame; `now` in seconds since the history's zero. The rates are counted anew once a second.
-    /// `sharpness`: device pixels in a pixel, where they are not the screen's.
+    /// Shows one frame; `now` is in seconds since the history's zero. The rates are counted once a second.
+    /// `sharpness`: device pixels per pixel, if they differ from the screen's.
     void showFrame(const History& history, double now, std::optional<double> sharpness = {});
-    /// Other data.
+    /// Call when the data are replaced.
     void forget();
 
     [[nodiscard]] TimeWindow& time() { return m_time; }
     [[nodiscard]] const TimeWindow& time() const { return m_time; }
     void showCursors(const std::optional<CursorTimes>& cursors);
     [[nodiscard]] const std::optional<CursorTimes>& cursors() const { return m_cursors; }
-    /// Where something happened, s.
+    /// Marks the time of an event, in s.
     void showMarker(const std::optional<double>& seconds);
-    /// A recording below the live traces, while it lives; null: none.
+    /// Shows a recording under the live traces in the following frames, during which it must exist; null:
+    /// none.
     void showUnder(const Underlay* under) { m_under = under; }
-    /// A trigger's level, in the strips that show this signal.
+    /// Shows a trigger's level in the strips that show its signal.
     void showLevel(std::optional<std::pair<SignalRef, double>> level);
 
     void fitValues();
     void zoomValues(double factor);
     void panValues(double share);
-    /// All that there is of `history`.
+    /// Shows the whole of `history`.
     void showEverything(const History& history);
 
     [[nodiscard]] const std::vector<ScopeModule>& modules() const { return m_modules; }
     [[nodiscard]] std::optional<ModuleIndex> selected() const { return m_selected; }
     [[nodiscard]] std::vector<ScopePlot*> shownPlots() const;
     [[nodiscard]] std::vector<ModuleSignal> shownSignals() const;
-    /// What samples have not, of the signals that are shown.
+    /// Those of the shown signals that samples do not contain.
     [[nodiscard]] const DerivedSignals& derived() const { return m_derived; }
-    /// There is more of them to come: another frame is wanted.
+    /// True if derived signals are not complete yet: another frame is needed.
     [[nodiscard]] bool isBehind() const { return m_behind; }
     void renderTo(QPainter& painter);
 
 signals:
-    /// Mouse or wheel have changed what is to be seen, and the next frame shows it.
+    /// The mouse or the wheel has changed the visible time; the next frame shows it.
     void timeChanged();
     void everythingWanted();
     void cursorMoved(int cursor, double seconds);
     void resized();
-    /// The user has dragged a line between two strips, or wants them equal: in the order of the setup.
+    /// The user has dragged the line between two strips, or made them equal; the order is that of ScopeSetup.
     void heightsChosen(const std::array<double, nmc::ScopeSetup::kStrips>& heights);
 
 protected:
@@ -85,19 +86,19 @@ private:
     [[nodiscard]] std::array<double, ScopeSetup::kStrips> heights() const;
     [[nodiscard]] bool followsSelection() const;
     void label(const History& history, double now);
-    /// `from`, `to`: over what time their rates are counted, s.
+    /// `from`, `to`: the time over which their rates are counted, in s.
     [[nodiscard]] std::vector<ScopePlot::Trace> tracesOf(const std::vector<SignalRef>& strip,
                                                          const History& history, double from,
                                                          double to) const;
     [[nodiscard]] QString labelOf(const SignalRef& signal, const ScopeModule& module) const;
     void align();
-    /// One strip after the other: together they would hold up the window, and a key for a stop with it.
+    /// Paints one strip after the other: all at once would delay the window, and with it a stop key.
     void paintInTurn(ScopePlot* plot);
     void paintNext();
 
     QSplitter* m_splitter;
     std::array<ScopePlot*, ScopeSetup::kStrips> m_plots{};
-    std::array<std::vector<SignalRef>, ScopeSetup::kStrips> m_signals;  ///< that are shown
+    std::array<std::vector<SignalRef>, ScopeSetup::kStrips> m_signals;  ///< shown in each strip
     DerivedSignals m_derived;
     const Underlay* m_under = nullptr;
     bool m_behind = false;
@@ -111,7 +112,7 @@ private:
     std::optional<std::pair<SignalRef, double>> m_level;
     std::vector<ScopePlot*> m_waiting;  ///< to be painted
     QTimer m_turns;
-    std::optional<double> m_labelled;  ///< s, when the rates were counted
+    std::optional<double> m_labelled;  ///< s, time at which the rates were counted
 };
 
 }  // namespace nmc

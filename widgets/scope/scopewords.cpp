@@ -16,7 +16,7 @@ class SignalTexts {
     Q_DECLARE_TR_FUNCTIONS(Scope)
 };
 
-/// Of a PIC-I/O, from 0.
+/// Pin of a PIC-I/O, from 0.
 std::size_t pinOf(const ScopeBit& bit) {
     return bit.bit + (bit.byte == ScopeBit::Byte::Aux ? 8U : 0U);
 }
@@ -100,7 +100,8 @@ QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
 
 double signalStep(ScopeSignal signal, const ScopeModule& module) {
     const double one = std::abs(module.scaleOf(signal).factor);
-    // A tenth of a count for a calculated place, whole counts for what was reported or is whole by nature.
+    // A tenth of a count for calculated positions, whole counts for values that were reported or are always
+    // whole.
     return signal == ScopeSignal::Command || signal == ScopeSignal::Error ? one / 10 : one;
 }
 

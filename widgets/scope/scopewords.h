@@ -11,31 +11,31 @@ namespace nmc::texts {
 
 /// "position", "error, calculated".
 [[nodiscard]] QString signalName(ScopeSignal signal);
-/// As it is called on this machine, where it has a name.
+/// Its name on this machine, if it has one.
 [[nodiscard]] QString signalName(ScopeSignal signal, const ScopeModule& module);
 /// "counts", "mm/s", "V".
 [[nodiscard]] QString signalUnit(ScopeSignal signal, const ScopeModule& module);
-/// The steps, in that unit, in which a value makes sense.
+/// The step, in the unit of signalUnit(), in which its values are meaningful.
 [[nodiscard]] double signalStep(ScopeSignal signal, const ScopeModule& module);
-/// How many decimals a number has that goes in such steps.
+/// Number of decimals of a value that changes in steps of `step`.
 [[nodiscard]] int decimalsAt(double step);
-/// A number of a signal wherever one stands, at axes, cursors and in words: with the decimals of its step.
+/// A value of a signal with the decimals of its step, for axes, cursors and sentences.
 [[nodiscard]] QString numberAt(double value, double step);
 /// "0.5 s", "12 ms": a stretch of time.
 [[nodiscard]] QString stretch(double seconds);
 
-/// The data sheet's own name.
+/// The name in the data sheet.
 [[nodiscard]] QString bitName(const ScopeBit& bit, ModuleType type);
-/// The same, but the machine's name of a pin.
+/// For a pin, its name on this machine if it has one; otherwise the name in the data sheet.
 [[nodiscard]] QString bitName(const ScopeBit& bit, const ScopeModule& module);
 
 }  // namespace nmc::texts
 
 namespace nmc {
 
-/// All that have a name.
+/// All bits that have a name.
 [[nodiscard]] std::vector<ScopeBit> laneBits(ModuleType type);
-/// Those that tell an operator most.
+/// The bits that are most useful to an operator.
 [[nodiscard]] std::vector<ScopeBit> usualLaneBits(ModuleType type);
 
 }  // namespace nmc

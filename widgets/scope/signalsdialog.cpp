@@ -18,7 +18,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kModuleRole = Qt::UserRole;  ///< -1: the selected one
+constexpr int kModuleRole = Qt::UserRole;  ///< -1: the selected module
 constexpr int kSignalRole = Qt::UserRole + 1;
 
 SignalRef signalOfRow(const QTreeWidgetItem& item) {
@@ -62,7 +62,7 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
         showSetup();
         emit setupChosen(m_setup);
     });
-    // Enter in the filter is no wish to leave.
+    // Enter in the filter must not close the dialog.
     for (QAbstractButton* button : buttons->buttons())
         qobject_cast<QPushButton*>(button)->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -96,7 +96,7 @@ void SignalsDialog::addRows(const QString& title, std::optional<ModuleIndex> mod
     group->setExpanded(used);
 }
 
-/// What has all of the words, in its own name or its module's.
+/// Shows the signals that have all of the words in their own name or that of their module.
 void SignalsDialog::filter(const QString& text) {
     const QStringList words = text.split(u' ', Qt::SkipEmptyParts);
     for (int i = 0; i < m_table->topLevelItemCount(); ++i) {

@@ -12,7 +12,7 @@ class QTreeWidgetItem;
 
 namespace nmc {
 
-/// Which signals of which modules stand in which strip: a table to tick. What is ticked shows at once.
+/// Table for choosing which signals of which modules each strip shows. Changes take effect at once.
 class SignalsDialog : public QDialog {
     Q_OBJECT
 

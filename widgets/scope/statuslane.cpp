@@ -10,8 +10,8 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-/// Of a PIC-SERVO, in the word of both bytes: set as long as the servo is off, the first tells nothing then
-/// (DS-V 5.2, Clear Sticky Bits).
+/// Bits of a PIC-SERVO, in the word of both bytes. pos_error is set all the time while the servo is off, and
+/// means nothing then (DS-V 5.2, Clear Sticky Bits).
 constexpr unsigned kPosError = 0x10;
 constexpr unsigned kServoOn = 0x04U << 8U;
 }  // namespace
@@ -128,7 +128,7 @@ void StatusLane::paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& 
     const unsigned watched = needsServo ? mask | kServoOn : mask;
     const auto level = [&](unsigned bits) { return (bits & mask) != 0 ? high : low; };
     for (std::size_t begin = 0, end = 0; begin < m_pieces.size(); begin = end) {
-        // As far as the bit stays as it is.
+        // Continues as long as the bit does not change.
         const Piece& first = m_pieces[begin];
         end = begin + 1;
         while (end < m_pieces.size() && m_pieces[end].joined &&
@@ -136,7 +136,7 @@ void StatusLane::paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& 
                ((m_pieces[end].any ^ first.any) & watched) == 0)
             ++end;
         const bool goesOn = end < m_pieces.size() && m_pieces[end].joined;
-        // An SVG file knows no clipping.
+        // An SVG file has no clipping.
         const double left = std::max(m_geometry.x(first.left), row.left());
         const double right =
             std::min(std::max(m_geometry.x(goesOn ? m_pieces[end].left : m_pieces[end - 1].right), left + 1),

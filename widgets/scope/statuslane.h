@@ -20,13 +20,13 @@ public:
 
     void setBits(const ScopeModule& module, std::vector<ScopeBit> bits);
     [[nodiscard]] const std::vector<ScopeBit>& bits() const { return m_bits; }
-    /// Null: nothing to show.
+    /// `history` is null if there is nothing to show.
     void showFrame(const ScopePlot::View& view, const ModuleHistory* history);
     void showCursors(const std::optional<CursorTimes>& cursors);
 
-    /// Room that the names need left of the bits.
+    /// Width that the names to the left of the bits need.
     [[nodiscard]] int labelWidth() const;
-    /// Where the strips have their plot area, in this widget's coordinates.
+    /// Left and right end of the strips' plot area, in this widget's coordinates.
     void setArea(double left, double right);
     void renderTo(QPainter& painter);
 

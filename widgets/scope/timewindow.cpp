@@ -25,7 +25,7 @@ void TimeWindow::follow(double now) {
         return;
     const double width = m_right - m_left;
     const double step = division();
-    // At first there is nothing to the left of 0, so the trace comes in from there.
+    // There is nothing before 0, so at first the window begins there and the trace fills it from the left.
     m_right = std::max(std::ceil(now / step) * step, width);
     m_left = m_right - width;
 }

@@ -3,7 +3,7 @@
 
 namespace nmc {
 
-/// The time that the scope shows, in seconds since the history's zero: it rolls with the present, or stands
+/// The time that the scope shows, in seconds since the history's zero: it rolls with the present, or stays
 /// where the user has put it. Pure.
 class TimeWindow {
 public:
@@ -17,18 +17,19 @@ public:
     [[nodiscard]] double division() const;
     [[nodiscard]] bool rolls() const { return m_rolls; }
 
-    /// Rolls from now on, in steps of a division: moving an axis costs more than all the rest of a frame.
+    /// Rolls from now on, in steps of a division: moving an axis costs more than the rest of a frame.
     void roll() { m_rolls = true; }
     void stand() { m_rolls = false; }
-    /// The present moves on; does nothing while it stands.
+    /// Moves on to the present; does nothing while the window stands still.
     void follow(double now);
     /// Keeps the right edge.
     void setWidth(double seconds);
-    /// Stands at that.
+    /// Shows this time, and stands still.
     void show(double left, double right);
-    /// `factor` above 1 shows more; `at` stays where it is. While it rolls it goes on rolling.
+    /// A `factor` above 1 shows more. `at` stays in place. A window that rolls continues to do so, and keeps
+    /// its right edge instead.
     void zoom(double factor, double at);
-    /// Stands, further on by that.
+    /// Moves by `seconds`, and stands still.
     void pan(double seconds);
 
     /// 1, 2 or 5 times a power of ten, not below `rough`.

@@ -23,14 +23,15 @@ namespace {
 constexpr double kDashPeriod = 9.0;  ///< px along the time axis
 constexpr double kDashShare = 0.6;
 constexpr int kEnvelopeAlpha = 70;
-constexpr double kDense = 0.5;       ///< columns for each pixel
+constexpr double kDense = 0.5;       ///< columns per pixel
 constexpr double kClampMargin = 10;  ///< px beyond the plot area
-constexpr double kTip = 2;  ///< px; what stands out by more from its neighbours keeps the width of a pixel
+constexpr double kTip = 2;  ///< px; a column that exceeds its neighbours by more stays one pixel wide
 
 using Lines = QVarLengthArray<QLineF, 4096>;
 
-/// The part of a line within `area`, as shares of it; false if there is none. Zoomed in far enough a line
-/// between two samples is millions of pixels long: neither dashes nor the rasterizer may see that.
+/// Finds the part of a line within `area`, as fractions of the line; returns false if there is none. When
+/// zoomed in far enough, a line between two samples is millions of pixels long: too much for the dashes and
+/// for the rasterizer.
 bool clip(const QLineF& line, const QRectF& area, double& from, double& to) {
     from = 0;
     to = 1;
@@ -47,13 +48,13 @@ bool clip(const QLineF& line, const QRectF& area, double& from, double& to) {
            cut(line.y1(), line.dy(), area.top(), area.bottom());
 }
 
-/// For paper: pixels of any size, and in an SVG file no clipping (Qt 6.4).
+/// True when drawing for paper: pixels may have any size, and an SVG file has no clipping (Qt 6.4).
 bool isVector(const QPainter& painter) {
     return painter.paintEngine()->type() != QPaintEngine::Raster;
 }
 
-/// Dashes that hang on the time of the data, so that they roll with it instead of crawling along it. Where
-/// the trace is steep a gap would hide something, so it is drawn through.
+/// Adds dashes that are tied to the time of the data, so that they roll with the trace instead of crawling
+/// along it. Where the trace is steep, a gap would hide something, so the line is drawn solid.
 void addDashed(const QLineF& line, double phase, double next, Lines& lines) {
     if (std::abs(line.dy()) > 2 * std::abs(line.dx()) + 4) {
         lines.append(line);
@@ -70,12 +71,13 @@ void addDashed(const QLineF& line, double phase, double next, Lines& lines) {
     }
 }
 
-/// Draws a thick line that goes from left to right, pixel by pixel: its edges run from the middle of one to
-/// the middle of the next, so that it is smooth however steep it is. How far a pixel is covered has a closed
-/// form, and costs a tenth of what Qt's painter takes for the same outline. All in pixels of the device.
+/// Draws a thick line from left to right, one column of pixels at a time: where two columns meet, its edges
+/// are halfway between them, so that it is smooth however steep it is. The coverage of a pixel has a closed
+/// form, which costs a tenth of what Qt's painter needs for the same outline. All lengths are in device
+/// pixels.
 class ThickLine {
 public:
-    /// `rows`: from the first that is seen to behind the last.
+    /// `rows`: the first visible row, and the one after the last.
     ThickLine(QPainter& painter, const QColor& colour, double pixel, std::pair<int, int> rows)
         : m_painter(painter),
           m_pixel(pixel),
@@ -88,7 +90,7 @@ public:
     }
 
     void add(int column, double top, double bottom) { m_reaches.append({column, top, bottom}); }
-    /// What follows does not join on.
+    /// Ends the line: what follows is not joined to it.
     void end() {
         for (qsizetype begin = 0; begin < m_reaches.size(); begin += kPiece)
             fill(begin, std::min<qsizetype>(begin + kPiece, m_reaches.size()));
@@ -98,20 +100,20 @@ public:
 private:
     static constexpr int kPiece = 64;
     static constexpr int kFull = 255;
-    static constexpr double kFlat = 100;  ///< pixels for one row
+    static constexpr double kFlat = 100;  ///< pixels per row; flatter edges are treated as level
     struct Reach {
         int column;
         double top, bottom;
     };
     using Edge = double Reach::*;
-    /// An edge within a pixel, straight from its left to its right.
+    /// An edge within one column, straight from its left side to its right side.
     struct Course {
         double left, right;
         double steep = left == right ? 0.0 : 1 / (right - left);
 
         [[nodiscard]] double lowest() const { return std::max(left, right); }
         [[nodiscard]] double highest() const { return std::min(left, right); }
-        /// How much of that row's pixel is above it.
+        /// Share of the pixel in this row that is above the edge.
         [[nodiscard]] double above(double row) const {
             return steep == 0 || std::abs(steep) > kFlat ? std::clamp((left + right) / 2 - row, 0.0, 1.0)
                                                          : (sum(right - row) - sum(left - row)) * steep;
@@ -202,7 +204,7 @@ void TraceDrawing::take(const ModuleHistory& history, ScopeSignal signal, const 
         if (extremes.known()) {
             const double first = scale(extremes.lowFirst ? extremes.low : extremes.high);
             const double last = scale(extremes.lowFirst ? extremes.high : extremes.low);
-            // By a scale below 0 the lowest becomes the highest.
+            // With a negative scale, the lowest becomes the highest.
             const auto [low, high] = std::minmax({first, last});
             Column column{toSeconds(span.first - zero),
                           toSeconds(span.last - zero),
@@ -269,7 +271,7 @@ void TraceDrawing::visitLines(const PlotGeometry& geometry, Add&& add) const {
             visit(QLineF(before, entry), m_columns[i - 1].right, column.left);
         if (entry != exit)
             visit(QLineF(entry, exit), column.left, column.right);
-        else if (!column.joined && !goesOn)  // one on its own
+        else if (!column.joined && !goesOn)  // a single sample
             visit(QLineF(entry.x() - kTraceWidth, entry.y(), entry.x() + kTraceWidth, entry.y()), column.left,
                   column.left);
         before = exit;
@@ -290,7 +292,7 @@ void TraceDrawing::paintLines(QPainter& painter, const PlotGeometry& geometry) c
     painter.drawLines(lines.constData(), static_cast<int>(lines.size()));
 }
 
-/// One path for each trace, which a drawing program takes as one thing.
+/// Draws one path for each trace, which a drawing program treats as one object.
 void TraceDrawing::paintPath(QPainter& painter, const PlotGeometry& geometry) const {
     QPainterPath path;
     visitLines(geometry, [&](const QLineF& line, double /*fromSecond*/, double /*toSecond*/) {
@@ -306,8 +308,8 @@ void TraceDrawing::paintPath(QPainter& painter, const PlotGeometry& geometry) co
     painter.strokePath(path, pen);
 }
 
-/// Where there is a column in nearly every pixel, what each pixel reaches is filled: as smooth as lines, for
-/// a fraction of what they cost. In pixels of the device.
+/// Where most pixels have a column, fills what the trace covers in each pixel: as smooth as lines, at a
+/// fraction of their cost. All lengths are in device pixels.
 void TraceDrawing::paintDense(QPainter& painter, const PlotGeometry& geometry) const {
     const double ratio = painter.device()->devicePixelRatioF();
     const double width = kTraceWidth * ratio;
@@ -386,7 +388,7 @@ void TraceDrawing::paintBand(QPainter& painter, const PlotGeometry& geometry) co
         const Column& column = m_columns[i];
         if (!column.joined)
             end();
-        // As far as the next one, which may be many pixels away.
+        // The band reaches to the next column, which may be many pixels away.
         const bool goesOn = i + 1 < m_columns.size() && m_columns[i + 1].joined;
         const double to = goesOn ? geometry.x(m_columns[i + 1].left) : geometry.x(column.right) + 1;
         const QRectF band(QPointF(geometry.x(column.left), geometry.y(column.bandHigh)),

@@ -13,7 +13,7 @@ class QPainter;
 
 namespace nmc {
 
-/// Where a strip's axes lie and what they say: seconds since the history's zero, and values in the unit of
+/// The place and the ranges of a strip's axes: seconds since the history's zero, and values in the unit of
 /// the axis.
 struct PlotGeometry {
     QRectF area;
@@ -35,7 +35,7 @@ struct PlotGeometry {
     [[nodiscard]] bool empty() const { return area.isEmpty() || right <= left || top <= bottom; }
 };
 
-/// From counts to what is drawn.
+/// Converts counts to the values that are drawn.
 struct LinearScale {
     double factor = 1;
     double offset = 0;
@@ -43,22 +43,24 @@ struct LinearScale {
     bool operator==(const LinearScale&) const = default;
 };
 
-/// What one trace looks like, and what it shows in the present frame. Drawn with drawLines: QLineSeries
-/// costs a hundred times more, and drawPolyline ten times (scope.md).
+/// The look of one trace, and its content in the present frame. On the screen it is drawn with drawLines, or
+/// column by column where it is dense: QLineSeries would cost a hundred times as much, and drawPolyline ten
+/// times (scope.md).
 class TraceDrawing {
 public:
     QColor colour;
-    bool dashed = false;  ///< commanded
-    QString tag;          ///< written at its end, where hue alone does not tell traces apart
+    bool dashed = false;  ///< for a command position
+    QString tag;          ///< written at the end of the trace, where hue alone does not distinguish traces
 
-    /// Takes what is to be seen in `geometry`'s time; the values of its axis do not matter yet.
+    /// Takes the samples that are visible in `geometry`'s time; its range of values does not matter yet.
     void take(const ModuleHistory& history, ScopeSignal signal, const LinearScale& scale, TimePoint zero,
               const PlotGeometry& geometry, double devicePixelRatio);
     void clear();
-    /// Of what is within the time that is seen; lowest > highest where nothing is.
+    /// Extremes within the visible time; lowest > highest if there are no values.
     [[nodiscard]] double lowest() const { return m_lowest; }
     [[nodiscard]] double highest() const { return m_highest; }
-    /// The same of a calculated error's band; of others, as above.
+    /// Extremes of the band of a calculated error within the visible time; for other signals, those of the
+    /// values.
     [[nodiscard]] double lowestBand() const { return m_lowestBand; }
     [[nodiscard]] double highestBand() const { return m_highestBand; }
 
@@ -71,10 +73,10 @@ private:
         double left, right;  ///< s
         double entry, exit;
         double bandLow, bandHigh;  ///< of a calculated error
-        bool joined;               ///< to the one before
+        bool joined;               ///< to the previous column
     };
     [[nodiscard]] static double dashesPerSecond(const PlotGeometry& geometry);
-    /// Each line that is seen, clipped, from one time to another.
+    /// Passes each visible line to `add`, clipped, with the times of its ends.
     template <typename Add>
     void visitLines(const PlotGeometry& geometry, Add&& add) const;
     void paintLines(QPainter& painter, const PlotGeometry& geometry) const;

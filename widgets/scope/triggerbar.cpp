@@ -24,7 +24,7 @@ using Condition = TriggerSettings::Condition;
 constexpr double kFarthestLevel = 1e12;
 constexpr int kUsualBefore = 20;  ///< percent
 
-/// Of a scale that counts downwards.
+/// The condition in counts where the scale counts downwards.
 Condition turned(Condition condition) {
     switch (condition) {
         case Condition::Rising:
@@ -100,7 +100,7 @@ NumberField* TriggerBar::newField(const QString& objectName, const QString& name
     return field;
 }
 
-/// In two rows: in one they would be wider than the scope often is.
+/// In two rows, because one row would often be wider than the scope.
 void TriggerBar::layOut() {
     const int unit = look::gridUnit(this);
     auto* rows = new QVBoxLayout(this);
@@ -125,7 +125,7 @@ void TriggerBar::layOut() {
             label(tr("%"), m_before), m_arm, m_state});
 }
 
-// ---- what there is to wait for ----
+// ---- the sources ----
 
 void TriggerBar::showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected) {
     if (modules == m_modules && selected == m_selected)
@@ -143,7 +143,7 @@ void TriggerBar::setVisible(bool visible) {
     QWidget::setVisible(visible);
 }
 
-/// Hundreds, so not for a bar that nobody sees.
+/// There can be hundreds of sources, so they are not listed while the bar is hidden.
 void TriggerBar::listSources() {
     m_listed = true;
     const int chosen = m_source->currentIndex();
@@ -171,7 +171,7 @@ void TriggerBar::addSources(const std::optional<ModuleIndex>& module, const Scop
         m_source->addItem(module ? tr("%1: %2").arg(of.name, name) : name);
     };
     for (std::size_t i = 0; i < kScopeSignals; ++i) {
-        // What is made needs what it is made of.
+        // A derived signal needs the signals from which it is derived.
         const auto signal = static_cast<ScopeSignal>(i);
         if (isDerived(signal) ? of.reports(signal) : of.has(signal))
             add({module, signal}, texts::signalName(signal, of));
@@ -199,7 +199,7 @@ LinearScale TriggerBar::scale() const {
     return signal() != nullptr ? m_modules[sourceModule()->value()].scaleOf(*signal()) : LinearScale{};
 }
 
-/// The level is of another quantity, or has another unit.
+/// The level may now be of another quantity, or have another unit.
 void TriggerBar::takeSource() {
     showConditions();
     if (signal() != nullptr) {
@@ -234,7 +234,7 @@ void TriggerBar::showPossible() {
     look::setPossible(m_arm, reason, tr("Waits for the next trigger."));
 }
 
-// ---- what was chosen ----
+// ---- the chosen settings ----
 
 void TriggerBar::showState(const QString& state) {
     look::setText(m_state, state);

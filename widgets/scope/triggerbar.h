@@ -17,7 +17,7 @@ namespace nmc {
 
 class NumberField;
 
-/// What the scope is to wait for, as the user has chosen it.
+/// The controls of the trigger, in which the user chooses what the scope waits for.
 class TriggerBar : public QWidget {
     Q_OBJECT
 
@@ -26,13 +26,14 @@ public:
 
     explicit TriggerBar(QWidget* parent);
 
-    /// The signals there are: those of the selected module first.
+    /// Offers the signals of these modules, those of the selected module first.
     void showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected);
-    /// How it goes, in words.
+    /// Shows the state of the trigger, in words.
     void showState(const QString& state);
     void setMode(Mode mode);
     [[nodiscard]] Mode mode() const;
-    /// Its window is left to the owner. Nothing: off, or something is not chosen yet.
+    /// The chosen settings, except for the window, which the owner sets; empty if the trigger is off or
+    /// something is not chosen yet.
     [[nodiscard]] std::optional<TriggerSettings> settings() const;
     /// The signal whose strip shows the level.
     [[nodiscard]] std::optional<SignalRef> levelSignal() const;
@@ -45,7 +46,7 @@ signals:
 
 private:
     struct Source {
-        std::optional<ModuleIndex> module;  ///< nothing: the selected one
+        std::optional<ModuleIndex> module;  ///< empty: the selected module
         std::variant<ScopeSignal, ScopeBit> what;
         bool operator==(const Source&) const = default;
     };
@@ -65,8 +66,8 @@ private:
 
     std::vector<ScopeModule> m_modules;
     std::optional<ModuleIndex> m_selected;
-    std::vector<Source> m_sources;  ///< by row of the box
-    bool m_listed = true;           ///< they are those of m_modules
+    std::vector<Source> m_sources;  ///< in the order of the box
+    bool m_listed = true;           ///< m_sources are those of m_modules
     QComboBox* m_source;
     QComboBox* m_condition;
     NumberField* m_level;

@@ -22,7 +22,7 @@ void TriggerControl::setShown(bool shown) {
 }
 
 void TriggerControl::setWindow(double seconds) {
-    constexpr double kSame = 1e-9;  // it was moved along, and rounded
+    constexpr double kSame = 1e-9;  // moving the window along rounds its width
     if (std::abs(seconds - m_window) <= kSame * m_window)
         return;
     m_window = seconds;
@@ -38,7 +38,7 @@ void TriggerControl::showModules(const std::vector<ScopeModule>& modules,
     apply();
 }
 
-/// Another wish begins anew.
+/// Other settings start the trigger again.
 void TriggerControl::apply() {
     auto wanted = m_bar->settings();
     const bool off = m_trigger.state() == ScopeTrigger::State::Off;
@@ -56,7 +56,7 @@ void TriggerControl::apply() {
     emit restarted();
 }
 
-/// What is made of samples is the same as in the plot only if it is made of all of them.
+/// A derived signal equals the plotted one only if it is derived from all samples.
 void TriggerControl::feedAnew(const TriggerSettings& settings) {
     const auto* signal = std::get_if<ScopeSignal>(&settings.source);
     if (signal != nullptr && isDerived(*signal) && settings.module.value() < m_fed.size())
@@ -65,7 +65,7 @@ void TriggerControl::feedAnew(const TriggerSettings& settings) {
 
 void TriggerControl::arm() {
     m_completeSince.reset();
-    m_trigger.setWindow(m_window);  // as long as what is seen by now
+    m_trigger.setWindow(m_window);  // as long as the time that is visible now
     m_trigger.arm(m_now);
     emit restarted();
 }

@@ -11,7 +11,7 @@
 
 namespace nmc {
 
-/// Waits for what the trigger's bar says, and tells when there is a picture to show.
+/// Waits for what is chosen in the trigger's bar, and provides the picture to show.
 class TriggerControl : public QObject {
     Q_OBJECT
 
@@ -19,21 +19,21 @@ public:
     explicit TriggerControl(TriggerBar* bar);
 
     [[nodiscard]] TriggerBar& bar() { return *m_bar; }
-    /// Out of sight it is off.
+    /// Shows or hides the bar; while it is hidden, the trigger is off.
     void setShown(bool shown);
-    /// s; how long a picture is: the next one, where one is there already.
+    /// Sets the length of the picture in s; if the trigger has fired already, that of the next picture.
     void setWindow(double seconds);
     void showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected);
-    /// Once a frame, whatever is seen. `zero`: when the history's zero was.
+    /// Call once per frame, whatever is shown. `zero`: date and time of the history's zero.
     void follow(const History& history, TimePoint now, const QDateTime& zero);
-    /// The trigger's picture; nothing while there is none yet.
+    /// The trigger's picture; empty while it is not complete.
     [[nodiscard]] std::optional<ScopeTrigger::Picture> picture() const;
     [[nodiscard]] std::optional<TimePoint> firedAt() const { return m_trigger.firedAt(); }
-    /// Of the strip that shows it, in counts.
+    /// The signal whose strip shows the level, and the level in counts.
     [[nodiscard]] std::optional<std::pair<SignalRef, double>> level() const;
 
 signals:
-    /// It waits from now on, or does not any more: the present is of interest again.
+    /// The trigger waits from now on, or no longer waits: the live samples are of interest again.
     void restarted();
 
 private:
@@ -50,8 +50,8 @@ private:
     ScopeTrigger m_trigger;
     double m_window = 10;
     TimePoint m_now;
-    std::optional<TimePoint> m_zero;   ///< of the history that was looked at last
-    std::vector<std::uint64_t> m_fed;  ///< samples, by module
+    std::optional<TimePoint> m_zero;   ///< of the last history that was fed
+    std::vector<std::uint64_t> m_fed;  ///< number of samples, by module
     std::optional<TimePoint> m_completeSince;
 };
 

@@ -11,23 +11,24 @@
 
 namespace nmc {
 
-/// A recording that lies under the live traces, and where: its first motion begins where the last live one
-/// did, so that a motion is seen over the same motion of another day. Until there is one the recording ends
-/// at the present in which it was laid. GUI thread.
+/// A recording under the live traces, and its place in time: its first motion begins where the last live one
+/// did, so that a motion is shown over the same motion of another day. Until both have a motion, the
+/// recording ends at the time at which it was placed. GUI thread.
 class Underlay {
 public:
     explicit Underlay(std::shared_ptr<const ScopeRecord> record) : m_record(std::move(record)) {}
 
     [[nodiscard]] const ScopeRecord& record() const { return *m_record; }
-    /// One frame of the live history; `module`: whose motions count. False: another frame is wanted.
+    /// Call once per frame with the live history; `module`: the module whose motions count. Returns false if
+    /// another frame is needed.
     bool follow(const History& live, std::optional<ModuleIndex> module, TimePoint now,
                 const std::vector<ModuleSignal>& shown);
-    /// The live history is another one.
+    /// Call when the live history is replaced.
     void forget();
-    /// By hand, on top of all that; later is positive.
+    /// Moves the recording by hand, in addition to its automatic place; later is positive.
     void shift(double seconds) { m_shift += fromSeconds(seconds); }
 
-    /// The time in the recording that lies under the live history's zero.
+    /// The time in the recording that is shown at the live history's zero.
     [[nodiscard]] TimePoint zero() const { return m_zero; }
     [[nodiscard]] DerivedSignals::Source source(const ModuleSignal& of) const {
         return m_derived.source(m_record->history, of);
@@ -40,7 +41,7 @@ private:
     DerivedSignals m_derived;
     std::optional<ModuleIndex> m_module;
     MotionStart m_recorded, m_live;
-    std::optional<TimePoint> m_laid;  ///< the present then
+    std::optional<TimePoint> m_laid;  ///< the time at which the recording was placed
     Duration m_shift{};
     TimePoint m_zero;
 };
