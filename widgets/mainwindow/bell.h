@@ -9,13 +9,13 @@ class QSettings;
 
 namespace nmc {
 
-/// The desktop's own sound, for who does not look at the window: at a fault, and at the end of a procedure
-/// or a sequence. Can be off; not more often than once a second.
+/// Plays the desktop's own sound for users who do not look at the window: at a fault, and at the end of a
+/// procedure or a sequence. It can be switched off, and sounds at most once a second.
 class Bell : public QObject {
     Q_OBJECT
 
 public:
-    /// `settings` keeps whether it is on.
+    /// `settings` stores whether it is on.
     Bell(QSettings& settings, QObject* parent);
 
     [[nodiscard]] QAction* action() const { return m_action; }

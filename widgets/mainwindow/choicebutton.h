@@ -7,7 +7,7 @@ class QLabel;
 
 namespace nmc {
 
-/// A large button: what it does, and below in as many lines as it takes what that needs.
+/// A large button that shows what it does and, below that in as many lines as necessary, what it needs.
 class ChoiceButton : public QPushButton {
     Q_OBJECT
 

@@ -9,16 +9,16 @@ class QSettings;
 
 namespace nmc {
 
-/// Menu View, Colours: which palette the program has. The one that was chosen last is in force from the
+/// The menu View, Colours, which chooses the palette of the program. The last choice is in force from the
 /// start.
 class ColourChoice : public QObject {
     Q_OBJECT
 
 public:
-    /// `settings` keeps the choice, and must outlive it.
+    /// `settings` stores the choice, and must outlive the menu.
     ColourChoice(QSettings& settings, QObject* parent);
 
-    /// Of one group, in the order of look::Colours.
+    /// Actions of one group, in the order of look::Colours.
     [[nodiscard]] const QList<QAction*>& actions() const { return m_actions; }
 
 private:

@@ -18,7 +18,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kEntry = Qt::UserRole;  ///< the number of an entry
+constexpr int kEntry = Qt::UserRole;  ///< index of an entry
 }  // namespace
 
 CommandPalette::CommandPalette(QWidget* parent)
@@ -121,7 +121,7 @@ void CommandPalette::act() {
     act();
 }
 
-/// Its popups are its own, too.
+/// The palette's popups belong to it, too.
 bool CommandPalette::isMine(const QObject* object) const {
     while (object != nullptr && object != this)
         object = object->parent();

@@ -12,8 +12,8 @@ class QTreeWidgetItem;
 
 namespace nmc {
 
-/// Finds any command by typing some of its words, says why it can't be done now, and does it on Enter. It
-/// blocks nothing: STOP ALL and Esc work as ever, and Esc closes it, as does a press anywhere else. GUI
+/// Finds any command by some of its words, shows why it is not possible now, and carries it out on Enter. It
+/// blocks nothing: STOP ALL and Esc work as always. Esc also closes it, as does a press anywhere else. GUI
 /// thread.
 class CommandPalette : public QDialog {
     Q_OBJECT
@@ -22,21 +22,22 @@ public:
     struct Entry {
         QString text;      ///< as on its button: "Go"
         QString sentence;  ///< "Go to the position"
-        QString place;     ///< whose it is: "Module 3 "Z axis"", "Chain"
+        QString place;     ///< to what it belongs: "Module 3 "Z axis"", "Chain"
         QString key;
         QString meaning;                  ///< what Enter does
-        std::function<QString()> reason;  ///< why it can't be done now; empty where it can
+        std::function<QString()> reason;  ///< why it is not possible now; empty if it is
         std::function<void()> act;
     };
 
     explicit CommandPalette(QWidget* parent);
 
-    /// Opens it with these, whatever it had before.
+    /// Opens it with these entries in place of all earlier ones.
     void showEntries(std::vector<Entry> entries);
 
 protected:
-    /// The arrow keys choose while the line has the focus. Watches the whole application for presses beside
-    /// it: one who works elsewhere has done with it, and it may lie over what he means to press next.
+    /// The arrow keys choose while the text field has the focus. A press outside, anywhere in the
+    /// application, closes it: a user who works elsewhere no longer needs it, and it may cover what is to be
+    /// pressed next.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

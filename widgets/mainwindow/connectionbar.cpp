@@ -24,13 +24,13 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kStopResultLines = 3;  // the stop button is higher
+constexpr int kStopResultLines = 3;  // the stop button is higher than that
 }
 
 PortBox::PortBox(QWidget* parent) : QComboBox(parent) {
     setEditable(true);
     setInsertPolicy(QComboBox::NoInsert);
-    setCompleter(nullptr);  // it would choose another port than the one that was typed
+    setCompleter(nullptr);  // it would choose a port other than the one that was typed
 }
 
 ConnectionBar::ConnectionBar(QWidget* parent)
@@ -65,7 +65,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     m_stopResult->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_port->setMinimumContentsLength(26);
     m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_port->setMinimumWidth(fontMetrics().height() * 9);  // before STOP ALL gives way
+    m_port->setMinimumWidth(fontMetrics().height() * 9);  // so that STOP ALL need not give way
     m_port->setToolTip(tr("The serial port of the modules, or the simulator."));
     m_baud->setToolTip(tr("The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it."));
     for (const BaudRow& row : kBaudRows)
@@ -230,11 +230,11 @@ void ConnectionBar::showLink(const LinkState& state) {
     const auto reachable = static_cast<int>(
         std::count_if(state.modules.cbegin(), state.modules.cend(),
                       [](const ModuleState& m) { return !m.silent && hasStop(m.info.identity.type); }));
-    // Of a chain that is not asked nobody knows whom it reaches.
+    // While the chain is not polled, it is unknown which modules a stop reaches.
     const bool asked = modules > 0 && state.phase == LinkPhase::Connected;
     const QString reach = asked ? texts::stopReach(reachable, modules) : tr("goes to all modules");
     m_stop->showReach(open ? reach : QString());
-    // Whatever the last stop said is old news once something moves again or the link is another.
+    // The result of the last stop is out of date once something moves again or the port is closed.
     const bool moving = std::any_of(state.modules.cbegin(), state.modules.cend(),
                                     [](const ModuleState& m) { return m.moving(); });
     const QString seen = u"%1 %2"_s.arg(static_cast<int>(state.phase)).arg(moving);

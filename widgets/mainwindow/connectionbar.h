@@ -17,7 +17,7 @@ namespace nmc {
 class ElidedLabel;
 class StopButton;
 
-/// A combo box that says when its list is about to be opened. What is not in the list can be typed.
+/// A combo box that reports when its list is about to be opened. Ports that are not in the list can be typed.
 class PortBox : public QComboBox {
     Q_OBJECT
 
@@ -32,8 +32,8 @@ signals:
     void aboutToOpen();
 };
 
-/// Top of the window: port, rate, Connect (with a menu of its other way) and Disconnect; at the far right,
-/// alone, STOP ALL. Not a QToolBar, which hides what does not fit.
+/// Top of the window: port, rate, Connect (with a menu of other ways to connect) and Disconnect; at the far
+/// right, by itself, STOP ALL. Not a QToolBar, which hides what does not fit.
 class ConnectionBar : public QFrame {
     Q_OBJECT
 
@@ -44,18 +44,19 @@ public:
     void showPorts(const QList<PortEntry>& ports);
     [[nodiscard]] const QList<PortEntry>& ports() const { return m_ports; }
     void choosePort(const QString& port, quint32 baud);
-    /// The port as chosen, where it is a serial one, or else the first that is listed; without a name: none.
+    /// The chosen port if it is a serial port, otherwise the first one in the list; without a name if there
+    /// is none.
     [[nodiscard]] PortEntry serialPort() const;
-    /// How many are listed.
+    /// Number of serial ports in the list.
     [[nodiscard]] qsizetype serialPorts() const { return m_ports.size(); }
-    /// The simulator with the chain that was chosen last.
+    /// The simulator, with the chosen chain if the chosen port is a simulator.
     [[nodiscard]] QString simulator() const;
-    /// Chooses it, and connects as Connect does.
+    /// Chooses this port, and connects as the Connect button does.
     void connectTo(const QString& port);
     /// Opens the list of ports, as a click on it would.
     void openPorts();
     void showLink(const LinkState& state);
-    /// Stands beside STOP ALL until the next change of the link.
+    /// Shows the result beside STOP ALL until a motor moves or the port is closed.
     void showStopResult(const QString& text);
     [[nodiscard]] const QWidget& stopButton() const;
     /// "Connect read-only", for a menu as well.
@@ -69,7 +70,7 @@ signals:
     void disconnectRequested();
     void stopAllRequested();
     void portsRequested();
-    /// Ports, port or rate.
+    /// The list of ports, the chosen port or the rate has changed.
     void choiceChanged();
 
 private:
@@ -80,12 +81,12 @@ private:
     QComboBox* m_baud;
     QPushButton* m_connect;
     QAction* m_readOnly;
-    QToolButton* m_moreWays;  ///< to connect
+    QToolButton* m_moreWays;  ///< other ways to connect
     QPushButton* m_disconnect;
     ElidedLabel* m_stopResult;
     StopButton* m_stop;
     QList<PortEntry> m_ports;
-    QString m_chosen;  ///< empty until the user or the command line chose
+    QString m_chosen;  ///< empty until the user or the command line chooses a port
     QString m_linkSeen;
 };
 

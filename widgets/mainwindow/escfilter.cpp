@@ -25,7 +25,8 @@ bool EscFilter::eventFilter(QObject* /*watched*/, QEvent* event) {
     if (m_told)
         return false;
     m_told = true;
-    // Not only the release ends this press: a release that goes elsewhere must not make the next press deaf.
+    // The release must not be all that ends this press: if it goes elsewhere, the next press would be
+    // ignored.
     QMetaObject::invokeMethod(
         this, [this] { m_told = false; }, Qt::QueuedConnection);
     emit pressed();

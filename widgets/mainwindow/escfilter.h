@@ -5,8 +5,8 @@
 
 namespace nmc {
 
-/// Watches the whole application for Esc and tells it on press, wherever the focus is: fields, lists,
-/// dialogs, menus, popups. The key goes on its way: a menu or a dialog still closes by it.
+/// Watches the whole application for Esc and reports it on press, wherever the focus is: in fields, lists,
+/// dialogs, menus, popups. The key is passed on: it still closes a menu or a dialog.
 class EscFilter : public QObject {
     Q_OBJECT
 
@@ -20,8 +20,8 @@ signals:
     void pressed();
 
 private:
-    /// One press passes here several times: as shortcut override, for the window, for each parent that takes
-    /// it.
+    /// The present press was reported. The filter sees each press several times: as shortcut override, for
+    /// the window, and for each parent that receives it.
     bool m_told = false;
 };
 

@@ -14,7 +14,7 @@ using namespace Qt::StringLiterals;
 using namespace settingskeys;
 
 namespace {
-/// The first of them has the key that was there before the others were.
+/// The first layout has the key that existed before the others were added.
 QString settingsKeyOf(Layouts::Kind kind) {
     switch (kind) {
         case Layouts::Kind::Operate:

@@ -11,8 +11,8 @@ class QSettings;
 
 namespace nmc {
 
-/// What a window is laid out for: which docks are open, where they stand, and how much room each has. Each
-/// layout comes back as it was left.
+/// The layouts of a window for its tasks: which docks are open, where they are, and how much room each has.
+/// Each layout is restored as the user left it.
 class Layouts : public QObject {
     Q_OBJECT
 
@@ -23,19 +23,21 @@ public:
         Chain,    ///< modules, packets and messages
     };
 
-    /// Both must outlive it. `arrange` puts the docks where they stand at first in that layout.
+    /// `window` and `settings` must outlive it. `arrange` puts the docks into the initial arrangement of a
+    /// layout.
     Layouts(QMainWindow& window, QSettings& settings, std::function<void(Kind)> arrange);
 
     [[nodiscard]] const QList<QAction*>& actions() const { return m_actions; }
     [[nodiscard]] Kind kind() const { return m_kind; }
-    /// The one that was chosen last, as it was left; once the window has its docks and its size.
+    /// Restores the layout that was chosen last, as it was left; call it once the window has its docks and
+    /// its size.
     void restore();
     void save();
-    /// The one that is chosen, as it stands at first.
+    /// Returns the chosen layout to its initial arrangement.
     void reset();
 
 signals:
-    /// The docks stand already.
+    /// The docks have been arranged already.
     void chosen(nmc::Layouts::Kind kind);
 
 private:

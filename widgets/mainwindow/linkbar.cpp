@@ -41,7 +41,7 @@ void LinkBar::showLink(const LinkState& state) {
     if (connected == m_connected && !m_rate->text().isEmpty())
         return;
     m_connected = connected;
-    // Figures of a link that is not there would be lies.
+    // Figures of a link that does not exist would be wrong.
     look::setText(m_rate, tr("– exchanges/s"));
     look::setText(m_errors, tr("– errors"));
     look::setText(m_roundTrip, tr("round trip –"));

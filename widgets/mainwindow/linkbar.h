@@ -9,7 +9,7 @@ class QLabel;
 
 namespace nmc {
 
-/// The status bar: the link in words and, pulled once a second, in figures.
+/// The status bar: the link in words and, updated once a second, in figures.
 class LinkBar : public QStatusBar {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// The figures for which there is room beside the words.
+    /// Shows the figures for which there is room beside the words.
     void makeRoom();
 
     QLabel* m_link;

@@ -68,7 +68,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     look::adoptReadable(this);
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
-    new WheelFilter(this);  // before the first box asks for the focus by the wheel
+    new WheelFilter(this);  // before the first combo box accepts the focus from the wheel
     buildCentre();
     buildDocks();
     m_pendant = new Pendant(*this, *m_panel);
@@ -86,8 +86,8 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-    // The field that has the focus loses it on the way out and tells what was typed into it. By then this is
-    // no main window any more.
+    // A field that has the focus loses it during destruction and reports the value typed into it. By then,
+    // this object is no longer a MainWindow.
     for (QObject* child : findChildren<QObject*>())
         child->disconnect(this);
     qApp->disconnect(this);
@@ -97,7 +97,7 @@ void MainWindow::buildTop() {
     // One widget above everything: STOP ALL is never covered, hidden or moved by a layout.
     auto* top = new QWidget(this);
     auto* menuBar = new QMenuBar(top);
-    // One that the desktop shows for us keeps Esc to itself.
+    // A menu bar shown by the desktop would keep Esc to itself.
     menuBar->setNativeMenuBar(false);
     look::name(menuBar, u"menuBar"_s, tr("Menus"));
     m_bar = new ConnectionBar(top);
@@ -174,7 +174,7 @@ void MainWindow::connectParts() {
     connect(m_chainMenu, &ChainMenu::restartRequested, this, &MainWindow::askBeforeRestart);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::showSession);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::reviewQuestions);
-    // Once it is settled who has the focus.
+    // Queued: by then it is settled which window has the focus.
     connect(qApp, &QGuiApplication::focusWindowChanged, this, &MainWindow::reviewQuestions,
             Qt::QueuedConnection);
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
@@ -213,7 +213,7 @@ void MainWindow::connectParts() {
     connect(&m_messages->list(), &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
 }
 
-/// The mode, or the axis that it is for.
+/// Shows the pendant mode, and the axis that it moves.
 void MainWindow::showPendant() {
     const ModuleState* module = selectedState();
     auto refusal = whyInaccessible(m_session.link());
@@ -288,7 +288,7 @@ void MainWindow::showModules() {
     const LinkState& link = m_session.link();
     m_bar->showLink(link);
     if (m_session.movingMotors() > 0)
-        endMessage(texts::key::stopped());  // the next stop is another one
+        endMessage(texts::key::stopped());  // no longer true
     m_linkBar->showLink(link);
     m_simulator->showLink(link);
     m_monitor->showLink(link);
@@ -312,7 +312,7 @@ void MainWindow::showSession() {
     if (readOnly)
         title = tr("%1 (read-only)").arg(title);
     const QString machine = m_machineMenu->titlePart();
-    // The mark has no place in a title without a machine.
+    // A title without a machine has no place for the mark of changes.
     setWindowModified(false);
     setWindowTitle(machine.isEmpty() ? title : title + u" - "_s + machine);
     setWindowModified(m_machineMenu->file().modified);
@@ -333,8 +333,8 @@ QString MainWindow::nothingText() const {
     return {};
 }
 
-/// One at a time, and while all stands still, so that nobody waits, least of all a stop: a module that is
-/// chosen first finds its page then.
+/// Prepares one page at a time, and only while nothing moves, so that nothing has to wait, least of all a
+/// stop. The page is then ready when its module is selected for the first time.
 void MainWindow::preparePage() {
     if (m_session.movingMotors() > 0)
         return;
@@ -351,7 +351,7 @@ void MainWindow::showSelected() {
         m_response->showModule(view);
         m_loopTests->showModule(view);
     } else {
-        // It may stand open, with what the module that was here could be told.
+        // The menu may be open, with commands of a module that is gone.
         if (auto* menu = findChild<QMenu*>(u"moduleMenu"_s))
             menu->close();
         if (m_session.link().phase == LinkPhase::Disconnected)
@@ -437,7 +437,7 @@ void MainWindow::takeMessageAction(const Message& message, MessageAction action)
     } else if (action == MessageAction::ChoosePort) {
         m_bar->openPorts();
     } else if (action == MessageAction::RestartNetwork) {
-        return askBeforeRestart();  // the message stays until it is done
+        return askBeforeRestart();  // the message stays until that is done
     } else if (action == MessageAction::StopAll) {
         requestStop();
         endMessage(message.key);

@@ -58,56 +58,60 @@ class StartPage;
 class ResponseDock;
 struct KeptResponse;
 
-/// The panel's window. Values in, intents out: it never sees the bus, a thread or a port. Every show...() is
-/// idempotent and emits nothing (but a hold that loses its ground ends, and says so).
+/// The panel's window. Values in, intents out: it has no access to the bus, a thread or a port. Every
+/// show...() is idempotent and emits nothing, except that a hold that is no longer possible ends and reports
+/// that.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    /// `settings` keeps geometry and layout, the last port, and whether the safety note was read; it must
+    /// `settings` stores geometry and layout, the last port, and whether the safety note was read; it must
     /// outlive the window.
     explicit MainWindow(QSettings& settings, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// The serial ports there are; the simulator is added by the window.
+    /// Shows the available serial ports; the window adds the simulator.
     void showPorts(const QList<PortEntry>& ports);
     /// Puts a port (listed or not) and a rate into the tool bar; 0 keeps the rate. Does not connect.
     void choosePort(const QString& port, quint32 baud);
     void showLink(const LinkState& state);
-    /// Once a second.
+    /// Call once a second.
     void showFigures(const LinkFigures& figures);
-    /// What the modules have said so far, at most 60 times a second, and after scopeFrameWanted().
+    /// Shows what the modules have reported so far. Call at most 60 times a second, and after
+    /// scopeFrameWanted().
     void showHistory(const History& history, TimePoint now);
-    /// How old what was said last is by now; showHistory() tells as well, while a port is open.
+    /// Updates the age of the last reports; showHistory() does so, too, while a port is open.
     void showTime(TimePoint now);
-    /// In the scope, instead of what is live, until the user goes back; opens the scope if it is closed.
+    /// Shows a record in the scope instead of the live samples, until the user goes back; opens the scope if
+    /// it is closed.
     void showRecord(std::shared_ptr<const ScopeRecord> record);
-    /// The same below what is live.
+    /// Shows a record in the scope under the live traces; opens the scope if it is closed.
     void showUnder(std::shared_ptr<const ScopeRecord> record);
-    /// How the scope reads the modules that are there, or were last.
+    /// How the scope reads the modules of this connection, or of the last one.
     [[nodiscard]] const std::vector<ScopeModule>& scopeModules() const;
-    /// What the user has told about the machine: names, units, values kept for each axis.
+    /// Shows what the user has entered about the machine: names, units, and values stored for each axis.
     void showMachine(const Machine& machine);
-    /// How a procedure of some module goes, or went.
+    /// Shows the progress or the result of a procedure of any module.
     void showProcedure(const ProcedureReport& report);
-    /// A step response that was made; the list of runs gives it its number.
+    /// Shows a step response that was recorded; the list of runs assigns its number.
     void showResponse(const KeptResponse& run);
-    /// A new cause, or the same again: repeats are counted.
+    /// Shows a message about a new cause, or about the same one again: repeats are counted.
     void showMessage(const Message& message);
-    /// More is known of a cause that is told already: no repeat, and nothing where it is over or hidden.
+    /// More is known about a cause that is shown already. This is not a repeat, and has no effect if the
+    /// cause has ended or is hidden.
     void amendMessage(const Message& message);
-    /// The cause is gone.
+    /// The cause has ended.
     void endMessage(const QString& key);
     void showStopResult(const bus::StopFinished& finished);
     /// The built-in simulator's answer, in JSON, to a line of simulatorLineEntered().
     void showSimulatorAnswer(const QString& line, const QByteArray& json);
-    /// A connection is being opened: the packet monitor forgets the one before.
+    /// A connection is being opened: the packet monitor forgets the previous one.
     void beginPackets(const PacketSession& session);
-    /// What was recorded since the last call, once a frame while packetRecordingWanted().
+    /// Shows what was recorded since the last call. Call once per frame after packetRecordingWanted(true).
     void showPackets(std::vector<bus::ExchangeRecord> records);
-    /// The bus has ended what is held: the button comes up, and must be pressed anew.
+    /// The bus has ended the hold: the button is released, and must be pressed again.
     void endHold();
-    /// How often a held button says so; 100 ms.
+    /// Sets how often a held button reports that it is held; 100 ms by default.
     void setHoldInterval(int milliseconds);
 
     /// The machine's file: its part of the File menu, its dialogs, and the name in the title.
@@ -117,46 +121,46 @@ public:
     [[nodiscard]] ColourChoice& colours() { return *m_colours; }
     [[nodiscard]] OperatorLock& operatorLock() { return *m_operator; }
     [[nodiscard]] MessagePanel& messages() { return *m_messages; }
-    /// Points and sequences: edited, foreseen, run.
+    /// Points and sequences: editing, preview, running.
     [[nodiscard]] SequencesDock& sequences() { return *m_sequences; }
-    /// Paths of CMC and SC: opened, drawn, run.
+    /// Paths of CMC and SC: opening, drawing, running.
     [[nodiscard]] PathsDock& paths() { return *m_paths; }
     [[nodiscard]] ResponseDock& stepResponses() { return *m_response; }
     [[nodiscard]] LoopTestsDock& loopTests() { return *m_loopTests; }
     /// All axes at once.
     [[nodiscard]] AxesDock& axes() { return *m_axes; }
-    /// Recording, opening a recording, and what is exported.
+    /// Recording, opening a recording, and exporting.
     [[nodiscard]] ScopeFiles& scopeFiles();
     /// Empty while there is no module.
     [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
 
-    /// Those that panel and scope show.
+    /// The modules that the panel, the scope and the dock of all axes show.
     [[nodiscard]] std::vector<ModuleIndex> watchedModules() const;
 
-    /// Closes for good: after closeConfirmed(), when the motors are known to be stopped or there is no more
-    /// hope.
+    /// Closes the window for good: after closeConfirmed(), when the motors are known to have stopped or can
+    /// no longer be reached.
     void finishClose();
     [[nodiscard]] Layouts& layouts() { return *m_layouts; }
-    /// As it stands at first.
+    /// Returns the chosen layout to its initial arrangement.
     void resetLayout();
     /// Restarts the network if the user confirms it.
     void askBeforeRestart();
-    /// Connects to the port in the tool bar, and only looks.
+    /// Connects to the port in the tool bar, read-only.
     void connectReadOnly();
-    /// What the selected module can be told, as it is now.
+    /// Fills the menu with the commands of the selected module, in its present state.
     void fillModuleMenu(QMenu& menu);
-    /// The manual, at "keys.md", or at what is said there of this widget.
+    /// Opens the manual at a page such as "keys.md"; openManualAt() opens it at the description of a widget.
     void openManual(const QString& page);
     void openManualAt(const QWidget* widget);
-    /// Everything that helps to find out what went wrong, to be read, and saved.
+    /// Shows everything that helps to find out what went wrong, for reading and saving.
     void openProblemReport();
-    /// Every command of the window, to be found by its words.
+    /// Opens the palette, in which every command of the window can be found by its words.
     void openPalette();
 
 signals:
-    /// `readOnly`: asked for each time, never remembered.
+    /// `readOnly`: requested each time, never remembered.
     void connectRequested(const QString& port, quint32 baud, bool readOnly = false);
-    /// To the port that is open read-only.
+    /// The user wants to reconnect to the port that is open read-only, with commands allowed.
     void connectFullyRequested();
     void disconnectRequested();
     /// The user has confirmed that positions and gains are lost.
@@ -166,29 +170,31 @@ signals:
     /// On press and every 100 ms while held; each press has a number of its own.
     void holdRequested(const nmc::bus::HoldToMove& hold);
     void holdReleased();
-    /// The user changed what the panel knows of an axis; nothing is sent by that.
+    /// The user has changed the settings of an axis; this sends nothing.
     void axisEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
     /// A control line for the built-in simulator; only while attached to it.
     void simulatorLineEntered(const QString& line);
-    /// The packet monitor wants every exchange from now on, or no more.
+    /// From now on, the packet monitor needs every exchange, or none.
     void packetRecordingWanted(bool wanted);
-    /// The scope is to show something else, whether anything came in or not: showHistory() soon.
+    /// The scope's display must change: showHistory() must be called soon, even if nothing has arrived.
     void scopeFrameWanted();
-    /// Packets, step responses, or what the scope shows; the user has agreed that the file is replaced.
+    /// A file is to be saved: packets, messages, step responses, what the scope shows, and the like. The user
+    /// has agreed to replace the file if it exists.
     void saveRequested(const QString& path, const nmc::FileContent& content);
     /// The port list is about to be opened.
     void portsRequested();
     void moduleSelected(nmc::ModuleIndex module);
-    /// The user chose to stop and close; stopAllRequested() went before. The owner answers with
+    /// The user chose to stop and close; stopAllRequested() was emitted before. The owner answers with
     /// finishClose().
     void closeConfirmed();
-    /// A button of a message that may act; what the window can do itself is done already.
+    /// The user has pressed an available button of a message; the window has already done what it can do
+    /// itself.
     void messageAction(const nmc::Message& message, nmc::MessageAction action);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    /// What nothing in the window has taken.
+    /// Handles keys that nothing else in the window has accepted.
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool focusNextPrevChild(bool next) override;
@@ -258,15 +264,15 @@ private:
     Ribbon* m_operatorRibbon = nullptr;
     Pendant* m_pendant = nullptr;
     OperatorLock* m_operator = nullptr;
-    QString m_waiting;                            ///< the title of the question that the banner tells of
-    std::optional<OperatorRights> m_reviewedFor;  ///< as the messages' buttons are
+    QString m_waiting;                            ///< title of the waiting question that the banner shows
+    std::optional<OperatorRights> m_reviewedFor;  ///< rights for which the messages' buttons were reviewed
     Bell* m_bell = nullptr;
     Banner* m_banner = nullptr;
     ModulePanel* m_panel = nullptr;
     StartPage* m_start = nullptr;
     ChainView* m_chain = nullptr;
     ScopePanel* m_scope = nullptr;
-    QDockWidget* m_scopeDock = nullptr;  ///< its place
+    QDockWidget* m_scopeDock = nullptr;  ///< contains m_scope
     MessagePanel* m_messages = nullptr;
     SimulatorDock* m_simulator = nullptr;
     MonitorDock* m_monitor = nullptr;
@@ -282,9 +288,9 @@ private:
     Layouts* m_layouts = nullptr;
     QAction* m_stepNow = nullptr;
     QTimer m_preparing;
-    int m_scopeGave = 0;  ///< pixels of height, to the motions
+    int m_scopeGave = 0;  ///< height that the scope gave to the motions, in pixels
     bool m_mayClose = false;
-    bool m_workMayWait = false;  ///< unsaved, as the user has just agreed
+    bool m_workMayWait = false;  ///< the user has just agreed to close with unsaved work
 };
 
 }  // namespace nmc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every command of the window in one place: the Module menu, and the palette that finds them by their words.
+// Every command of the window: the Module menu, and the palette in which all are found by their words.
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
@@ -58,7 +58,7 @@ void MainWindow::fillModuleMenu(QMenu& menu) {
         return;
     }
     page->context().catchUp();
-    // And as long as the menu is open, since most of its commands are out of sight.
+    // Commands whose box is not visible are not updated otherwise, so this continues while the menu is open.
     auto* open = new QObject(page);
     connect(&menu, &QMenu::aboutToHide, open, &QObject::deleteLater);
     connect(&page->context(), &ModuleContext::changed, open, [page] { page->context().catchUp(); });
@@ -94,7 +94,7 @@ void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
         const auto act = [page = QPointer(page), command = QPointer(command)] {
             if (!page || !command)
                 return;
-            // As it is now, in sight or not.
+            // With the present state, even if the command's box is not visible.
             page->context().catchUp();
             command->act();
         };
@@ -104,8 +104,8 @@ void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
     }
 }
 
-/// What other modules can be told stands on their pages, with values that nobody sees from here: it is shown,
-/// not done.
+/// Commands of other modules use values on their pages, which are not visible from here: they are shown there
+/// instead of being carried out.
 void MainWindow::addOtherModules(std::vector<CommandPalette::Entry>& entries) {
     for (const ModuleState& module : m_session.link().modules) {
         const ModuleIndex index = module.info.index;
@@ -143,10 +143,10 @@ void MainWindow::openPalette() {
     m_palette->showEntries(std::move(entries));
 }
 
-/// Where digits are typed with Shift (AZERTY), Ctrl and the key of a digit are another shortcut than Ctrl+1,
-/// which is meant by who presses it.
+/// Where digits are typed with Shift (AZERTY), Qt does not recognise Ctrl with a digit's key as Ctrl+1,
+/// although that is what the user means.
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    constexpr quint32 kKeyOf1 = 10;  // of X11, and of Wayland: the kernel's KEY_1, and 8
+    constexpr quint32 kKeyOf1 = 10;  // on X11 and Wayland: the kernel's KEY_1 plus 8
     constexpr quint32 kDigits = 8;
     const quint32 above1 = event->nativeScanCode() - kKeyOf1;
     if (event->modifiers() != Qt::ControlModifier || event->isAutoRepeat() || above1 >= kDigits)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The manual, and the report of a problem.
+// The manual, and the problem report.
 #include "widgets/help/manualwindow.h"
 #include "widgets/help/problemreport.h"
 #include "widgets/help/reportdialog.h"
@@ -17,7 +17,8 @@ namespace {
 constexpr int kReportedPackets = 500;
 }  // namespace
 
-/// Made, and its pages read, when it is asked for; it remembers what was read.
+/// Creates the window, which reads the manual's pages, when it is first opened; it remembers what the user
+/// has read.
 ManualWindow& MainWindow::manual() {
     auto* manual = findChild<ManualWindow*>();
     return manual != nullptr ? *manual : *new ManualWindow(Manual(), this);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window's docks: where they stand at first, and where the user left them.
+// The window's docks: their initial arrangements, and those in which the user left them.
 #include <QAction>
 #include <QDockWidget>
 #include <QResizeEvent>
@@ -33,7 +33,7 @@ using namespace Qt::StringLiterals;
 using namespace settingskeys;
 
 namespace {
-// Lines of text.
+// In lines of text.
 constexpr int kStepResponseWidth = 58;
 constexpr int kPathsWidth = 52;
 constexpr int kSequencesWidth = 62;
@@ -41,7 +41,7 @@ constexpr int kLeastMessagesWidth = 18;
 constexpr int kSequencesHeight = 24;
 constexpr int kLowestScope = 12;
 constexpr int kColumnWidth = 22;  ///< beside the plots
-constexpr int kTitleBar = 3;      ///< above the window; how high it is is known only once it is there
+constexpr int kTitleBar = 3;      ///< above the window; its true height is known only once it is shown
 }  // namespace
 
 QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
@@ -90,7 +90,7 @@ void MainWindow::buildDocks() {
     m_stepNow->setShortcut(Qt::SHIFT | Qt::Key_F9);
     addAction(m_stepNow);
     connect(m_stepNow, &QAction::triggered, this, &MainWindow::stepNow);
-    // Whatever were added afterwards would undo it.
+    // Last, because anything added afterwards would undo it.
     const int em = fontMetrics().height();
     resizeDocks({m_docks.front()}, {em * 15}, Qt::Horizontal);
     resizeDocks({m_scopeDock, messages}, {em * 43, em * 22}, Qt::Horizontal);
@@ -102,7 +102,7 @@ void MainWindow::addResponseDock(QDockWidget& scope, QDockWidget& messages) {
     tabifyDockWidget(&scope, m_response);
     m_response->hide();
     connect(m_panel, &ModulePanel::responseWanted, m_response, &ResponseDock::open);
-    // Queued: until then the layout does not know that it is there.
+    // Queued: until then, the layout does not know that the dock is visible.
     connect(
         m_response, &ResponseDock::roomWanted, this,
         [this, &messages] { makeRoomBeside(messages, *m_response, kStepResponseWidth); },
@@ -118,7 +118,7 @@ void MainWindow::addLoopTestsDock(QDockWidget& scope, QDockWidget& messages) {
     m_loopTests = new LoopTestsDock(this);
     tabifyDockWidget(&scope, m_loopTests);
     m_loopTests->hide();
-    // Queued: until then the layout does not know that it is there.
+    // Queued: until then, the layout does not know that the dock is visible.
     connect(
         m_loopTests, &LoopTestsDock::roomWanted, this,
         [this, &messages] { makeRoomBeside(messages, *m_loopTests, kStepResponseWidth); },
@@ -131,7 +131,7 @@ void MainWindow::addLoopTestsDock(QDockWidget& scope, QDockWidget& messages) {
     connect(m_loopTests, &LoopTestsDock::asked, this, &MainWindow::intentRequested);
 }
 
-/// Behind the scope's tab, closed.
+/// Adds these docks behind the scope's tab, closed.
 void MainWindow::addMotionDocks(QDockWidget& scope, QDockWidget& messages) {
     m_sequences = new SequencesDock(this);
     m_paths = new PathsDock(this);
@@ -157,7 +157,7 @@ void MainWindow::addMotionDocks(QDockWidget& scope, QDockWidget& messages) {
     connect(m_axes, &AxesDock::holdReleased, this, &MainWindow::holdReleased);
 }
 
-/// The messages beside it give way.
+/// Widens a dock at the expense of the messages beside it.
 void MainWindow::makeRoomBeside(QDockWidget& messages, QDockWidget& dock, int lines) {
     const int line = fontMetrics().height();
     const int wanted = line * lines;
@@ -169,7 +169,7 @@ void MainWindow::makeRoomBeside(QDockWidget& messages, QDockWidget& dock, int li
     resizeDocks({&dock, &messages}, {taken, both - taken}, Qt::Horizontal);
 }
 
-/// For a few rows of a table above their buttons.
+/// Makes room for a few rows of the table above its buttons.
 void MainWindow::makeRoomForSequences(QDockWidget& messages) {
     makeRoomBeside(messages, *m_sequences, kSequencesWidth);
     const int wanted = qMin(fontMetrics().height() * kSequencesHeight, height() / 2);
@@ -178,17 +178,18 @@ void MainWindow::makeRoomForSequences(QDockWidget& messages) {
 }
 
 void MainWindow::addSimulatorDock() {
-    // Below the list of modules, whose lower half is empty with most chains: nothing else gives way to it.
+    // Below the list of modules, whose lower half is empty for most chains, so that nothing else has to give
+    // way.
     m_simulator = new SimulatorDock(this);
     addDockWidget(Qt::LeftDockWidgetArea, m_simulator);
     m_docks.append(m_simulator);
-    // Queued: until then the layout does not know that it is there again.
+    // Queued: until then, the layout does not know that the dock is visible again.
     connect(m_simulator, &SimulatorDock::shown, this, &MainWindow::makeRoomForSimulator,
             Qt::QueuedConnection);
 }
 
 void MainWindow::makeRoomForSimulator() {
-    // The list of modules has taken all the room meanwhile, and would keep more of it than it needs.
+    // Meanwhile, the list of modules has taken all the room, and would keep more than it needs.
     QDockWidget* chain = m_docks.front();
     if (dockWidgetArea(chain) != dockWidgetArea(m_simulator) || !chain->isVisible())
         return;
@@ -197,9 +198,9 @@ void MainWindow::makeRoomForSimulator() {
     resizeDocks({chain, m_simulator}, {both - wanted, wanted}, Qt::Vertical);
 }
 
-/// Where the window is low, the scope gives way to what moves the motor, as far as it can still be read. What
-/// a window gains that has become higher, and what it gave before, is the scope's as far as nothing else
-/// needs it.
+/// If the window is low, the scope gives way to the controls that move the motor, as far as it remains
+/// readable. When the window becomes higher, the scope gets the height gained and the height that it gave
+/// before, as far as nothing else needs it.
 void MainWindow::makeRoomForMotions(int higher) {
     layout()->activate();
     const ModulePage* page = m_panel->page();
@@ -218,7 +219,7 @@ void MainWindow::makeRoomForMotions(int higher) {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    // Queued: what is in the window has its new size only then.
+    // Queued: the contents of the window have their new size only then.
     if (const int before = event->oldSize().width(); before > 0 && before != width())
         QMetaObject::invokeMethod(
             this, [this, wider = width() - before] { keepColumn(wider); }, Qt::QueuedConnection);
@@ -249,7 +250,7 @@ QString MainWindow::simulatorOpen(Layouts::Kind kind) {
     return kind == Layouts::Kind::Tune ? kSimulatorOpen + u"/tune"_s : kSimulatorOpen;
 }
 
-/// As they stand at first.
+/// Puts the docks into the initial arrangement of a layout.
 void MainWindow::arrangeDocks(Layouts::Kind kind) {
     restoreState(m_firstState);
     const bool tune = kind == Layouts::Kind::Tune;
@@ -274,7 +275,8 @@ void MainWindow::resetLayout() {
     m_layouts->reset();
 }
 
-/// At the left, above one another; what is opened besides comes to the right of the gains.
+/// Puts the plots at the left, one above the other; other docks that are opened appear to the right of the
+/// gains.
 void MainWindow::giveRoomToPlots() {
     for (QDockWidget* dock : m_docks)
         if (dock != m_scopeDock && dock != m_response && dock != m_loopTests) {
@@ -292,7 +294,7 @@ void MainWindow::giveRoomToPlots() {
     resizeDocks({m_scopeDock, m_response}, {height() * 2, height() * 3}, Qt::Vertical);
 }
 
-/// The window has become wider: the plots have what it has gained.
+/// Gives the plots the width that the window has gained.
 void MainWindow::keepColumn(int wider) {
     if (m_layouts->kind() == Layouts::Kind::Tune && dockWidgetArea(m_scopeDock) == Qt::LeftDockWidgetArea &&
         m_scopeDock->isVisible())
@@ -312,7 +314,7 @@ void MainWindow::showLayout(Layouts::Kind kind) {
     showSelected();
 }
 
-/// From anywhere in the window: it moves the motor, so it is seen.
+/// Makes a step, from anywhere in the window. It moves the motor, so its form must be visible.
 void MainWindow::stepNow() {
     if (!m_response->page().lends())
         m_response->open();

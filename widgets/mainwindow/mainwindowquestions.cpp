@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window asks before motors are stopped or positions are lost, and what becomes of the answer.
+// The questions that the window asks before motors are stopped or positions are lost, and what follows from
+// the answers.
 #include <QCloseEvent>
 #include <utility>
 
@@ -38,7 +39,8 @@ void MainWindow::askBeforeDisconnect() {
                           [this] { m_session.disconnectWhenStopped(); });
 }
 
-/// One that waits is told of where the user looks meanwhile. It is no event that a list of messages keeps.
+/// Shows a waiting question in the banner, where the user may look meanwhile. It is not an event for the list
+/// of messages.
 void MainWindow::reviewQuestions() {
     AskDialog::reviewAll(*this);
     const AskDialog* question = AskDialog::waiting(*this);
@@ -83,7 +85,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         });
     else
         m_machineMenu->askBeforeClose([this] {
-            // Motors may have been set going since it was asked.
+            // Motors may have been started since the question was asked.
             m_workMayWait = true;
             close();
             m_workMayWait = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known of the selected servo's loop, on one page.
+// What is known about the selected servo's loop, on one page.
 #include <QDir>
 #include <QFileDialog>
 

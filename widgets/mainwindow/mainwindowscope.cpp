@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window hands to its scope.
+// What the window passes to its scope.
 #include <algorithm>
 #include <utility>
 
@@ -9,7 +9,7 @@
 
 namespace nmc {
 
-/// Without a connection the scope still shows what was, and whose it was.
+/// Without a connection, the scope still shows the last samples, and whose they are.
 void MainWindow::showScopeModules() {
     const LinkState& link = m_session.link();
     if (link.modules.empty())

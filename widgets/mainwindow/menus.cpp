@@ -64,7 +64,7 @@ QAction* addNamed(QMenu* menu, const QString& text, const QString& objectName) {
     return action;
 }
 
-/// Kept at once, and read at the next start.
+/// Stores the language at once; it is read at the next start.
 void chooseLanguage(MainWindow& window, QSettings& settings, const QString& language) {
     if (settings.value(languages::kSetting).toString() == language)
         return;
@@ -73,7 +73,7 @@ void chooseLanguage(MainWindow& window, QSettings& settings, const QString& lang
             Menus::tr("The new language takes effect the next time you start NMC Panel."), {});
 }
 
-/// Each under its own name, so that who cannot read the others finds it.
+/// Lists each language under its own name, so that users who cannot read the others find it.
 void addLanguages(QMenu& view, MainWindow& window, QSettings& settings) {
     QMenu* menu = view.addMenu(Menus::tr("&Language"));
     look::name(menu, u"languageMenu"_s, Menus::tr("Language"));
@@ -120,7 +120,7 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, cons
     module->setToolTipsVisible(true);
     QObject::connect(module, &QMenu::aboutToShow, &window,
                      [&window, module] { window.fillModuleMenu(*module); });
-    // A command's key acts where its box is in sight; in a menu that is closed it would act everywhere.
+    // A command's key acts while its box is visible; in a closed menu, it would act everywhere.
     QObject::connect(module, &QMenu::aboutToHide, module, &QMenu::clear, Qt::QueuedConnection);
 
     QMenu* view = bar.addMenu(Menus::tr("&View"));

@@ -12,8 +12,8 @@ namespace nmc {
 
 class MainWindow;
 
-/// File, Chain, Module, View and Help. `connectReadOnly` goes into Chain; View has a toggle for each dock,
-/// and the languages, which `settings` keeps.
+/// Adds the menus File, Chain, Module, View and Help. `connectReadOnly` is added to Chain; View has a toggle
+/// for each dock, and the languages; `settings` stores the chosen one.
 void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, const QList<QDockWidget*>& docks,
                QSettings& settings);
 

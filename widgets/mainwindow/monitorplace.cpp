@@ -10,7 +10,7 @@ namespace nmc {
 
 namespace {
 
-/// Room for time, bytes and the beginning of their meaning, in lines of text.
+/// Width, in lines of text, for the time, the bytes and the beginning of their meaning.
 constexpr int kWantedWidth = 44;
 
 void makeRoom(QMainWindow& window, MonitorDock& monitor, QDockWidget& scope) {
@@ -30,7 +30,7 @@ void placeMonitor(QMainWindow& window, MonitorDock& monitor, QDockWidget& messag
     window.addDockWidget(Qt::BottomDockWidgetArea, &monitor);
     window.tabifyDockWidget(&messages, &monitor);
     monitor.hide();
-    // Queued: until then the layout does not know that it is there.
+    // Queued: until then, the layout does not know that the monitor is visible.
     QObject::connect(
         monitor.toggleViewAction(), &QAction::triggered, &monitor,
         [&window, &monitor, &scope](bool shown) {

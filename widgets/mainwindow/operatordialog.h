@@ -13,15 +13,16 @@ class QLineEdit;
 
 namespace nmc {
 
-/// Asks for the PIN, once to leave operator mode; twice, and what is left to the operator, to begin it. Not
-/// modal: the panel stays usable, and STOP ALL with it.
+/// Asks for the PIN: once to leave operator mode; twice to begin it, together with what the operator may do.
+/// Not modal: the panel stays usable, and STOP ALL with it.
 class OperatorDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// To begin the mode.
+    /// For beginning the mode.
     OperatorDialog(const OperatorRights& rights, QWidget* window);
-    /// To leave it. `isPin`: what is typed is right; `forgotten`: what to do without.
+    /// For leaving the mode. `isPin`: true if the PIN typed is right; `forgotten`: what to do if it was
+    /// forgotten.
     OperatorDialog(std::function<bool(const QString&)> isPin, const QString& forgotten, QWidget* window);
 
 signals:

@@ -78,7 +78,7 @@ void OperatorLock::begin(const OperatorRights& rights, const QString& pin) {
     m_settings.setValue(kOperatorMode, true);
     m_locked = true;
     if (m_rights != rights)
-        emit rightsEdited(rights);  // before nothing can be edited any more
+        emit rightsEdited(rights);  // before editing is locked
     m_rights = rights;
     present();
     emit changed();

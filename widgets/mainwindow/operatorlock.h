@@ -15,27 +15,27 @@ namespace nmc {
 
 class OperatorDialog;
 
-/// Operator mode: who leaves it needs the PIN. It outlives the session, in the settings, where the PIN is
-/// kept as a salted hash. It knows nothing of commands: what rights() leaves is the model's to say.
+/// Operator mode, which only the PIN ends. It outlives the session: it is stored in the settings, with the
+/// PIN as a salted hash. It knows nothing about commands: the model decides what rights() permit.
 class OperatorLock : public QObject {
     Q_OBJECT
 
 public:
     OperatorLock(QSettings& settings, QWidget* window);
 
-    /// Opens the question that begins the mode, or that leaves it.
+    /// Opens the dialog that begins or ends the mode.
     [[nodiscard]] QAction* action() const { return m_action; }
     [[nodiscard]] bool isLocked() const { return m_locked; }
-    /// Empty: everything may be asked for.
+    /// Empty if everything is permitted.
     [[nodiscard]] std::optional<OperatorRights> rights() const;
-    /// As the machine has them.
+    /// Takes the rights that are stored with the machine.
     void showRights(const OperatorRights& rights);
     void open();
 
 signals:
-    /// rights() are others.
+    /// rights() have changed.
     void changed();
-    /// The user has chosen what is left; for the machine.
+    /// The user has chosen what the operator may do; to be stored with the machine.
     void rightsEdited(const nmc::OperatorRights& rights);
 
 private:

@@ -14,7 +14,7 @@ OtherWindows::OtherWindows(QWidget* mainWindow) : QObject(mainWindow), m_mainWin
 bool OtherWindows::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     if (event->spontaneous() && type != QEvent::Close)
-        return false;  // minimised, or back again
+        return false;  // minimised or restored
     if (type != QEvent::Show && type != QEvent::Hide && type != QEvent::Close)
         return false;
     auto* window = qobject_cast<QWidget*>(watched);
@@ -36,7 +36,7 @@ bool OtherWindows::eventFilter(QObject* watched, QEvent* event) {
     return false;
 }
 
-/// In time: it becomes modal only after it was told that it is shown.
+/// This is in time: a window becomes modal only after its show event.
 void OtherWindows::unblock(QWidget& window) {
     window.setWindowModality(Qt::NonModal);
     QWidget* asking = window.parentWidget() != nullptr ? window.parentWidget()->window() : nullptr;

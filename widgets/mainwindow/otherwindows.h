@@ -9,9 +9,9 @@ class QWidget;
 
 namespace nmc {
 
-/// The program's windows beside the main one, Qt's own included: none of them blocks it, or STOP ALL would be
-/// out of reach. One that wants to be modal, such as the file dialog's "Replace it?", blocks only the window
-/// that it belongs to, unless that is the main one.
+/// The program's windows other than the main one, including Qt's own. None of them blocks the main window,
+/// because STOP ALL would then be out of reach. A window that is to be modal, such as the file dialog's
+/// "Replace it?", blocks only the window to which it belongs, unless that is the main one.
 class OtherWindows : public QObject {
     Q_OBJECT
 
@@ -21,14 +21,14 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// One is about to be seen; a popup is one, too.
+    /// Another window, or a popup, is about to be shown.
     void opened();
 
 private:
     void unblock(QWidget& window);
 
     QWidget* m_mainWindow;
-    QHash<QObject*, QPointer<QWidget>> m_blocked;  ///< by the window that it waits for
+    QHash<QObject*, QPointer<QWidget>> m_blocked;  ///< by the window that blocks it
 };
 
 }  // namespace nmc

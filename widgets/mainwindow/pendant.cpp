@@ -23,7 +23,7 @@ bool isArrow(int key) {
     return key == Qt::Key_Left || key == Qt::Key_Right;
 }
 
-/// Shift and nothing else; arrows may be those of the number pad.
+/// True if Shift is the only modifier; the arrows may be those of the number pad.
 bool enables(const QKeyEvent& key) {
     return (key.modifiers() & ~Qt::KeypadModifier) == Qt::ShiftModifier;
 }
@@ -40,14 +40,14 @@ Pendant::Pendant(QWidget& window, ModulePanel& panel)
     m_action->setShortcut(Qt::Key_F12);
     m_action->setCheckable(true);
     m_action->setAutoRepeat(false);
-    window.addAction(m_action);  // its key acts whether its menu is open or not
+    window.addAction(m_action);  // its shortcut acts whether its menu is open or not
     connect(m_action, &QAction::toggled, this, &Pendant::setOn);
     connect(m_gamepad, &Gamepad::changed, this, &Pendant::changed);
     connect(m_gamepad, &Gamepad::stopPressed, this, &Pendant::stopRequested);
     connect(m_gamepad, &Gamepad::released, this, &Pendant::release);
     connect(m_gamepad, &Gamepad::pressed, this, [this](bool reverse) {
         if (m_arrow != 0)
-            release();  // as another key does
+            release();  // as any other key does
         else
             press(reverse);
     });
@@ -100,7 +100,7 @@ bool Pendant::eventFilter(QObject* watched, QEvent* event) {
         return false;
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Escape) {
-        m_action->setChecked(false);  // and the key goes on: it stops all
+        m_action->setChecked(false);  // the key is passed on, and stops all
         return false;
     }
     if (!isOn() || !isOurs(*watched))
@@ -119,7 +119,7 @@ bool Pendant::endsMode(const QObject& watched, QEvent::Type type) const {
            (type == QEvent::WindowDeactivate || type == QEvent::WindowBlocked || type == QEvent::Hide);
 }
 
-/// True: the key goes no farther.
+/// Returns true if the key must not be passed on.
 bool Pendant::takeKey(const QKeyEvent& key, bool pressed) {
     const bool held = m_arrow != 0;
     if (key.isAutoRepeat())

@@ -17,10 +17,10 @@ class HoldButton;
 class ModulePanel;
 
 /// Keyboard and gamepad as a pendant: a mode in which Shift with an arrow key presses the hold button of the
-/// module that is shown, which comes in sight; neither key alone moves anything. A gamepad does the same by a
-/// shoulder button and a way. What ends a hold ends this one, and so do the release of either, any other key,
-/// and the mouse; auto-repeat is no press. The mode itself ends with Esc, when the window is not the active
-/// one any more, and when the module cannot be told anything.
+/// module that is shown, and brings it into view; neither key alone moves anything. On a gamepad, a shoulder
+/// button and a direction do the same. Whatever ends a hold ends this one, and so do the release of either
+/// key, any other key, and the mouse; auto-repeat is not a press. The mode itself ends on Esc, when the
+/// window is no longer the active one, and when the module accepts no commands.
 class Pendant : public QObject {
     Q_OBJECT
 
@@ -30,19 +30,19 @@ public:
     /// Begins and ends the mode.
     [[nodiscard]] QAction* action() const { return m_action; }
     [[nodiscard]] bool isOn() const;
-    /// Why there is no pendant for the module that is shown; empty: there is one.
+    /// `reason`: why the pendant cannot move the module that is shown; empty if it can.
     void showModule(const QString& reason);
-    /// Why the last press moved nothing; empty: it did.
+    /// Why the last press moved nothing; empty if it moved the motor.
     [[nodiscard]] const QString& problem() const { return m_problem; }
-    /// There is one; known only while the mode is on.
+    /// True if there is a gamepad; this is known only while the mode is on.
     [[nodiscard]] bool hasGamepad() const;
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// The mode, problem(), or hasGamepad().
+    /// The mode, problem() or hasGamepad() has changed.
     void changed();
-    /// By the gamepad, whatever is held.
+    /// The stop button of the gamepad was pressed, whatever else is held.
     void stopRequested();
 
 private:
@@ -59,7 +59,7 @@ private:
     QString m_problem;
     Gamepad* m_gamepad;
     QPointer<HoldButton> m_held;
-    int m_arrow = 0;  ///< the key that is held; 0: none
+    int m_arrow = 0;  ///< the arrow key that is held; 0: none
 };
 
 }  // namespace nmc

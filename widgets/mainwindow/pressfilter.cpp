@@ -33,7 +33,8 @@ bool PressFilter::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     if (event->type() == QEvent::TouchUpdate && watched->isWindowType()) {
-        // The first finger is a mouse to what does not care for fingers; those that follow are nothing.
+        // For widgets that do not handle touch, Qt turns the first finger into a mouse and ignores further
+        // fingers.
         for (const QEventPoint& finger : static_cast<QTouchEvent*>(event)->points())
             if (finger.state() == QEventPoint::Pressed && isOnButton(finger.globalPosition().toPoint()))
                 emit pressed();
@@ -41,7 +42,7 @@ bool PressFilter::eventFilter(QObject* watched, QEvent* event) {
     return false;
 }
 
-/// The button will get it, or has it already.
+/// True if the button will receive the press, or already has.
 bool PressFilter::comesByItself(const QObject* watched) const {
     const bool ours = watched == &m_button || watched == m_button.window()->windowHandle();
     return ours && QApplication::activePopupWidget() == nullptr;

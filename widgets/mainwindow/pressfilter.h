@@ -5,9 +5,9 @@
 
 namespace nmc {
 
-/// Watches the whole application for presses at the stop button's place that something else would swallow:
-/// an open menu, the list of a combo box, a finger beside another finger. Such a press closes the popups, and
-/// does nothing else. What lies over the button keeps its own.
+/// Watches the whole application for presses at the place of the stop button that something else would take:
+/// an open menu, the list of a combo box, another finger. Such a press stops, closes the popups, and does
+/// nothing else. A window that covers the button keeps its own presses.
 class PressFilter : public QObject {
     Q_OBJECT
 

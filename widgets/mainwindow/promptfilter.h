@@ -5,14 +5,14 @@
 
 namespace nmc {
 
-/// Watches the whole application for shortcuts and mnemonics of buttons, which act at once by it. Qt shows
-/// the button pressed for 100 ms first, and clicks it then whatever has become of it: a stop would wait for
-/// that, and a move might be another module's.
+/// Watches the whole application for shortcuts and mnemonics of buttons, and makes them act at once. Qt would
+/// first show the button pressed for 100 ms, and then click it whatever it does by then: a stop would be
+/// delayed, and a move might be that of another module.
 class PromptFilter : public QObject {
     Q_OBJECT
 
 public:
-    /// Before the filter that keeps repeats away, which is asked first then.
+    /// Create it before the RepeatFilter, which then receives events first.
     explicit PromptFilter(QObject* parent);
 
     bool eventFilter(QObject* watched, QEvent* event) override;

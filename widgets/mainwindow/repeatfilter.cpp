@@ -11,7 +11,7 @@ namespace nmc {
 
 namespace {
 
-/// Of a key press that was to do something, and not to write or to go somewhere.
+/// True for a key press that triggers something, rather than types or moves the focus.
 bool triggers(const QObject* watched, int key) {
     if (key == Qt::Key_Return || key == Qt::Key_Enter)
         return true;
@@ -21,7 +21,7 @@ bool triggers(const QObject* watched, int key) {
                     (box != nullptr && !box->isEditable()));
 }
 
-/// Where a shortcut repeats: in the one view that listens for it.
+/// True for a shortcut of a single view, where it may repeat.
 bool ofOneView(const QObject* watched) {
     const auto* action = qobject_cast<const QAction*>(watched);
     return action != nullptr && action->shortcutContext() == Qt::WidgetWithChildrenShortcut;

@@ -5,9 +5,10 @@
 
 namespace nmc {
 
-/// Watches the whole application for keys that repeat while they are held: no command is triggered by that.
-/// Enter, shortcuts of the window, and keys on buttons and combo boxes count once for each press; typing,
-/// Tab, and the keys of one view, such as the scope's, repeat as ever. A held jog does not live by repeats.
+/// Watches the whole application for keys that repeat while they are held, so that repeats trigger no
+/// command. Enter, shortcuts of the window, and keys on buttons and combo boxes count once for each press;
+/// typing, Tab, and the shortcuts of a single view, such as the scope, repeat as usual. A held jog does not
+/// depend on repeats.
 class RepeatFilter : public QObject {
     Q_OBJECT
 
@@ -17,7 +18,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    bool m_repeats = false;  ///< the key that may become a shortcut next
+    bool m_repeats = false;  ///< the last key event, which may become a shortcut, is a repeat
 };
 
 }  // namespace nmc

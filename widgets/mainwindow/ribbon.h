@@ -9,8 +9,8 @@ class QPushButton;
 
 namespace nmc {
 
-/// A bar over the whole width, in the palette's colours inverted: what kind of session this is. Always in
-/// view while it is so; hidden at first.
+/// A bar across the whole width, in the palette's inverted colours, that shows what kind of session this is.
+/// Always visible while that is so; hidden at first.
 class Ribbon : public QFrame {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
     Ribbon(const QString& objectName, const QString& accessibleName, const QString& text, QWidget* parent);
 
     void setText(const QString& text);
-    /// Behind the text.
+    /// Adds a button after the text.
     QPushButton* addButton(const QString& objectName, const QString& text, const QString& meaning);
 
 protected:

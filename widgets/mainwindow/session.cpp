@@ -14,7 +14,7 @@ namespace nmc {
 void Session::setLink(const LinkState& state) {
     LinkState next = state;
     if (next.unplugged)
-        next.modules = m_link.modules;  // what was said last is the last that is known
+        next.modules = m_link.modules;  // the last reports are all that is known
     next.take(m_machine);
     const LinkState before = std::exchange(m_link, asShown(std::move(next)));
     m_link.now = before.now;
@@ -94,13 +94,14 @@ int Session::movingMotors() const {
     if (!isOpen())
         return 0;
     return static_cast<int>(std::ranges::count_if(m_link.modules, [this](const ModuleState& module) {
-        // What a motor that is on was asked for last may have set it going, and nobody has seen it yet.
+        // The last request to a motor that is on may have started it, although no status has shown that yet.
         const bool asked = module.awaited && module.driveOn();
         return module.moving() || asked || procedureMoves(module.info.index);
     }));
 }
 
-/// It may have sent what sets the motor going already, and nobody has seen it yet.
+/// A procedure may already have sent the command that starts the motor, although no status has shown that
+/// yet.
 bool Session::procedureMoves(ModuleIndex module) const {
     const auto found = m_procedures.find(module);
     return found != m_procedures.end() && !found->second.over() &&

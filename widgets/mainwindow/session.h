@@ -15,8 +15,8 @@
 
 namespace nmc {
 
-/// What the window shows, as values: connection, machine and procedures as they may be shown, how old that
-/// is, and what follows for the user. Knows no widget. GUI thread.
+/// What the window shows, as values: connection, machine and procedures as they may be shown, their age, and
+/// what follows for the user. Uses no widget. GUI thread.
 class Session : public QObject {
     Q_OBJECT
 
@@ -25,11 +25,11 @@ public:
     using Procedures = std::map<ModuleIndex, ProcedureReport>;
 
     void setLink(const LinkState& state);
-    /// From here on its names are the ones in all texts.
+    /// From now on, all texts contain its names.
     void setMachine(const Machine& machine);
-    /// The last one of each module is kept, until another chain is looked for.
+    /// The last report of each module is kept until another chain is searched for.
     void setProcedure(const ProcedureReport& report);
-    /// It is as late as that: what was said may be old by now.
+    /// Sets the present time: the last reports may have become old by now.
     void setNow(TimePoint now);
 
     [[nodiscard]] const LinkState& link() const { return m_link; }
@@ -37,28 +37,30 @@ public:
     [[nodiscard]] const Procedures& procedures() const { return m_procedures; }
 
     [[nodiscard]] bool isOpen() const { return m_link.phase != LinkPhase::Disconnected; }
-    /// Null for none.
+    /// Null if there is none.
     [[nodiscard]] const ModuleState* module(std::optional<ModuleIndex> index) const;
-    /// What its panel shows; valid until the next call that sets something.
+    /// What the module's panel shows; valid until the next call that sets something.
     [[nodiscard]] PanelView viewOf(const ModuleState& module) const;
-    /// What the scope knows of them.
+    /// How the scope reads the modules.
     [[nodiscard]] std::vector<ScopeModule> scopeModules() const;
-    /// Those that are seen to move, and those that a procedure moves, or is about to.
+    /// Number of motors that are seen to move, may just have been started, or are moved by a procedure or
+    /// about to be.
     [[nodiscard]] int movingMotors() const;
-    /// A connection that only looks leaves them as they are.
+    /// A read-only connection leaves the motors as they are.
     [[nodiscard]] bool leavingStopsMotors() const { return !m_link.readOnly && movingMotors() > 0; }
-    /// Of a question that stands until this connection is gone: what it says now.
+    /// Returns a function for a question that stays open until this connection has ended: it returns the
+    /// question's present text, which is empty after that.
     [[nodiscard]] std::function<QString()> whileOpen(QString (*text)(int movingMotors)) const;
 
-    /// The stop that was asked for is to end this connection, if all stop.
+    /// The stop that was requested is to end this connection if all motors stop.
     void disconnectWhenStopped() { m_disconnectWhenStopped = true; }
     void stopFinished(bool allStopped);
 
 signals:
-    /// Another connection, or another phase of it; changed() follows.
+    /// The connection or its phase has changed; changed() follows.
     void phaseChanged(nmc::LinkPhase before);
     void changed();
-    /// Only the age of what is shown.
+    /// Only the age of what is shown has changed.
     void aged();
     void disconnectRequested();
 
@@ -68,7 +70,7 @@ private:
     [[nodiscard]] bool procedureMoves(ModuleIndex module) const;
 
     LinkState m_link;          ///< as it may be shown
-    std::vector<bool> m_live;  ///< of its modules, as they were told of last
+    std::vector<bool> m_live;  ///< of its modules, as last reported by a signal
     Machine m_machine;
     Procedures m_procedures;
     bool m_disconnectWhenStopped = false;

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-/// Where the window keeps what it remembers.
+/// Keys of the settings in which the window stores what it remembers.
 namespace nmc::settingskeys {
 
 inline const QString kGeometry = QStringLiteral("window/geometry");
@@ -19,6 +19,6 @@ inline const QString kPrinter = QStringLiteral("print/printer");
 inline const QString kSounds = QStringLiteral("sounds");
 inline const QString kOperatorMode = QStringLiteral("operator/locked");
 inline const QString kOperatorSalt = QStringLiteral("operator/salt");
-inline const QString kOperatorPin = QStringLiteral("operator/pin");  ///< a hash of it
+inline const QString kOperatorPin = QStringLiteral("operator/pin");  ///< hash of the PIN
 
 }  // namespace nmc::settingskeys

@@ -16,7 +16,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kWidestChoices = 44;  ///< lines of text
+constexpr int kWidestChoices = 44;  ///< in lines of text
 }
 
 StartPage::StartPage(ConnectionBar& bar, QWidget* parent)

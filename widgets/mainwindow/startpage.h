@@ -8,8 +8,8 @@ namespace nmc {
 class ChoiceButton;
 class ConnectionBar;
 
-/// The middle of the window while nothing is connected: the serial port and the simulator as two large
-/// choices, each with what it needs. They do what the connection bar does with its port, rate and Connect.
+/// The centre of the window while nothing is connected: the serial port and the simulator as two large
+/// choices, each with what it needs. They act as the connection bar does with its port, rate and Connect.
 class StartPage : public QWidget {
     Q_OBJECT
 

@@ -70,7 +70,7 @@ void StopButton::paintEvent(QPaintEvent* /*event*/) {
                          : isDown()     ? QColor(0x44, 0x44, 0x44)
                          : underMouse() ? QColor(0x22, 0x22, 0x22)
                                         : QColor(Qt::black);
-    // On a dark window black needs an edge to be seen.
+    // On a dark window, the black button needs an edge to be visible.
     painter.setPen(dark ? QPen(enabled ? QColor(0xB0, 0xB0, 0xB0) : QColor(0x55, 0x55, 0x55), 1.5)
                         : QPen(Qt::NoPen));
     painter.setBrush(black);

@@ -5,7 +5,8 @@
 
 namespace nmc {
 
-/// STOP ALL: black, white words, an octagon, at least 15 mm high, always in the same place. It acts on press.
+/// STOP ALL: black with white words and an octagon, at least 15 mm high, always in the same place. It acts on
+/// press.
 class StopButton : public QAbstractButton {
     Q_OBJECT
 

@@ -12,7 +12,7 @@ namespace nmc {
 
 namespace {
 
-/// What has a value that the wheel would change.
+/// Returns the widget if it has a value that the wheel would change, otherwise null.
 QWidget* widgetWithValue(QObject* watched) {
     const bool slider =
         qobject_cast<QAbstractSlider*>(watched) != nullptr && qobject_cast<QScrollBar*>(watched) == nullptr;

@@ -6,7 +6,7 @@
 namespace nmc {
 
 /// Watches the whole application for the wheel over combo boxes, spin boxes, sliders and fields: without the
-/// focus, which a wheel does not give them either, it goes on to what scrolls around them.
+/// focus, which the wheel does not give them either, they ignore it, and what surrounds them scrolls.
 class WheelFilter : public QObject {
     Q_OBJECT
 
