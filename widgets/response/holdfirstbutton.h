@@ -8,15 +8,15 @@
 
 namespace nmc {
 
-/// Beside the button of a test that begins where the servo is held: makes that position known. There only
-/// while nothing else is missing.
+/// A button beside that of a test that begins where the servo is held: it makes that position known. Shown
+/// only while nothing else is missing.
 class HoldFirstButton : public QPushButton {
     Q_OBJECT
 
 public:
     HoldFirstButton(const QString& objectName, QWidget* parent);
 
-    /// Why the test of this module is refused, if it is. Emits nothing.
+    /// `refusal`: why the test of this module is refused, if it is. Emits nothing.
     void showFor(const std::optional<ModuleState>& module, std::optional<Refusal> refusal);
 
 signals:

@@ -25,7 +25,7 @@ constexpr int kSliderSteps = 100;
 constexpr int kMotorLines = 5;
 constexpr int kSuggestionLines = 5;
 
-/// As many lines as it may need are always its own, so that no button moves.
+/// Always reserves as many lines as the text may need, so that no button moves.
 QLabel* newParagraph(const QString& objectName, const QString& what, int lines, QWidget* parent) {
     auto* label = new QLabel(parent);
     look::nameText(label, objectName, what);
@@ -50,7 +50,7 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QW
     const int unit = look::gridUnit(this);
     grid->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
     grid->setVerticalSpacing(unit / 3);
-    // A button of its own: Find sends nothing, and whoever clicks it twice must not move a motor.
+    // A separate button: Find sends nothing, and clicking it twice must not move a motor.
     m_steps = new QPushButton(icons::tinted(u"player-play"_s), {}, this);
     m_steps->setObjectName(u"stepAndFindButton"_s);
     connect(m_steps, &QPushButton::clicked, this, [this] { m_form.step(nextSteps()); });
@@ -168,7 +168,7 @@ void ModelBox::find(ModuleIndex module) {
 
 void ModelBox::showMotor(ModuleIndex module, const FoundMotor& found) {
     if (!m_looking || m_looking->module != module)
-        return;  // of the last connection
+        return;  // it is of the last connection
     m_found.insert_or_assign(module, Found{found, m_looking->from});
     m_looking.reset();
     suggest();
@@ -184,7 +184,7 @@ void ModelBox::showModule(const PanelView& view) {
     const auto servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
     const ProcedureReport* running = view.procedure;
     const bool tries = running != nullptr && running->kind == ProcedureKind::TryGains && !running->over();
-    // Gains that are tried are not there to stay, and their output limit is lowered.
+    // Gains on trial are temporary, and their output limit is lowered.
     const auto gains = tries && servo == m_servo ? m_gains : view.module.gains;
     const bool news = servo != m_servo || gains != m_gains;
     m_servo = servo;

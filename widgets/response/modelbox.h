@@ -23,59 +23,59 @@ class ResponseForm;
 
 using FoundMotor = tl::expected<Identified, IdentifyFailure>;
 
-/// What a suggestion is asked for with.
+/// A request for a suggestion.
 struct SuggestionTask {
-    int id = 0;  ///< only the answer to the latest counts
+    int id = 0;  ///< only the answer to the latest request counts
     MotorModel motor;
     LoopWish wish;
     servo::SetGain now;
-    ResponseTaken taken;  ///< the step that is predicted once more
+    ResponseTaken taken;  ///< the step that is predicted for the suggested gains
     double bandPercent = 0.0;
 };
 struct Suggestion {
     int id = 0;
-    std::optional<servo::SetGain> gains;  ///< empty: none are stable
+    std::optional<servo::SetGain> gains;  ///< empty: no gains are stable
     std::optional<Prediction> prediction;
 };
 
-/// The motor that explains the step responses of the selected servo, gains suggested for it by three sliders,
-/// and what a step with them would do. Has steps made by the form, where it is asked for more of them.
+/// The motor model that explains the step responses of the selected servo, gains suggested for it according
+/// to three sliders and a phase margin, and what a step with these gains would do. If the user requests
+/// further steps, the form makes them.
 class ModelBox : public QWidget {
     Q_OBJECT
 
 public:
-    /// `runs`: those of the list, newest last. It and `form` must outlive this.
+    /// `runs`: the runs of the list, newest last. `runs` and `form` must outlive this object.
     ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QWidget* parent = nullptr);
 
-    /// Finds the motor of that module from its last runs.
+    /// Finds the motor model of a module from its last runs.
     void find(ModuleIndex module);
 
-    // Emit nothing but curvesChanged().
-    /// The form shows it already.
+    // Emit at most curvesChanged() and suggestionWanted().
+    /// Call it after ResponseForm::showModule().
     void showModule(const PanelView& view);
     void showNothing();
-    /// The runs of the list are others.
+    /// The runs of the list have changed.
     void showRuns();
-    /// The answer to identifyWanted(); nothing where it is not waited for any more.
+    /// The answer to identifyWanted(); ignored if it is no longer expected.
     void showMotor(ModuleIndex module, const FoundMotor& found);
     /// The answer to suggestionWanted().
     void showSuggestion(const Suggestion& suggestion);
-    /// The modules are others.
+    /// The modules have been replaced.
     void forget();
 
-    /// What a step like the last of this module would do with the suggested gains; null: nothing is
-    /// suggested.
+    /// What a step like the run about() would do with the suggested gains; null if nothing is suggested.
     [[nodiscard]] const Prediction* prediction() const;
-    /// How the motor that was found explains that last one.
+    /// The run about() as the motor model reproduces it.
     [[nodiscard]] const std::vector<ResponsePoint>& fittedPoints() const { return m_fitted; }
-    /// The motor that was found, a line each; empty: none was.
+    /// The constants of the motor model, one per line; empty if none was found.
     [[nodiscard]] QStringList motorWords() const;
-    /// The number of that last one.
+    /// Number of the last run from which the motor model was found.
     [[nodiscard]] std::optional<int> about() const { return m_about; }
 
 signals:
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
-    /// With every move of a slider: some tenths of a second of work.
+    /// Emitted with every move of a slider; the calculation takes some tenths of a second.
     void suggestionWanted(const nmc::SuggestionTask& task);
     void gainsWanted(const nmc::servo::SetGain& gains);
     void curvesChanged();
@@ -83,7 +83,7 @@ signals:
 private:
     struct Looking {
         ModuleIndex module;
-        int from = 0;  ///< the number of the last run that is looked at
+        int from = 0;  ///< number of the last run that is evaluated
     };
     struct Found {
         FoundMotor motor;
@@ -95,8 +95,8 @@ private:
     void refreshSteps();
     void suggest();
     void showWords();
-    /// A series; or one, where a motor was found from enough of them, and of all that there are, though not
-    /// surely.
+    /// A series of steps; or a single one if the motor model is uncertain although it was found from enough
+    /// runs, including the last one.
     [[nodiscard]] std::vector<std::int32_t> nextSteps() const;
     [[nodiscard]] std::vector<const KeptResponse*> runsOf(std::optional<ModuleIndex> module) const;
     [[nodiscard]] const Found* found() const;
@@ -115,9 +115,9 @@ private:
     std::map<ModuleIndex, Found> m_found;
     std::optional<Looking> m_looking;
     std::optional<ModuleIndex> m_servo;
-    std::optional<servo::SetGain> m_gains;  ///< that it has
-    double m_margin;                        ///< degrees; the last one that was a number
-    int m_asked = 0;                        ///< suggestions, so far
+    std::optional<servo::SetGain> m_gains;  ///< of m_servo
+    double m_margin;                        ///< degrees; the last valid value of the field
+    int m_asked = 0;                        ///< number of suggestions requested so far
     Suggestion m_suggestion;
     std::vector<ResponsePoint> m_fitted;
     std::optional<int> m_about;

@@ -8,16 +8,16 @@
 #include "model/tuning/predict.h"
 #include "model/tuning/suggest.h"
 
-/// A motor that was found, and what is made of it, in words.
+/// A motor model, and what follows from it, in words.
 namespace nmc::texts {
 
-/// One constant a line, with one standard deviation, in the chip's units.
+/// One constant per line, with one standard deviation, in the chip's units.
 [[nodiscard]] QStringList motorFound(const Identified& found);
-/// Why there is none, and what to do.
+/// Why no motor model was found, and what to do.
 [[nodiscard]] QString motorNotFound(IdentifyFailure failure);
 /// "Kp 310, Kd 2900, …"
 [[nodiscard]] QString gainsInShort(const servo::SetGain& gains);
-/// What a step would do, one thing a line.
+/// What a step would do, one result per line.
 [[nodiscard]] QStringList predicted(const Prediction& prediction);
 
 }  // namespace nmc::texts

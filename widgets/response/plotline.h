@@ -9,11 +9,11 @@ namespace nmc {
 
 struct PlotGeometry;
 
-/// How opaque the settling band is, like everything that lies behind the lines; of 255.
+/// Opacity, of 255, of the settling band and of everything else behind the lines.
 inline constexpr int kBandAlpha = 45;
 
-/// `line`, in seconds and values, as far as it is in the area: an SVG file knows no clipping. In whole lines,
-/// so that dashes run through.
+/// Draws the part of `line`, in seconds and values, that is within the area, because an SVG file has no
+/// clipping. The parts are polylines, so that dashes are continuous.
 void paintLine(QPainter& painter, const PlotGeometry& geometry, const QPolygonF& line);
 
 }  // namespace nmc

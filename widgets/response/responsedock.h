@@ -6,7 +6,7 @@
 
 namespace nmc {
 
-/// The place of the step responses, closed at first: its content is built when it is seen for the first time.
+/// The dock of the step responses, closed at first: its content is built when it is first shown or needed.
 class ResponseDock : public LazyDock {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
     void showModule(const PanelView& view);
     void showNothing();
     void showRun(KeptResponse run) { page().showRun(std::move(run)); }
-    /// Until it is built they wait.
+    /// Until the content is built, the runs are stored here.
     void showKept(std::vector<KeptResponse> runs);
     void clearRuns();
     [[nodiscard]] std::vector<KeptResponse> runs() const {
@@ -27,9 +27,9 @@ public:
     void showSuggestion(const Suggestion& suggestion) { page().showSuggestion(suggestion); }
     void forgetModules();
 
-    /// As in ResponsePage; nothing while it was not built.
+    /// As in ResponsePage; does nothing until the content is built.
     void takeFormBack();
-    /// The content; built if need be.
+    /// The content, built if necessary.
     ResponsePage& page();
 
 signals:
@@ -39,7 +39,7 @@ signals:
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
     void runsChanged();
     void saveRequested(const QString& path, const nmc::FileContent& content);
-    /// One page, by the system's usual printer.
+    /// One page; the receiver asks for a printer.
     void printRequested(const QByteArray& pdf);
 
 private:

@@ -199,7 +199,7 @@ void ResponseForm::ask(ModuleIndex module, const intent::StepResponse& step,
     emit asked(module, series.empty() ? Intent(step) : intent::StepSeries{step, series});
 }
 
-/// Which of those in the fields the module does not have; empty: it has them all.
+/// The gains in the fields that differ from those of the module; empty if there are none.
 QString ResponseForm::unsentGains() const {
     if (!m_module || !m_module->gains || !m_staged)
         return {};

@@ -18,7 +18,7 @@ class HoldFirstButton;
 class NumberField;
 class QuantityField;
 
-/// How the next step is made, and the button that makes it.
+/// The settings of the next step, and the button that makes it.
 class ResponseForm : public QWidget {
     Q_OBJECT
 
@@ -29,25 +29,26 @@ public:
     void showModule(const PanelView& view);
     void showNothing();
 
-    /// As by its button; `series`: a series of such steps, by these distances (intent::StepSeries).
+    /// Makes a step as the button does; with `series`, a series of such steps by these distances
+    /// (intent::StepSeries).
     void step(const std::vector<std::int32_t>& series = {});
 
-    /// Why that cannot be done now; empty: it can.
+    /// Why step() is not possible now; empty if it is.
     [[nodiscard]] QString whyNotNow(const std::vector<std::int32_t>& series = {}) const;
-    /// Counts; empty: it is no number.
+    /// In counts; empty if the field contains no valid value.
     [[nodiscard]] std::optional<std::int32_t> distance() const;
 
-    /// Percent of the step; the last one that was a number.
+    /// In percent of the step; the last valid value of the field.
     [[nodiscard]] double band() const { return m_lastBand; }
 
-    /// Why no step is possible, or how the last one goes or ended; a child of the form's parent, to be laid
-    /// out where there is room for a sentence.
+    /// Why no step is possible, or the progress or failure of the last one; a child of the form's parent, to
+    /// be placed where there is room for a sentence.
     [[nodiscard]] QLabel* stateLabel() const { return m_state; }
 
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void bandEdited(double percent);
-    /// How the next step is made.
+    /// The settings of the next step have changed.
     void edited();
 
 private:
@@ -69,7 +70,7 @@ private:
     HoldFirstButton* m_hold = nullptr;
     QLabel* m_state = nullptr;
     std::optional<ModuleState> m_module;
-    std::optional<servo::SetGain> m_staged;  ///< in the fields of the gains
+    std::optional<servo::SetGain> m_staged;  ///< values in the fields of the gains
     std::optional<ProcedureReport> m_report;
     double m_lastBand;
     bool m_connected = false;

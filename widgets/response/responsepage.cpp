@@ -117,7 +117,7 @@ void ResponsePage::takeFormBack() {
     place->deleteLater();
 }
 
-/// Without its form the plot has most of the room, and what was found stands beside it.
+/// Without the form, the plot has most of the room, and the results are beside it.
 void ResponsePage::lay() {
     const int unit = look::gridUnit(this);
     delete layout();
@@ -136,7 +136,7 @@ void ResponsePage::lay() {
         left->addWidget(m_form);
         left->addWidget(m_findings);
         left->addStretch(1);
-        // A line is always left to it, so that the plot does not jump with every step.
+        // Always reserves a line for the label, so that the plot does not jump with every step.
         m_form->stateLabel()->setMinimumHeight(fontMetrics().height());
         right->addWidget(m_form->stateLabel());
         right->addWidget(m_view, 3);
@@ -203,7 +203,7 @@ void ResponsePage::showKept(std::vector<KeptResponse> runs) {
         setBand(run.run, m_form->band());
         last = std::max(last, run.number);
     }
-    // What was made before these were read is newer all the same.
+    // Runs that were recorded before these were read are newer nevertheless.
     for (std::vector<KeptResponse>* made : {&m_kept, &m_removed})
         for (KeptResponse& run : *made)
             run.number += last;
@@ -223,7 +223,7 @@ void ResponsePage::clearRuns() {
     showList();
 }
 
-/// What is listed has changed.
+/// Call when the list has changed.
 void ResponsePage::showList() {
     dropOldest(m_kept, [this](const KeptResponse& kept) {
         return kept.number == m_shown[0] || kept.number == m_shown[1] || kept.number == m_lastNumber;
@@ -278,8 +278,8 @@ void ResponsePage::forgetModules() {
     m_model->forget();
 }
 
-/// Over a run of the same module and distance: the one that they are about, or the next, with the gains that
-/// were suggested.
+/// Shows the curves over a run of the same module and distance: the one that they belong to, or a later one
+/// made with the suggested gains.
 void ResponsePage::showModelCurves() {
     const KeptResponse* about = find(m_model->about());
     const auto alike = [about](const KeptResponse* shown) {

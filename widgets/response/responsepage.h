@@ -22,54 +22,55 @@ class ResponseForm;
 class ResponseResults;
 class ResponseView;
 
-/// Step responses of the selected servo: asks for them, keeps those that were made, and compares two.
+/// Step responses of the selected servo: requests them, keeps those that were recorded, and compares two.
 class ResponsePage : public QWidget {
     Q_OBJECT
 
 public:
     explicit ResponsePage(QWidget* parent = nullptr);
 
-    // Emit nothing.
+    // Emit at most suggestionWanted(), and showRun() also runsChanged().
     void showModule(const PanelView& view);
     void showNothing();
-    /// A new one: it becomes A, and where there is no B to compare it with, what was A becomes B. Its number
-    /// is given here, and it is judged by the band that the user has chosen.
+    /// Adds a new run: it becomes A and, if there is no B to compare it with, the previous A becomes B. Its
+    /// number is assigned here, and it is evaluated with the settling band that the user has chosen.
     void showRun(KeptResponse run);
-    /// Those that were kept of the machine, oldest first, below what is there by now.
+    /// Adds the runs that are stored with the machine, oldest first, below those already in the list.
     void showKept(std::vector<KeptResponse> runs);
-    /// The runs are of another machine.
+    /// Removes all runs. Call it when the machine is replaced.
     void clearRuns();
     /// The answer to identifyWanted().
     void showMotor(ModuleIndex module, const FoundMotor& found);
     /// The answer to suggestionWanted().
     void showSuggestion(const Suggestion& suggestion);
-    /// What is known of a module is of the last connection; the runs stay.
+    /// Forgets what is known about the modules, which are those of the last connection; the runs stay.
     void forgetModules();
 
-    /// The form and its sentence, to be laid out elsewhere, until it is taken back.
+    /// Returns the form with its state label, to be placed elsewhere until takeFormBack().
     [[nodiscard]] QWidget* lendForm();
     void takeFormBack();
     [[nodiscard]] bool lends() const { return m_lent != nullptr; }
-    /// As by the form's button.
+    /// Makes a step as the form's button does.
     void step();
     /// As in ModelBox.
     void find(ModuleIndex module);
 
     [[nodiscard]] const std::vector<KeptResponse>& runs() const { return m_kept; }
-    /// What was found of the motor that is shown; empty for nothing.
+    /// The constants of the motor model that is shown, one per line; empty if there is none.
     [[nodiscard]] QStringList motorWords() const { return m_model->motorWords(); }
 
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
-    /// Into the fields of the gains of the selected module, which is that of the run; not to be sent.
+    /// These gains are to be put into the fields of the selected module, which is that of the run; nothing is
+    /// to be sent.
     void gainsWanted(const nmc::servo::SetGain& gains);
     void suggestionWanted(const nmc::SuggestionTask& task);
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
-    /// runs() has changed, and not by showKept() or clearRuns(): it is to be kept.
+    /// runs() has changed other than by showKept() or clearRuns(), and must be stored.
     void runsChanged();
-    /// All runs, or a picture of those that are shown.
+    /// All runs are to be saved, or a picture of those that are shown.
     void saveRequested(const QString& path, const nmc::FileContent& content);
-    /// One page, by the system's usual printer.
+    /// One page; the receiver asks for a printer.
     void printRequested(const QByteArray& pdf);
 
 private:
@@ -92,7 +93,7 @@ private:
     [[nodiscard]] QString whyNotUsable(const KeptResponse* run) const;
 
     std::vector<KeptResponse> m_kept;     ///< oldest first
-    std::vector<KeptResponse> m_removed;  ///< the last at the end
+    std::vector<KeptResponse> m_removed;  ///< the one removed last at the end
     ResponseForm* m_form;
     ResponseResults* m_results;
     ModelBox* m_model;
@@ -100,7 +101,7 @@ private:
     ResponseView* m_view;
     ResponseTable* m_table;
     QWidget* m_runs = nullptr;  ///< the table and its buttons
-    QWidget* m_lent = nullptr;  ///< the form, elsewhere
+    QWidget* m_lent = nullptr;  ///< contains the form while it is placed elsewhere
     QPushButton* m_use = nullptr;
     QPushButton* m_remove = nullptr;
     QPushButton* m_putBack = nullptr;
@@ -108,7 +109,7 @@ private:
     QCheckBox* m_all = nullptr;
     ShownRuns m_shown;
     int m_lastNumber = 0;
-    std::optional<ModuleIndex> m_servo;  ///< what is selected, if it is a PIC-SERVO
+    std::optional<ModuleIndex> m_servo;  ///< the selected module, if it is a PIC-SERVO
 };
 
 }  // namespace nmc

@@ -28,11 +28,11 @@ namespace {
 const QList<qreal> kDashes{4, 2.5};
 constexpr std::size_t kModel = 3, kPrediction = 2;  ///< trace colours
 constexpr double kPalest = 0.15, kStrongest = 0.5;  ///< opacity of runs that are neither A nor B
-constexpr double kShortest = 0.1;                   ///< of the record, is always seen
-constexpr double kGap = 6;                          ///< sample intervals, from which on something is missing
-constexpr double kUsualRecord = 0.5;                ///< s, of the axis before there is a run
-constexpr double kPan = 0.1;                        ///< of what is seen
-/// s, and the unit of the axis: zooming ends here.
+constexpr double kShortest = 0.1;                   ///< share of the record that is always visible
+constexpr double kGap = 6;                          ///< sample intervals; a longer distance is a gap
+constexpr double kUsualRecord = 0.5;                ///< s, length of the time axis before there is a run
+constexpr double kPan = 0.1;                        ///< share of the visible range
+/// Limits of zooming, in s and in the unit of the axis.
 constexpr double kNarrowestView = 1e-5, kLongestView = 100, kMaxValues = 1e13;
 }  // namespace
 
@@ -65,7 +65,7 @@ ResponsePlot::Curve ResponsePlot::curveOf(const KeptResponse& kept, const AxisSc
     curve.band = scale.distance(kept.run.band());
     curve.bandPercent = kept.run.bandPercent;
     curve.record = taken.record;
-    // As long again as it takes to settle, so that it is seen to stay.
+    // Twice the settling time, so that the plot shows that the motor stays there.
     const auto& atRest = kept.run.metrics.settlingAtRest;
     curve.transient =
         atRest ? std::clamp(2 * atRest->value, kShortest * taken.record, taken.record) : taken.record;
@@ -152,7 +152,7 @@ ResponsePlot::View ResponsePlot::fitted() const {
     takeIn(m_fitted);
     takeIn(m_predicted);
     takeIn(m_range);
-    // What is farthest is not drawn on the edge.
+    // Keeps the extremes away from the edge.
     constexpr double kHeadroom = 0.04;
     const double room = kHeadroom * (high - low);
     low -= room;
@@ -218,7 +218,7 @@ void ResponsePlot::paintOver(QPainter& painter) {
     }
     if (const int strips = stripsHeight(); strips > 0)
         m_strips.paint(painter, QRectF(0, height() - strips, width(), strips), m_geometry, palette());
-    // What runs along the edge is drawn whole.
+    // Lines along the edge are drawn at their full width.
     painter.setClipRect(m_geometry.area.adjusted(0, -kTraceWidth, 0, kTraceWidth));
     painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DotLine));
     if (m_geometry.left <= 0 && m_geometry.right >= 0)
@@ -283,7 +283,7 @@ void ResponsePlot::paintCursors(QPainter& painter) const {
     }
 }
 
-/// As far as it is in the area: an SVG file knows no clipping.
+/// Draws only what is within the area, because an SVG file has no clipping.
 void ResponsePlot::paintLevel(QPainter& painter, double value, double from, double to) const {
     if (value < m_geometry.bottom || value > m_geometry.top || from > m_geometry.right ||
         to < m_geometry.left)
@@ -303,7 +303,7 @@ void ResponsePlot::paintGoal(QPainter& painter, const Curve& curve) const {
     paintLevel(painter, curve.goal, 0, curve.record);
 }
 
-/// Once for every change and not once a frame, so a polyline is quick enough, and its dashes run through.
+/// Called for every change and not for every frame, so a polyline is fast enough; its dashes are continuous.
 void ResponsePlot::paintCurve(QPainter& painter, std::size_t which) const {
     if (!m_curves[which])
         return;
@@ -315,7 +315,7 @@ void ResponsePlot::paintCurve(QPainter& painter, std::size_t which) const {
         paintLine(painter, m_geometry, part);
 }
 
-/// As far as it is in the area: an SVG file knows no clipping.
+/// Draws only what is within the area, because an SVG file has no clipping.
 void ResponsePlot::paintRange(QPainter& painter) const {
     QPolygonF places;
     for (const QPointF& point : m_range)

@@ -17,35 +17,36 @@ namespace nmc {
 
 struct Prediction;
 
-/// One or two step responses over the time since their step, from where they began: A solid, B dashed, with
-/// the goal and the settling band; below them error and PWM. As long as the transient lasts; a double click
-/// shows the whole record, or that again. Wheel, mouse and keys zoom and move it as a strip of the scope.
+/// One or two step responses over the time since their step, relative to their start: A solid, B dashed, with
+/// the goal and the settling band; below them error and PWM. Shows the transient; a double click switches to
+/// the whole record and back. Wheel, mouse and keys zoom and move the plot as they do a strip of the scope.
 class ResponsePlot : public QWidget {
     Q_OBJECT
 
 public:
     explicit ResponsePlot(QWidget* parent = nullptr);
 
-    /// Either may be null. `others`, oldest first, are drawn pale behind them, the oldest palest.
+    /// `a` and `b` may be null. `others`, oldest first, are drawn in pale colours behind them, the oldest
+    /// palest.
     void showRuns(const KeptResponse* a, const KeptResponse* b,
                   const std::vector<const KeptResponse*>& others = {});
-    /// Over `about`, which may be null: what the motor that was found would have done, and what it would do
-    /// with suggested gains, which may be null.
+    /// Draws over the run `about` what the motor model would have done (`fitted`), and what it would do with
+    /// suggested gains (`predicted`). `about` and `predicted` may be null.
     void showModel(const KeptResponse* about, const std::vector<ResponsePoint>& fitted,
                    const Prediction* predicted);
 
-    /// Two cursors to measure with; they come where they can be seen.
+    /// Shows two cursors to measure with, within the visible time.
     void showCursors(bool shown);
-    /// What they read: a row each for the time, A and B, of a name, what is at either cursor, and the
-    /// difference. Empty while they are hidden.
+    /// The readings of the cursors: a row each for the time, A and B, with a name, the reading at each
+    /// cursor, and the difference. Empty while the cursors are hidden.
     [[nodiscard]] std::vector<std::array<QString, 4>> readings() const;
-    /// Once more as long as the transient lasts.
+    /// Shows the transient again.
     void fitTransient();
-    /// In vectors where the painter can.
+    /// Draws vectors if the painter supports them.
     void renderTo(QPainter& painter);
 
     [[nodiscard]] QString legendText(std::size_t entry) const { return m_backdrop.legendText(entry); }
-    /// Where that is drawn; value in the unit of the axis.
+    /// Where this point is drawn; `value` is in the unit of the axis.
     [[nodiscard]] QPointF pointAt(double seconds, double value) const;
     [[nodiscard]] const PlotGeometry& geometryShown() const { return m_geometry; }
     [[nodiscard]] QSize sizeHint() const override;
@@ -70,16 +71,16 @@ protected:
 private:
     /// In seconds and in the unit of the axis.
     struct Curve {
-        std::vector<QPolygonF> parts;  ///< between them samples are missing
+        std::vector<QPolygonF> parts;  ///< samples are missing between them
         double goal = 0;
         double band = 0;
         double bandPercent = 0;
         double record = 0;
-        double transient = 0;  ///< s, until little happens any more
+        double transient = 0;  ///< s to show, until the motor stays at rest
         QString label;
         QString unit;
 
-        /// On a straight line between its neighbours.
+        /// Interpolated linearly between samples.
         [[nodiscard]] std::optional<double> at(double seconds) const;
         [[nodiscard]] bool sameGoal(const Curve& other) const {
             return goal == other.goal && band == other.band;
@@ -90,7 +91,7 @@ private:
     [[nodiscard]] static QPolygonF lineOf(const KeptResponse& about,
                                           const std::vector<ResponsePoint>& points);
     enum class Drag : std::uint8_t { None, Pan, Cursor1, Cursor2, Choose };
-    /// What the user has zoomed to.
+    /// A visible range of time and values.
     struct View {
         double left, right, bottom, top;
     };
@@ -103,14 +104,14 @@ private:
     [[nodiscard]] View fitted() const;
     [[nodiscard]] View seen() const;
     void showView(const View& view);
-    /// `factor` above 1 shows more; what is at `at` stays.
+    /// A `factor` above 1 shows more; `at` stays in place.
     void zoomTime(double factor, double at);
     void zoomValues(double factor, double at);
     void pan(double timeShare, double valueShare);
     [[nodiscard]] std::optional<std::size_t> cursorAt(const QPointF& position) const;
     void adoptPalette();
     void fit();
-    /// How high the strips below the plot are, in pixels; 0 where there is no room for them.
+    /// Height of the strips below the plot in pixels; 0 if there is no run, or no room for them.
     [[nodiscard]] int stripsHeight() const;
     void paintGoal(QPainter& painter, const Curve& curve) const;
     void paintCurve(QPainter& painter, std::size_t which) const;
@@ -125,7 +126,7 @@ private:
     QPolygonF m_range;  ///< around m_predicted, closed
     PlotGeometry m_geometry;
     ResponseStrips m_strips;
-    bool m_whole = false;  ///< the whole record, and not the transient alone
+    bool m_whole = false;  ///< shows the whole record instead of the transient
     std::optional<View> m_view;
     std::optional<std::array<double, 2>> m_cursors;  ///< s
     Drag m_drag = Drag::None;

@@ -7,7 +7,7 @@
 
 namespace nmc {
 
-/// What the runs that are drawn come to, A beside B, each with what the samples leave open.
+/// The results of the runs that are drawn, A beside B, each with its uncertainty.
 class ResponseResults : public QTableWidget {
     Q_OBJECT
 

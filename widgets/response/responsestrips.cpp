@@ -23,7 +23,7 @@ constexpr double kStripTraceWidth = 1.3;
 
 void ResponseStrips::show(const KeptResponse* a, const KeptResponse* b) {
     constexpr double kBands = 4.0;         // above and below the goal
-    constexpr double kFewestCounts = 4.0;  // an encoder tells whole ones
+    constexpr double kFewestCounts = 4.0;  // an encoder reports whole counts
     m_curves = {};
     const KeptResponse* first = a != nullptr ? a : b;
     if (first == nullptr)
@@ -51,7 +51,7 @@ void ResponseStrips::show(const KeptResponse* a, const KeptResponse* b) {
 void ResponseStrips::paint(QPainter& painter, const QRectF& place, const PlotGeometry& above,
                            const QPalette& palette) const {
     const double em = QFontMetricsF(painter.font()).height();
-    const double gap = em;  // for the numbers at the edges of both
+    const double gap = em;  // for the numbers at the edges of both strips
     const double high = (place.height() - 3 * gap) / 2;
     PlotGeometry geometry = above;
     geometry.area = QRectF(above.area.left(), place.top() + gap, above.area.width(), high);

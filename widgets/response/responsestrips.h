@@ -13,21 +13,21 @@ class QPalette;
 
 namespace nmc {
 
-/// Below the step plot, on its time axis: the position error, zoomed to where it settles, and the PWM value
-/// that the filter makes of it. A solid, B dashed.
+/// The strips below the step plot, on its time axis: the position error, zoomed in to where it settles, and
+/// the PWM value that the filter calculates from it. A solid, B dashed.
 class ResponseStrips {
 public:
     /// Either may be null.
     void show(const KeptResponse* a, const KeptResponse* b);
-    /// In lines of text.
+    /// Height of both strips, in lines of text.
     static constexpr double kLines = 9.0;
-    /// `place`: from side to side. `above`: of the plot, whose time it shares.
+    /// `place`: over the full width. `above`: geometry of the plot, whose time axis the strips share.
     void paint(QPainter& painter, const QRectF& place, const PlotGeometry& above,
                const QPalette& palette) const;
 
 private:
     struct Curve {
-        QPolygonF error;  ///< in the unit of A's axis
+        QPolygonF error;  ///< in the unit of the run's own axis
         QPolygonF pwm;
     };
     void paintStrip(QPainter& painter, const PlotGeometry& geometry, const QString& title, double band,
@@ -36,8 +36,8 @@ private:
     std::array<Curve, 2> m_curves;
     QString m_unit;
     double m_band = 1.0;
-    double m_zoom = 1.0;     ///< the unit of the axis, to either side
-    double m_limit = 255.0;  ///< PWM counts, to either side
+    double m_zoom = 1.0;     ///< range to either side, in the unit of the axis
+    double m_limit = 255.0;  ///< range to either side, in PWM counts
 };
 
 }  // namespace nmc

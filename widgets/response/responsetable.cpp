@@ -78,7 +78,7 @@ void ResponseTable::showRun(int row, const KeptResponse& kept, const ShownRuns& 
     for (const auto& [column, words, hint] :
          {std::tuple{Name, &kept.name, tr("Name of the run. Double-click or press F2 to edit.")},
           std::tuple{Note, &kept.note, tr("Note on the run. Double-click or press F2 to edit.")}}) {
-        // Only news: it may be under an editor.
+        // Only if it has changed, because an editor may be open on it.
         const QString text = QString::fromStdString(*words);
         if (cell(row, column)->text() != text)
             cell(row, column)->setText(text);
@@ -108,13 +108,13 @@ void ResponseTable::showRuns(const std::vector<KeptResponse>& runs, const ShownR
         for (auto kept = runs.rbegin(); kept != runs.rend(); ++kept, ++row)
             showRun(row, *kept, shown);
         if (chosen() != before)
-            setCurrentCell(-1, -1);  // nobody has chosen its neighbour
+            setCurrentCell(-1, -1);  // the user has not chosen its neighbour
     }
     if (chosen() != before)
         emit chosenChanged();
 }
 
-/// A row goes with its run, and so do what is chosen and an editor that is open.
+/// Each row stays with its run, and so do the selection and an open editor.
 void ResponseTable::arrangeRows(const std::vector<KeptResponse>& runs) {
     int row = 0;
     for (auto kept = runs.rbegin(); kept != runs.rend(); ++kept, ++row) {

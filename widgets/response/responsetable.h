@@ -10,20 +10,20 @@
 
 namespace nmc {
 
-/// The runs that are drawn, by their numbers: A and B.
+/// The numbers of the runs that are drawn as A and B.
 using ShownRuns = std::array<std::optional<int>, 2>;
 
-/// The runs so far, newest first, each with its gains, two boxes that say whether it is drawn as A or B, and
-/// a name and a note that the user may write.
+/// The runs so far, newest first, each with its gains, two boxes that select whether it is drawn as A or B,
+/// and a name and a note that the user may edit.
 class ResponseTable : public QTableWidget {
     Q_OBJECT
 
 public:
     explicit ResponseTable(QWidget* parent = nullptr);
 
-    /// Emits nothing.
+    /// Emits at most chosenChanged().
     void showRuns(const std::vector<KeptResponse>& runs, const ShownRuns& shown);
-    /// The number of the run whose row is the current one.
+    /// Number of the run in the current row.
     [[nodiscard]] std::optional<int> chosen() const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -32,7 +32,7 @@ signals:
     /// The user has ticked or cleared a box; `which`: 0 is A, 1 is B.
     void shownWanted(int which, int run, bool shown);
     void chosenChanged();
-    /// The user has written them.
+    /// The user has edited the name or the note.
     void named(int run, const QString& name, const QString& note);
 
 private:

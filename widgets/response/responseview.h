@@ -18,7 +18,7 @@ namespace nmc {
 struct Picture;
 class ResponsePlot;
 
-/// The step plot with its buttons, what its cursors read, and a way to take its picture out of the panel.
+/// The step plot with its buttons, the readings of its cursors, and the export of its picture.
 class ResponseView : public QWidget {
     Q_OBJECT
 
@@ -29,12 +29,12 @@ public:
     /// As ResponsePlot::showRuns().
     void showRuns(const KeptResponse* a, const KeptResponse* b,
                   const std::vector<const KeptResponse*>& others);
-    /// Another control beside its buttons.
+    /// Adds a control beside its buttons.
     void addControl(QWidget* control);
 
 signals:
     void saveRequested(const QString& path, const nmc::FileContent& content);
-    /// One page, by the system's usual printer.
+    /// One page; the receiver asks for a printer.
     void printRequested(const QByteArray& pdf);
 
 private:

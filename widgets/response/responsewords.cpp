@@ -71,11 +71,11 @@ QString plusMinus(const Measured& measured) {
     constexpr int kMax = 6;
     const double doubt = std::max(measured.doubt, 1e-9);
     int decimals = -static_cast<int>(std::floor(std::log10(doubt)));
-    // 0.1 says much less than 0.14.
+    // 0.1 is much less precise than 0.14.
     if (doubt * std::pow(10, decimals) < 2)
         ++decimals;
     decimals = std::clamp(decimals, 0, kMax);
-    // Rounded up: no more certain than it is.
+    // Rounded up, so that the value does not look more certain than it is.
     const double power = std::pow(10, decimals);
     const double shown = std::ceil(doubt * power - 1e-6) / power;
     return u"%1 ± %2"_s.arg(number(measured.value, decimals), number(shown, decimals));

@@ -13,16 +13,16 @@
 namespace nmc::texts {
 
 [[nodiscard]] QString responseMethod(ResponseMethod method);
-/// What the motor is told, one sentence.
+/// What the method commands, in one or two sentences.
 [[nodiscard]] QString responseMethodMeaning(ResponseMethod method);
 
-/// "12.3 ± 0.4 ms": with as many digits as the doubt leaves a meaning.
+/// "12.3 ± 0.4 ms": with as many digits as the uncertainty justifies.
 [[nodiscard]] QString plusMinus(const Measured& measured, const QString& unit);
-/// The same without a unit.
+/// "12.3 ± 0.4", without a unit.
 [[nodiscard]] QString plusMinus(const Measured& measured);
-// The same, or why it could not be measured.
+// The value with its uncertainty, or why it could not be measured.
 [[nodiscard]] QString responseTime(const ResponseMetrics::Result<Measured>& seconds);
-/// In a few words: to the goal, or else beside it.
+/// Time to settle at the goal or, if it did not, at its rest position.
 [[nodiscard]] QString responseSettling(const ResponseMetrics& metrics);
 [[nodiscard]] QString responseOvershoot(const ResponseMetrics::Result<Measured>& percent);
 [[nodiscard]] QString responseError(const ResponseMetrics::Result<Measured>& counts, const AxisScale& scale);
