@@ -33,7 +33,7 @@ TEST(AxisScale, TheServoRateStretchesTheTick) {
     EXPECT_NEAR(*scale.acceleration(1.0), 3814.697265625, 1e-9);
 }
 
-/// Its positions are those of the other side; what has no direction stays what it is.
+/// Positions change their sign; amounts, which have no direction, stay the same.
 TEST(AxisScale, AReversedAxisTurnsPositionsRoundAndNoAmount) {
     const AxisScale scale = AxisScale::servo({UnitKind::Turns, -2000.0, {}}, 1);
     EXPECT_TRUE(scale.reversed());
@@ -48,11 +48,11 @@ TEST(AxisScale, AReversedAxisTurnsPositionsRoundAndNoAmount) {
     EXPECT_FALSE(AxisScale::servo({}, 1).reversed());
 }
 
-/// Another host may have set SR: a count per tick is 1953 counts/s or 7.7, and nobody can say which.
+/// Another host may have set SR: a count per tick may be 1953 counts/s or 7.7, which cannot be found out.
 TEST(AxisScale, NothingPerSecondIsKnownWhileTheServoRateIsNot) {
     const AxisScale counts = AxisScale::servo({}, std::nullopt);
     EXPECT_FALSE(counts.perSecond());
-    EXPECT_TRUE(counts.timed()) << "counts per tick are the chip's own";
+    EXPECT_TRUE(counts.timed()) << "counts per tick is the chip's own unit";
     EXPECT_EQ(counts.velocity(0.25), 0.25);
     const AxisScale turns = AxisScale::servo({UnitKind::Turns, 2000.0, {}}, std::nullopt);
     EXPECT_FALSE(turns.timed());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// H-10, H-11, U-15: a machine file that is damaged, hostile or something else is refused whole, with the line
-// and the field. Lines are counted by hand.
+// H-10, H-11, U-15: a machine file that is damaged, hostile or of another kind is refused as a whole, and the
+// problem names the line and the field. Lines are counted by hand.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -20,11 +20,11 @@ FileProblem problemOf(const std::string& text) {
     return parsed ? FileProblem{.line = -1} : parsed.error();
 }
 
-/// A file whose line 3 is this.
+/// A file with `line` as its third line.
 std::string fileWith(const std::string& line) {
     return "{\"format\": \"nmc-panel-machine\",\n\"version\": 1,\n" + line + "\n}\n";
 }
-/// A file with one axis, whose line 4 is this.
+/// A file with one axis, and `line` as its fourth line.
 std::string axisWith(const std::string& line) {
     return fileWith("\"axes\": [{\n" + line + "\n}]");
 }
@@ -33,7 +33,7 @@ TEST(BadMachineFile, CutAtAnyByteItIsRefusedAsTruncatedInTheLineWhereItEnds) {
     const std::string whole = writeMachine(testing_support::taughtMill());
     ASSERT_TRUE(parseMachine(whole).has_value());
     int line = 1;      // of the last character that is not a blank
-    int nextLine = 1;  // of the character to come
+    int nextLine = 1;  // of the next character
     for (std::size_t length = 1; length + 1 < whole.size(); ++length) {
         const char last = whole[length - 1];
         if (last == '\n')
@@ -95,7 +95,7 @@ TEST(BadMachineFile, NumbersThatAreNone) {
 }
 
 TEST(BadMachineFile, BytesThatAreNoLetters) {
-    // A lone continuation byte, an overlong slash, a surrogate, beyond U+10FFFF, Latin-1.
+    // A lone continuation byte, an overlong slash, a surrogate, a code point beyond U+10FFFF, Latin-1.
     for (const std::string bytes : {"\x80", "\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE4 "})
         EXPECT_EQ(problemOf(fileWith("\"name\": \"" + bytes + "\"")),
                   (FileProblem{.kind = FileFault::NotUtf8, .line = 3}));
@@ -103,7 +103,7 @@ TEST(BadMachineFile, BytesThatAreNoLetters) {
               (FileProblem{.kind = FileFault::UnprintableText, .line = 3, .field = "name"}));
 }
 
-/// Line 3 has the points, then each sequence has a line and each of its rows.
+/// The points are in line 3; after them, each sequence and each of its rows begins on a line of its own.
 TEST(BadMachineFile, PointsAndSequencesThatCannotBe) {
     const auto program = [](const std::string& rows) {
         return fileWith(
@@ -145,7 +145,7 @@ TEST(BadMachineFile, NamesAndAxesThatAreThereTwice) {
                                  "2147483648, \"from_home\": true}]}]"))
                   .line,
               4)
-        << "beyond the chip";
+        << "beyond the chip's range";
 }
 
 TEST(BadMachineFile, KeysThatAreThereTwice) {
@@ -217,7 +217,7 @@ TEST(BadMachineFile, ValuesOfAnotherType) {
     EXPECT_EQ(problemOf(fileWith("\"groups\": {}")).wanted, Wanted::List);
 }
 
-/// The gains of a file, all there, with one of them replaced.
+/// The complete gains of a file, with one of them replaced.
 std::string gainsWith(const std::string& key, const std::string& value) {
     std::string text = "\"gains\": {";
     for (const std::string name : {"Kp", "Kd", "Ki", "IL", "OL", "CL", "EL_counts", "SR", "DB"})
@@ -249,7 +249,7 @@ struct RangeCase {
     const char* key;
     double min;
     double max;
-    const char* below;  ///< the nearest numbers that are not in the range
+    const char* below;  ///< the nearest numbers outside the range
     const char* above;
     bool ofModule = true;
 };

@@ -49,7 +49,8 @@ TEST(ChainDiagnosis, OfAChainNobodyHasToldOfNothingIsKnown) {
 }
 
 TEST(ChainDiagnosis, FewerThanExpectedBreakBehindTheLastThatAnswers) {
-    // Addresses begin at the far end: modules 1 and 2 have theirs, so the way to module 3 is broken.
+    // Addresses are assigned from the far end: modules 1 and 2 have theirs, so the link to module 3 is
+    // broken.
     const auto chain =
         diagnose(machineExpecting({kServo, kServo, kServo, kStep}), linkWith({kServo, kServo}));
     EXPECT_EQ(chain.finding, Finding::BreakBehind);
@@ -110,7 +111,7 @@ TEST(LinkState, AChainThatIsOnlyLookedForHasNoFault) {
     LinkState link = linkWith({kServo});
     link.phase = LinkPhase::Connecting;
     link.looking = true;
-    EXPECT_FALSE(isLive(link, link.modules[0])) << "what it said last gets older";
+    EXPECT_FALSE(isLive(link, link.modules[0])) << "its last reply is getting older";
     const ModuleState shown = asShown(link).modules[0];
     EXPECT_NE(shown.activity(), Activity::Unresponsive);
     EXPECT_EQ(whyInaccessible(IntentKind::Move, shown), Refusal::Looking);
@@ -129,20 +130,20 @@ TEST(LinkState, AValueIsOldByHowOftenItsModuleIsAsked) {
     EXPECT_TRUE(isLive(link, module));
     link.now = TimePoint(std::chrono::milliseconds(10'600));
     EXPECT_FALSE(isLive(link, module));
-    // Whatever comes through: a bad line makes no old value a new one.
+    // Even if few replies get through: a bad line does not make an old value a current one.
     module.repliesPerSecond = 1.0;
     EXPECT_FALSE(isLive(link, module));
-    link.focused = ModuleIndex(1);  // which leaves the others one poll in 0.9 s
+    link.focused = ModuleIndex(1);  // the others are then polled once in 0.9 s
     EXPECT_TRUE(isLive(link, module));
     link.now = TimePoint(std::chrono::milliseconds(12'800));
     EXPECT_FALSE(isLive(link, module));
     link.focused = ModuleIndex(0);
     link.now = TimePoint(std::chrono::milliseconds(10'600));
-    EXPECT_FALSE(isLive(link, module)) << "its own is asked as often as the wire carries";
+    EXPECT_FALSE(isLive(link, module)) << "the focused module is polled as often as the line allows";
 }
 
-/// 32 modules at 9600 Bd, a reply of 17 bytes behind a question of 5: 22 x 1.04 ms, a quarter of a
-/// millisecond for the tick and 4 for the adapter, 0.87 s for a round.
+/// 32 modules at 9600 Bd, a reply of 17 bytes to a query of 5: 22 x 1.04 ms, a quarter of a millisecond for
+/// the tick and 4 ms for the adapter make 0.87 s for a round.
 TEST(LinkState, ALongChainOnASlowLineIsAskedMoreRarely) {
     LinkState link;
     link.phase = LinkPhase::Connected;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stop, wait, go against the real bus engine and the simulated chip, in virtual time; the oracle is what the
-// simulator knows.
+// Stopping, waiting and starting again, with the real bus engine and the simulated chip in virtual time; the
+// results are compared with the simulator's own state.
 #include "model/procedure/changemotion.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ protected:
         bus.runFor(50ms);
         takeNews();
     }
-    /// As the procedure controller does it, until the procedure has ended.
+    /// Runs the procedure until it has ended, as the procedure controller does.
     ProcedureReport run(Procedure& procedure, Duration limit = 30s) {
         for (const TimePoint end = bus.now + limit; bus.now < end; bus.runFor(10ms)) {
             takeNews();
@@ -135,7 +135,7 @@ TEST_F(ChangingMotion, StartsNothingOnceItIsCancelled) {
     };
     EXPECT_EQ(run(change).stage, ProcedureStage::Cancelled);
     bus.runFor(3s);
-    EXPECT_FALSE(truth().moving) << "the smooth stop was sent already";
+    EXPECT_FALSE(truth().moving) << "the smooth stop had already been sent";
     EXPECT_TRUE(truth().ampEnabled);
 }
 
@@ -202,7 +202,7 @@ TEST_F(ChangingMotion, GivesUpOnAMotorThatDoesNotStop) {
     EXPECT_EQ(change.report().failure, ProcedureFailure::TimeLimit);
 }
 
-// What the panel says beforehand is what the chip does.
+// The chip behaves as the panel forecasts.
 TEST_F(ChangingMotion, AForecastIsKeptByTheChip) {
     for (const std::int32_t distance : {3'000, -300, 7}) {
         const auto steps = plan(intent::Move{steppermotion::Trapezoid{distance, true, 60, 20}}, module);
@@ -219,7 +219,7 @@ TEST_F(ChangingMotion, AForecastIsKeptByTheChip) {
             20s));
         const StepperForecast forecast =
             forecastMove(StepperSpeed(stepper::SpeedMode::X1), 4, 60, 20, distance);
-        // Virtual time is looked at whenever a byte comes; the last step comes within one step's time.
+        // The end is noticed only when a byte arrives, and the last step comes within the time of one step.
         EXPECT_NEAR(toSeconds(bus.now - began), forecast.seconds, 0.015) << distance;
         EXPECT_NEAR(peak, forecast.peak, 25.0) << distance;
         EXPECT_EQ(forecast.triangular, distance != 3'000);

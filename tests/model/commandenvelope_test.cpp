@@ -15,15 +15,16 @@ Moments exactlyAt(double ticks) {
     return {time, time, time, 0.0};
 }
 
-/// A move to 1000 from somewhere between -20 and 20, at most at 5 counts per tick, and another velocity while
-/// it slows down: who started farther behind comes later, and is faster then.
+/// A move to 1000 from somewhere between -20 and 20, at up to 5 counts per tick, whose velocity is changed
+/// while it slows down: a move that started farther back arrives later, and is still faster at that time.
 class SlowedDown : public testing::TestWithParam<double> {
 protected:
     static CommandEnvelope course(const CommandEstimate& start, double velocity) {
         constexpr double kAcceleration = 0.02;
         CommandEnvelope course(start);
         course.moveTo(1'000, 5, {kTick, kAcceleration}, exactlyAt(0));
-        // 250 ticks and 625 counts up and as much down; 1000 counts are 223.6 ticks each.
+        // Full speed would take 250 ticks and 625 counts to reach, and as much again to stop; 1000 counts
+        // allow for 223.6 ticks each.
         course.changeVelocity(velocity, {kTick, 0.1}, exactlyAt(380));
         return course;
     }

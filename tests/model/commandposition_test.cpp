@@ -36,7 +36,7 @@ TEST(CommandPosition, HoldsWhereTheServoWasSwitchedOn) {
 }
 
 TEST(CommandPosition, IsNotGuessedFromASampleOfARunningServo) {
-    CommandPosition command;  // attached: the servo was on before we came
+    CommandPosition command;  // attached: the servo was already on
     command.apply(sampleOf(0, kMoveDone | kPower, kServoOn, 100));
     EXPECT_FALSE(command.at(atSeconds(0)).has_value());
 }
@@ -44,9 +44,9 @@ TEST(CommandPosition, IsNotGuessedFromASampleOfARunningServo) {
 TEST(CommandPosition, FollowsATrapezoidalMoveInStepsOfATick) {
     CommandPosition command = holdingAt100();
     // 8 counts/tick, 1/64 count/tick^2 = 1024: 512 ticks to full speed, which cover 512 x 513 / 2 / 64 = 2052
-    // counts; down again another 2048 after 15 900 at full speed.
+    // counts; after 15 900 counts at full speed, slowing down takes another 2048.
     command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));
-    EXPECT_EQ(command.at(atSeconds(2)), exactly(100)) << "loaded only";
+    EXPECT_EQ(command.at(atSeconds(2)), exactly(100)) << "it is only loaded";
     command.apply(executedAt(2, StartMotion{}));
     EXPECT_NEAR(command.at(atSeconds(2 + 512 * kTick))->position, 100 + 2'052, 0.01);
     EXPECT_NEAR(command.at(atSeconds(2 + 1'512 * kTick))->position, 100 + 2'052 + 8'000, 0.01);
@@ -58,8 +58,9 @@ TEST(CommandPosition, KnowsTheMomentOfACommandAndOfAStatusToHalfATickEach) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));
     command.apply(executedAt(2, StartMotion{}));
-    // Both may be half a tick earlier or later, and half a tick more is still prompt: 1.5 ticks of 8 counts.
-    // What the steps are off the curve is 1/64/8 of a count; and the clocks, 0.01 % of 1000 ticks.
+    // Both times may be off by half a tick, and a reply that is another half tick late still counts as
+    // prompt: 1.5 ticks of 8 counts. The steps deviate from the curve by 1/64/8 of a count, and the clocks by
+    // 0.01 % of 1000 ticks.
     const CommandEstimate full = *command.at(atSeconds(2 + 1'000 * kTick));
     EXPECT_NEAR(full.high - full.position, 12 + 0.8, 0.1);
     EXPECT_NEAR(full.position - full.low, 12 + 0.8, 0.1);
@@ -77,16 +78,18 @@ TEST(CommandPosition, IsUncertainToOneSideWhenAReplyIsLate) {
     EXPECT_NEAR(late.high, prompt.high + 80, 0.02);
 }
 
-/// A reply that was on its way a quarter of a tick behind the moment for which it was reckoned.
+/// The delay of a reply that was sent no later than a quarter of a tick after its calculated time.
 constexpr Duration kAtOnce = -3 * kServoTick / 4;
 
-// 100 ticks apart, both a quarter of a tick before the reckoned time, or at it, or anything between.
+// The command and the status are 100 ticks apart; both were latched at the calculated time or up to a quarter
+// of a tick before it.
 TEST(CommandPosition, CountsTheTicksBetweenACommandAndAStatus) {
     CommandPosition command = holdingAt100();
     bus::CommandExecuted run = executedAt(1, velocityMode(4 << 16, 4 << 16));
     run.late = kAtOnce;
     command.apply(run);
-    // The velocity is reached with the first step; an eighth of the acceleration is what steps are off.
+    // The velocity is reached with the first step; the steps deviate from the curve by an eighth of the
+    // acceleration.
     const CommandEstimate then = *command.at(atSeconds(1 + 100 * kTick), kAtOnce);
     EXPECT_EQ(then.position, 100 + 4 * 100);
     EXPECT_EQ(then.high, 100 + 4 * 100);
@@ -98,14 +101,15 @@ TEST(CommandPosition, IsKnownLessWellWhereTheTicksAreNotWhereTheyWereCounted) {
     bus::CommandExecuted run = executedAt(1, velocityMode(4 << 16, 4 << 16));
     run.late = kAtOnce;
     command.apply(run);
-    // The tick of the command was from 0.5 before the reckoned time to 0.25 behind it. 100.3 to 100.4 ticks
-    // behind that there can be none.
+    // The tick of the command was between 0.5 before the calculated time and 0.25 after it. There can be no
+    // tick between 100.3 and 100.4 ticks after that.
     bus::Sample sample = sampleOf(1 + 100.8 * kTick, kMoveDone | kPower, kServoOn, 400);
     sample.late = -7 * kServoTick / 5;
     command.apply(sample);
     const auto known = command.at(sample.time, sample.late);
     ASSERT_TRUE(known);
-    // From where it was counted to where it was seen, and a tick more for what the clocks have run apart.
+    // The band extends from the counted to the observed position, plus a tick by which the clocks may have
+    // drifted apart.
     EXPECT_LT(known->low, 100 + 4 * (100.3 - 0.25) - 2);
     EXPECT_GT(known->high, 100 + 4 * (100.4 + 0.5) + 2);
     EXPECT_LT(known->high - known->low, 4 * 4);
@@ -119,8 +123,8 @@ TEST(CommandPosition, AVelocityChangedOnTheFlyStaysContinuous) {
     EXPECT_NEAR(before.position, 100 + 4 * (1 / kTick), 1e-6);
     command.apply(executedAt(1, velocityMode(4 << 16, 1'024, true)));
     EXPECT_NEAR(command.at(atSeconds(1))->position, before.position, 0.01);
-    // From +4 to -4 at 1/64 takes 512 ticks, half-way it turns around: the steps end at -4, having begun
-    // below +4.
+    // From +4 to -4 at 1/64 takes 512 ticks, and it turns around half-way: the first step is already below
+    // +4, and the last one is at -4.
     EXPECT_NEAR(command.at(atSeconds(1 + 512 * kTick))->position, before.position - 4, 0.01);
 }
 
@@ -128,17 +132,17 @@ TEST(CommandPosition, OnlyTheChangeOfAVelocityLeavesADoubt) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(0, velocityMode(4 << 16, 4 << 16)));
     const CommandEstimate before = *command.at(atSeconds(0.1));
-    command.apply(executedAt(0.1, velocityMode(4 << 16, 4 << 16)));  // the same again changes nothing
+    command.apply(executedAt(0.1, velocityMode(4 << 16, 4 << 16)));  // the same command again changes nothing
     const CommandEstimate after = *command.at(atSeconds(0.1));
     EXPECT_NEAR(after.low, before.low, 0.01);
     EXPECT_NEAR(after.high, before.high, 0.01);
 }
 
-/// A tick may be 0.5 ms or 131 ms long there: how far it has come nobody knows, only where it is to end.
+/// A tick may be 0.5 ms or 131 ms long: how far the motion has come is unknown, only its goal is known.
 TEST(CommandPosition, FollowsNoMotionWhileTheServoRateIsUnknown) {
     CommandPosition command = holdingAt100();
     command.doubtServoRate();
-    EXPECT_EQ(command.at(atSeconds(0.5)), exactly(100)) << "where it holds does not hang on its ticks";
+    EXPECT_EQ(command.at(atSeconds(0.5)), exactly(100)) << "the held position does not depend on the tick";
     command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));
     command.apply(executedAt(2, StartMotion{}));
     EXPECT_FALSE(command.at(atSeconds(2.2)).has_value());
@@ -163,7 +167,7 @@ TEST(CommandPosition, AnAbruptStopFreezesItAndASmoothStopRampsDown) {
     abrupt.apply(executedAt(1, stopWith(servo::StopManner::Abruptly)));
     EXPECT_EQ(*abrupt.at(atSeconds(9)), at1);
     command.apply(executedAt(1, stopWith(servo::StopManner::Smoothly)));
-    // 255 steps, of 255/64 to 1/64.
+    // 255 steps, from 255/64 down to 1/64.
     EXPECT_NEAR(command.at(atSeconds(9))->position, at1.position + 255 * 256 / 2 / 64.0, 0.01);
 }
 
@@ -289,7 +293,7 @@ TEST(CommandPosition, TheEndOfAPhaseTellsWhenALateCommandWasCarriedOut) {
     };
     const double accelerated = 2 + 512 * kTick;
     const TimePoint then = atSeconds(2 + 600 * kTick);
-    // It accelerates for 512 ticks; within 20 of them it began.
+    // It accelerates for 512 ticks; its start is known to within 20 ticks.
     CommandPosition unknowing = afterALateStart();
     EXPECT_GT(unknowing.at(then)->high - unknowing.at(then)->low, 20 * 8);
     CommandPosition early = afterALateStart();
@@ -312,7 +316,7 @@ TEST(CommandPosition, GoesByTheModuleWhereItContradictsTheClock) {
     command.apply(sampleOf(2 + 612 * kTick, kPower, kServoOn, 2'000));
     const CommandEstimate shifted = *command.at(then);
     EXPECT_NEAR(shifted.position, before.position - 100 * 8, 5 * 8);
-    // 98 ticks less since the start: the clocks have run apart by 0.01 % of 98 x 8 counts less, twice.
+    // The start is 98 ticks later: the clocks have drifted apart by 0.01 % of 98 x 8 counts less, both ways.
     EXPECT_NEAR(shifted.high - shifted.low, before.high - before.low - 2 * 0.0784, 0.01);
 }
 
@@ -346,8 +350,8 @@ TEST(CommandPosition, AMotorThatMovedWhileItWasSwitchedOnIsHeldSomewhereOnItsWay
     EXPECT_EQ(command.at(atSeconds(1)), (CommandEstimate{95, 90, 100}));
 }
 
-/// At 19 200 Bd with replies lost for 80 ms: the start was carried out, and only its answer was lost. What
-/// the module says meanwhile is not known to be a motion yet, and is not the old one either.
+/// At 19 200 Bd with replies lost for 80 ms: the start was carried out, and only its answer was lost. Until
+/// that is known, the statuses belong neither to the old motion nor to a known new one.
 TEST(CommandPosition, AMotionThatNobodyKnowsOfYetIsAGap) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(1, velocityMode(44 << 16, 65'536)));
@@ -356,16 +360,16 @@ TEST(CommandPosition, AMotionThatNobodyKnowsOfYetIsAGap) {
     command.apply(sampleOf(2.5, kMoveDone | kPower, kServoOn, 87'000));
     const auto rest = command.at(atSeconds(2.6));
     ASSERT_TRUE(rest);
-    // Started again at 9, and told so at 9.2.
+    // Started again at 9 s, which is reported only after the status of 9.1 s.
     command.apply(sampleOf(9.1, kPower, kServoOn, 87'100));
     EXPECT_FALSE(command.at(atSeconds(9.1)));
     command.apply(executedAt(9, velocityMode(44 << 16, 65'536)));
     command.apply(sampleOf(9.2, kMoveDone | kPower, kServoOn, 103'000));
     const auto runs = command.at(atSeconds(9.2));
     ASSERT_TRUE(runs);
-    // 44 counts/tick at 1 count/tick^2: 44 ticks to get there, which cover 44 x 45 / 2 = 990 counts; then
-    // 390.625 - 44 ticks at full speed. The doubt is that of the rest, a tick and a half of the new start and
-    // as much of the status, and two clocks 100 ppm apart.
+    // 44 counts/tick at 1 count/tick^2: 44 ticks to full speed, which cover 44 x 45 / 2 = 990 counts; then
+    // 390.625 - 44 ticks at full speed. The uncertainty is that at rest, plus a tick and a half for the new
+    // start, as much for the status, and two clocks 100 ppm apart.
     EXPECT_NEAR(runs->position, rest->position + 990 + (0.2 / kTick - 44) * 44, 44);
     EXPECT_LT(runs->high - runs->low, rest->high - rest->low + 3 * 44 + 4);
 }
@@ -376,7 +380,7 @@ TEST(CommandPosition, IsLostAfterAMotionThatNobodyEverExplains) {
     EXPECT_FALSE(command.at(atSeconds(1)));
     command.apply(executedAt(2, stopWith(servo::StopManner::Abruptly)));
     command.apply(sampleOf(2.1, kMoveDone | kPower, kServoOn, 300));
-    EXPECT_FALSE(command.at(atSeconds(2.1))) << "it stands, and nobody knows where";
+    EXPECT_FALSE(command.at(atSeconds(2.1))) << "it is at rest, but its command position is unknown";
     command.apply(executedAt(3, trapezoid(1'000, 65'536, 65'536)));
     command.apply(executedAt(3.1, StartMotion{}));
     command.apply(sampleOf(5, kMoveDone | kPower, kServoOn, 1'000));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The calculated command position against the simulator's own, engine and chain together in virtual time:
-// what the scope draws at each sample, and what the module's command position was when it latched that one.
+// Compares the calculated command position, which the scope draws at each sample, with the simulated module's
+// own at the time when it latched that sample. Engine and chain run together in virtual time.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -16,13 +16,13 @@ using namespace testing_support;
 using namespace std::chrono_literals;
 using servo::StopManner;
 
-/// How the line and this machine are.
+/// Properties of the line and of this computer.
 struct Conditions {
     const char* name;
     std::uint32_t baud = 115'200;
     Duration adapterLatency{};  ///< as configured
-    Duration heldReplies{};     ///< replies come up to so much later
-    Duration heldCommand{};     ///< the last byte of every 40th command leaves so much later
+    Duration heldReplies{};     ///< replies arrive up to this much later
+    Duration heldCommand{};     ///< the last byte of every 40th command is sent this much later
 };
 
 void PrintTo(const Conditions& conditions, std::ostream* os) {
@@ -39,7 +39,7 @@ protected:
             return ++m_commands % 40 == 0 ? conditions().heldCommand : Duration{};
         };
     }
-    /// What is late begins here, however many questions it took to find the chain.
+    /// Begins the random delays here, however many queries it took to find the chain.
     void SetUp() override {
         ASSERT_TRUE(m_rig.enable());
         m_random.seed(kSeed);
@@ -65,7 +65,7 @@ protected:
     static bus::EngineConfig config() {
         bus::EngineConfig config{conditions().baud};
         config.adapterLatency = conditions().adapterLatency;
-        config.margin = 25ms;  // so that a late reply is late, and not missed
+        config.margin = 25ms;  // so that a late reply is not taken for a lost one
         return config;
     }
     Duration random(Duration most) {
@@ -80,7 +80,7 @@ protected:
         EXPECT_LE(m_rig.comparison.figures.standing(), 1.0);
         EXPECT_LE(m_rig.comparison.figures.moving(), 1.0);
     }
-    /// A band that is always right and says nothing would be worthless.
+    /// A band that is always right because it is wide would be worthless.
     void expectNarrowBand() const {
         if (prompt()) {
             EXPECT_LE(m_rig.comparison.figures.halfBand(0.99), 2.5);
@@ -112,7 +112,7 @@ TEST_P(CommandTruth, HoldsInTrapezoidalMovesOfTenSpeeds) {
 }
 
 TEST_P(CommandTruth, HoldsInShortAndHastyMoves) {
-    // Triangles, and jumps in a single tick as for a step response (DS-V 4.3).
+    // Triangular moves, and jumps in a single tick as for a step response (DS-V 4.3).
     std::int32_t goal = 0;
     for (const std::uint32_t acceleration : {200U, 20'000U, 900'000U, 0x7FFF'FFFFU}) {
         for (const std::uint32_t speed : {20'000U, 700'000U, 0x7FFF'FFFFU}) {
@@ -140,7 +140,7 @@ TEST_P(CommandTruth, HoldsInStepsOfVelocityOfBothSigns) {
         m_rig.runTicks(500);
         perform({stopWith(StopManner::Smoothly)});
         m_rig.runTicks(50);
-        // A move ends exactly where it was told to, and every doubt with it.
+        // A move ends exactly at its goal, which removes all uncertainty.
         perform({trapezoid(100, 20 << 16, 9'000), StartMotion{}});
         m_rig.runTicks(900);
         EXPECT_EQ(m_rig.comparison.command.at(m_rig.bus.now), (CommandEstimate{100, 100, 100}));
@@ -217,10 +217,11 @@ TEST_P(CommandTruth, HoldsAgainAfterTheServoWentOff) {
     m_rig.runTicks(1'000);
     m_rig.bus.chain.set(ModuleIndex(0), sim::Input::Power, 0.0, m_rig.bus.now);
     m_rig.runTicks(500);
-    EXPECT_FALSE(m_rig.comparison.command.at(m_rig.bus.now).has_value()) << "it follows the motor";
+    EXPECT_FALSE(m_rig.comparison.command.at(m_rig.bus.now).has_value())
+        << "it is off, and its command position follows the motor";
     m_rig.bus.chain.set(ModuleIndex(0), sim::Input::Power, 1.0, m_rig.bus.now);
     m_rig.runTicks(500);
-    EXPECT_FALSE(m_rig.comparison.command.at(m_rig.bus.now).has_value()) << "and stays off";
+    EXPECT_FALSE(m_rig.comparison.command.at(m_rig.bus.now).has_value()) << "it stays off";
     perform({stopWith(StopManner::Abruptly)});
     m_rig.runTicks(1'000);
     ASSERT_TRUE(m_rig.comparison.command.at(m_rig.bus.now).has_value());
@@ -250,8 +251,8 @@ protected:
         const auto rests = m_rig.comparison.command.at(m_rig.bus.now);
         return rests ? rests->high - rests->low : std::numeric_limits<double>::infinity();
     }
-    /// Runs and stops again and again, to and fro; the band when the first one is over, and the widest that
-    /// any of them leaves.
+    /// Runs and stops repeatedly in alternating directions; keeps the band after the first cycle, and the
+    /// widest that any cycle leaves.
     void run(int cycles) {
         const double velocity = std::get<1>(GetParam());
         const auto raw = static_cast<std::uint32_t>(velocity * 65'536);
@@ -261,7 +262,7 @@ protected:
             ASSERT_TRUE(m_rig.perform({stopWith(StopManner::Smoothly)}));
             m_rig.runTicks(velocity * 65'536 / kAcceleration + 40);
             if (cycle == 0)
-                m_first = band();  // before the shaft has stood long enough to tell anything
+                m_first = band();  // before the shaft has been at rest long enough to narrow it
             m_rig.runTicks(800.6);
             m_widest = std::max(m_widest, band());
             const auto rests = m_rig.comparison.command.at(m_rig.bus.now);
@@ -278,16 +279,18 @@ protected:
     double m_widest = 0;
 };
 
-/// Where the ticks of a motion can be counted a run and its stop leave what the chip's steps leave of two
-/// ramps, an eighth of the acceleration either way; 30 of them no more than a tenth of a count.
+/// Where the ticks of a motion can be counted, a run and its stop leave only the deviation of the chip's
+/// steps in two ramps, an eighth of the acceleration in either direction; 30 of them leave no more than a
+/// tenth of a count.
 TEST_P(RunsAndStops, LeaveTheBandAsNarrowAsOneOfThem) {
     ASSERT_NO_FATAL_FAILURE(run(30));
     EXPECT_LE(m_first, 2 * 2 * 0.1 / 8 + 1e-3);
     EXPECT_LE(m_widest, 0.1);
 }
 
-/// With a machine that is late by up to a fifth of a tick each way now and then one of two ticks is meant:
-/// one tick of travel, and the two counts that friction lets the shaft stand off here, on either side.
+/// On a computer that is late by up to a fifth of a tick in each direction, a time may belong to either of
+/// two ticks now and then: one tick of travel, plus the two counts by which friction lets the shaft deviate
+/// here, on either side.
 TEST_P(RunsAndStops, DoNotAddUpOnAMachineThatIsNotPunctual) {
     std::mt19937_64 random{20'261'124};
     std::uniform_int_distribution<Duration::rep> late(0, Duration(100us).count());
@@ -299,12 +302,12 @@ TEST_P(RunsAndStops, DoNotAddUpOnAMachineThatIsNotPunctual) {
     EXPECT_LE(m_widest, 2 * (std::get<1>(GetParam()) + 2) + 0.1);
 }
 
-/// An adapter that keeps bytes back tells too little to count by: one of them, and what friction lets the
-/// shaft stand off.
+/// Behind an adapter that holds bytes back, the ticks cannot be counted: the band may be that of one cycle,
+/// plus the deviation that friction allows.
 TEST_P(RunsAndStops, DoNotAddUpBehindAnAdapter) {
     m_rig.bus.adapterDelay = 1ms;
     ASSERT_NO_FATAL_FAILURE(run(30));
-    EXPECT_GT(m_first, std::get<1>(GetParam())) << "no doubt, nothing to be shown";
+    EXPECT_GT(m_first, std::get<1>(GetParam())) << "without uncertainty the test would show nothing";
     EXPECT_LE(m_widest, 2 * m_first);
 }
 
@@ -316,8 +319,8 @@ INSTANTIATE_TEST_SUITE_P(, RunsAndStops,
                                     std::to_string(static_cast<int>(std::get<1>(given.param)));
                          });
 
-/// Seen at 19 200 Bd: 80 ms without answers behind Run, and the calculated error was 87 904 counts for a true
-/// one of -1.
+/// Seen at 19 200 Bd: after 80 ms without answers following Run, the calculated error was 87 904 counts
+/// instead of -1.
 TEST(LostAnswers, LeaveAGapAndNoAbsurdError) {
     TruthRig rig(1, bus::EngineConfig{19'200});
     ASSERT_TRUE(rig.enable());
@@ -337,15 +340,15 @@ TEST(LostAnswers, LeaveAGapAndNoAbsurdError) {
         rig.runTicks(1'500);
         ASSERT_TRUE(rig.perform({stopWith(StopManner::Smoothly)}));
         rig.runTicks(1'500);
-        // Its end is known exactly, and every doubt over.
+        // The end of this move is known exactly, which removes all uncertainty.
         loses = false;
         ASSERT_TRUE(rig.perform({trapezoid(0, 20 << 16, 9'000), StartMotion{}}));
         rig.runTicks(3'000);
         loses = true;
     }
-    EXPECT_GT(runs, 0) << "some starts are found carried out by a look";
-    // The two looks that tell whether it was carried out come before that is known, and a motion that has
-    // reached its velocity by then looks like rest.
+    EXPECT_GT(runs, 0) << "queries show that some starts were carried out";
+    // The two queries that show whether a start was carried out come before that is known, and a motion that
+    // has reached its velocity by then looks like rest.
     const auto samples = static_cast<double>(rig.comparison.figures.samples());
     EXPECT_LE(samples * (1 - rig.comparison.figures.inside()), 2 * 6);
     EXPECT_GT(samples, 500);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signals that are made of samples: acceleration, and what the control filter told the amplifier.
+// Signals that are derived from samples: the acceleration, and the PWM value that the control filter sent to
+// the amplifier.
 #include "model/scope/derivedsignals.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ servo::SetGain gains(std::uint16_t kp, std::uint16_t kd, std::uint16_t ki, std::
     return {kp, kd, ki, il, 255, 0, 16'000, 1, std::uint8_t{0}};
 }
 
-/// One sample of a servo that is on, every 4 ticks.
+/// Samples of a servo that is on, one every 4 ticks.
 History historyOf(int count, const std::optional<servo::SetGain>& set,
                   const std::function<void(int, ScopeSample&)>& fill) {
     History history(1);
@@ -43,7 +44,7 @@ void setError(ScopeSample& sample, double error, double half = 0) {
     sample.errorHigh = static_cast<float>(error + half);
 }
 
-/// Its values, as samples with an error.
+/// The values of the derived signal, each in the error of a sample.
 std::vector<ScopeSample> derived(const History& history, ScopeSignal signal) {
     DerivedSignals signals;
     signals.want({{kModule, signal}});
@@ -71,12 +72,12 @@ TEST(DerivedAcceleration, OfAParabolaIsExact) {
         history.append(kModule, sample);
     }
     const auto values = derived(history, ScopeSignal::Acceleration);
-    ASSERT_EQ(values.size(), 80U) << "the first 40 ms tell nothing yet";
+    ASSERT_EQ(values.size(), 80U) << "40 ms of the samples have no value";
     for (const ScopeSample& value : values)
         expectPwm(value, 500'000, 500'000, 500'000);
 }
 
-/// Of a third power it is the one in the middle of the time that is looked at, and is told for then.
+/// For a cubic, the value is the acceleration in the middle of the window, and is given for that time.
 TEST(DerivedAcceleration, BelongsToTheMomentThatItIsOf) {
     History history(1);
     for (int i = 0; i < 100; ++i) {
@@ -113,7 +114,7 @@ TEST(DerivedAcceleration, IsNotTakenAcrossAGap) {
 TEST(DerivedPwm, OfAStandingErrorIsTheProportionalPartExactly) {
     const auto values = derived(
         historyOf(50, gains(512, 1'000, 0, 0), [](int, auto& s) { setError(s, -30); }), ScopeSignal::Pwm);
-    ASSERT_EQ(values.size(), 49U) << "the last one waits for the next";
+    ASSERT_EQ(values.size(), 49U) << "the last sample waits for the next one";
     for (const ScopeSample& value : values)
         expectPwm(value, -60, -60, -60);
 }
@@ -125,7 +126,7 @@ TEST(DerivedPwm, HasTheErrorsBand) {
     expectPwm(values[3], 48, 50, 52);
 }
 
-/// A count more in every tick, of which the rounding to counts may make 0 or 2.
+/// The error grows by a count in every tick, which rounding to counts may turn into 0 or 2.
 TEST(DerivedPwm, OfAnErrorThatGrowsHasTheDampingPart) {
     const auto values = derived(
         historyOf(9, gains(0, 2'560, 0, 0), [](int i, auto& s) { setError(s, 4 * i); }), ScopeSignal::Pwm);
@@ -141,12 +142,12 @@ TEST(DerivedPwm, IsLimitedAndThenDeadbandIsAdded) {
     const auto values = derived(historyOf(30, limited, fill), ScopeSignal::Pwm);
     ASSERT_EQ(values.size(), 29U);
     expectPwm(values[5], 147, 147, 147);
-    expectPwm(values[15], 0, 0, 0);  // less than one count of PWM is none, and gets no deadband either
+    expectPwm(values[15], 0, 0, 0);  // less than one count of PWM is 0, and gets no deadband
     expectPwm(values[25], -147, -147, -147);
 }
 
-/// The sum of the past is not known. It goes up by 256 counts a tick until IL cuts it off at 100 times 256,
-/// from the least there can have been after 200 ticks.
+/// The initial integral is unknown. It grows by 256 counts a tick until IL limits it to 100 times 256; from
+/// the lowest possible value, this takes 200 ticks.
 TEST(DerivedPwm, LearnsTheIntegralWhereItsLimitCutsItOff) {
     const auto values = derived(historyOf(100, gains(0, 0, 256, 100), [](int, auto& s) { setError(s, 256); }),
                                 ScopeSignal::Pwm);
@@ -209,7 +210,8 @@ TEST(DerivedSignals, CostNothingUnlessTheyAreWanted) {
     signals.want({position});
     EXPECT_TRUE(signals.follow(history));
     EXPECT_EQ(signals.source(history, pwm).samples, nullptr);
-    EXPECT_EQ(signals.source(history, position).samples, history.module(kModule)) << "as it is";
+    EXPECT_EQ(signals.source(history, position).samples, history.module(kModule))
+        << "a signal of the samples themselves";
     signals.want({position, pwm});
     EXPECT_TRUE(signals.follow(history));
     EXPECT_EQ(signals.source(history, pwm).samples->count(), 99U);
@@ -217,7 +219,7 @@ TEST(DerivedSignals, CostNothingUnlessTheyAreWanted) {
     EXPECT_EQ(signals.source(history, pwm).samples, nullptr);
 }
 
-/// However long it has gone on, no frame waits for all of it; and what comes in later joins on.
+/// However long the history is, no frame waits for all of it; later samples are appended.
 TEST(DerivedSignals, CatchUpInPieces) {
     const auto standing = [](int, ScopeSample& s) { setError(s, 10); };
     const int count = 2 * static_cast<int>(DerivedSignals::kAtOnce) + 10;

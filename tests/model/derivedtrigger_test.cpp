@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A trigger on what no sample has: acceleration, PWM, count rate.
+// A trigger on derived signals, which no sample contains: acceleration, PWM, count rate.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -19,10 +19,10 @@ using testing_support::kServoOn;
 
 constexpr ModuleIndex kWatched{1};
 
-/// A sample of a servo that is on every 2 ms, from 0 on, of which `fill` says what it has.
+/// Feeds a sample every 2 ms, from 0 on, of a servo that is on; `fill` sets its values.
 class DerivedTrigger : public testing::Test {
 protected:
-    /// 20 ms before the trigger, 80 ms behind it.
+    /// 20 ms before the trigger, 80 ms after it.
     void watch(ScopeSignal signal, Condition condition, double level) {
         trigger.set({.module = kWatched,
                      .source = signal,
@@ -35,7 +35,7 @@ protected:
     void setGains(double milliseconds, const std::optional<servo::SetGain>& set) {
         gains.push_back({kWatched, atMs(milliseconds), set});
     }
-    /// Up to sample number `last`.
+    /// Feeds the samples up to number `last`.
     State run(int last, const std::function<void(int, ScopeSample&)>& fill) {
         for (; next <= last; ++next) {
             ScopeSample sample;
@@ -87,7 +87,7 @@ TEST_F(DerivedTrigger, AConstantAccelerationIsAboveWhatIsLessAndNotAboveWhatIsMo
     EXPECT_EQ(run(200, parabola), State::Fired);
 }
 
-/// Fed up to 82 ms it is known up to 62 ms.
+/// With samples up to 82 ms, the acceleration is known up to 62 ms.
 TEST_F(DerivedTrigger, AnAccelerationCrossesTheLevelWhenItDidAndNotWhenItIsKnown) {
     watch(ScopeSignal::Acceleration, Condition::Rising, 30.5 * 1'500'000);
     EXPECT_EQ(run(40, thirdPower), State::Armed);
@@ -97,14 +97,14 @@ TEST_F(DerivedTrigger, AnAccelerationCrossesTheLevelWhenItDidAndNotWhenItIsKnown
 
 TEST_F(DerivedTrigger, ThePictureIsCompleteWhenTheAccelerationIsKnownToItsEnd) {
     watch(ScopeSignal::Acceleration, Condition::Rising, 30.5 * 1'500'000);
-    // From 41 to 141 ms; the value of 142 ms takes the samples up to 162 ms.
+    // The picture extends from 41 to 141 ms; the value for 142 ms requires the samples up to 162 ms.
     EXPECT_EQ(run(80, thirdPower), State::Fired);
     EXPECT_EQ(run(81, thirdPower), State::Complete);
     EXPECT_NEAR(toSeconds(trigger.picture()->from - atMs(41)), 0, 1e-6);
     EXPECT_NEAR(toSeconds(trigger.picture()->to - atMs(141)), 0, 1e-6);
 }
 
-/// Its sample came after arming, it itself was before.
+/// The sample that completes the value came after arming, but the value itself belongs to a time before.
 TEST_F(DerivedTrigger, AValueFromBeforeArmingDoesNotTrigger) {
     watch(ScopeSignal::Acceleration, Condition::Above, 499'999);
     trigger.disarm();
@@ -123,11 +123,11 @@ TEST_F(DerivedTrigger, NoEdgeOfAnAccelerationLiesInAGap) {
         };
     };
     watch(ScopeSignal::Acceleration, Condition::Rising, 250'000);
-    EXPECT_EQ(run(200, startsToMove(true)), State::Armed) << "0 before, 500 000 behind";
+    EXPECT_EQ(run(200, startsToMove(true)), State::Armed) << "0 before the gap, 500 000 after it";
     next = 0;
     watch(ScopeSignal::Acceleration, Condition::Rising, 250'000);
     EXPECT_EQ(run(200, startsToMove(false)), State::Complete);
-    // The parabola over 21 samples of a start in their middle has half of the acceleration.
+    // A parabola through 21 samples with the start in their middle has half of the acceleration.
     expectFiredAt(100);
 }
 
@@ -137,7 +137,7 @@ TEST_F(DerivedTrigger, APictureThatTheAccelerationDoesNotReachTheEndOfIsComplete
         sample.gapBefore = i == 71;
     };
     watch(ScopeSignal::Acceleration, Condition::Rising, 30.5 * 1'500'000);
-    // It ends at 141 ms; the gap lies from 140 to 142 ms, and the first value behind it is of 162 ms.
+    // The picture ends at 141 ms; the gap is from 140 to 142 ms, and the first value after it is for 162 ms.
     EXPECT_EQ(run(71, gapAtTheEnd), State::Fired);
     EXPECT_EQ(run(91, gapAtTheEnd), State::Complete);
 }
@@ -147,11 +147,11 @@ TEST_F(DerivedTrigger, APictureThatTheAccelerationDoesNotReachTheEndOfIsComplete
 TEST_F(DerivedTrigger, APwmCrossesTheLevelBetweenTwoSamples) {
     setGains(0, proportional(512));
     watch(ScopeSignal::Pwm, Condition::Rising, 40);
-    const auto error = errorOf([](int i) { return i < 50 ? 10.0F : 30.0F; });  // 20 and 60
-    EXPECT_EQ(run(50, error), State::Armed) << "the value of a sample takes the next one";
+    const auto error = errorOf([](int i) { return i < 50 ? 10.0F : 30.0F; });  // a PWM of 20 and 60
+    EXPECT_EQ(run(50, error), State::Armed) << "the value of a sample requires the next one";
     EXPECT_EQ(run(51, error), State::Fired);
     expectFiredAt(99);
-    // To 179 ms; the value of 180 ms takes the sample of 182 ms.
+    // The picture extends to 179 ms; the value for 180 ms requires the sample of 182 ms.
     EXPECT_EQ(run(90, error), State::Fired);
     EXPECT_EQ(run(91, error), State::Complete);
 }
@@ -170,7 +170,7 @@ TEST_F(DerivedTrigger, APwmThatBecomesKnownIsNoEdge) {
     setGains(201, proportional(256));
     const auto error = errorOf([](int i) { return i < 150 ? 100.0F : i < 160 ? 0.0F : 100.0F; });
     watch(ScopeSignal::Pwm, Condition::Rising, 50);
-    EXPECT_EQ(run(158, error), State::Armed) << "100 at once";
+    EXPECT_EQ(run(158, error), State::Armed) << "it is 100 as soon as it is known";
     EXPECT_EQ(run(161, error), State::Fired);
     expectFiredAt(319);
 }
@@ -180,8 +180,8 @@ TEST_F(DerivedTrigger, OtherGainsMoveThePwmWhileItWaits) {
     setGains(100, proportional(1'024));
     const auto standing = errorOf([](int) { return 10.0F; });
     watch(ScopeSignal::Pwm, Condition::Rising, 25);
-    EXPECT_EQ(run(50, standing), State::Armed) << "10";
-    EXPECT_EQ(run(51, standing), State::Fired) << "40";
+    EXPECT_EQ(run(50, standing), State::Armed) << "the PWM is 10";
+    EXPECT_EQ(run(51, standing), State::Fired) << "the PWM is 40";
     expectFiredAt(99);
 }
 
@@ -200,7 +200,7 @@ TEST_F(DerivedTrigger, GainsThatAreForgottenWhileItWaitsAreNoEdge) {
     EXPECT_EQ(run(200, error), State::Armed);
 }
 
-/// It is switched off 20 ms behind the trigger.
+/// The servo is switched off 20 ms after the trigger.
 TEST_F(DerivedTrigger, APictureInWhichThePwmEndsIsCompleteAllTheSame) {
     setGains(0, proportional(512));
     watch(ScopeSignal::Pwm, Condition::Rising, 40);
@@ -208,7 +208,7 @@ TEST_F(DerivedTrigger, APictureInWhichThePwmEndsIsCompleteAllTheSame) {
         sample.error = sample.errorLow = sample.errorHigh = i < 50 ? 10.0F : 30.0F;
         sample.aux = i < 60 ? kServoOn : 0;
     };
-    EXPECT_EQ(run(90, error), State::Fired) << "180 ms: the end is reached, but a value might come";
+    EXPECT_EQ(run(90, error), State::Fired) << "180 ms: the end is reached, but a value may still come";
     EXPECT_EQ(run(120, error), State::Complete);
     expectFiredAt(99);
 }
@@ -231,8 +231,8 @@ TEST_F(DerivedTrigger, NormalModeTakesTheNextEdge) {
 
 // ---- count rate ----
 
-/// It stands until 200 ms, then counts once in a millisecond: its rate over the last 100 ms rises by 20
-/// counts/s with every sample.
+/// The counter stands still until 200 ms, then counts once in a millisecond: its rate over the last 100 ms
+/// rises by 20 counts/s with every sample.
 TEST_F(DerivedTrigger, ACountRateReachesTheLevel) {
     const auto counts = [](int i, ScopeSample& sample) {
         sample.io = sample.counted = true;
@@ -246,7 +246,7 @@ TEST_F(DerivedTrigger, ACountRateReachesTheLevel) {
     EXPECT_EQ(run(163, counts), State::Complete) << "up to 325 ms";
 }
 
-// ---- what it was made of ----
+// ---- the samples that were fed before ----
 
 TEST_F(DerivedTrigger, AnotherWindowKeepsWhatIsKnown) {
     watch(ScopeSignal::Acceleration, Condition::Above, 499'999);

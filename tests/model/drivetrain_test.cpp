@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units from labels, by hand arithmetic.
+// Units from the numbers on the labels, calculated by hand.
 #include "model/settings/drivetrain.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ TEST(DriveTrain, CountsTurnsBehindAGear) {
 TEST(DriveTrain, CountsMillimetresOfAScrew) {
     // 200 full steps, 8 microsteps, a screw with 5 mm a turn: 320 steps a millimetre.
     EXPECT_EQ(countsPerUnit(UnitKind::Millimetres, {1'600, 1, 1, 5}), 320);
-    // A gear of 3 : 2 before it.
+    // The same screw behind a gear of 3 : 2.
     EXPECT_EQ(countsPerUnit(UnitKind::Millimetres, {1'600, 3, 2, 5}), 480);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The calculated error as the scope shows it, against the simulator's own in the tick in which each sample
-// was latched: varied motion, loads and friction, with faults of the line and without. NMC_ERROR_SAMPLES sets
-// the number of samples.
+// Compares the calculated error that the scope shows with the simulator's own in the tick in which each
+// sample was latched: varied motion, loads and friction, with and without faults of the line.
+// NMC_ERROR_SAMPLES sets the number of samples.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -31,9 +31,9 @@ std::size_t samplesWanted() {
 struct Line {
     const char* name;
     std::uint32_t baud = 115'200;
-    double lostStarts = 0;    ///< share of the starts whose answer is lost, and all for 80 ms
-    double lostCommands = 0;  ///< share of the commands
-    double lostBytes = 0;     ///< share of the bytes to the host
+    double lostStarts = 0;    ///< share of the starts that are followed by 80 ms without replies
+    double lostCommands = 0;  ///< share of the commands that are lost
+    double lostBytes = 0;     ///< share of the bytes to the host that are lost
     double wrongBytes = 0;
     Duration adapterDelay{};
 };
@@ -67,7 +67,7 @@ protected:
         m_connected = true;
         follow();
     }
-    /// A person at a machine of which nothing is known.
+    /// Does one of the things that an operator may do, chosen at random.
     void act() {
         if (!m_servoOn)
             return enable();
@@ -110,9 +110,9 @@ protected:
     std::size_t m_samples = 0;
     std::size_t m_known = 0;
     std::size_t m_outside = 0;    ///< by more than a count
-    std::size_t m_misplaced = 0;  ///< latched at another time than bus::Sample says
-    double m_farthest = 0;        ///< outside
-    double m_largest = 0;         ///< shown, of the error or its band
+    std::size_t m_misplaced = 0;  ///< latched at another time than bus::Sample reports
+    double m_farthest = 0;        ///< largest distance outside the band
+    double m_largest = 0;         ///< largest absolute value shown, of the error or its band
     TimePoint m_worst{};
 
 private:
@@ -153,7 +153,7 @@ private:
         follow();
     }
 
-    /// As the store does.
+    /// Handles the events as the store does.
     void follow() {
         for (const bus::Event& event : m_bus.events) {
             if (const auto* executed = std::get_if<bus::CommandExecuted>(&event))
@@ -216,7 +216,7 @@ private:
     std::int32_t m_position = 0;
 };
 
-/// Issue 16: outside the band by more than one count in at most 0.01 %, and never by more than EL.
+/// Issue 16: at most 0.01 % of the errors are outside the band by more than a count, none by more than EL.
 TEST_P(ErrorFigure, IsWithinItsBand) {
     connect();
     while (m_samples < samplesWanted() && !HasFailure())
@@ -231,7 +231,7 @@ TEST_P(ErrorFigure, IsWithinItsBand) {
     EXPECT_EQ(m_misplaced, 0U);
     EXPECT_LE(m_farthest, kErrorLimit);
     EXPECT_LE(m_largest, kErrorLimit);
-    // Nothing that is never shown is ever wrong.
+    // An error that is never shown cannot be wrong, so it must be known often enough.
     const bool faults = GetParam().lostStarts + GetParam().lostCommands + GetParam().lostBytes > 0;
     EXPECT_GE(static_cast<double>(m_known), (faults ? 0.5 : 0.99) * static_cast<double>(m_samples));
 }

@@ -23,7 +23,7 @@ std::vector<ScopeSpan> spansOf(const ModuleHistory& history, double from, double
     return spans;
 }
 
-/// Any samples: steps of up to 50 ms, unknown errors and velocities, gaps.
+/// Arbitrary samples: steps of up to 50 ms, unknown errors and velocities, gaps.
 std::vector<ScopeSample> anySamples() {
     const auto count = *rc::gen::inRange(1, 700);
     std::vector<ScopeSample> samples;
@@ -109,7 +109,7 @@ RC_GTEST_PROP(History, AWindowShowsAllItsSamplesAndOneBeyondEachEndInSpansThatFi
     history.visit(from, to, widest, [&](const ScopeSpan& span) {
         RC_ASSERT(number < samples.size());
         RC_ASSERT(span.first == samples[number].time);
-        // In brackets, or rapidcheck evaluates both sides.
+        // Without the parentheses, rapidcheck evaluates both sides.
         RC_ASSERT((number == 0 || samples[number - 1].time <= to));
         RC_ASSERT(span.last - span.first <= widest);
         expectSums(span, samples, number, numberBehind(samples, span));
@@ -122,7 +122,7 @@ TEST(History, APictureThatScrollsIsCutAtTheSamePlaces) {
     ModuleHistory history;
     for (int i = 0; i < 100'000; ++i)
         history.append(sampleAt(i * 0.002, i % 17));
-    // 100 s in 1000 columns; half a column further on the same columns begin at the same samples.
+    // 100 s in 1000 columns; after scrolling by half a column, the same columns begin at the same samples.
     const auto before = spansOf(history, 50.0, 150.0, 0.1);
     const auto after = spansOf(history, 50.05, 150.05, 0.1);
     std::set<TimePoint> places;
@@ -140,7 +140,7 @@ TEST(History, APictureThatScrollsIsCutAtTheSamePlaces) {
 }
 
 TEST(History, ManySamplesNeedNoMoreSpansThanFew) {
-    // At least half a column wide each, so two for a column and a few more at both ends.
+    // Each span is at least half a column wide, so there are two per column and a few more at both ends.
     for (const int count : {1'000, 100'000, 1'000'000}) {
         ModuleHistory history;
         for (int i = 0; i < count; ++i)
@@ -188,7 +188,7 @@ TEST(History, IgnoresATimeThatGoesBack) {
 TEST(History, StaysWithinItsMemoryAndKeepsOldExtremes) {
     constexpr std::size_t kSmall = 2U << 20U;
     History history(2, kSmall);
-    // 2 million samples would be 64 MB; one of them, long ago, is high.
+    // 2 million samples would be 64 MB; one of the oldest is high.
     std::size_t most = 0;
     for (int i = 0; i < 2'000'000; ++i) {
         history.append(ModuleIndex(i % 3 == 0 ? 1 : 0), sampleAt(i * 0.001, i == 12'346 ? 1'000 : i % 2));
@@ -210,7 +210,7 @@ TEST(History, StaysWithinItsMemoryAndKeepsOldExtremes) {
 }
 
 TEST(History, KeepsTenMinutesOfTheFastestModuleInFull) {
-    // 115 200 Bd carry some 660 polls a second.
+    // At 115 200 Bd, about 660 polls fit into a second.
     History history(1);
     for (int i = 0; i < 11 * 60 * 660; ++i)
         history.append(ModuleIndex(0), sampleAt(i / 660.0, i));

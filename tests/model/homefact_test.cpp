@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where home is, by hand arithmetic: the register is not asked, but for what was saved.
+// The position of home, calculated by hand: the home register is used only for a home that was saved.
 #include "model/module/homefact.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace testing_support;
 
-/// A servo that holds, whose statuses come 20 ms apart.
+/// A servo that holds and reports its status every 20 ms.
 struct Holding {
     ModuleState module = holdingServo();
     double time = 1.0;
@@ -27,7 +27,7 @@ struct Holding {
         says(position);
         says(position);
     }
-    /// The answer to the command itself comes right behind.
+    /// The command is answered at once.
     void does(ServoCommand command, std::int32_t position) {
         module.apply(executedAt(time += 0.005, std::move(command)));
         bus::Sample answer = sampleOf(time, kMoveDone | kPower, kServoOn, position);
@@ -55,11 +55,11 @@ TEST(HomeFact, GoesAlongWhereAnScSetsItsCounter) {
     Holding servo;
     servo.inRegister = -304;
     servo.stands(1'000);
-    servo.foundAt(-200);  // 1200 behind where it stands
+    servo.foundAt(-200);  // 1200 counts below its position
     servo.does(servo::SetPosition{Counts(5'000)}, 5'000);
     servo.stands(5'000);
     EXPECT_EQ(servo.home(), 3'800);
-    servo.does(servo::ResetRelativeToHome{}, 5'304);  // position less the register
+    servo.does(servo::ResetRelativeToHome{}, 5'304);  // the position minus the register
     EXPECT_EQ(servo.home(), 4'104);
 }
 
@@ -75,7 +75,7 @@ TEST(HomeFact, AZeroMadeAtHomeIsHome) {
         plan(intent::GoHome{ServoPace{CountsPerTick(65'536), CountsPerTickSquared(100)}}, servo.module);
     ASSERT_TRUE(planned);
     const auto& load = std::get<servo::LoadTrajectory>(std::get<ServoCommand>(planned->front().command));
-    EXPECT_EQ(load.position, Counts(0)) << "and not -304, which the register still says";
+    EXPECT_EQ(load.position, Counts(0)) << "not -304, which the register still contains";
 }
 
 TEST(HomeFact, GoesAlongWithTheCounter) {
@@ -83,7 +83,7 @@ TEST(HomeFact, GoesAlongWithTheCounter) {
         std::int32_t home, zeroAt, then;
     };
     for (const Case& c : {Case{512, 1'000, -488}, Case{-304, -1'000, 696}, Case{7, 0, 7},
-                          // 32 bits that wrap: from the last count to home it is 11 counts on.
+                          // The counter wraps at 32 bits: from the last count, home is 11 counts ahead.
                           Case{-kLastCount + 9, kLastCount, 11}}) {
         Holding servo;
         servo.stands(c.zeroAt);
@@ -112,18 +112,19 @@ TEST(HomeFact, IsWhereItWasSavedByTheRegistersWord) {
     Holding servo;
     servo.stands(750);
     servo.foundAt(0);
-    servo.does(SaveAsHome{}, 750);  // its answer still has the old home
+    servo.does(SaveAsHome{}, 750);  // its answer still contains the old home
     EXPECT_EQ(servo.home(), std::nullopt);
     servo.inRegister = 751;
     servo.says(750);
-    EXPECT_EQ(servo.home(), std::nullopt) << "one look permits nothing";
+    EXPECT_EQ(servo.home(), std::nullopt) << "one reply is not enough";
     servo.says(750);
     EXPECT_EQ(servo.home(), 751);
     EXPECT_EQ(servo.module.home.place()->source, HomeFact::Source::Saved);
 }
 
 TEST(HomeFact, ALimitStopLeavesItAlone) {
-    // Armed it is a Set Homing Mode like any other: tripped, the register has the limit's place (DS-V 5.2).
+    // A limit stop is armed with Set Homing Mode like a search for home: once it trips, the register contains
+    // the position of the limit (DS-V 5.2).
     Holding servo;
     servo.stands(0);
     servo.foundAt(0);

@@ -55,7 +55,7 @@ TEST(Plan, RefusesToEnableWithoutGainsThatHold) {
     EXPECT_EQ(refusalOf(intent::Enable{}, module), Refusal::GainsUnknown);
 }
 
-/// The first step of tuning by hand (DS-V 4.3): the servo brakes, the shaft is turned by hand.
+/// The first step of tuning by hand (DS-V 4.3): the servo brakes while the shaft is turned by hand.
 TEST(Plan, EnablesWithoutKpWhereKdActs) {
     ModuleState module = servoModule();
     module.apply(sampleOf(0, kMoveDone | kPosError | kPower, 0));

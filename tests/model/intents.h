@@ -5,7 +5,7 @@
 
 #include "model/intent/intent.h"
 
-/// What a panel wants of a module, and why it does not get it.
+/// Intents that tests send to modules, and the reason why one is refused.
 namespace nmc::testing_support {
 
 /// 8 counts per tick, 0.02 counts per tick squared.

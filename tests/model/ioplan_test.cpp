@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is sent to a PIC-I/O for what is asked of it. Bit 0 is IO1.
+// The commands that are sent to a PIC-I/O for each intent. Bit 0 is IO1.
 #include "model/intent/ioplan.h"
 
 #include <gtest/gtest.h>
@@ -49,8 +49,8 @@ TEST_F(PicIo, AsLongAsNothingWasToldTheLevelsThatItReadsAreKept) {
     EXPECT_EQ(refused(iointent::SetOutput{2, true}), Refusal::Unresponsive);
 }
 
-/// Whether the chip keeps what it is told of an input is not said anywhere: an output has its level at once
-/// either way.
+/// It is not documented whether the chip keeps a level that is set while the pin is an input. Sent before and
+/// after, the new output has its level at once in either case.
 TEST_F(PicIo, APinThatBecomesAnOutputIsToldItsLevelBeforeAndAfter) {
     EXPECT_EQ(planned(iointent::SetDirection{0x0FFE}),
               (Commands{io::SetOutput{0x0801}, io::SetDirection{0x0FFE}, io::SetOutput{0x0801}}));
@@ -106,7 +106,7 @@ TEST_F(PicIo, OthersTakeNothingOfIt) {
     module.info.identity = {ModuleType::Stepper, 1};
     EXPECT_EQ(refused(iointent::SynchOutput{}), Refusal::NotAnIoModule);
     module.info.identity = {ModuleType::Io, 7};
-    EXPECT_NE(refused(iointent::SetOutput{2, true}), std::nullopt) << "a version that nobody knows";
+    EXPECT_NE(refused(iointent::SetOutput{2, true}), std::nullopt) << "an unknown version";
 }
 
 TEST_F(PicIo, ItsGroupStartsOnceItsOutputsAreStored) {

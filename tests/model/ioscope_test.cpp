@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a PIC-I/O says, as the scope keeps it: from status replies to samples, spans and recordings.
+// The status replies of a PIC-I/O as the scope keeps them: samples, spans and recordings.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(IoScope, WhatAReplyDoesNotHaveStandsAsItWas) {
     EXPECT_TRUE(taken(feed, {2, 0x0002}).gapBefore) << "a hundred usual intervals later";
 }
 
-/// 2^31 is the least number with a sign, and no step for a counter.
+/// At 2^31 a signed number would become negative; the counter simply counts on.
 TEST(IoScope, CountsBeyondTheMiddleOfTheirRangeKeepTheirOrder) {
     ScopeFeed feed;
     ModuleHistory history;
@@ -98,7 +98,7 @@ std::vector<ScopeSample> rateOf(const std::vector<Reply>& replies) {
         .samples->samples(TimePoint::min(), TimePoint::max());
 }
 
-/// 5 counts in 10 ms, of every second reply; across the wrap of 32 bits.
+/// 5 counts in 10 ms, contained in every second reply, across the wrap at 32 bits.
 TEST(IoScope, TheRateIsThatOfTheCountsAndNotOfTheReplies) {
     std::vector<Reply> replies;
     for (int i = 0; i < 60; ++i) {
@@ -107,7 +107,7 @@ TEST(IoScope, TheRateIsThatOfTheCountsAndNotOfTheReplies) {
             reply.counter = 0xFFFF'FFC0U + static_cast<unsigned>(5 * i);
     }
     const auto rates = rateOf(replies);
-    ASSERT_EQ(rates.size(), 25U) << "from 100 ms on, of 30 that have a count";
+    ASSERT_EQ(rates.size(), 25U) << "from 100 ms on, of 30 replies with a count";
     for (const ScopeSample& rate : rates)
         EXPECT_NEAR(rate.error, 500, 0.01);
 }
@@ -164,7 +164,7 @@ TEST(IoScope, AValueThatIsNoByteIsRefused) {
     EXPECT_EQ(read.problem->field, "analog2");
 }
 
-/// As it was written before there was a PIC-I/O.
+/// A recording that was written before PIC-I/O modules were supported.
 TEST(IoScope, ARecordingWithoutItsColumnsOpens) {
     const auto read = readRecording(
         "# NMC Panel recording 1\n"

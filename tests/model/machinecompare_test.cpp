@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// H-12, F-39, F-40: what opening a file would change, and that nothing is changed or sent that was not
+// H-12, F-39, F-40: the changes that opening a file would make; nothing is changed or sent that was not
 // chosen.
 #include "model/machinefile/machinecompare.h"
 
@@ -53,7 +53,7 @@ const Difference* row(const std::vector<Difference>& rows, PartId id) {
             return &difference;
     return nullptr;
 }
-/// Whether anything goes to this module.
+/// True if anything is sent to this module.
 bool goesTo(ModuleIndex module, const std::vector<ModuleIntent>& sent) {
     return std::any_of(sent.begin(), sent.end(),
                        [module](const ModuleIntent& s) { return s.module == module; });
@@ -80,12 +80,12 @@ TEST(MachineCompare, NamesTheFieldsThatDifferAndNoOthers) {
     EXPECT_EQ(rows[0].fields[0].now, FieldValue(150.0));
     EXPECT_EQ(rows[0].fields[1].key, "DB");
     EXPECT_EQ(rows[0].fields[1].now, std::nullopt);
-    EXPECT_EQ(rows[0].applying, Applying::KeepsUnsent) << "nobody is there to be told";
+    EXPECT_EQ(rows[0].applying, Applying::KeepsUnsent) << "there is no module to send it to";
     EXPECT_EQ(rows[1].fields[0].file, FieldValue(std::string("Drehteller ä")));
     EXPECT_EQ(rows[1].applying, Applying::ChangesPanel);
 }
 
-/// Of the file's fields, in the order of the table.
+/// Key, quantity and file's value of each field of the row, in the order of the table.
 std::vector<std::tuple<std::string, Quantity, FieldValue>> shown(const Difference* row) {
     std::vector<std::tuple<std::string, Quantity, FieldValue>> fields;
     if (row != nullptr)
@@ -94,7 +94,7 @@ std::vector<std::tuple<std::string, Quantity, FieldValue>> shown(const Differenc
     return fields;
 }
 
-/// 0 is what nobody has set, but a place, and a gain that the module has.
+/// 0 means that a field was never set, except for places and gains.
 TEST(MachineCompare, AFieldsQuantityTellsItsUnitAndItsKeyDoesNot) {
     using testing::FieldsAre;
     for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper}) {
@@ -176,7 +176,7 @@ TEST(MachineCompare, PinsThatWereSetAreNamedOneByOne) {
     ASSERT_EQ(rows[0].fields.size(), 2U);
     EXPECT_EQ(rows[0].fields[0].key, "IO3");
     EXPECT_EQ(rows[0].fields[0].file, FieldValue(std::string("name Lamp, asks yes, off_at_stop no")));
-    EXPECT_FALSE(rows[0].fields[0].now) << "nobody has set it";
+    EXPECT_FALSE(rows[0].fields[0].now) << "it was never set";
     EXPECT_EQ(rows[0].fields[1].key, "AD2");
     EXPECT_EQ(rows[0].fields[1].file, FieldValue(std::string("Pressure")));
     EXPECT_EQ(applied(file, Machine{}, {}, ids(rows)), file);
@@ -208,7 +208,7 @@ TEST(MachineCompare, GainsAreComparedWithWhatWasSentNotWithWhatWasTyped) {
     const PartId gains{kFirst, MachinePart::Gains};
     {
         const auto rows = compare(mill(), mill(), modules);
-        ASSERT_NE(row(rows, gains), nullptr) << "typed in, but never sent in this connection";
+        ASSERT_NE(row(rows, gains), nullptr) << "entered, but never sent in this connection";
         EXPECT_EQ(row(rows, gains)->applying, Applying::Sends);
         EXPECT_EQ(row(rows, gains)->fields.size(), 9U);
         EXPECT_EQ(row(rows, gains)->fields[0].now, std::nullopt) << "unknown";
@@ -219,7 +219,7 @@ TEST(MachineCompare, GainsAreComparedWithWhatWasSentNotWithWhatWasTyped) {
     EXPECT_EQ(row(compare(mill(), mill(), modules), gains)->fields[0].now, FieldValue(7.0));
     modules[0].gains = mill().axes[0].gains;
     EXPECT_EQ(row(compare(mill(), {}, modules), gains)->applying, Applying::ChangesPanel)
-        << "the module has them, the fields have not";
+        << "the module has them, the fields do not";
 }
 
 TEST(MachineCompare, AnOldServoHasNoDeadbandToDiffer) {
@@ -233,7 +233,7 @@ TEST(MachineCompare, AnOldServoHasNoDeadbandToDiffer) {
     EXPECT_EQ(row(compare(file, file, {module}), {kFirst, MachinePart::Gains}), nullptr);
 }
 
-/// An SC that has its gains and knows its I/O Control: 3-phase.
+/// An SC with these gains and a known I/O Control: 3-phase.
 ModuleState scWith(const servo::SetGain& gains, bool fastPath) {
     ModuleState module = moduleOf(0, ModuleType::Servo, 10);
     module.gains = gains;
@@ -269,7 +269,7 @@ TEST(MachineCompare, AFileWithoutAStepMultiplierLeavesItAsItIs) {
     EXPECT_EQ(row(compare(file, file, {module}), {kFirst, MachinePart::Gains}), nullptr);
 }
 
-/// Every bit of I/O Control is applied at each command: the others go as the module has them.
+/// Each I/O Control command applies every bit, so the other bits are sent as the module has them.
 TEST(MachineCompare, FastPathOfAnScGoesWithTheRestOfItsAmplifierAsItIs) {
     const Machine file = scMachine({}, true);
     const PartId io{kFirst, MachinePart::Io};
@@ -281,7 +281,8 @@ TEST(MachineCompare, FastPathOfAnScGoesWithTheRestOfItsAmplifierAsItIs) {
     ASSERT_EQ(sent.size(), 1U);
     EXPECT_EQ(std::get<intent::ControlSc>(sent[0].intent).io,
               (servo::ScIoControl{.threePhase = true, .fastPath = true}));
-    EXPECT_EQ(row(compare(file, file, {scWith(*file.axes[0].gains, true)}), io), nullptr) << "it has it";
+    EXPECT_EQ(row(compare(file, file, {scWith(*file.axes[0].gains, true)}), io), nullptr)
+        << "the module already has it";
 }
 
 TEST(MachineCompare, FastPathOfAnScWaitsWhileItsAmplifierIsNotKnown) {
@@ -391,7 +392,7 @@ TEST(MachineCompare, ApplyingNothingChangesNoValueAndSendsNothing) {
         const auto modules = millChain();
         RC_ASSERT(sendings(file, now, modules, {}).empty());
         Machine after = applied(file, now, modules, {});
-        // Only which modules are expected is taken over.
+        // Only the expected modules are taken over.
         for (AxisSettings& axis : after.axes)
             axis.expected.reset();
         for (AxisSettings& axis : now.axes)
@@ -436,7 +437,7 @@ TEST(MachineCompare, WhatIsSavedSaysWhichModulesItIsFor) {
     machine.axes[0].expected = ModuleIdentity{ModuleType::Servo, 2};
     const Machine saved = withChain(machine, millChain(), 57'600);
     ASSERT_EQ(saved.axes.size(), 2U);
-    EXPECT_EQ(saved.axes[0].expected, (ModuleIdentity{ModuleType::Servo, 2})) << "as it was said before";
+    EXPECT_EQ(saved.axes[0].expected, (ModuleIdentity{ModuleType::Servo, 2})) << "as it was set before";
     EXPECT_EQ(saved.axes[1].expected, (ModuleIdentity{ModuleType::Stepper, 1}));
     EXPECT_EQ(saved.baud, 57'600U);
     EXPECT_EQ(withChain({}, {}, 19'200), Machine{});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a machine file says is what is read, and what was written. Numbers and lines are counted by hand.
+// A machine is read from its file exactly as it was written. Expected numbers and lines are counted by hand.
 #include "model/machinefile/machinefile.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(MachineFile, SaysWhatStandsInIt) {
     EXPECT_EQ(machine.groups[0].leader, ModuleIndex(0));
 }
 
-/// A number below 0 says that the user's forward is the chip's reverse.
+/// A negative number means that the user's forward is the chip's reverse.
 TEST(MachineFile, AReversedAxisIsKept) {
     std::string text(kSmall);
     text.replace(text.find("2000.25"), 7, "-2000.25");
@@ -131,7 +131,7 @@ TEST(MachineFile, NumbersSayTheirUnitByTheAxisChip) {
     EXPECT_NE(text.find("\"velocity_steps_per_s\": 1200.0"), std::string::npos) << text;
     EXPECT_NE(text.find("\"time_limit_s\": 30.0"), std::string::npos) << text;
     EXPECT_NE(text.find("\"type\": \"PIC-STEP\""), std::string::npos) << text;
-    EXPECT_NE(text.find("\"Drehteller ä\""), std::string::npos) << "letters stay letters";
+    EXPECT_NE(text.find("\"Drehteller ä\""), std::string::npos) << "letters are not escaped";
 }
 
 TEST(MachineFile, AnAxisWhoseChipChangesLosesTheOldUnitsKeys) {
@@ -148,7 +148,7 @@ TEST(MachineFile, AnAxisWhoseChipChangesLosesTheOldUnitsKeys) {
     EXPECT_EQ(again->machine, parsed->machine);
 }
 
-// ---- what this program does not know ----
+// ---- unknown keys ----
 
 TEST(MachineFile, UnknownKeysSurviveAtEveryLevelAndInPlace) {
     auto parsed = parseMachine(kSmall);
@@ -156,7 +156,7 @@ TEST(MachineFile, UnknownKeysSurviveAtEveryLevelAndInPlace) {
     parsed->machine.axes[0].gains->kp = 150;
     parsed->machine.name = "Lathe";
     const std::string text = writeMachine(parsed->machine, parsed->unknown);
-    // Each key with the one that stood before it.
+    // The keys in the order of the file.
     const std::string_view order[] = {"\"format\"",
                                       "\"version\"",
                                       "\"name\": \"Lathe\"",
@@ -179,7 +179,7 @@ TEST(MachineFile, UnknownKeysSurviveAtEveryLevelAndInPlace) {
     std::size_t at = 0;
     for (const std::string_view key : order) {
         const std::size_t found = text.find(key, at);
-        ASSERT_NE(found, std::string::npos) << key << " is not behind its neighbour in\n" << text;
+        ASSERT_NE(found, std::string::npos) << key << " does not follow its predecessor in\n" << text;
         at = found;
     }
     EXPECT_EQ(parseMachine(text)->machine, parsed->machine);

@@ -7,7 +7,7 @@
 
 #include "model/settings/machine.h"
 
-/// Machines for tests: one with something in every place, and any.
+/// Machines for tests: one with something in every part, and arbitrary ones.
 namespace nmc::testing_support {
 
 inline AxisSettings servoAxis() {
@@ -52,7 +52,7 @@ inline Machine mill() {
             OperatorRights{.moves = true}};
 }
 
-/// Every kind of row, and two points.
+/// The mill with two points and every kind of sequence row.
 inline Machine taughtMill() {
     Machine machine = mill();
     constexpr ModuleIndex kX{0};
@@ -84,7 +84,7 @@ inline std::string pickName() {
                                           "<b>");
 }
 
-/// Each says something: a comparison shows what was set.
+/// Every pin and input has a name, because a comparison shows only those that were set.
 inline PinSettings anyPins() {
     PinSettings settings;
     settings.pins.resize(pickWhole<std::size_t>(1, 12));

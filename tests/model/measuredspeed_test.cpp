@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 using testing_support::atMs;
 
-/// A status reply every 10 ms.
+/// Applies a status reply every 10 ms.
 void turn(MeasuredSpeed& speed, int from, int to, double countsPerSecond, std::int32_t begin = 0) {
     for (int ms = from; ms <= to; ms += 10)
         speed.apply(atMs(ms), begin + static_cast<std::int32_t>(countsPerSecond * (ms - from) / 1e3));
@@ -45,7 +45,7 @@ TEST(MeasuredSpeed, IsNothingForAShaftThatIsHeldBetweenTwoCounts) {
 TEST(MeasuredSpeed, GoesOnWhereTheCounterWraps) {
     MeasuredSpeed speed;
     speed.apply(atMs(0), 2'147'483'600);
-    speed.apply(atMs(100), -2'147'483'596);  // 100 counts on
+    speed.apply(atMs(100), -2'147'483'596);  // 100 counts further
     EXPECT_EQ(speed.perSecond(), 1'000);
 }
 

@@ -35,13 +35,14 @@ TEST(ModuleState, HoldsAfterItWasSwitchedOnAlthoughPosErrorSticks) {
 }
 
 TEST(ModuleState, OneAnswerOfAnotherModuleIsNoTrip) {
-    // Another host asks a module that is on; its answer comes in the place of this one's, which is off.
+    // Another host queries a module that is on; its answer arrives in place of the one from this module,
+    // which is off.
     ModuleState module = servoModule();
     module.apply(sampleOf(0.0, kMoveDone | kPosError | kPower, 0));
     module.apply(sampleOf(0.1, kMoveDone | kPosError | kPower, kServoOn));
     module.apply(sampleOf(0.2, kMoveDone | kPosError | kPower, 0));
     EXPECT_EQ(module.activity(), Activity::ServoOff);
-    // Seen on twice, it was.
+    // Once it has been seen on twice, it counts as on.
     module.apply(sampleOf(0.3, kMoveDone | kPower, kServoOn));
     module.apply(sampleOf(0.4, kMoveDone | kPower, kServoOn));
     module.apply(sampleOf(0.5, kMoveDone | kPosError | kPower, 0));
@@ -80,7 +81,7 @@ TEST(ModuleState, ConstantVelocityIsMotionAlthoughMoveDoneIsSet) {
     EXPECT_EQ(module.activity(), Activity::Holding);
 }
 
-/// It holds 20 000, and stands 3 counts beside it.
+/// A servo that holds 20 000, and is 3 counts away from it.
 ModuleState heldAt20000() {
     ModuleState module = holdingServo();
     module.apply(executedAt(1.0, trapezoid(20'000, 8 << 16, 1311)));
@@ -89,7 +90,7 @@ ModuleState heldAt20000() {
     return module;
 }
 
-/// The chip has no velocity to lose: its command position stays where it is (DS-V 5.2, Stop Motor).
+/// At rest there is no velocity to remove, so the command position stays where it is (DS-V 5.2, Stop Motor).
 TEST(ModuleState, AStopAtRestLeavesWhatIsHeld) {
     for (const auto manner : {servo::StopManner::Smoothly, servo::StopManner::Abruptly}) {
         ModuleState module = heldAt20000();
@@ -97,10 +98,10 @@ TEST(ModuleState, AStopAtRestLeavesWhatIsHeld) {
         module.apply(executedAt(9.5, stopWith(manner)));
         module.apply(sampleOf(9.5, kPower | kMoveDone, kServoOn, 19'998));
         EXPECT_EQ(module.goal(), 20'000);
-        EXPECT_FALSE(module.headsFor(20'000)) << "whoever waits for the move has been stopped";
+        EXPECT_FALSE(module.headsFor(20'000)) << "a wait for this move has been stopped";
         module.confirmedAtRest();
         EXPECT_EQ(module.goal(), 20'000);
-        // As when somebody presses Esc three times.
+        // As if Esc were pressed three times.
         module.apply(executedAt(9.6, stopWith(manner)));
         module.apply(executedAt(9.65, stopWith(manner)));
         module.apply(sampleOf(9.7, kPower | kMoveDone, kServoOn, 19'997));
@@ -112,19 +113,19 @@ TEST(ModuleState, AStopThatMayHaveCutAMoveShortLeavesTheGoalUnknown) {
     ModuleState moving = heldAt20000();
     moving.apply(executedAt(9.5, trapezoid(0, 8 << 16, 1311)));
     moving.apply(executedAt(9.6, StartMotion{}));
-    // The last status is older than the start, and says that nothing moves.
+    // The last status is older than the start, and does not show the motion.
     moving.apply(executedAt(9.601, stopWith(servo::StopManner::Abruptly)));
     moving.apply(sampleOf(9.602, kPower | kMoveDone, kServoOn, 19'997));
     EXPECT_FALSE(moving.goal());
 
     ModuleState unheard = heldAt20000();
-    unheard.confirmedAtRest();  // by a stop that nobody has heard an answer to
+    unheard.confirmedAtRest();  // by a stop whose answer was not received
     EXPECT_FALSE(unheard.goal());
 
     ModuleState gone = heldAt20000();
     gone.apply(executedAt(9.5, stopWith(servo::StopManner::Smoothly)));
     gone.apply(sampleOf(9.5, kPower | kMoveDone, kServoOn, 19'992));
-    EXPECT_FALSE(gone.goal()) << "5 counts away: it may have been off, and caught where it was";
+    EXPECT_FALSE(gone.goal()) << "5 counts away: it may have been off, and switched on where it was";
 }
 
 TEST(ModuleState, WhatAStopLeavesDoesNotOutliveTheNextMove) {
@@ -146,7 +147,7 @@ TEST(ModuleState, AServoThatGoesOffByItselfIsTripped) {
     EXPECT_EQ(severityOf(module.activity()), Severity::Fault);
 }
 
-/// An old or damaged answer, or that of another module.
+/// The answer may be old, damaged, or that of another module.
 TEST(ModuleState, OneAnswerThatItIsOffIsADoubtThatTheNextEnds) {
     ModuleState module = holdingServo();
     module.apply(sampleOf(0.5, kMoveDone | kPower, kServoOn));
@@ -156,7 +157,7 @@ TEST(ModuleState, OneAnswerThatItIsOffIsADoubtThatTheNextEnds) {
     EXPECT_EQ(module.activity(), Activity::Holding);
     EXPECT_FALSE(module.switchedItselfOff);
     module.apply(sampleOf(1.2, kMoveDone | kPosError | kPower, 0));
-    EXPECT_EQ(module.activity(), Activity::MaybeOff) << "and begins anew";
+    EXPECT_EQ(module.activity(), Activity::MaybeOff) << "the doubt begins again";
 }
 
 TEST(ModuleState, PowerLossIsToldFromATripAndStaysWhenPowerIsBack) {
@@ -233,11 +234,11 @@ TEST(ModuleState, AServoThatAnotherHostLeftMovingIsMoving) {
     EXPECT_EQ(module.activity(), Activity::AtSpeed);
     for (int i = 0; i <= 20; ++i)
         module.apply(sampleOf(2.1 + i * 0.1, kMoveDone | kPower, kServoOn, 200 + i % 2));
-    EXPECT_FALSE(module.moving()) << "it works within its friction";
+    EXPECT_FALSE(module.moving()) << "it moves only within its friction";
     EXPECT_EQ(module.activity(), Activity::Holding);
 }
 
-/// DS-V 4.5: 1 after power-up and reset. It goes with the gains, and nobody can ask for it.
+/// DS-V 4.5: SR is 1 after power-up and reset. It is set with the gains, and cannot be read back.
 TEST(ModuleState, TheServoRateIsKnownFromPowerUpUntilAnotherHostMayHaveSetIt) {
     ModuleState module = servoModule();
     EXPECT_EQ(module.servoRate, 1);
@@ -254,10 +255,10 @@ TEST(ModuleState, TheServoRateIsKnownFromPowerUpUntilAnotherHostMayHaveSetIt) {
     EXPECT_EQ(module.servoRate, 1);
 }
 
-// ---- what nobody has heard an answer to ----
+// ---- doubtful answers, and commands without one ----
 
-/// The answers of a neighbour: nothing but the position tells, and it stays in doubt until all has been well
-/// for a while.
+/// Answers of a neighbouring module: only the position reveals them, and it stays in doubt until there has
+/// been no jump for a while.
 TEST(ModuleState, AJumpThatNoMotionLeadsToIsDoubtfulForAWhile) {
     ModuleState module = holdingServo();
     const auto says = [&module](double seconds, std::int32_t position, bool jumped = false) {
@@ -280,10 +281,10 @@ TEST(ModuleState, AJumpThatNoMotionLeadsToIsDoubtfulForAWhile) {
     link.phase = LinkPhase::Connected;
     EXPECT_TRUE(isLive(link, module));
     says(6.0, 3'386, true);
-    EXPECT_FALSE(isLive(link, module)) << "shown as one that is not so now";
+    EXPECT_FALSE(isLive(link, module)) << "shown as not current";
 }
 
-/// Behind a start that nobody answered it may have been set going; at speed it is when its position says so.
+/// After a start that was not answered, it may be moving; it is at speed only if its position shows that.
 TEST(ModuleState, AServoThatStandsBehindADoubtIsNotAtSpeed) {
     ModuleState module = holdingServo();
     module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
@@ -295,7 +296,7 @@ TEST(ModuleState, AServoThatStandsBehindADoubtIsNotAtSpeed) {
     module.apply(sampleOf(2.2, kPower | kMoveDone, kServoOn, 5'600));
     module.apply(sampleOf(2.5, kPower | kMoveDone, kServoOn, 5'600));
     EXPECT_EQ(module.activity(), Activity::MaybeMoving);
-    EXPECT_TRUE(module.moving()) << "nothing is started on that";
+    EXPECT_TRUE(module.moving()) << "no motion may be started in this state";
     module.apply(sampleOf(3.3, kPower | kMoveDone, kServoOn, 5'600));
     EXPECT_EQ(module.activity(), Activity::Holding);
 }
@@ -305,9 +306,9 @@ TEST(ModuleState, AVelocityThatWasStoppedUnheardIsNotBelievedAnyMore) {
     module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
     module.apply(sampleOf(2.0, kPower | kMoveDone, kServoOn, 5'000));
     ASSERT_EQ(module.activity(), Activity::AtSpeed);
-    module.doubtMotion();  // silent; it was told to stop, and stands when it is heard again
+    module.doubtMotion();  // silent; it was sent a stop, and is at rest when it answers again
     module.apply(sampleOf(4.0, kPower | kMoveDone, kServoOn, 9'000));
-    EXPECT_TRUE(module.moving()) << "nobody knows yet";
+    EXPECT_TRUE(module.moving()) << "still unknown";
     for (int i = 1; i <= 15; ++i)
         module.apply(sampleOf(4.0 + i * 0.1, kPower | kMoveDone, kServoOn, 9'000 + i % 2));
     EXPECT_EQ(module.activity(), Activity::Holding);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When motions begin, from positions that are known by heart.
+// The times at which motions begin, from known positions.
 #include "model/scope/motionstart.h"
 
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@ namespace {
 
 constexpr TimePoint kZero{std::chrono::seconds(50)};
 
-/// A thousand samples a second.
+/// A shaft with a thousand samples a second.
 class Shaft {
 public:
-    /// For so long at this velocity, counts/s.
+    /// Moves the shaft at `velocity` in counts/s.
     void go(double seconds, double velocity) {
         for (int i = 0; i < std::lround(seconds * 1'000); ++i) {
             m_at += velocity / 1'000;
@@ -24,7 +24,8 @@ public:
             history.append(sample);
         }
     }
-    /// Seconds since the first sample, of what follow() has found.
+    /// The last start of a motion that follow() has found, in seconds since the first sample; -1 if there is
+    /// none.
     [[nodiscard]] double last() {
         EXPECT_TRUE(motion.follow(history));
         return motion.last() ? toSeconds(*motion.last() - kZero) : -1;
@@ -41,7 +42,7 @@ private:
 TEST(MotionStart, IsWhereTheShaftLeavesItsPlace) {
     Shaft shaft;
     shaft.go(1.0, 0);
-    EXPECT_EQ(shaft.last(), -1) << "it stands";
+    EXPECT_EQ(shaft.last(), -1) << "it is at rest";
     shaft.go(0.5, 10'000);
     EXPECT_NEAR(shaft.last(), 1.0, 0.0015);
     shaft.go(1.0, 0);
@@ -54,13 +55,13 @@ TEST(MotionStart, IsWhereTheShaftLeavesItsPlace) {
 TEST(MotionStart, AServoThatHoldsDoesNotMove) {
     Shaft shaft;
     for (int i = 0; i < 100; ++i) {
-        shaft.go(0.004, 1'000);  // 4 counts there and back
+        shaft.go(0.004, 1'000);  // 4 counts forward and back
         shaft.go(0.004, -1'000);
     }
     EXPECT_EQ(shaft.last(), -1);
 }
 
-/// 40 ms at the turn, where the shaft is almost at rest: one motion.
+/// The shaft is almost at rest for 40 ms at the reversal: still one motion.
 TEST(MotionStart, AShortPauseIsNoEnd) {
     Shaft shaft;
     shaft.go(0.5, 0);
@@ -81,12 +82,12 @@ TEST(MotionStart, AMotionOverTheWrapOfThePositionIsOne) {
     EXPECT_NEAR(shaft.last(), 0.302, 0.001) << "five counts at the fourth sample";
 }
 
-/// Samples come in pieces; what they are cut into makes no difference.
+/// The history is evaluated in pieces; how it is divided makes no difference.
 TEST(MotionStart, TakesALongHistoryInPieces) {
     Shaft shaft;
     shaft.go(100.0, 0);
     shaft.go(1.0, 1'000);
-    EXPECT_FALSE(shaft.motion.follow(shaft.history)) << "50 000 at once";
+    EXPECT_FALSE(shaft.motion.follow(shaft.history)) << "50 000 samples at a time";
     EXPECT_FALSE(shaft.motion.follow(shaft.history));
     EXPECT_NEAR(shaft.last(), 100.0, 0.006);
 }

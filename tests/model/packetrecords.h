@@ -25,7 +25,7 @@ inline bus::ExchangeRecord pollRecord(std::uint64_t number, std::int64_t microse
     return record;
 }
 
-/// All modules are told to restart; nobody answers.
+/// A Hard Reset of all modules, which none of them answers.
 inline bus::ExchangeRecord resetRecord(std::uint64_t number, std::int64_t microseconds = 0) {
     bus::ExchangeRecord record;
     record.number = number;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A log that was saved and read back, played to a fresh chain: the same commands get the same replies.
+// A log that was saved and read back is replayed to a fresh chain: the same commands get the same replies.
 #include <gtest/gtest.h>
 
 #include "model/packets/packetfile.h"
@@ -12,7 +12,7 @@ namespace {
 
 using test::VirtualBus;
 
-/// Keeps what went over a virtual bus, as records.
+/// Records the traffic of a virtual bus.
 class Tap {
 public:
     explicit Tap(VirtualBus& bus) : m_bus(bus) {
@@ -51,7 +51,7 @@ private:
     std::uint64_t m_number = 0;
 };
 
-/// A session with something of everything: finding the chain, gains, a move, polls, a stop.
+/// A session with a bit of everything: finding the chain, gains, a move, polls, a stop.
 void runSession(VirtualBus& bus) {
     ASSERT_TRUE(bus.connect());
     servo::LoadTrajectory load;
@@ -111,7 +111,7 @@ TEST(PacketReplay, WhatTheEngineRecordsIsEverythingAndCanBeReplayed) {
     std::string sent;
     for (const VirtualBus::Sent& send : bus.sent)
         sent += send.hex() + ' ';
-    // The last one may still be under way.
+    // The last exchange may still be in progress.
     EXPECT_EQ(recorded, sent.substr(0, recorded.size())) << "every byte that was sent is in one record";
     EXPECT_LT(sent.size() - recorded.size(), 3 * kMaxPacket);
     const auto file = parsePacketFile(writePacketFile(log));
@@ -120,7 +120,7 @@ TEST(PacketReplay, WhatTheEngineRecordsIsEverythingAndCanBeReplayed) {
     const auto replies = test::replay(*file, fresh);
     for (std::size_t i = 0; i < replies.size(); ++i) {
         EXPECT_FALSE(file->entries[i].afterGap);
-        // What a stop went past was cut short by it, or was not listened to.
+        // An exchange that was overtaken by a stop was cut short, and some expect no reply.
         const bus::ExchangeRecord& record = file->entries[i].record;
         if (record.end != bus::ExchangeEnd::Abandoned && record.end != bus::ExchangeEnd::NotAsked) {
             EXPECT_EQ(toHex(replies[i]), toHex(record.reply)) << "exchange " << i + 1;

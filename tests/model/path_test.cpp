@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Path files, paths drawn from moves, and the arithmetic of docs/paths.md. Expected values are reckoned by
+// Path files, paths drawn from moves, and the arithmetic of docs/paths.md. Expected values are calculated by
 // hand.
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using servo::PathRate;
 constexpr ModuleIdentity kSc{ModuleType::Servo, kScVersion};
 
 [[nodiscard]] std::vector<PathColumn> axes() {
-    // X is read in millimetres of 200 counts, Y in counts.
+    // X is in millimetres of 200 counts, Y in counts.
     return {{"X", ModuleIndex(0), AxisScale::servo({UnitKind::Millimetres, 200.0, {}}, 1)},
             {"Y", ModuleIndex(1)}};
 }
@@ -82,7 +82,7 @@ TEST(PathFile, TellsEveryProblemWithItsLine) {
     EXPECT_EQ(problems("Y\n0\n3000000000\n").front().kind, PathFault::OutOfRange);
 }
 
-/// The magnitude of a word has 14, 13 or 12 bits.
+/// The magnitude in a word has 14, 13 or 12 bits.
 TEST(PathFile, RefusesWhatAPointCannotCarry) {
     for (const auto& [rate, most] :
          {std::pair{"30", 16'383}, std::pair{"60", 8'191}, std::pair{"120", 4'095}}) {
@@ -135,7 +135,8 @@ TEST(PathFile, HasAnEnd) {
 constexpr double kPeriod = 0.016384;
 
 TEST(PathFromMoves, IsATrapezoidThatEndsOnItsGoal) {
-    // Up to 1000 counts/s within 0.5 s and 250 counts, 500 counts at that, and down: 1.5 s, 91.55 periods.
+    // 0.5 s and 250 counts up to 1000 counts/s, 500 counts at that speed, and as long down: 1.5 s, 91.55
+    // periods.
     PathMoves moves;
     moves.axes.push_back({ModuleIndex(2), 1'000.0, 2'000.0, 50, {1'050}});
     const PathTable table = pathFromMoves(moves);
@@ -148,21 +149,21 @@ TEST(PathFromMoves, IsATrapezoidThatEndsOnItsGoal) {
     // After 30 periods, 0.49152 s: 2000 / 2 * t^2 = 241.6; after 60, 0.98304 s: 1000 * (t - 0.25) = 733.0.
     EXPECT_EQ(points[29], 50 + 242);
     EXPECT_EQ(points[59], 50 + 733);
-    // After 90, 25.44 ms before the end: 1000 - 1000 * t^2 = 999.4.
+    // After 90 periods, 25.44 ms before the end: 1000 - 1000 * t^2 = 999.4.
     EXPECT_EQ(points[89], 50 + 999);
 }
 
 TEST(PathFromMoves, GoesInAStraightLine) {
     PathMoves moves;
     moves.rate = PathRate::Hz120;
-    // Y has twice as far to go and may go just as fast, so X goes at half of that.
+    // Y has twice as far to go at the same maximum speed, so X moves at half of it.
     moves.axes.push_back({ModuleIndex(0), 1'000.0, 1e6, 0, {1'000, 1'000, 1'000}});
     moves.axes.push_back({ModuleIndex(1), 1'000.0, 1e6, 0, {2'000, 2'000, 1'000}});
     const PathTable table = pathFromMoves(moves);
     const auto& x = table.columns[0].points;
     const auto& y = table.columns[1].points;
     ASSERT_EQ(x.size(), y.size());
-    // 2000 counts take 2.001 s, which are 244.3 periods of 8.192 ms; none takes none; 1000 take 122.2.
+    // 2000 counts take 2.001 s, which are 244.3 periods of 8.192 ms; 0 counts take none, and 1000 take 122.2.
     ASSERT_EQ(x.size(), 245U + 123U);
     EXPECT_EQ(x[244], 1'000);
     EXPECT_EQ(y[244], 2'000);
@@ -171,12 +172,12 @@ TEST(PathFromMoves, GoesInAStraightLine) {
     for (std::size_t i = 0; i < 245; ++i)
         EXPECT_LE(std::abs(2 * x[i] - y[i]), 2) << i;
     for (std::size_t i = 1; i < y.size(); ++i)
-        EXPECT_LE(std::abs(y[i] - y[i - 1]), 10) << "1000 counts/s are 8.2 in a period, and rounding";
+        EXPECT_LE(std::abs(y[i] - y[i - 1]), 10) << "1000 counts/s are 8.2 in a period, plus rounding";
 }
 
 TEST(PathFromMoves, OfAShortMoveHasNoPlateau) {
     PathMoves moves;
-    // 100 counts at 1000 counts/s^2: 0.3162 s up to 316 counts/s and as long down, 38.6 periods.
+    // 100 counts at 1000 counts/s^2: 0.3162 s up to 316 counts/s and as long down make 38.6 periods.
     moves.axes.push_back({ModuleIndex(0), 5'000.0, 1'000.0, 0, {-100}});
     const auto points = pathFromMoves(moves).columns[0].points;
     ASSERT_EQ(points.size(), 39U);
@@ -185,8 +186,9 @@ TEST(PathFromMoves, OfAShortMoveHasNoPlateau) {
     EXPECT_EQ(points[18], -48);
 }
 
-/// Frames of seven points: 18 bytes there and 12 back, and a tick; at 61.035 Hz 8.7193 of them a second.
-/// Polls: 5 bytes there and 19 back, and a tick; 5.5556 a second of each module.
+/// A frame of seven points takes 18 bytes to the module, 12 back and a tick; at 61.035 Hz, 8.7193 are sent a
+/// second. A poll takes 5 bytes to the module, 19 back and a tick; each module is polled 5.5556 times a
+/// second.
 TEST(PathShare, IsTheArithmeticOfTheWire) {
     const std::array three{kSc, kSc, kSc};
     const PathLine fast{115'200, Duration{}};
@@ -196,13 +198,15 @@ TEST(PathShare, IsTheArithmeticOfTheWire) {
     EXPECT_NEAR(share.polls, 3 * 5.5556 * 2.5953e-3, 0.002);
     EXPECT_TRUE(share.fits());
     EXPECT_TRUE(pathShare(fast, PathRate::Hz120, three, 12).fits());
-    // At 19 200 Bd 16.137 ms and 13.012 ms: 42 % and 22 % at 60 Hz, 84 % at 120 Hz.
+    // At 19 200 Bd a frame takes 16.137 ms and a poll 13.012 ms: 42 % and 22 % of the time at 60 Hz; at 120
+    // Hz, the frames alone take 84 %.
     const PathLine slow{19'200, Duration{}};
     EXPECT_NEAR(pathShare(slow, PathRate::Hz60, three, 3).needed(), 0.639, 0.005);
     EXPECT_TRUE(pathShare(slow, PathRate::Hz60, three, 3).fits());
     EXPECT_NEAR(pathShare(slow, PathRate::Hz120, three, 3).points, 0.844, 0.005);
     EXPECT_FALSE(pathShare(slow, PathRate::Hz120, three, 3).fits());
-    // An adapter that holds every answer back for 16 ms: 19.1 ms a frame, half of the time at 60 Hz.
+    // With an adapter that holds every answer back for 16 ms, a frame takes 19.1 ms, half of the time at 60
+    // Hz.
     const PathLine lazy{115'200, std::chrono::milliseconds(16)};
     EXPECT_NEAR(pathShare(lazy, PathRate::Hz60, three, 3).points, 0.500, 0.005);
     EXPECT_FALSE(pathShare(lazy, PathRate::Hz120, three, 3).fits());

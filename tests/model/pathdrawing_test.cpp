@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Paths that are drawn from the moves of a sequence, and path files that are written. Expected values are
-// reckoned by hand.
+// calculated by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +35,7 @@ class PathDrawing : public testing::Test {
 protected:
     PathDrawing() {
         machine.axes.resize(2);
-        // 0.5 counts a tick are 976.5625 counts/s, 0.005 counts a tick squared 19 073 counts/s^2.
+        // 0.5 counts per tick are 976.5625 counts/s, and 0.005 counts per tick squared are 19 073 counts/s^2.
         for (AxisSettings& axis : machine.axes) {
             axis.motion.velocity = 0.5;
             axis.motion.acceleration = 0.005;
@@ -111,7 +111,7 @@ TEST_F(PathDrawing, SaysWhatMakesNoPath) {
     machine.program.sequences.clear();
     EXPECT_EQ(problem({action::MoveTo{"There"}, action::Wait{1e12}})->kind, DrawingFault::TooManyPoints);
     machine.program.sequences.clear();
-    // It is there already: no points, however often.
+    // The axis is there already: no points, however often the move is repeated.
     EXPECT_EQ(problem({action::MoveTo{"Back"}, action::Repeat{0, 4'000'000'000U}})->kind,
               DrawingFault::TooManyPoints);
     machine.program.sequences.clear();
@@ -120,7 +120,7 @@ TEST_F(PathDrawing, SaysWhatMakesNoPath) {
               (DrawingProblem{DrawingFault::NoPathAxis, {}, 0, ModuleIndex(0)}));
 }
 
-/// Each by itself is short, and together they are a million rows without a point.
+/// Each sequence by itself is short, but together they are a million rows without a point.
 TEST_F(PathDrawing, ATreeOfCallsIsTooMuchToo) {
     for (int i = 0; i < 20; ++i) {
         const Action next = i == 19 ? Action(action::Wait{0}) : Action(action::Call{std::to_string(i + 1)});
@@ -129,7 +129,7 @@ TEST_F(PathDrawing, ATreeOfCallsIsTooMuchToo) {
     EXPECT_EQ(problem({action::MoveTo{"There"}, action::Call{"0"}})->kind, DrawingFault::TooManyPoints);
 }
 
-/// A third of a millimetre is no finite decimal number, and a count is what has to come back.
+/// A third of a millimetre is not a finite decimal number, but the exact count has to be read back.
 TEST(PathText, ReadsBackToTheCount) {
     const std::vector<PathColumn> axes{
         {"X", ModuleIndex(0), AxisScale::servo({UnitKind::Millimetres, 3.0, {}}, 1)}, {"Y", ModuleIndex(1)}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where an axis was is offered to a module that has forgotten it, by hand arithmetic.
+// The last position of an axis is offered to a module that has forgotten it. Expected values are calculated
+// by hand.
 #include "model/module/positionmemory.h"
 
 #include <gtest/gtest.h>
@@ -31,14 +32,14 @@ struct Axis {
     void says(std::int32_t position, int status = kMoveDone | kPower) {
         module().apply(sampleOf(time += 0.05, static_cast<std::uint8_t>(status), kServoOn, position));
     }
-    /// As the program does: what is offered goes into the home of its module.
+    /// Passes each offer on to the home of its module, as the program does.
     std::vector<PositionMemory::Offer> look(std::int64_t now = kMonday) {
         auto offers = memory.look(link, now);
         for (const PositionMemory::Offer& offer : offers)
             module().home.offer(offer.home);
         return offers;
     }
-    /// Its home was found at 300, and it stands 700 before it, or wherever it is said.
+    /// Home was found at 300 and the axis is 700 before it, unless other values are given.
     void wasLeft(std::int32_t counter = -400, std::int32_t home = 300) {
         find(false);
         says(counter);
@@ -47,7 +48,7 @@ struct Axis {
         says(counter);
         (void)look();
     }
-    /// Another session at the same port.
+    /// Begins another session at the same port.
     void another() {
         const RememberedChain kept = readRemembered(writeRemembered({"press", memory.remembered()}));
         memory = {};
@@ -68,17 +69,17 @@ TEST(PositionMemory, AModuleThatRestartedHasItsHomeOnTheOtherSideOfZero) {
     axis.wasLeft();  // 700 before home
     axis.another();
     axis.find(false);
-    EXPECT_TRUE(axis.look().empty()) << "it has said nothing yet";
+    EXPECT_TRUE(axis.look().empty()) << "it has not reported its status yet";
     axis.says(0);
     const auto offers = axis.look(kMonday + 60);
     ASSERT_EQ(offers.size(), 1U);
     EXPECT_EQ(offers[0].module, kFirst);
-    EXPECT_EQ(offers[0].home, 700) << "0 is 700 before it";
+    EXPECT_EQ(offers[0].home, 700) << "0 is 700 before home";
     EXPECT_EQ(offers[0].remembered.fromHome, -700);
     EXPECT_EQ(offers[0].remembered.seen, kMonday);
     EXPECT_EQ(offers[0].remembered.source, HomeFact::Source::Search);
     EXPECT_FALSE(axis.module().home.place()) << "not applied by itself";
-    EXPECT_TRUE(axis.look().empty()) << "once";
+    EXPECT_TRUE(axis.look().empty()) << "it is offered only once";
 }
 
 TEST(PositionMemory, WhatIsTakenIsNotVerifiedUntilItIsFoundAgain) {
@@ -128,7 +129,7 @@ TEST(PositionMemory, OneThatMovedWhenItWasSeenLastIsNotOffered) {
     EXPECT_TRUE(axis.look().empty());
     axis.says(0);
     (void)axis.look();
-    EXPECT_TRUE(axis.memory.remembered().empty()) << "and never will be";
+    EXPECT_TRUE(axis.memory.remembered().empty()) << "it is not offered later either";
 }
 
 TEST(PositionMemory, AnotherModuleAtThatPlaceGetsNothing) {
@@ -151,7 +152,7 @@ TEST(PositionMemory, ACounterThatGoesOnHasToStandWhereItStood) {
         const auto offers = axis.look();
         EXPECT_EQ(offers.size(), counter == -500 ? 0U : 1U) << counter;
         for (const PositionMemory::Offer& offer : offers)
-            EXPECT_EQ(offer.home, 300) << "where it is on the chip's own count";
+            EXPECT_EQ(offer.home, 300) << "home is where it was, since the chip has kept its count";
     }
 }
 
@@ -224,7 +225,7 @@ TEST(PositionMemory, ThereIsNoEndOfTheCountThatItFallsOver) {
     axis.says(0);
     const auto offers = axis.look();
     ASSERT_EQ(offers.size(), 1U);
-    EXPECT_EQ(offers[0].home, 2) << "by way of the wrap, -2 from home";
+    EXPECT_EQ(offers[0].home, 2) << "-2 from home, across the wrap";
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace nmc {
 namespace {
 
 TEST(ProfileCurve, ATrapezoidTakesDistanceOverVelocityPlusVelocityOverAcceleration) {
-    // 1000 counts at 100 counts/s and 50 counts/s^2: ramps of 2 s, 100 counts each; slew 800 counts in 8 s.
+    // 1000 counts at 100 counts/s and 50 counts/s^2: ramps of 2 s and 100 counts each, and 800 counts in 8 s
+    // at full velocity.
     const auto curve = ProfileCurve::trapezoid(0, 1'000, 100, 50);
     EXPECT_DOUBLE_EQ(curve.duration(), 12.0);
     EXPECT_DOUBLE_EQ(curve.position(1.0), 25.0);
@@ -25,7 +26,7 @@ TEST(ProfileCurve, ATrapezoidTakesDistanceOverVelocityPlusVelocityOverAccelerati
 }
 
 TEST(ProfileCurve, AShortMoveIsTriangularWithItsPeakAtTheMiddle) {
-    // 100 counts at 4 counts/s^2: peak sqrt(100 * 4) = 20 after 5 s, 10 s in all.
+    // 100 counts at 4 counts/s^2: a peak of sqrt(100 * 4) = 20 after 5 s, 10 s in all.
     const auto curve = ProfileCurve::trapezoid(50, -50, 1'000, 4);
     EXPECT_DOUBLE_EQ(curve.duration(), 10.0);
     EXPECT_DOUBLE_EQ(curve.position(5.0), 0.0);

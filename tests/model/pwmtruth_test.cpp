@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reconstructed PWM value against what the simulator's amplifier was told in the very tick in which it
-// latched each sample, engine and chain together in virtual time.
+// Compares the reconstructed PWM value with the one that the simulated module set in the very tick in which
+// it latched each sample. Engine and chain run together in virtual time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -80,7 +80,7 @@ private:
             return;
         ASSERT_FALSE(m_latches.empty());
         ASSERT_EQ(m_latches.front().position, made->position);
-        // It tells of the sample before.
+        // The value belongs to the sample before.
         if (const auto value = m_pwm.take(*made, gains)) {
             m_inside.push_back(m_truthBefore >= value->low && m_truthBefore <= value->high);
             m_halfBands.push_back((value->high - value->low) / 2);
@@ -97,7 +97,7 @@ private:
     std::vector<double> m_halfBands;
 };
 
-/// At rest, in ramps, at speed, in jumps: under the damping of the data sheet's example gains.
+/// At rest, in ramps, at speed and in jumps, with the damping of the data sheet's example gains.
 TEST_F(PwmTruth, LiesWithinTheBand) {
     enable({100, 1'000, 0, 0, 255, 0, 16'000, 1, std::uint8_t{0}});
     std::int32_t goal = 0;
@@ -110,7 +110,7 @@ TEST_F(PwmTruth, LiesWithinTheBand) {
         }
     EXPECT_GT(compared(), 1'000U);
     EXPECT_GE(inside(), 0.99);
-    EXPECT_LE(halfBand(0.9), 16) << "a count of rounding in the damping is 4 of PWM";
+    EXPECT_LE(halfBand(0.9), 16) << "a count of rounding in the damping makes 4 of PWM";
 }
 
 }  // namespace

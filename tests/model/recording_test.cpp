@@ -19,8 +19,8 @@ using namespace testing_support;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// What de_DE does to programs that do not ask for the C locale; of the system's own locales as well, where
-/// it has that one.
+/// Sets what de_DE does to programs that do not request the C locale; also the system's own locale, where it
+/// is installed.
 class UnderGermanLocale {
 public:
     UnderGermanLocale()
@@ -156,9 +156,9 @@ TEST(Recording, OfAHistoryHasItsSamplesAndGainsInTheOrderOfTime) {
     EXPECT_EQ(recordingOf(header, history), expected);
 }
 
-// ---- any samples ----
+// ---- arbitrary samples ----
 
-/// Any number there is but the infinities, which nothing measures; NaN stands for all that are not known.
+/// Any number except the infinities, which nothing measures; every NaN becomes the one that means unknown.
 rc::Gen<float> anyFloat() {
     return rc::gen::map(rc::gen::arbitrary<std::uint32_t>(), [](std::uint32_t pattern) {
         const float number = std::bit_cast<float>(pattern);

@@ -19,7 +19,7 @@ std::string allReplaced(std::string text, const std::string& from, const std::st
     return text;
 }
 
-/// A recording of one row below our own columns.
+/// A recording with one row below our own columns.
 std::string withRow(const std::string& row) {
     return kRecordingHead + kRecordingColumnLine + row;
 }
@@ -75,7 +75,7 @@ TEST(RecordingReader, ReadsWhatAnEditorHasSavedAgain) {
     expectTheRecording(readRecording("\xEF\xBB\xBF" + allReplaced(kRecording, "\n", "\r\n\r\n")));
 }
 
-/// A spreadsheet gives each line as many cells as the longest one has.
+/// Like a spreadsheet, gives each line as many cells as the longest one has.
 std::string savedAgain(char separator, bool decimalComma) {
     std::string out;
     std::size_t from = 0;
@@ -126,7 +126,7 @@ TEST(RecordingReader, FindsColumnsByNameAndPassesOverOthers) {
     EXPECT_EQ(first.time, TimePoint(Duration(1'000'000)));
     EXPECT_EQ(first.position, -5);
     EXPECT_TRUE(std::isnan(first.error));
-    EXPECT_TRUE(std::isnan(first.errorLow)) << "a column that is not there is not known";
+    EXPECT_TRUE(std::isnan(first.errorLow)) << "a missing column means an unknown value";
     EXPECT_TRUE(first.gapBefore);
     EXPECT_EQ(read.samples[1].second.position, 6);
     EXPECT_EQ(read.samples[1].second.error, 0.0F) << "too small for a float";

@@ -12,7 +12,7 @@
 
 namespace nmc::testing_support {
 
-/// A recording as it was written by hand from the format's description; what the columns mean is left out.
+/// A recording that was written by hand from the format's description, without the meaning of the columns.
 inline const std::string kRecordingHead =
     "# NMC Panel recording 1\n"
     "# program: NMC Panel 0.6.0\n"
@@ -34,7 +34,7 @@ inline const std::string kRecordingHead =
     "# module 2 analog unit: V\n"
     "# module 2 analog per count: 0.5\n"
     "# module 2 analog at zero: 0\n";
-/// As before there was a PIC-I/O; such files still open.
+/// The columns before PIC-I/O modules were supported; such files can still be opened.
 inline const std::string kRecordingColumnLine =
     "module,time_s,position,velocity_per_s,command,error,error_low,error_high,analog,status,aux,gap\n";
 inline const std::string kRecordingRows =
@@ -42,7 +42,7 @@ inline const std::string kRecordingRows =
     "# gains of module 1 at 0.500000000 s: kp 100 kd 1000 ki 0 il 0 ol 255 cl 0 el 2000 sr 1 db 3\n"
     "2,0.600000001,-2147483648,-12.25,,,,,255,0,63,1\n"
     "# note at 0.750000000 s: the motors were told to stop\n";
-/// The same as they are written now.
+/// The columns as they are written now.
 inline const std::string kWrittenColumnLine =
     "module,time_s,position,velocity_per_s,command,error,error_low,error_high,analog,status,aux,gap,analog2,"
     "analog3,counted\n";
@@ -67,7 +67,7 @@ inline RecordingHeader recordingHeader() {
              {ModuleIndex(1), {ModuleType::Stepper, 1}, "", {}, {0.5, 0.0, "V"}}}};
 }
 
-/// Everything that a reader hands on.
+/// Everything that a reader passes on.
 struct ReadRecording {
     RecordingHeader header;
     std::vector<std::pair<ModuleIndex, ScopeSample>> samples;
@@ -75,7 +75,7 @@ struct ReadRecording {
     std::optional<RecordingProblem> problem;
 };
 
-/// Read in pieces of `piece` bytes.
+/// Reads `text` in pieces of `piece` bytes.
 inline ReadRecording readRecording(std::string_view text, std::size_t piece = 7) {
     ReadRecording read;
     RecordingReader reader(

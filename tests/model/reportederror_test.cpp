@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The calculated position error against the chip's own word: a PIC-SERVO SC reports it (docs/family.md).
+// Compares the calculated position error with the one that a PIC-SERVO SC reports itself (docs/family.md).
 #include <gtest/gtest.h>
 
 #include "model/scope/commandposition.h"
@@ -16,7 +16,7 @@ struct Tally {
     std::size_t inside = 0;
 };
 
-/// The report has whole counts of what the command position has a fraction of.
+/// The report has whole counts, while the command position has a fraction.
 constexpr double kRounding = 1.0;
 
 Tally compare(const std::vector<bus::Event>& events) {

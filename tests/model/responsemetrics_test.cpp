@@ -12,7 +12,7 @@
 namespace nmc {
 namespace {
 
-using Curve = std::function<double(double seconds)>;  ///< 0 before the step, 1 at its goal
+using Curve = std::function<double(double seconds)>;  ///< returns 0 before the step, 1 at its goal
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -21,7 +21,7 @@ constexpr double kPi = 3.14159265358979323846;
     return [tau](double s) { return s <= 0 ? 0.0 : 1 - std::exp(-s / tau); };
 }
 
-/// The textbook's: damping ratio below 1, natural frequency in rad/s.
+/// The response of the textbooks: damping ratio below 1, natural frequency in rad/s.
 [[nodiscard]] Curve secondOrder(double damping, double omega) {
     return [=](double s) {
         if (s <= 0)
@@ -32,7 +32,8 @@ constexpr double kPi = 3.14159265358979323846;
     };
 }
 
-/// From before the step on; `phase` is when the first sample behind it is taken, as a share of the interval.
+/// Samples from shortly before the step on; `phase` is the time of the first sample after it, as a share of
+/// the interval.
 [[nodiscard]] std::vector<ResponsePoint> sampled(const Curve& curve, double from, double goal,
                                                  double interval, double phase, double length) {
     std::vector<ResponsePoint> points;
@@ -54,12 +55,12 @@ TEST(ResponseMetrics, OfAFirstOrderResponseAreItsTimeConstants) {
     for (const double phase : {0.01, 0.3, 0.5, 0.77, 0.99}) {
         const auto points = sampled(firstOrder(kTau), 0, 1'000, 0.001, phase, 0.15);
         const ResponseMetrics m = measureResponse(points, 0, 1'000, 20, 0);
-        // A straight line between two samples is off by interval squared / 8 tau at most.
+        // A straight line between two samples is off by at most the interval squared / 8 tau.
         ASSERT_TRUE(m.rise && m.overshoot && m.settling && m.steadyError);
         EXPECT_NEAR(m.rise->value, std::log(9.0) * kTau, 1.3e-5) << phase;
         EXPECT_NEAR(m.settling->value, std::log(50.0) * kTau, 1.3e-5) << phase;
         EXPECT_EQ(m.overshoot->value, 0.0);
-        // 12 to 15 time constants: less than e^-12 is left.
+        // After 12 to 15 time constants, less than e^-12 is left.
         EXPECT_NEAR(m.steadyError->value, 0.0, 1'000 * std::exp(-12.0));
         EXPECT_NEAR(m.interval, 0.001, 1e-9);
     }
@@ -72,7 +73,8 @@ TEST(ResponseMetrics, OfASecondOrderResponseAreTheTextbooks) {
         const double overshoot = 100 * std::exp(-kPi * damping / std::sqrt(1 - damping * damping));
         const double peakTime = kPi / (kOmega * std::sqrt(1 - damping * damping));
         const double rise = timeOf(curve, 0.9, peakTime) - timeOf(curve, 0.1, peakTime);
-        // The envelope bounds when it has settled; the last crossing is no more than half a swing earlier.
+        // The envelope is an upper bound of the settling time; the last crossing is at most half a swing
+        // earlier.
         const double envelope = -std::log(0.02 * std::sqrt(1 - damping * damping)) / (damping * kOmega);
         for (const double phase : {0.01, 0.3, 0.5, 0.77, 0.99}) {
             SCOPED_TRACE(testing::Message() << "damping " << damping << ", phase " << phase);
@@ -84,24 +86,26 @@ TEST(ResponseMetrics, OfASecondOrderResponseAreTheTextbooks) {
             EXPECT_LE(m.settling->value, envelope + 0.000'8);
             EXPECT_GE(m.settling->value, envelope - peakTime - 0.000'8);
             const double last = m.settling->value;
-            EXPECT_NEAR(std::abs(curve(last) - 1), 0.02, 0.004) << "it leaves the band for the last time";
+            EXPECT_NEAR(std::abs(curve(last) - 1), 0.02, 0.004)
+                << "it is at the edge of the band for the last time";
         }
     }
 }
 
-/// What a proportional loop with friction does: it stops beside its goal.
+/// A proportional loop with friction stops beside its goal.
 TEST(ResponseMetrics, SettleWhereTheyStayAndToTheGoalOrNot) {
     constexpr double kTau = 0.01;
     const auto beside = [](double share) { return [=](double s) { return share * firstOrder(kTau)(s); }; };
     for (const double phase : {0.01, 0.3, 0.5, 0.77, 0.99}) {
         SCOPED_TRACE(phase);
-        // The band is 20 of 1000. 990 is within: 990 e^-t/tau is 10 at the band of the goal, 20 at its own.
+        // The band is 20 of 1000. 990 is within the band: 990 e^-t/tau is 10 at the band around the goal, and
+        // 20 at the band around 990.
         const ResponseMetrics close =
             measureResponse(sampled(beside(0.99), 0, 1'000, 0.001, phase, 0.15), 0, 1'000, 20, 0);
         ASSERT_TRUE(close.settling && close.settlingAtRest);
         EXPECT_NEAR(close.settling->value, std::log(99.0) * kTau, 1.3e-5);
         EXPECT_NEAR(close.settlingAtRest->value, std::log(49.5) * kTau, 1.3e-5);
-        // 900 is not, but it is at rest there all the same: 900 e^-t/tau is 20.
+        // 900 is outside the band, but the motor rests there all the same: 900 e^-t/tau is 20.
         const ResponseMetrics far =
             measureResponse(sampled(beside(0.9), 500, -500, 0.001, phase, 0.15), 500, -500, 20, 0);
         EXPECT_EQ(far.settling.error(), Unmeasured::NeverSettled);
@@ -109,7 +113,7 @@ TEST(ResponseMetrics, SettleWhereTheyStayAndToTheGoalOrNot) {
         EXPECT_NEAR(far.settlingAtRest->value, std::log(45.0) * kTau, 1.3e-5);
         EXPECT_NEAR(far.steadyError->value, -100, 0.01);
     }
-    // The step went beyond and the motor sticks there; 20 % over, so it falls to 1050 by 15 ms.
+    // The motor goes 20 % beyond the goal and sticks at 1050, which it reaches after 20 ms.
     const auto beyond = [](double s) {
         return s <= 0 ? 0.0 : s < 0.01 ? 1.2 : s < 0.02 ? 1.2 - (s - 0.01) * 15 : 1.05;
     };
@@ -126,7 +130,7 @@ TEST(ResponseMetrics, OfAMotorThatDoesNotMoveHaveNoSettlingTime) {
     EXPECT_EQ(m.settling.error(), Unmeasured::NeverSettled);
 }
 
-/// 200 responses, settled or not, with samples as coarse as a sixth of the rise time.
+/// 200 responses, settled or not, with intervals of up to a sixth of the rise time.
 TEST(ResponseMetrics, DoubtCoversTheTruth) {
     constexpr unsigned kSeed = 4'711;
     std::mt19937 random(kSeed);
@@ -151,27 +155,27 @@ TEST(ResponseMetrics, DoubtCoversTheTruth) {
 }
 
 TEST(ResponseMetrics, AreByHandOfTenSamples) {
-    // Goal 100, a band of 5 counts. At 10 % half-way from 0 to 20, at 90 % half-way from 80 to 100.
+    // Goal 100, a band of 5 counts. 10 % is half-way from 0 to 20, and 90 % is half-way from 80 to 100.
     const std::vector<ResponsePoint> points = {{-0.001, 0},  {0.001, 20},  {0.002, 50},  {0.003, 80},
                                                {0.004, 100}, {0.005, 110}, {0.006, 100}, {0.007, 94},
                                                {0.008, 98},  {0.009, 99},  {0.010, 99},  {0.011, 97}};
     const ResponseMetrics m = measureResponse(points, 0, 100, 5, 0.000'5);
     EXPECT_NEAR(m.rise->value, 0.003'5 - 0.000'5, 1e-12);
     EXPECT_NEAR(m.rise->doubt, 0.000'5 + 0.000'5 + 0.000'5, 1e-12);
-    // A parabola that is as high on both sides peaks at its middle.
+    // A parabola that is equally high on both sides peaks in the middle.
     EXPECT_NEAR(m.overshoot->value, 10, 1e-9);
     EXPECT_NEAR(m.overshoot->doubt, 0.5, 1e-9) << "half a count";
-    EXPECT_NEAR(m.settling->value, 0.007 + 0.001 / 4, 1e-12) << "from 94 to 98 by way of 95";
+    EXPECT_NEAR(m.settling->value, 0.007 + 0.001 / 4, 1e-12) << "it passes 95 between 94 and 98";
     EXPECT_NEAR(m.settling->doubt, 0.000'5 + 0.000'5, 1e-12);
-    // It stays at 98 and a third: the last outside of 93.3 to 103.3 is 110, then 100.
+    // It settles at 98 and a third: 110 is the last sample outside of 93.3 to 103.3, and 100 follows.
     EXPECT_NEAR(m.settlingAtRest->value, 0.005 + 0.001 * (110 - 295.0 / 3 - 5) / 10, 1e-12);
-    // From 8.8 ms on: 99, 99, 97.
+    // The samples from 8.8 ms on are 99, 99 and 97.
     EXPECT_NEAR(m.steadyError->value, 100 - 295.0 / 3, 1e-9);
     EXPECT_NEAR(m.steadyError->doubt, 1, 1e-9);
 }
 
 TEST(ResponseMetrics, SettleWhereTheyLeaveTheOtherEdgeOfTheBand) {
-    // From 7 above the goal to 3 below within one interval: in at +5, which is a fifth of the way.
+    // From 7 above the goal to 3 below it within one interval: it enters the band at +5, a fifth of the way.
     const std::vector<ResponsePoint> points = {{0.001, 60},  {0.002, 107}, {0.003, 97}, {0.004, 100},
                                                {0.005, 100}, {0.006, 100}, {0.007, 100}};
     EXPECT_NEAR(measureResponse(points, 0, 100, 5, 0).settling->value, 0.002'2, 1e-12);
@@ -184,7 +188,7 @@ TEST(ResponseMetrics, SayWhatCannotBeMeasured) {
     EXPECT_EQ(never.settling.error(), Unmeasured::NeverSettled);
     EXPECT_EQ(never.overshoot->value, 0.0);
 
-    // It stops 4 counts short, for good.
+    // It stops 4 counts short and stays there.
     const auto points = sampled([](double s) { return s > 0.01 ? 0.96 : s * 96; }, 0, 100, 0.001, 0.5, 0.2);
     const ResponseMetrics friction = measureResponse(points, 0, 100, 2, 0);
     EXPECT_TRUE(friction.rise);
@@ -216,10 +220,10 @@ TEST(ResponseMetrics, SayThatSamplesAreMissingWhereItMatters) {
     EXPECT_EQ(peak.rise->value, whole.rise->value);
     const ResponseMetrics rise = without(0.002, 0.012);  // 10 % after 2.5 ms, 90 % after 8.7 ms
     EXPECT_EQ(rise.rise.error(), Unmeasured::SamplesMissing);
-    EXPECT_EQ(without(0.0045, 0.0075).rise->value, whole.rise->value) << "three are no gap";
+    EXPECT_EQ(without(0.0045, 0.0075).rise->value, whole.rise->value) << "three missing samples are no gap";
 }
 
-/// It comes back out of the band in the last fifth.
+/// It leaves the band again in the last fifth.
 TEST(ResponseMetrics, OfAMotorThatHuntsHaveNoSettlingTime) {
     const auto hunting = [](double s) { return s <= 0 ? 0.0 : 1 + 0.05 * std::sin(200 * s); };
     const ResponseMetrics m = measureResponse(sampled(hunting, 0, 100, 0.001, 0.5, 0.5), 0, 100, 2, 0);

@@ -33,7 +33,8 @@ TEST(PwmDemand, IsWhatTheFilterAsksForWhenTheCommandJumps) {
 }
 
 TEST(PwmDemand, CountsOnlyTheChangeOfTheErrorForTheDamping) {
-    // Off by 4 before: 10 x 104 + 50 x 100 = 6040, / 256 = 23.6; from -20: 10 x 80 + 50 x 100, / 256 = 22.7.
+    // With an error of 4 before: 10 x 104 + 50 x 100 = 6040, / 256 = 23.6; with -20: 10 x 80 + 50 x 100, /
+    // 256 = 22.7.
     EXPECT_EQ(pwmDemand(gainsOf(10, 50, 0, 255), 4, 104).wanted, 23);
     EXPECT_EQ(pwmDemand(gainsOf(10, 50, 0, 255), -20, 80).wanted, 22);
 }
@@ -47,7 +48,7 @@ TEST(PwmDemand, IsTheOutputLimitExactlyWhenItWantsMore) {
 }
 
 TEST(PwmDemand, ReckonsWithAnIntegralThatPullsTheOtherWay) {
-    // 6000 - 20 x 100 = 4000, / 256 = 15.6; and never below 0.
+    // 6000 - 20 x 100 = 4000, / 256 = 15.6; the demand is never below 0.
     EXPECT_EQ(pwmDemand(gainsOf(10, 50, 20, 255), 0, 100).wanted, 15);
     EXPECT_EQ(pwmDemand(gainsOf(10, 50, 200, 255), 0, 100).wanted, 0);
 }
@@ -62,12 +63,12 @@ TEST(ResponseRecord, KeepsTheRecordFromShortlyBeforeTheStepOn) {
         samples.push_back(sampleAt(ms / 1'000.0, ms > 1'000 ? 600 : 500));
     const ResponseRecord run = takeRun(ModuleIndex(3), samples, taken(500, 600), 2);
     EXPECT_EQ(run.module, ModuleIndex(3));
-    ASSERT_EQ(run.points.size(), 121U) << "20 ms before, 100 ms behind it";
+    ASSERT_EQ(run.points.size(), 121U) << "20 ms before the step, 100 ms after it";
     EXPECT_NEAR(run.points.front().seconds, -0.02, 1e-9);
     EXPECT_NEAR(run.points.back().seconds, 0.1, 1e-9);
     EXPECT_NEAR(run.metrics.rise->value, 0.000'8, 1e-9) << "a straight line within one interval";
     EXPECT_EQ(run.metrics.steadyError->value, 0.0);
-    EXPECT_FALSE(run.pwm) << "the error before it was not known";
+    EXPECT_FALSE(run.pwm) << "the error before the step was not known";
 }
 
 TEST(ResponseRecord, TakesTheErrorRightBeforeTheStepForThePwmDemand) {
@@ -101,7 +102,7 @@ TEST(ResponseRecord, CanBeJudgedByAnotherBand) {
     setBand(run, 5);
     EXPECT_NEAR(run.metrics.settling->value, 0.03, 0.001);
     setBand(run, 0.1);
-    EXPECT_EQ(run.band(), 1) << "the encoder tells no less than a count";
+    EXPECT_EQ(run.band(), 1) << "the encoder resolves no less than a count";
 }
 
 }  // namespace

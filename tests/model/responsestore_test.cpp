@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step responses come back from their file as they were, and from a bad one nothing does.
+// Step responses are read from their file as they were written; from a bad file, nothing is read.
 #include "model/machinefile/responsestore.h"
 
 #include <gmock/gmock.h>
@@ -57,7 +57,7 @@ TEST(ResponseStore, GivesTheSameRunsAgain) {
     const KeptResponse& first = read->front();
     EXPECT_EQ(first.number, 7);
     EXPECT_EQ(first.name, named.name);
-    EXPECT_EQ(first.note, "with the belt, tight and oiled") << "one line";
+    EXPECT_EQ(first.note, "with the belt, tight and oiled") << "it is made one line";
     EXPECT_EQ(first.startedAt, named.startedAt);
     EXPECT_EQ(first.moduleName, named.moduleName);
     EXPECT_EQ(first.axisName, "X axis");
@@ -112,7 +112,7 @@ TEST(ResponseStore, HasRoomForAHundredOfTheLongest) {
     KeptResponse longest = runOf(1);
     longest.run.taken.record = 3.0;
     longest.run.points.clear();
-    // A status at least every 0.5 ms, with awkward times.
+    // A status about every 0.5 ms, with awkward times.
     for (int i = 0; i < 6'000; ++i)
         longest.run.points.push_back({i / 1'999.9, -123'456'789.0 + i});
     for (int i = 1; i <= 100; ++i) {
@@ -127,7 +127,7 @@ TEST(ResponseStore, HasRoomForAHundredOfTheLongest) {
 TEST(ResponseStore, TwoSessionsLoseNothingToEachOther) {
     KeptResponse renamed = runOf(1);
     renamed.name = "mine";
-    KeptResponse another = runOf(2);  // as ours, of the same number
+    KeptResponse another = runOf(2);  // has the same number as one of ours
     another.port = "simulator";
     const std::vector<KeptResponse> all =
         together({renamed, runOf(2)}, {runOf(1), another, runOf(3), runOf(4)}, {idOf(runOf(3))});

@@ -105,12 +105,12 @@ TEST(ScopeFeed, AStandingMotorHasAnExactErrorAndAMovingOneABand) {
     bus::Sample delayed = sampleOf(2.01, kHolds, kServoOn | kAccelDone, 15'156);
     delayed.late = std::chrono::milliseconds(5);
     const auto late = feed.take(delayed);
-    // It may have been latched up to 5 ms later, when the command was some 78 counts further on.
+    // It may have been latched up to 5 ms later, when the command position was some 78 counts further on.
     EXPECT_NEAR(late->errorHigh - late->error, (prompt->errorHigh - prompt->error) + 78, 8);
     EXPECT_NEAR(late->error - late->errorLow, prompt->error - prompt->errorLow, 8);
 }
 
-/// DS-V 4.3: beyond EL the servo switches itself off, so while it is on the error is within.
+/// DS-V 4.3: beyond EL the servo switches itself off, so the error is within EL while it is on.
 TEST(ScopeFeed, TheErrorOfAServoThatIsOnIsWithinItsLimit) {
     ScopeFeed feed;
     static_cast<void>(feed.take(sampleOf(-1, kMoveDone | kPosError | kPower, 0, 0)));
@@ -120,13 +120,13 @@ TEST(ScopeFeed, TheErrorOfAServoThatIsOnIsWithinItsLimit) {
     feed.apply(executedAt(0, stopWith(servo::StopManner::Abruptly)));
     static_cast<void>(feed.take(sampleOf(0.01, kHolds, kServoOn, 0)));
     feed.apply(executedAt(1, velocityMode(8 << 16, 8 << 16)));
-    // After 1 s it is some 15 625 counts on, known to some 20: wider than twice the limit.
+    // After 1 s it has moved some 15 625 counts, known to some 20: wider than twice the limit.
     const auto sample = feed.take(sampleOf(2, kMoveDone | kPower, kServoOn, 15'620));
     ASSERT_TRUE(sample->errorKnown());
     EXPECT_GE(sample->errorLow, -10);
     EXPECT_LE(sample->errorHigh, 10);
     EXPECT_FALSE(feed.take(sampleOf(2.1, kMoveDone | kPower, kServoOn, 20'000))->errorKnown())
-        << "it would have tripped, so what is calculated is not so";
+        << "it would have tripped, so the calculated error is wrong";
 }
 
 TEST(ScopeFeed, CarriesOnWhatABriefReplyDoesNotTell) {

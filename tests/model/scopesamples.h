@@ -4,7 +4,7 @@
 #include "base/time.h"
 #include "model/scope/scopesample.h"
 
-/// Samples that have a time and a position, and times by the numbers that tests name.
+/// Samples with a time and a position, and times from milliseconds.
 namespace nmc::testing_support {
 
 [[nodiscard]] inline TimePoint atMs(double milliseconds) {

@@ -18,7 +18,7 @@ using testing_support::atMs;
 constexpr ModuleIndex kAxis{2};
 constexpr ModuleIndex kOther{0};
 
-/// 20 ms before the trigger, 80 ms behind it.
+/// 20 ms before the trigger, 80 ms after it.
 TriggerSettings watching(std::variant<ScopeSignal, ScopeBit> source, Condition condition,
                          double level = 0.0) {
     return {.module = kAxis,
@@ -46,7 +46,7 @@ ScopeSample error(int milliseconds, float counts) {
     return sample;
 }
 
-/// Armed at 100 ms, with samples since 0 ms at which nothing is the case.
+/// A trigger that is armed at 100 ms, with samples since 0 ms that do not trigger.
 class ScopeTriggerTest : public testing::Test {
 protected:
     void armed(const TriggerSettings& settings, ScopeSample before = position(0, 0)) {
@@ -78,7 +78,7 @@ TEST_F(ScopeTriggerTest, AFallingEdgeIsWhereTheLineCrossesTheLevel) {
     EXPECT_EQ(feed(position(110, -20)), State::Armed);
     EXPECT_EQ(feed(position(120, 40)), State::Armed);
     EXPECT_EQ(feed(position(130, -60)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), atMs(127)) << "40 at 120 ms, 100 less at 130 ms";
+    EXPECT_EQ(trigger.firedAt(), atMs(127)) << "40 at 120 ms, -60 at 130 ms";
 }
 
 TEST_F(ScopeTriggerTest, AnEdgeComesTrulyFromTheOtherSide) {
@@ -115,7 +115,7 @@ TEST_F(ScopeTriggerTest, WatchesEachSignal) {
         ScopeSignal signal;
         double level;
     };
-    // Position 100, error -4, velocity -250, A/D 130 after all were 0: each crosses half way.
+    // Position 100, error -4, velocity -250 and A/D 130, after all were 0: each crosses its level half-way.
     ScopeSample after = error(120, -4.0F);
     after.velocity = -250.0F;
     after.analog = 130;
@@ -138,7 +138,7 @@ TEST_F(ScopeTriggerTest, APositionThatWrapsDoesNotCrossTheLevelsInBetween) {
     armed(watching(ScopeSignal::Position, Condition::Falling, 0), position(0, kTop - 10));
     EXPECT_EQ(feed(position(110, -kTop)), State::Armed);
     armed(watching(ScopeSignal::Position, Condition::Rising, kTop), position(0, kTop - 1));
-    EXPECT_EQ(feed(position(110, -kTop)), State::Fired) << "three counts on, over the top";
+    EXPECT_EQ(feed(position(110, -kTop)), State::Fired) << "three counts further, across the wrap";
 }
 
 TEST_F(ScopeTriggerTest, ABitIsSetOrClearedAtTheSampleThatShowsIt) {
@@ -183,7 +183,7 @@ TEST_F(ScopeTriggerTest, WaitsUntilThereIsEnoughBeforeTheTrigger) {
     trigger.set(watching(ScopeSignal::Position, Condition::Rising, 50));
     trigger.arm(atMs(100));
     EXPECT_EQ(feed(position(100, 0)), State::Armed);
-    EXPECT_EQ(feed(position(118, 100)), State::Armed) << "crossed at 109 ms: 9 of 20 ms are there";
+    EXPECT_EQ(feed(position(118, 100)), State::Armed) << "crossed at 109 ms: there are 9 of 20 ms before it";
     EXPECT_EQ(feed(position(119, 0)), State::Armed);
     EXPECT_EQ(feed(position(121, 100)), State::Fired) << "crossed at 120 ms";
     EXPECT_EQ(trigger.picture()->from, atMs(100));
@@ -216,7 +216,8 @@ TEST_F(ScopeTriggerTest, OtherModulesDoNotTrigger) {
     EXPECT_EQ(trigger.feed(kOther, position(110, 0)), State::Armed);
     EXPECT_EQ(trigger.feed(kOther, position(120, 100)), State::Armed);
     EXPECT_EQ(feed(position(130, 100)), State::Fired);
-    EXPECT_EQ(trigger.feed(kOther, position(900, 0)), State::Fired) << "its own samples are missing yet";
+    EXPECT_EQ(trigger.feed(kOther, position(900, 0)), State::Fired)
+        << "the samples of the axis are still missing";
     EXPECT_EQ(feed(position(900, 0)), State::Complete);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points and sequences as values: their editing, the order of their rows, what contradicts, what keeps one
-// from being run, and what rows leave behind. Expected values by hand.
+// Points and sequences as values: their editing, the order of their rows, contradictions, the reasons why a
+// sequence cannot be run, and the state that its rows leave. Expected values are calculated by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -102,7 +102,7 @@ TEST(SequenceEdit, MovingARowKeepsWhatIsRepeated) {
     EXPECT_THAT(sequence.rows, ElementsAre(Action(action::Wait{2}), Action(action::Wait{3}),
                                            Action(action::Wait{1}), Action(action::Repeat{2, 2})));
     const Sequence before = sequence;
-    EXPECT_FALSE(moveRow(sequence, 3, 1)) << "it would stand above the row that it repeats";
+    EXPECT_FALSE(moveRow(sequence, 3, 1)) << "the repeat would be above the row that it repeats";
     EXPECT_FALSE(moveRow(sequence, 2, 3));
     EXPECT_FALSE(moveRow(sequence, 4, 0)) << "there is no such row";
     EXPECT_FALSE(moveRow(sequence, 0, 4));
@@ -139,7 +139,7 @@ TEST(SequenceWalk, GoesBackAndIntoCallsAndOutOfThem) {
         nothing{"Part", 2}, twice{"Main", 1}, last{"Main", 2};
     EXPECT_THAT(way, ElementsAre(call, wait, again, wait, again, nothing, twice, call, wait, again, wait,
                                  again, nothing, twice, last));
-    EXPECT_EQ(places, std::vector{(RowPlace{"Main", 3})}) << "and every round is counted off";
+    EXPECT_EQ(places, std::vector{(RowPlace{"Main", 3})}) << "every round was counted";
 }
 
 TEST(SequenceWalk, CountsTheRoundsOfARepeatForEver) {
@@ -161,7 +161,7 @@ TEST(SequenceWalk, EachSequenceIsGoneIntoOnce) {
     EXPECT_THAT(rowsAbove(program, {"Main", 3}),
                 ElementsAre(RowPlace{"Main", 2}, RowPlace{"Part", 1}, RowPlace{"Part", 0},
                             RowPlace{"Main", 1}, RowPlace{"Main", 0}))
-        << "the last time";
+        << "as they were run the last time";
     EXPECT_THAT(rowsAbove(program, {"Main", 0}), IsEmpty());
 }
 
@@ -262,7 +262,7 @@ TEST(WhyNotRun, PinsThatAreNotThere) {
                            action::SetOutput{kX, 4, true}}}};
     EXPECT_EQ(kinds(whyNotRun("Pins", 0, machineOf(program), chain())),
               (std::vector{SequenceFault::NoSuchPin, SequenceFault::NotAnOutput, SequenceFault::NoSuchPin}))
-        << "limit 1 is an input until it is told otherwise";
+        << "limit 1 is an input unless it is set as an output";
     auto modules = chain();
     modules[0].io = servo::IoControl{false, false, false, true};
     EXPECT_EQ(kinds(whyNotRun("Pins", 0, machineOf(program), modules)),
@@ -271,7 +271,7 @@ TEST(WhyNotRun, PinsThatAreNotThere) {
 
 constexpr ModuleIndex kBox{0};
 
-/// IO1 is high, IO12 low; A/D 2 reads 100. All pins are inputs but IO3.
+/// IO1 is high, IO12 low; A/D 2 reads 100. All pins except IO3 are inputs.
 ModuleState picIo() {
     ModuleState module;
     module.info = {kBox, BusAddress(1), {ModuleType::Io, 1}};
@@ -294,7 +294,7 @@ TEST(PicIoRows, PinsReadAsTheyAreAndOutputsAreNoInputs) {
 TEST(PicIoRows, AnAnalogValueIsWaitedForOnItsSide) {
     using action::WaitForAnalog;
     EXPECT_TRUE(isMet(WaitForAnalog{kBox, 2, true, 99}, picIo()));
-    EXPECT_FALSE(isMet(WaitForAnalog{kBox, 2, true, 100}, picIo())) << "above is more than";
+    EXPECT_FALSE(isMet(WaitForAnalog{kBox, 2, true, 100}, picIo())) << "above means more than";
     EXPECT_FALSE(isMet(WaitForAnalog{kBox, 2, false, 100}, picIo()));
     EXPECT_TRUE(isMet(WaitForAnalog{kBox, 2, false, 101}, picIo()));
     EXPECT_FALSE(isMet(WaitForAnalog{kBox, 1, true, 0}, picIo())) << "the other input";
@@ -345,7 +345,7 @@ TEST(EntryStates, AreWhatTheRowsAboveLeave) {
 
 TEST(EntryStates, StartInTheMiddleOnlyWhereAFreshRunWouldBe) {
     const Machine machine = machineOf(twoPoints());
-    auto modules = chain();  // X at 200 from home, Pick is 1 000
+    auto modules = chain();  // X is 200 from home, Pick is 1 000
     const auto problems = whyNotRun("Main", 1, machine, modules);
     ASSERT_EQ(kinds(problems), (std::vector{SequenceFault::NotThere, SequenceFault::NotThere}));
     EXPECT_EQ(problems[0].module, kX);
@@ -372,8 +372,8 @@ TEST(EntryStates, TheLastCallIsTheOneThatCounts) {
     EXPECT_TRUE(behind.outputs.at({kY, 1U}));
 }
 
-/// Without a move to home the axis stands wherever its switch was found, and no more where a row above had
-/// moved it.
+/// Without a move to home, the axis stops wherever its switch was found, and is no longer where a row above
+/// had moved it.
 TEST(EntryStates, ASearchForHomeLeavesItsAxisAnywhere) {
     Program program = twoPoints();
     program.sequences = {{"Search", {action::Home{kX}}},

@@ -7,7 +7,7 @@
 
 namespace nmc::testing_support {
 
-/// Behind it the counter wraps.
+/// After this count, the position counter wraps.
 inline constexpr std::int32_t kLastCount = std::numeric_limits<std::int32_t>::max();
 
 inline constexpr std::uint8_t kMoveDone = 0x01;
@@ -66,7 +66,7 @@ inline servo::StopMotor stopWith(servo::StopManner manner, bool amplifier = true
     return {amplifier, manner, {}};
 }
 
-/// A servo that was given gains and switched on, and holds position 0.
+/// A servo that has gains, is on, and holds position 0.
 inline ModuleState holdingServo() {
     ModuleState module = servoModule();
     module.apply(sampleOf(0, kMoveDone | kPosError | kPower, 0));

@@ -8,12 +8,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A shaft that stands at 0 between its motions.
+/// A shaft that rests at 0 between its motions.
 struct Shaft {
     StandingError error;
     TimePoint now{};
 
-    /// What a rest says of a command position in this band, behind a motion that began in the band `before`.
+    /// The narrower band that a rest yields for a command position in the band `command`, after a motion that
+    /// began in the band `before`.
     std::optional<CommandEstimate> rest(const CommandEstimate& before, const CommandEstimate& command) {
         error.leave(before);
         std::optional<CommandEstimate> narrower;
@@ -35,8 +36,8 @@ TEST(StandingError, TakesBackWhatAMotionAddsBeyondTheFarthest) {
     EXPECT_DOUBLE_EQ(narrower->high, -1);
 }
 
-/// Load and friction may be others than when the shaft stood farthest off; the motion has added 0.1 either
-/// way.
+/// Load and friction may have changed since the shaft deviated most; the motion has added 0.1 in either
+/// direction.
 TEST(StandingError, KeepsADoubtThatIsNotOfTheMotions) {
     Shaft shaft;
     EXPECT_FALSE(shaft.rest({-2, -2, -2}, kFirst));

@@ -16,10 +16,11 @@ TEST(StartingGains, LimitTheOutputToAQuarterAndTheIntegralToASixteenth) {
 }
 
 TEST(StartingGains, TripAfterAQuarterOfATurn) {
-    EXPECT_EQ(startingGains({}).el, 500) << "of 2 000 counts, when nothing is said";
+    EXPECT_EQ(startingGains({}).el, 500) << "of 2 000 counts, if nothing is set";
     EXPECT_EQ(startingGains({UnitKind::Turns, 4'000.0, {}}).el, 1'000);
     EXPECT_EQ(startingGains({UnitKind::Degrees, 4'000.0 / 360.0, {}}).el, 1'000);
-    EXPECT_EQ(startingGains({UnitKind::Millimetres, 4'000.0, {}}).el, 500) << "says nothing of a turn";
+    EXPECT_EQ(startingGains({UnitKind::Millimetres, 4'000.0, {}}).el, 500)
+        << "millimetres do not define a turn";
     EXPECT_EQ(startingGains({UnitKind::Turns, 48.0, {}}).el, 100);
     EXPECT_EQ(startingGains({UnitKind::Turns, 1e9, {}}).el, 2'000) << "a turn behind a gear";
 }
@@ -30,7 +31,7 @@ TEST(HomeTolerance, FollowsTheAxis) {
     EXPECT_EQ(homeTolerance({UnitKind::Degrees, 8'000.0 / 360.0, {}}), 8);
     EXPECT_EQ(homeTolerance({UnitKind::Millimetres, 500.0, {}}), 5) << "0.01 mm";
     EXPECT_EQ(homeTolerance({UnitKind::Own, 3'000.0, "µl"}), 3);
-    EXPECT_EQ(homeTolerance({UnitKind::Turns, 100.0, {}}), 1) << "the grain of the encoder";
+    EXPECT_EQ(homeTolerance({UnitKind::Turns, 100.0, {}}), 1) << "the resolution of the encoder";
     EXPECT_EQ(homeTolerance({UnitKind::Turns, 1e9, {}}), 1'000);
 }
 

@@ -18,7 +18,7 @@ inline constexpr std::uint8_t kEstopIn = 0x01;
 inline constexpr std::uint8_t kLimit1In = 0x08;
 inline constexpr std::uint8_t kLimit2In = 0x10;
 
-/// A PIC-STEP whose statuses and commands come 10 ms apart.
+/// A PIC-STEP with a status or a command every 10 ms.
 struct Stepper {
     ModuleState module;
     TimePoint time{};
@@ -57,7 +57,7 @@ struct Stepper {
         p.holdCurrent = 50;
         return p;
     }
-    /// Given parameters, switched on, standing at 0.
+    /// A stepper that has parameters, is on, and rests at 0.
     [[nodiscard]] static Stepper holding() {
         Stepper stepper;
         stepper.says(kStepPower);
@@ -66,7 +66,7 @@ struct Stepper {
         stepper.says(kStepPower | kAmplifier);
         return stepper;
     }
-    /// Runs in velocity profile mode.
+    /// A stepper that runs in velocity profile mode.
     [[nodiscard]] static Stepper running(bool reverse = false) {
         Stepper stepper = holding();
         stepper::LoadTrajectory load;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace testing_support;
 
-/// Command byte and data of each step, as they go over the wire.
+/// Command byte and data of each step, as they are sent.
 std::vector<std::string> bytesOf(const Intent& intent, const ModuleState& module) {
     const auto steps = plan(intent, module);
     if (!steps)
@@ -142,7 +142,7 @@ TEST(StepPlan, RefusesToEnableAMotorThatIsTooHot) {
     EXPECT_EQ(refusalOf(intent::Enable{}, stepper.module), Refusal::TooHot);
 }
 
-// The footnote of Load Trajectory: the goal is at most 0x7FFFFFFF away.
+// Footnote of Load Trajectory: the goal is at most 0x7FFFFFFF away.
 TEST(StepPlan, RefusesAGoalThatIsTooFarAway) {
     Stepper stepper = Stepper::holding();
     stepper.position = -2'000'000'000;
@@ -162,7 +162,7 @@ struct Transition {
     bool allowed;
 };
 
-/// In that mode, forward; with a goal 900 steps away where it has one.
+/// A stepper that moves forward in `mode`, with a goal 900 steps away where the mode has one.
 Stepper inMode(StepperMode mode) {
     Stepper stepper = Stepper::holding();
     stepper::LoadTrajectory load = Stepper::trapezoid(900);
@@ -204,8 +204,9 @@ TEST_P(StepperTransitions, AreThoseOfTable4) {
     EXPECT_EQ(whyNotFromStandstill(GetParam().goal, stepper.module), std::nullopt);
 }
 
-// What is stricter here than the sheet, and left to who sends a command himself: the speed of a move is not
-// changed under way, because a timer count alone would run without a stop had the move ended meanwhile.
+// This is stricter than the data sheet, which still applies to commands that a user sends directly: the speed
+// of a move is not changed while it runs, because the timer count alone would start a run without an end if
+// the move had ended meanwhile.
 INSTANTIATE_TEST_SUITE_P(
     Cells, StepperTransitions,
     testing::Values(Transition{"TrapezoidToTrapezoid", StepperMode::Trapezoidal, kTrapezoid, false},
@@ -235,7 +236,7 @@ TEST(StepPlan, LoadsAMoveInMotionWhereItsGoalIsCertain) {
     EXPECT_EQ(bytesOf(intent::LoadMove{kTrapezoid}, stepper.module), (Bytes{"74 07 E8 03 00 00 28 04"}));
     EXPECT_EQ(refusalOf(intent::LoadMove{steppermotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
               Refusal::NeedsStop)
-        << "from where?";
+        << "the starting point is not known";
 }
 
 TEST(StepPlan, DoesNotSetThePositionToZeroInMotion) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Expected values from the tables of DS-S 4.1 and 4.2 and by hand.
+// Expected values are from the tables of DS-S 4.1 and 4.2, or calculated by hand.
 #include "module/stepperspeed.h"
 
 #include <gtest/gtest.h>
@@ -71,16 +71,17 @@ TEST(StepperSpeed, TakesTheNearestIntegerSpeed) {
     EXPECT_EQ(mode.ofSpeed(12), 1'200);
 }
 
-// One unit of 25 steps/s each 4 x 0.25 ms is 25 000 steps/s^2; of 200 each 0.25 ms 800 000; of 25 each
-// 63.75 ms 392.16.
+// One unit of 25 steps/s every 4 x 0.25 ms is 25 000 steps/s^2; one of 200 steps/s every 0.25 ms is 800 000;
+// one of 25 steps/s every 63.75 ms is 392.16.
 TEST(StepperSpeed, TurnsAccelerationTimesIntoAccelerations) {
     EXPECT_DOUBLE_EQ(StepperSpeed(SpeedMode::X1).acceleration(4), 25'000);
     EXPECT_DOUBLE_EQ(StepperSpeed(SpeedMode::X8).acceleration(1), 800'000);
     EXPECT_NEAR(StepperSpeed(SpeedMode::X1).acceleration(255), 392.157, 1e-3);
 }
 
-// From speed 25 to 125 at 1 ms each takes 100 ms (the sheet's own example), at 1x 0.001 x 25 x (25 + ... +
-// 124) = 0.025 x 7 450 = 186.25 steps, both ways 372.5. The remaining 2 752.5 at 3 125 steps/s take 0.8808 s.
+// From speed 25 to 125 at 1 ms each takes 100 ms (the data sheet's own example) and, at 1x, 0.001 x 25 x (25
+// + ... + 124) = 0.025 x 7 450 = 186.25 steps; both ramps take 372.5. The remaining 2 752.5 at 3 125 steps/s
+// take 0.8808 s.
 TEST(StepperForecast, AddsRampsAndSlew) {
     const StepperForecast move = forecastMove(StepperSpeed(SpeedMode::X1), 25, 125, 4, 3'125);
     EXPECT_NEAR(move.seconds, 0.2 + 0.8808, 1e-9);
@@ -88,9 +89,9 @@ TEST(StepperForecast, AddsRampsAndSlew) {
     EXPECT_FALSE(move.triangular);
 }
 
-// From speed 1 at 1 ms each at 1x, both ways: to 2 0.05 steps, to 3 0.15, to 4 0.3, to 5 0.5 ... to v
-// 0.025 v (v - 1). 10 steps: 0.025 x 20 x 19 = 9.5 fits, 0.025 x 21 x 20 = 10.5 does not. 2 x 19 ms, and half
-// a step at 500 steps/s.
+// From speed 1 at 1 ms each and 1x, both ramps together take 0.05 steps up to speed 2, 0.15 up to 3, 0.3 up
+// to 4, 0.5 up to 5 ... and 0.025 v (v - 1) up to v. In 10 steps, 0.025 x 20 x 19 = 9.5 fits, and 0.025 x 21
+// x 20 = 10.5 does not. That takes 2 x 19 ms, plus half a step at 500 steps/s.
 TEST(StepperForecast, RecognisesAMoveThatIsTooShortForItsSpeed) {
     const StepperForecast move = forecastMove(StepperSpeed(SpeedMode::X1), 1, 100, 4, -10);
     EXPECT_TRUE(move.triangular);

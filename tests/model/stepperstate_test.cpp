@@ -28,7 +28,7 @@ TEST(StepperState, HoldsOnceItIsEnabled) {
     EXPECT_FALSE(stepper.module.moving());
 }
 
-// The answer to the start was put together before it: it still says "stands".
+// The answer to the start was composed before the motion began, and still reports standstill.
 TEST(StepperState, MovesFromTheStartOnAlthoughItsAnswerDoesNotSayIt) {
     Stepper stepper = Stepper::holding();
     stepper.was(Stepper::trapezoid(1'000));
@@ -41,7 +41,7 @@ TEST(StepperState, MovesFromTheStartOnAlthoughItsAnswerDoesNotSayIt) {
     EXPECT_EQ(stepper.module.stepper.mode(), StepperMode::Trapezoidal);
     stepper.position = 1'000;
     stepper.says(kStepOn);
-    EXPECT_FALSE(stepper.module.moving()) << "the later status does";
+    EXPECT_FALSE(stepper.module.moving()) << "the later status ends the motion";
     EXPECT_EQ(stepper.module.activity(), Activity::Holding);
 }
 
@@ -73,7 +73,7 @@ TEST(StepperState, KnowsTheDirectionOfWhatItWasTold) {
     stepper::LoadTrajectory load = Stepper::trapezoid(100);
     load.startNow = true;
     stepper.was(load);
-    EXPECT_EQ(stepper.module.stepper.runsReverse(), true) << "500 to 100";
+    EXPECT_EQ(stepper.module.stepper.runsReverse(), true) << "from 500 to 100";
 }
 
 TEST(StepperState, KnowsNeitherDirectionNorOutputsOfAChainThatItFound) {
@@ -164,12 +164,12 @@ TEST_P(StepperStateOff, SaysWhatSwitchedTheMotorOff) {
     stepper.inputs = GetParam().inputs;
     stepper.analog = GetParam().analog;
     stepper.says(GetParam().status);
-    EXPECT_FALSE(stepper.module.switchedItselfOff) << "one answer is none";
+    EXPECT_FALSE(stepper.module.switchedItselfOff) << "one answer is not enough";
     stepper.says(GetParam().status);
     EXPECT_EQ(stepper.module.activity(), GetParam().expected);
     EXPECT_TRUE(stepper.module.switchedItselfOff);
     EXPECT_EQ(stepper.module.powerLostWhileOn, GetParam().expected == Activity::PowerLost);
-    // It stays that way when the cause is gone, until somebody has seen it.
+    // It stays that way after the cause is gone, until a stop is sent.
     stepper.inputs = 0;
     stepper.analog = 200;
     stepper.says(kStepPower);
@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(Causes, StepperStateOff,
                                          OffCase{"Unknown", kStepPower, 0, 80, Activity::WentOff}),
                          [](const auto& one) { return std::string(one.param.name); });
 
-/// An old or damaged answer, or that of another module: the next one says that it is on.
+/// The answer may be old, damaged, or that of another module: the next one shows that the motor is on.
 TEST(StepperState, OneAnswerThatItIsOffIsADoubtThatTheNextEnds) {
     Stepper stepper = Stepper::running();
     stepper.says(kStepPower);
@@ -198,7 +198,7 @@ TEST(StepperState, OneAnswerThatItIsOffIsADoubtThatTheNextEnds) {
     stepper.says(kRuns);
     EXPECT_EQ(stepper.module.stepper.ended(), std::nullopt);
     EXPECT_EQ(severityOf(stepper.module.activity()), Severity::Normal);
-    // Two say so, and a third one does not.
+    // Two answers report that it is off, and a third one does not.
     stepper.says(kStepPower);
     stepper.says(kStepPower);
     EXPECT_EQ(stepper.module.activity(), Activity::WentOff);
@@ -252,7 +252,7 @@ TEST(StepperState, ALimitThatEndsAMotionIsNotedThoughItWasClosedBefore) {
     EXPECT_FALSE(stepper.module.limits.ranInto(0));
 }
 
-// Speed 40 is another speed in another speed mode.
+// A speed value of 40 is another speed in another speed mode.
 TEST(StepperState, ForgetsALoadWhenTheSpeedModeChanges) {
     Stepper stepper = Stepper::holding();
     stepper.was(Stepper::trapezoid(1'000));

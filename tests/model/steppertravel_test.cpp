@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far and how fast a PIC-STEP's axis may go (model/intent/travel.h): numbers by hand.
+// How far and how fast a PIC-STEP's axis may go (model/intent/travel.h). Expected values are calculated by
+// hand.
 #include <gtest/gtest.h>
 
 #include "model/intent/stepperplan.h"
@@ -46,7 +47,7 @@ TEST(StepperTravel, StepsBeyondAreRefusedAlsoRelativeOnes) {
     EXPECT_FALSE(whyNot(steppermotion::VelocityProfile{40, 4, true}, atEnd.module));
 }
 
-// Speed unit 25 steps/s: speed 4 is 100 steps/s, and no profile is slower here (minimum 4).
+// The speed unit is 25 steps/s, so speed 4 is 100 steps/s, and no profile is slower here (minimum 4).
 TEST(StepperTravel, AStepperGoesNoFasterEither) {
     Stepper stepper = limitedStepper();
     stepper.module.travel.fastest = 100;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a signal comes to between two cursors, against closed forms.
+// Figures of a signal between two cursors, compared with closed forms.
 #include "model/scope/stretchfigures.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// From 0 to `end` s, a thousand points a second unless told.
+/// Points from 0 to `end` s.
 template <typename Value>
 std::vector<SignalPoint> points(double end, Value value, double perSecond = 1'000) {
     std::vector<SignalPoint> made;
@@ -99,7 +99,7 @@ TEST(StretchFigures, FrequencyOfThreePeriodsFromAnyPhase) {
     }
 }
 
-/// Counts are whole: a slow ramp goes up in steps, at a rate of its own, and does not swing.
+/// Counts are whole numbers: a slow ramp rises in steps at a certain rate, but does not swing.
 TEST(StretchFigures, RoundingIsNoSwing) {
     const auto stairs = points(4, [](double t) { return std::floor(10 * t); });
     EXPECT_FALSE(figuresOf(stairs, 1)->hertz.has_value());
@@ -117,13 +117,13 @@ TEST(StretchFigures, NoFrequencyWhereThereIsNone) {
     const auto hertz = [](const std::vector<SignalPoint>& of) { return figuresOf(of)->hertz; };
     EXPECT_FALSE(hertz(points(5, noise)).has_value());
     EXPECT_FALSE(hertz(points(0.25, [](double t) { return std::sin(kTurn * 5 * t); })).has_value())
-        << "one period and a quarter";
+        << "only one and a quarter periods";
     EXPECT_FALSE(hertz(points(1, [](double t) { return std::cos(std::numbers::pi * std::round(t * 1'000)); }))
                      .has_value())
-        << "as fast as the samples: it may be anything";
+        << "as fast as the samples, so the true frequency is unknown";
     EXPECT_FALSE(hertz(points(2, [](double t) { return t < 1 ? 0.0 : 1.0; })).has_value()) << "a step";
     EXPECT_FALSE(hertz(points(2, [](double t) { return std::sin(kTurn * (3 * t + 6 * t * t)); })).has_value())
-        << "it becomes faster all the time";
+        << "its frequency keeps rising";
 }
 
 }  // namespace

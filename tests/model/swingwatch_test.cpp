@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A servo that should hold and swings, from positions made by closed forms.
+// Recognises a servo that should hold but swings, from positions calculated by closed forms.
 #include "model/module/swingwatch.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Looked at about every `between` seconds, unevenly as a bus does, for `seconds`.
+/// The swing found after looking at `position` for `seconds`, about every `between` seconds and unevenly,
+/// like a bus.
 std::optional<SwingWatch::Swing> seen(const std::function<double(double)>& position, double between = 0.0107,
                                       double seconds = 1.5) {
     SwingWatch watch;
@@ -51,7 +52,7 @@ TEST(SwingWatch, WhatCalmsDownIsNone) {
 TEST(SwingWatch, ACreepOrAJumpIsNone) {
     EXPECT_FALSE(seen([](double t) { return 500 * t; }));
     EXPECT_FALSE(seen([](double t) { return t < 1.2 ? 0.0 : 300.0; }));
-    EXPECT_FALSE(seen([](double t) { return t > 1.0 && t < 1.25 ? 300.0 : 0.0; })) << "once to and fro";
+    EXPECT_FALSE(seen([](double t) { return t > 1.0 && t < 1.25 ? 300.0 : 0.0; })) << "only once to and fro";
 }
 
 TEST(SwingWatch, LookedAtRarelyTheRateIsNotTold) {
@@ -62,10 +63,10 @@ TEST(SwingWatch, LookedAtRarelyTheRateIsNotTold) {
     EXPECT_LE(swing->amplitude, 200);
 }
 
-/// To and fro by 4 counts every 2 s, which one count of the encoder's does not hide.
+/// To and fro by 4 counts every 2 s, which is more than the one count of the encoder.
 TEST(SwingWatch, TellsAMotorThatHunts) {
     const auto hunts = [](double t) { return std::fmod(t, 2.0) < 1.0 ? 2.0 : -2.0; };
-    EXPECT_FALSE(seen(hunts, 0.01, 3.5)) << "to and fro twice";
+    EXPECT_FALSE(seen(hunts, 0.01, 3.5)) << "only twice to and fro";
     const auto swing = seen(hunts, 0.01, 8);
     ASSERT_TRUE(swing && swing->hertz);
     EXPECT_TRUE(swing->hunts);

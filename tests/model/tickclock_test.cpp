@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 
 constexpr TimePoint kTickZero = TimePoint(10s);
 
-/// What is told of something that is latched in a tick: from so long before it to so long behind it.
+/// The window in which something was latched: from `before` before the tick to `behind` after it.
 TickClock::Window around(TimePoint tick, Duration before, Duration behind) {
     return {tick - before, tick + behind};
 }
@@ -55,7 +55,7 @@ TEST_F(Ticks, BetweenTwoCommandsAreKnownThoughTheMomentsAreNot) {
     EXPECT_EQ(stop->earliest - run->earliest, 400 * kServoTick);
 }
 
-// 100 us of doubt on each side of the tick: in a window of 900 us behind it there are that tick, and the
+// The tick is uncertain by 100 us on each side: a window up to 900 us after it contains that tick and the
 // next.
 TEST_F(Ticks, ThatMayBeMeantByALongWindowAreAllThereAre) {
     learn(0, 100us, 100us, true);
@@ -64,7 +64,8 @@ TEST_F(Ticks, ThatMayBeMeantByALongWindowAreAllThereAre) {
     EXPECT_EQ(meant->latest - meant->earliest, kServoTick);
     const auto more = in(0, 100us, 950us);
     ASSERT_TRUE(more);
-    EXPECT_EQ(more->latest - more->earliest, 2 * kServoTick) << "1024 us behind it, or 100 us before that";
+    EXPECT_EQ(more->latest - more->earliest, 2 * kServoTick)
+        << "1024 us after it, or up to 100 us before that";
 }
 
 // Two clocks 50 ppm fast and slow are 100 us apart after a second.
@@ -80,7 +81,7 @@ TEST_F(Ticks, AreCountedOnWhenClocksRunApart) {
     const auto last = clock.ticksIn({tickAt(40'000) + apart - 150us, tickAt(40'000) + apart + 150us});
     ASSERT_TRUE(last);
     EXPECT_EQ(last->earliest, kTickZero + 40'000 * kServoTick)
-        << "by the module's clock, which began with this one";
+        << "by the module's clock, which began together with ours";
     EXPECT_EQ(last->latest, last->earliest);
 }
 
@@ -89,7 +90,7 @@ TEST_F(Ticks, EndWhereNoneCanBe) {
     clock.learn({tickAt(10) + 150us, tickAt(10) + 350us}, false);
     EXPECT_FALSE(clock.counts());
     learn(20, 50us, 50us);
-    EXPECT_FALSE(clock.counts()) << "something moves that was counted before";
+    EXPECT_FALSE(clock.counts()) << "something still moves that was counted before";
     learn(30, 50us, 50us, true);
     EXPECT_TRUE(clock.counts());
 }
@@ -97,7 +98,7 @@ TEST_F(Ticks, EndWhereNoneCanBe) {
 TEST_F(Ticks, AreNotCountedOnALineThatSeldomTells) {
     learn(0, 50us, 50us, true);
     learn(200, 256us, 900us, true);
-    EXPECT_FALSE(clock.counts()) << "0.1 s behind the last that told something, and nothing moves";
+    EXPECT_FALSE(clock.counts()) << "the last useful window is 0.1 s old, and nothing moves";
 }
 
 }  // namespace

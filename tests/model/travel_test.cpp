@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far and how fast an axis may go (model/intent/travel.h): numbers by hand.
+// How far and how fast an axis may go (model/intent/travel.h). Expected values are calculated by hand.
 #include "model/intent/travel.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ intent::Move to(std::int32_t position, CountsPerTick velocity = kOne) {
     return {servomotion::Trapezoid{Counts(position), velocity, kGentle}};
 }
 
-/// Home is at 1000, the limits at -200 and 500 from there: 800 to 1500. It stands at `position`.
+/// A servo at `position`, with home at 1000 and travel limits at -200 and 500 from there: 800 to 1500.
 ModuleState limited(std::int32_t position = 1'000) {
     ModuleState module = holdingServo();
     module.apply(sampleOf(0.3, kMoveDone | kPower, kServoOn, position));
@@ -38,7 +38,7 @@ TEST(Travel, CountsFromHomeAndIsInForceWhileHomeIsKnown) {
     module.home.forget();
     EXPECT_EQ(travelForce(module), TravelForce::HomeUnknown);
     EXPECT_FALSE(travelRange(module));
-    EXPECT_TRUE(plan(to(1'000'000), module).has_value()) << "not in force";
+    EXPECT_TRUE(plan(to(1'000'000), module).has_value()) << "the limits are not in force";
     module.home.declare(module.latestTime);
     EXPECT_EQ(module.home.place()->source, HomeFact::Source::Declared);
     EXPECT_EQ(travelRange(module), (TravelRange{-200, 500})) << "home is where the counter is 0";
@@ -46,12 +46,12 @@ TEST(Travel, CountsFromHomeAndIsInForceWhileHomeIsKnown) {
     EXPECT_EQ(travelForce(module), TravelForce::NotSet);
 }
 
-/// A chain that another program left: 10 mm/s would be sent as if SR were 1.
+/// On a chain that another program left, 10 mm/s would be sent as if SR were 1.
 TEST(Travel, NothingRunsByUnitsPerSecondWhileTheServoRateIsUnknown) {
     const Intent run = intent::Move{servomotion::VelocityProfile{kOne, kGentle, false}};
     ModuleState module = holdingServo();
     module.servoRate.reset();
-    EXPECT_TRUE(plan(run, module).has_value()) << "counts per tick are what the chip takes";
+    EXPECT_TRUE(plan(run, module).has_value()) << "the chip itself takes counts per tick";
     module.unit = UnitKind::Millimetres;
     for (const Intent& intent : {run, Intent(to(100)), Intent(intent::LoadMove{to(100).motion})}) {
         const auto orders = plan(intent, module);
@@ -85,14 +85,15 @@ TEST(Travel, FromOutsideTheWayBackIsAllowedAndNoOther) {
     EXPECT_FALSE(beyondTravel(1'000, 1'501, range)->lowest);
     EXPECT_EQ(beyondTravel(1'000, 799, range)->limit, 800);
     EXPECT_TRUE(beyondTravel(1'000, 799, range)->lowest);
-    // Above: down to anywhere within, or a part of the way; not farther up, not through the other end.
+    // From above, it may move down to anywhere within the limits or a part of the way, but not farther up,
+    // and not beyond the other end.
     EXPECT_FALSE(beyondTravel(1'700, 1'600, range));
     EXPECT_FALSE(beyondTravel(1'700, 900, range));
     EXPECT_EQ(beyondTravel(1'700, 1'701, range)->limit, 1'500);
     EXPECT_EQ(beyondTravel(1'700, 700, range)->limit, 800);
     EXPECT_FALSE(beyondTravel(600, 700, range));
     EXPECT_TRUE(beyondTravel(600, 500, range)->lowest);
-    // One side only.
+    // With a limit on one side only.
     EXPECT_FALSE(beyondTravel(0, -1'000'000, {std::nullopt, 1'500}));
     EXPECT_FALSE(beyondTravel(0, 1'000'000, {800, std::nullopt}));
 }
@@ -102,7 +103,7 @@ TEST(Travel, MovesBeyondAreRefusedBeforeTheyAreSent) {
     EXPECT_TRUE(plan(to(1'500), module).has_value());
     EXPECT_EQ(plan(to(1'501), module).error(), Refusal::BeyondTravel);
     EXPECT_EQ(plan(intent::LoadMove{to(799).motion}, module).error(), Refusal::BeyondTravel);
-    // 3 x 200 from 1000 is 1600; there and back is 1200 at most.
+    // 3 x 200 from 1000 is 1600; moves there and back reach 1200 at most.
     intent::MoveBy steps{{200, 3}, ServoPace{kOne, kGentle}};
     EXPECT_EQ(plan(steps, module).error(), Refusal::BeyondTravel);
     steps.moves.backAndForth = true;
@@ -143,7 +144,8 @@ TEST(Travel, ARunTowardsALimitIsAMoveThere) {
     EXPECT_TRUE(std::holds_alternative<StartMotion>(std::get<ServoCommand>(steps->at(1).command)));
     const auto loaded = plan(intent::LoadMove{servomotion::VelocityProfile{kOne, kGentle, true}}, module);
     ASSERT_TRUE(loaded.has_value());
-    EXPECT_EQ(payloadOf(loaded->front().command), payloadOf(steps->front().command)) << "also if it waits";
+    EXPECT_EQ(payloadOf(loaded->front().command), payloadOf(steps->front().command))
+        << "also if it waits for its start";
     ModuleState open = module;
     open.travel.lowest.reset();
     const auto run = plan(intent::Move{servomotion::VelocityProfile{kOne, kGentle, true}}, open);
@@ -199,7 +201,8 @@ TEST(Travel, NothingIsFasterThanTheAxisMayGo) {
     hold.velocity = fast;
     EXPECT_EQ(withinTravel(hold, module).error().refusal, Refusal::TooFast);
     module.home.forget();
-    EXPECT_EQ(plan(to(1'400, fast), module).error(), Refusal::TooFast) << "home has nothing to do with it";
+    EXPECT_EQ(plan(to(1'400, fast), module).error(), Refusal::TooFast)
+        << "the maximum speed does not depend on home";
 }
 
 TEST(Travel, HeldMotionHasTheLimitAheadAsItsGoal) {
@@ -236,7 +239,7 @@ TEST(Backlash, AMoveFromTheWrongSideTurnsRoundBeyondItsGoal) {
     EXPECT_EQ(turningPoint(1'000, 0, module), -50);
     EXPECT_FALSE(turningPoint(0, 50, module));
     EXPECT_FALSE(turningPoint(0, 1'000, module));
-    EXPECT_EQ(turningPoint(0, 49, module), -1) << "shorter than the play: it may not have taken it up";
+    EXPECT_EQ(turningPoint(0, 49, module), -1) << "shorter than the play, which may not be taken up";
     EXPECT_FALSE(turningPoint(7, 7, module));
     module.backlash.fromAbove = true;
     EXPECT_EQ(turningPoint(0, 1'000, module), 1'050);
@@ -249,7 +252,7 @@ TEST(Backlash, TheWayRoundRespectsTheLimitsToo) {
     EXPECT_TRUE(plan(to(850), module).has_value()) << "turns at 800";
     EXPECT_EQ(plan(to(849), module).error(), Refusal::BeyondTravel);
     const auto problem = travelProblem(to(849), module);
-    EXPECT_EQ(problem->nearest, 850) << "the nearest goal that can be come to from below";
+    EXPECT_EQ(problem->nearest, 850) << "the nearest goal that can be reached from below";
     EXPECT_EQ(problem->limit, 800) << "as it was set";
     EXPECT_EQ(problem->turn, 799);
     EXPECT_EQ(travelProblem(to(700), module)->nearest, 850);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a position error is taken for, from what had been seen before it.
+// The probable cause of a position error, from what was seen before it.
 #include "model/module/tripwatch.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A move forward from rest at 1 000 counts/s that was under way for half a second.
+/// A move forward from rest at 1 000 counts/s that had been running for half a second.
 [[nodiscard]] TripFacts forward() {
     TripFacts f;
     f.errorLimit = 500;
@@ -40,10 +40,10 @@ TEST(TripCause, ThatIsNotSaidOfOneThatIsPushedLaterOrSwings) {
     EXPECT_EQ(diagnose(f), TripCause::Unknown) << "it has held for five seconds";
     f.since = 100ms;
     f.rearmost = -300;
-    EXPECT_EQ(diagnose(f), TripCause::Unknown) << "to both sides: the gains";
+    EXPECT_EQ(diagnose(f), TripCause::Unknown) << "it moved to both sides, so the gains are to blame";
     f.rearmost = 0;
     f.enabled = false;
-    EXPECT_EQ(diagnose(f), TripCause::Unknown) << "told to hold out of a motion";
+    EXPECT_EQ(diagnose(f), TripCause::Unknown) << "it was stopped out of a motion";
 }
 
 TEST(TripCause, AMotorThatGoesAgainstItsCommandIsReversed) {
@@ -64,7 +64,7 @@ TEST(TripCause, AMotorThatStandsIsJammed) {
     EXPECT_EQ(diagnose(f), TripCause::Jam) << "it has never moved";
     f.moved = f.farthest = 4'000;
     f.speed = 30.0;
-    EXPECT_EQ(diagnose(f), TripCause::Jam) << "it has moved, and moves no more";
+    EXPECT_EQ(diagnose(f), TripCause::Jam) << "it has moved, but does not move any more";
 }
 
 TEST(TripCause, AMotorThatMovesButLagsIsBehind) {
@@ -82,13 +82,13 @@ TEST(TripCause, ALimitThatClosedOnTheWayComesBeforeTheJamBehindIt) {
     f.limit1Closed = true;
     EXPECT_EQ(diagnose(f), TripCause::Limit1);
     f.moved = f.rearmost = -300;
-    EXPECT_EQ(diagnose(f), TripCause::Reversed) << "it ran into the switch of the other side";
+    EXPECT_EQ(diagnose(f), TripCause::Reversed) << "it ran into the switch on the other side";
 }
 
 TEST(TripWatch, MeasuresFromTheCommandOn) {
     constexpr TimePoint kStart{10s};
     TripWatch watch;
-    EXPECT_FALSE(watch.facts({kStart, 0, false, false}, 500)) << "nobody told it anything";
+    EXPECT_FALSE(watch.facts({kStart, 0, false, false}, 500)) << "no command was sent";
     watch.apply(TripWatch::Reading{kStart, 100, true, false});
     watch.apply(TripWatch::Command{kStart + 5ms, false, true, 1, 1'000.0});
     watch.apply(TripWatch::Reading{kStart + 100ms, 160, true, false});
@@ -103,11 +103,11 @@ TEST(TripWatch, MeasuresFromTheCommandOn) {
     EXPECT_EQ(facts->farthest, 60);
     EXPECT_EQ(facts->rearmost, -20);
     EXPECT_DOUBLE_EQ(facts->speed, 100.0) << "10 counts in 0.1 s";
-    EXPECT_FALSE(facts->limit1Closed) << "it was before";
+    EXPECT_FALSE(facts->limit1Closed) << "it was closed before";
     EXPECT_TRUE(facts->limit2Closed);
     watch.apply(TripWatch::Command{kStart + 300ms, false, false, -1, 1'000.0});
     EXPECT_EQ(watch.facts({kStart + 400ms, 90, true, true}, 500)->direction, 0)
-        << "out of another motion: where it goes first tells nothing";
+        << "out of another motion, its first direction shows nothing";
     watch.forget();
     EXPECT_FALSE(watch.facts({kStart, 0, false, false}, 500));
 }

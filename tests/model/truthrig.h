@@ -10,15 +10,15 @@
 
 namespace nmc::testing_support {
 
-/// One servo in virtual time, its calculated command position, and what the simulator says it was in the very
-/// tick in which it latched each sample.
+/// One servo in virtual time, its calculated command position, and the simulator's own in the very tick in
+/// which it latched each sample.
 class TruthRig {
 public:
     TruthRig(std::uint8_t divisor, const bus::EngineConfig& config, std::uint64_t seed = 1)
         : bus(test::servos(1), config, options(seed)), m_divisor(divisor) {}
 
     [[nodiscard]] bool enable() {
-        // The longer the tick, the weaker: a motor that swings would be stopped.
+        // The longer the tick, the lower the gains: a motor that swings would be stopped.
         const auto kp = static_cast<std::uint16_t>(200 / m_divisor);
         const auto kd = static_cast<std::uint16_t>(2'000 / (m_divisor * m_divisor));
         return bus.connect() &&
@@ -34,7 +34,7 @@ public:
         follow();
         return outcome == bus::Outcome::Done;
     }
-    /// In servo ticks.
+    /// Runs for `ticks` servo ticks.
     void runTicks(double ticks) {
         bus.runFor(fromSeconds(ticks * 0.000512 * m_divisor));
         follow();

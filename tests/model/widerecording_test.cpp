@@ -24,14 +24,14 @@ using testing_support::recordingHeader;
     return sample;
 }
 
-/// Two counts in a millimetre; 0.25 A in an A/D count above -1.5 A.
+/// 2 counts per millimetre; 0.25 A per A/D count, from -1.5 A.
 [[nodiscard]] RecordingHeader wideHeader() {
     RecordingHeader head = recordingHeader();
     head.modules[0].unit.countsPerUnit = 2;
     return head;
 }
 
-/// What stands in recordingHeader(), as names.
+/// The contents of recordingHeader(), as column names.
 const std::string kAbout =
     ",about/program_NMC_Panel_0.6.0,about/started_2026-11-21T21:21:02.123+01:00,about/port_simulator,"
     "about/simulated_yes_(no_real_motor_moved)";
@@ -65,7 +65,8 @@ TEST(WideRecording, IsEvenWhereAnIntervalIsAskedFor) {
     history.append(ModuleIndex(0), recordedAt(15500us, 60, true));
     history.append(ModuleIndex(0), recordedAt(17ms, 60));
     history.append(ModuleIndex(1), recordedAt(12ms, 100));
-    // 10 counts a millisecond: after 10 ms 5 counts, so 2.5 mm; nothing across the gap from 12.5 to 15.5 ms.
+    // 10 counts a millisecond: 5 counts at 10 ms, which are 2.5 mm; nothing across the gap from 12.5 to 15.5
+    // ms.
     EXPECT_EQ(wideRecordingOf(wideHeader(), history, Duration(1ms)),
               kNames +
                   "0.010000000,2.5,,,,0.5,,,9,,,,,,,,,,,\n"
@@ -78,8 +79,8 @@ TEST(WideRecording, IsEvenWhereAnIntervalIsAskedFor) {
                   "0.017000000,30,,,,0.5,,,9,,,,,,,,,,,\n");
 }
 
-/// PlotJuggler takes the first line for the names and refuses a row with fewer or more cells; pandas takes
-/// the first line for them, too. A comment is in the way of both.
+/// PlotJuggler and pandas take the first line for the names, and PlotJuggler refuses a row with fewer or more
+/// cells. A comment would be in the way of both.
 TEST(WideRecording, SaysWhatItIsInThePlaceThatEveryReaderPassesOver) {
     History history(2);
     history.append(ModuleIndex(0), recordedAt(10ms, 3));
@@ -101,7 +102,7 @@ TEST(WideRecording, SaysWhatItIsInThePlaceThatEveryReaderPassesOver) {
     }
 }
 
-/// The reader knows it as our own, so that a user who opens it is told why it cannot be read.
+/// The reader recognises it as our own, so that a user who opens it learns why it cannot be read.
 TEST(WideRecording, IsNoRecordingAndTheReaderSaysSo) {
     History history(1);
     history.append(ModuleIndex(0), recordedAt(10ms, 3));
@@ -130,15 +131,15 @@ TEST(WideRecording, ItsNamesTearNoTable) {
     const std::string wide = wideRecordingOf(head, history);
     EXPECT_TRUE(wide.starts_with("time_s,module1_X__left_right_/position_µm_2,")) << wide;
     EXPECT_EQ(std::count(wide.begin(), wide.end(), ','), 24)
-        << "8 columns and 4 that say what it is, in two lines";
+        << "8 columns and 4 about the recording, in two lines";
     head.modules[0].name = "Module 1 \"X axis\"";
     EXPECT_TRUE(wideRecordingOf(head, history).starts_with("time_s,Module_1_X_axis/position_µm_2,"));
     EXPECT_EQ(std::count(wide.begin(), wide.end(), '\n'), 2);
 }
 
-// ---- what no sample has ----
+// ---- derived signals ----
 
-/// Samples of one module every 2 ms, from 0 on, of which `fill` says what they have.
+/// Samples of one module every 2 ms, from 0 on; `fill` sets their values.
 [[nodiscard]] History everyTwoMs(int count, const std::function<void(int, ScopeSample&)>& fill,
                                  const std::optional<servo::SetGain>& gains = {}, int gainsFrom = 0) {
     History history(1);
@@ -174,8 +175,8 @@ TEST(WideRecording, ItsNamesTearNoTable) {
 const std::string kAcceleration = "module1_Left_arm/acceleration_mm_per_s2";
 const std::string kPwm = "module1_Left_arm/pwm_calculated";
 
-/// i^3 counts of half a millimetre after i times 2 ms: 3 i / (2 ms)^2. Of the parabola over 40 ms the first
-/// and the last 20 ms have none.
+/// i^3 counts of half a millimetre after i times 2 ms: 3 i / (2 ms)^2. The parabola extends over 40 ms, so
+/// the first and the last 20 ms have no value.
 TEST(WideRecording, HasTheAccelerationAtEachReply) {
     const History history = everyTwoMs(60, [](int i, ScopeSample& sample) { sample.position = i * i * i; });
     const auto cells = column(wideRecordingOf(wideHeader(), history), kAcceleration);
@@ -189,7 +190,7 @@ TEST(WideRecording, HasTheAccelerationAtEachReply) {
     }
 }
 
-/// Half way between two replies it is the mean of theirs.
+/// Half-way between two replies, the value is the mean of theirs.
 TEST(WideRecording, HasTheAccelerationAtEvenTimes) {
     const History history = everyTwoMs(60, [](int i, ScopeSample& sample) { sample.position = i * i * i; });
     const auto cells = column(wideRecordingOf(wideHeader(), history, Duration(1ms)), kAcceleration);
@@ -203,7 +204,7 @@ TEST(WideRecording, HasTheAccelerationAtEvenTimes) {
     }
 }
 
-/// i^2 counts every 2.75 ms: 40 ms are in 16 samples, and the middle of these is between two.
+/// i^2 counts every 2.75 ms: 40 ms contain 16 samples, and their middle is between two of them.
 TEST(WideRecording, HasTheAccelerationThatLiesBetweenTwoReplies) {
     History history(1);
     for (int i = 0; i < 60; ++i)
@@ -217,7 +218,7 @@ TEST(WideRecording, HasTheAccelerationThatLiesBetweenTwoReplies) {
     EXPECT_EQ(cells[52], "");
 }
 
-/// Kp * error / 256 of -30 counts is -60; the last waits for the next reply.
+/// Kp * error / 256 of -30 counts is -60; the last value waits for the next reply.
 TEST(WideRecording, HasThePwmWhileTheGainsAreKnown) {
     const servo::SetGain gains{512, 0, 0, 0, 255, 0, 16'000, 1, std::uint8_t{0}};
     const auto standing = [](int, ScopeSample& sample) {
@@ -234,8 +235,8 @@ TEST(WideRecording, HasThePwmWhileTheGainsAreKnown) {
     EXPECT_EQ(column(even, kPwm), expected);
 }
 
-/// 20 counts over 1000 ms / 0.512 ms are more than the IL of 100 lets stand: 100 from then on, as long as the
-/// error stays 0. Of the samples that are written alone nobody could tell.
+/// 20 counts over 1000 ms / 0.512 ms are more than the IL of 100 allows: the PWM is 100 from then on, as long
+/// as the error stays 0. The samples that are written would not suffice to know this.
 TEST(WideRecording, MakesThePwmOfWhatWasBeforeToo) {
     const servo::SetGain gains{0, 0, 256, 100, 255, 0, 16'000, 1, std::uint8_t{0}};
     const History history = everyTwoMs(
@@ -250,7 +251,7 @@ TEST(WideRecording, MakesThePwmOfWhatWasBeforeToo) {
     EXPECT_EQ(column(table, "time_s").front(), "1.500000000");
 }
 
-/// 3 counts every 2 ms, from the first 100 ms on.
+/// 3 counts every 2 ms; the rate is known after the first 100 ms.
 TEST(WideRecording, HasTheCountRateOfAPicIo) {
     const History history = everyTwoMs(100, [](int i, ScopeSample& sample) {
         sample.io = sample.counted = true;
@@ -276,7 +277,7 @@ TEST(WideRecording, HasNoPwmOfAStepper) {
     EXPECT_EQ(table.find("pwm"), std::string::npos);
 }
 
-/// More than a trace of the scope keeps one by one.
+/// More samples than the scope keeps individually for a trace.
 TEST(WideRecording, LosesNothingOfALongHistory) {
     constexpr int kCount = 250'000;
     const servo::SetGain gains{256, 0, 0, 0, 255, 0, 16'000, 1, std::uint8_t{0}};
