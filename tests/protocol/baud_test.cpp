@@ -19,7 +19,7 @@ TEST(Baud, OurDivisorIsNeverFurtherOffThanTheDataSheets) {
     for (const BaudRow& row : kBaudRows) {
         const auto error = [&row](std::uint8_t brd) { return std::abs(realRate(brd) / row.nominal - 1.0); };
         EXPECT_LE(error(row.brd), error(row.dataSheetBrd)) << row.nominal;
-        EXPECT_LT(error(row.brd), 0.02) << row.nominal;  // what a UART at the other end forgives
+        EXPECT_LT(error(row.brd), 0.02) << row.nominal;  // what a UART at the other end tolerates
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frames of protocol.md section 4, and bytes put together by hand from the data sheets' tables, each with
-// the sentence a reader of the sheet would write beside it.
+// the sentence that a reader of the data sheet would write beside it.
 #include "protocol/describe.h"
 
 #include <gtest/gtest.h>

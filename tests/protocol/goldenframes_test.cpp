@@ -136,7 +136,7 @@ servo::HardReset saved() {
     return reset;
 }
 
-/// The frames of that sheet which the first one does not have.
+/// The frames of the PIC-SERVO SC data sheet that are not in the first data sheet.
 const std::vector<Golden>& scFrames() {
     static const std::vector<Golden> frames{
         {"ResetRelativeToHome", "AA 01 10 01 12", 1, servo::ResetRelativeToHome{}},

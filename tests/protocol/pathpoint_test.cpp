@@ -31,8 +31,8 @@ TEST(PathWord, HoldsAsManyBitsAsTheRateLeaves) {
 TEST(PathWord, KnowsTheRatesOfEachMode) {
     EXPECT_FALSE(toPathWord({1, PathRate::Hz30}, true).has_value());
     EXPECT_FALSE(toPathWord({1, PathRate::Hz120}, false).has_value());
-    EXPECT_EQ(fromPathWord(0x0006, true), std::nullopt);  // 60 Hz wants bit 2 clear
-    EXPECT_EQ(fromPathWord(0x0008, true), std::nullopt);  // 120 Hz wants bits 2 and 3 clear
+    EXPECT_EQ(fromPathWord(0x0006, true), std::nullopt);  // 60 Hz requires bit 2 to be clear
+    EXPECT_EQ(fromPathWord(0x0008, true), std::nullopt);  // 120 Hz requires bits 2 and 3 to be clear
 }
 
 TEST(PathWord, IsTheSpeedThatEndsOnThePoint) {

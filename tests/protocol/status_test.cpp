@@ -15,7 +15,7 @@ using testing_support::kSc;
 using testing_support::kServo;
 using testing_support::kStep;
 
-/// A well-formed reply of any content: status byte and items at random, then their sum.
+/// A well-formed reply with arbitrary content: a random status byte and items, then their sum.
 std::vector<std::uint8_t> anyReply(const ModuleIdentity& module, StatusItems items) {
     auto reply = *rc::gen::container<std::vector<std::uint8_t>>(replyLength(module, items) - 1,
                                                                 rc::gen::arbitrary<std::uint8_t>());
@@ -49,7 +49,7 @@ TEST(ReplyLength, IsNineteenForEverythingOfALaterModule) {
     EXPECT_EQ(replyLength(kSc, StatusItems(0xFF)), 19U);
     EXPECT_EQ(replyLength(kIo, StatusItems(0xFF)), 19U);
     EXPECT_EQ(replyLength(kSc, StatusItems(0x41)), 8U);   // position and its error
-    EXPECT_EQ(replyLength(kIo, StatusItems(0x1F)), 11U);  // what centrifuges read of both
+    EXPECT_EQ(replyLength(kIo, StatusItems(0x1F)), 11U);  // the items that centrifuge programs read
     EXPECT_EQ(kMaxReply, 19U);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every command and every bit of it against every version, from the table below: a reader of docs/family.md
-// can check it row by row.
+// Checks every command, and every bit of it, against every version, by the table below, which can be compared
+// with docs/family.md row by row.
 #include "protocol/unsupported.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ Command with(const std::function<void(Command&)>& change) {
 struct Row {
     std::string name;
     ServoCommand command;
-    Unsupported reason;              ///< on the versions that do not take it
-    std::vector<unsigned> versions;  ///< that take it
+    Unsupported reason;              ///< on the versions that do not accept it
+    std::vector<unsigned> versions;  ///< that accept it
 };
 
 const std::vector<unsigned> kAll{1, 2, 3, 4, 5, 10};
@@ -113,7 +113,7 @@ TEST(Unsupported, SaysForEveryServoVersionWhatItDoesNotKnow) {
             const auto reason = unsupported(module, row.command);
             EXPECT_EQ(takes(module, row.command), known) << row.name << ", version " << version;
             if (reason) {
-                // The two I/O Controls are each other's: which reason is told hangs on the version.
+                // CMC and SC have different I/O Controls, so the reason depends on the version.
                 EXPECT_EQ(*reason, known ? Unsupported{}
                                    : row.name == "fast path of CMC" && version == 10
                                        ? Unsupported::FirstIoControl
