@@ -23,7 +23,7 @@ TEST(Addressing, OnlyTheFarthestModuleListensUntilItsAddressIsSet) {
     EXPECT_EQ(wire.command(0, 0x13, {0x20}), (Bytes{0x19, 0, 2, 0x1B}));
     EXPECT_EQ(wire.command(0, 0x21, {8, 0xFF}), kIdle);
     EXPECT_EQ(wire.command(0, 0x21, {9, 0xFF}), kIdle);
-    EXPECT_TRUE(wire.command(0, 0x0E).empty()) << "nobody is left";
+    EXPECT_TRUE(wire.command(0, 0x0E).empty()) << "no module without an address is left";
     EXPECT_EQ(wire.command(7, 0x13, {0x20}), (Bytes{0x19, 0, 1, 0x1A}));
     EXPECT_EQ(wire.command(8, 0x13, {0x20}), (Bytes{0x19, 0, 2, 0x1B}));
     EXPECT_EQ(wire.command(9, 0x13, {0x20}), (Bytes{0x19, 0, 3, 0x1C}));

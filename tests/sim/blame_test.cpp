@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What injected faults and other hosts do is not booked to the host as a violation.
+// The effects of injected faults and of other hosts are not counted as violations of the host.
 #include <gmock/gmock.h>
 
 #include "sim/control.h"
@@ -17,7 +17,7 @@ class Blame : public testing::Test {
 protected:
     Blame() { wire.address(2); }
     std::string say(const std::string& line) { return handleControlLine(wire.chain, line, wire.now); }
-    /// Before the answer to `first` can have come, unless a fault has a hand in it.
+    /// Sends another command `after` sending `first`, whether or not its answer has arrived.
     void sendsBehind(const Bytes& first, Duration after) {
         wire.chain.hostSends(first, wire.now);
         wire.wait(after);
@@ -44,7 +44,7 @@ TEST_F(Blame, ClearingTheFaultGivesTheModuleItsOwnAddressBack) {
     say("fault module 2,1 sameaddr");
     wire.command(2, 0x21, {5, 0xFF});
     say("fault clear");
-    EXPECT_EQ(wire.truth(1).address, 5) << "the host has given it another one since";
+    EXPECT_EQ(wire.truth(1).address, 5) << "the host has assigned another address since";
     say("fault module 2,1 sameaddr");
     say("power-cycle 1");
     say("fault clear");
@@ -65,18 +65,18 @@ TEST_F(Blame, NobodyIsForItemsThatAFaultDefined) {
     do {
         say("fault module 1 definestat");
     } while (wire.command(1, 0x0E).size() < 10);
-    // Two bytes were to come, by 2.1 + 0.5 + 1.0 ms.
+    // Two bytes were expected, within 2.1 + 0.5 + 1.0 ms.
     sendsBehind(packet(1, 0x0E), milliseconds(4));
     EXPECT_EQ(wire.chain.statistics().modules[0].repliesDropped, 1U);
     EXPECT_THAT(wire.violations(), IsEmpty());
     wire.command(1, 0x12, {0x1F});
     sendsBehind(packet(1, 0x0E), milliseconds(4));
-    EXPECT_EQ(wire.violations(), Kinds{Kind::CommandInFlight}) << "these the host has defined";
+    EXPECT_EQ(wire.violations(), Kinds{Kind::CommandInFlight}) << "the host itself has defined these items";
 }
 
 TEST_F(Blame, NobodyIsForAReplyThatAFaultHasMadeLonger) {
     say("fault bus dup status");
-    // The answer of 12 bytes in all has gone by 2.6 + 0.5 + 7.3 ms at the latest; one byte has been doubled.
+    // An answer of 14 bytes has ended after 2.6 + 0.5 + 7.3 ms at the latest; here, one byte is doubled.
     sendsBehind(packet(1, 0x13, {0x1F}), milliseconds(9));
     EXPECT_EQ(wire.chain.statistics().modules[0].repliesDropped, 1U);
     EXPECT_THAT(wire.violations(), IsEmpty());
@@ -115,7 +115,7 @@ TEST_F(Blame, TheHostIsForWhatItDoesBetweenFaults) {
     say("fault bus drop cmd n=1");
     wire.command(1, 0x0E);
     say("fault clear");
-    wire.exchange(Bytes(20, 0));  // in step again
+    wire.exchange(Bytes(20, 0));  // back in step
     wire.command(1, 0x17, {0x0D});
     EXPECT_EQ(wire.violations(), Kinds{Kind::StopBits});
     say("fault bus flip p=0");

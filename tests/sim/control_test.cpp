@@ -79,7 +79,7 @@ TEST_F(Control, StateTellsTheStatusThatTheHostWouldGet) {
     say("set 1 servo_overrun 1");
     wire.waitTicks(2);
     auto s = say("state 1");
-    EXPECT_EQ(s["status_items"], 0x2F) << "Read Status is for once";
+    EXPECT_EQ(s["status_items"], 0x2F) << "Read Status applies only once";
     EXPECT_EQ(s["status"], 0x39);
     EXPECT_EQ(s["auxiliary"], 0x20);
     EXPECT_EQ(
@@ -88,7 +88,7 @@ TEST_F(Control, StateTellsTheStatusThatTheHostWouldGet) {
             {"overcurrent", false}, {"pos_error", true}, {"pos_wrap", false}, {"servo_overrun", true}}));
     wire.command(1, 0x0B);
     EXPECT_EQ(say("state 1")["sticky"]["servo_overrun"], false);
-    EXPECT_EQ(say("state 2")["status"], 0x19) << "module 2 is another one";
+    EXPECT_EQ(say("state 2")["status"], 0x19) << "module 2 is not affected";
 }
 
 TEST_F(Control, StateTellsWhatAHomeSearchWaitsForAndWhatItWillDo) {
@@ -116,7 +116,7 @@ TEST_F(Control, StateTellsASteppersParametersAndHomeSearch) {
     wire = HostWire("step");
     wire.address(1);
     auto s = say("state 1");
-    EXPECT_TRUE(s["parameters"].is_null()) << "there must be some before any motion";
+    EXPECT_TRUE(s["parameters"].is_null()) << "they must be set before any motion";
     EXPECT_EQ(s["status"], 0x08);
     wire.command(1, 0x56, {0x1E, 3, 200, 80, 5});
     const nlohmann::json parameters{
@@ -163,7 +163,7 @@ TEST_F(Control, SetReachesTheInputsAndTheLoad) {
     EXPECT_EQ(say("state 1")["analog"], 0);
     say("set 1 limits auto");
     EXPECT_EQ(say("state 1")["limit1"], false) << "away from the stop";
-    EXPECT_EQ(say("state 2")["limit1"], false) << "module 2 is another one";
+    EXPECT_EQ(say("state 2")["limit1"], false) << "module 2 is not affected";
 }
 
 TEST_F(Control, StateTellsWhatWasSet) {
@@ -192,7 +192,7 @@ TEST_F(Control, StateTellsWhatWasSet) {
     say("mend 1");
     EXPECT_TRUE(say("state 1")["travel_max"].is_null());
     EXPECT_EQ(say("state 1")["addr_broken"], false);
-    EXPECT_EQ(say("state 2")["load"], 0.0) << "module 2 is another one";
+    EXPECT_EQ(say("state 2")["load"], 0.0) << "module 2 is not affected";
 }
 
 TEST_F(Control, StateTellsWhatASteppersShaftWorks) {
@@ -393,7 +393,7 @@ TEST_F(Control, StatsAreClearedOnRequest) {
     s = say("stats");
     EXPECT_EQ(s["exchanges"], 1);
     EXPECT_EQ(s["modules"][0]["executed"], (nlohmann::json{{"nop", 1}}));
-    EXPECT_EQ(say("state 1")["address"], 1) << "a count, and nothing of the chain";
+    EXPECT_EQ(say("state 1")["address"], 1) << "only the counts are cleared, not the chain";
 }
 
 TEST_F(Control, HelpListsEveryKindOfViolation) {
@@ -412,7 +412,7 @@ TEST_F(Control, HelpListsEveryKindOfViolation) {
                                      "parameters_not_set", "velocity_not_loaded"));
 }
 
-/// What a list of `set` names says of one of them, for a kind of module.
+/// The row of `help` for one `set` name and one kind of module.
 nlohmann::json inputOf(const nlohmann::json& help, std::string_view module, std::string_view name) {
     for (const auto& row : help["set"])
         if (row["name"] == name && (row["module"] == module || row["module"] == "any"))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults on the wire and in modules, one kind after the other, by what a host gets to see.
+// Faults on the line and in modules, one kind after the other, as a host sees them.
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
@@ -34,7 +34,7 @@ protected:
     unsigned executed(unsigned module, CommandCode code) {
         return static_cast<unsigned>(wire.chain.statistics().modules[module - 1].executions(code));
     }
-    /// After damage to commands: what every host does, outside faults.
+    /// Brings the modules back in step after damaged commands, as every host does, and without faults.
     void flush() {
         say("fault clear");
         wire.exchange(Bytes(20, 0));
@@ -58,7 +58,7 @@ TEST_F(Faults, AreListedCountedAndCleared) {
         {"fault":1,"text":"bus drop status n=2","struck":1,"active":true},
         {"fault":2,"text":"module 3 cksum p=0","struck":0,"active":true}])"));
     nop(1);
-    EXPECT_EQ(say("faults")["faults"][0]["active"], false) << "twice and no more";
+    EXPECT_EQ(say("faults")["faults"][0]["active"], false) << "it strikes twice and no more";
     EXPECT_EQ(nop(1), kIdle);
     say("fault clear");
     EXPECT_THAT(say("faults")["faults"], IsEmpty());
@@ -99,7 +99,7 @@ TEST_F(Faults, DropLosesOneByteOfACommandSoThatTheNextBecomesItsTail) {
 
 TEST_F(Faults, DropAtOneModuleLeavesTheOthersAlone) {
     fault("module 2 drop cmd on=save_as_home n=1");
-    EXPECT_EQ(nop(2), kIdle) << "not that command";
+    EXPECT_EQ(nop(2), kIdle) << "it is for another command";
     wire.command(0xFF, 0x0C);
     flush();
     EXPECT_EQ(executed(1, CommandCode::SaveAsHome), 1U);
@@ -109,7 +109,7 @@ TEST_F(Faults, DropAtOneModuleLeavesTheOthersAlone) {
 
 TEST_F(Faults, DupDoublesOneByte) {
     fault("module 1 dup status n=1");
-    EXPECT_THAT(wire.command(2, 0x13, {0x3F}), SizeIs(16)) << "another module's";
+    EXPECT_THAT(wire.command(2, 0x13, {0x3F}), SizeIs(16)) << "another module's reply";
     const Bytes reply = wire.command(1, 0x13, {0x3F});
     ASSERT_THAT(reply, SizeIs(17));
     const Bytes right = wire.command(1, 0x13, {0x3F});
@@ -168,7 +168,7 @@ TEST_F(Faults, CollidedCommandsAreExecutedAsWhatTheyHaveBecome) {
                    g.el != 0x3FFF || g.sr != 1 || g.db != 0;
     }
     EXPECT_EQ(wire.chain.statistics().modules[0].checksumErrors, 0U);
-    EXPECT_GT(changed, 10) << "the others hit the address or the command";
+    EXPECT_GT(changed, 10) << "the other collisions hit the address or the command";
 }
 
 TEST_F(Faults, TruncateLosesTheRest) {
@@ -224,7 +224,7 @@ TEST_F(Faults, DelayOnTheBusHoldsTheReplyUpWhateverTheHostSends) {
     wire.now += sent;
     wire.chain.advanceTo(wire.now);
     EXPECT_THAT(wire.chain.takeHostBytes(), IsEmpty());
-    // The answer of the next command waits behind the late one.
+    // The answer to the next command waits for the late one.
     const auto both = wire.exchange(packet(2, 0x0E));
     ASSERT_THAT(both, SizeIs(4));
     EXPECT_GE(both[0].due - TimePoint{}, wire.now - TimePoint{} - milliseconds(60));
@@ -364,7 +364,7 @@ TEST_F(Faults, MutesAndEchoesCountTheirBytes) {
     EXPECT_EQ(struckOnce("bus mute tx"), 8);
     EXPECT_EQ(struckOnce("module 2,3 mute tx"), 8) << "each byte once";
     EXPECT_EQ(struckOnce("bus echo"), 8);
-    EXPECT_EQ(struckOnce("bus echo at=1000"), 0) << "not begun";
+    EXPECT_EQ(struckOnce("bus echo at=1000"), 0) << "it has not begun";
 }
 
 /// A half-duplex adapter hears each byte as it leaves: at 19 200 Bd four bytes have come back by 2.083 ms,
@@ -458,7 +458,7 @@ TEST_F(Faults, DefineStatusIsAnotherHostsWork) {
 
 // ---- All of them ----
 
-/// A session with many faults at once, as the host hears it.
+/// The bytes that the host receives in a session with many faults at once.
 Bytes session(std::uint64_t seed, bool more) {
     HostWire wire("servo,servo,step", withFaults(seed));
     wire.address(3);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DS-V 5.2 Set Homing Mode: what the simulator has to do besides its statements, which tests/conformance has.
+// DS-V 5.2 Set Homing Mode: the simulator's behaviour beyond the statements of the data sheet, which
+// tests/conformance covers.
 #include "tests/sim/hostwire.h"
 
 namespace nmc::sim::test {
@@ -65,7 +66,7 @@ TEST_F(HomingSearch, TheIndexStaysWithTheShaftWhenThePositionIsReset) {
 }
 
 TEST_F(HomingSearch, TheAuxiliaryBitIsTheComplementOfTheIndex) {
-    EXPECT_EQ(wire.report().auxiliary & 1U, 0U) << "the shaft stands on its index";
+    EXPECT_EQ(wire.report().auxiliary & 1U, 0U) << "the shaft is at its index";
     wire.trapezoid(100, 2 * kOne, kOne);
     wire.wait(milliseconds(300));
     EXPECT_EQ(wire.report().auxiliary & 1U, 1U);

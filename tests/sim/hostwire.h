@@ -19,7 +19,7 @@ using Bytes = std::vector<std::uint8_t>;
 inline constexpr Duration kTick = std::chrono::microseconds(512);
 /// One count, or one count per tick, in 16.16.
 inline constexpr std::uint32_t kOne = 65536;
-/// What a servo answers that has nothing to do since it was powered up: move_done, power_on, pos_error.
+/// The answer of a servo that has been idle since power-up: move_done, power_on, pos_error.
 inline const Bytes kIdle{0x19, 0x19};
 
 inline Bytes values(const std::vector<HostByte>& bytes) {
@@ -29,7 +29,7 @@ inline Bytes values(const std::vector<HostByte>& bytes) {
     return all;
 }
 
-/// A command packet with its sum, made without the host's code.
+/// A command packet with its sum, made independently of the host's code.
 inline Bytes packet(unsigned address, unsigned command, const Bytes& data = {}) {
     Bytes bytes{0xAA, static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(command)};
     for (const std::uint8_t byte : data)
@@ -60,7 +60,7 @@ inline Bytes gainData(unsigned kp, unsigned kd, unsigned ki, unsigned il, unsign
     return data;
 }
 
-/// Items 2F: position, A/D, velocity, auxiliary byte, type and version.
+/// Items 1F: position, A/D, velocity, auxiliary byte and home.
 struct Report {
     unsigned status = 0;
     std::int32_t position = 0;
@@ -75,7 +75,7 @@ struct Report {
     [[nodiscard]] bool servoOn() const { return (auxiliary & 0x04U) != 0; }
 };
 
-/// The least a host needs: sends packets, waits for what comes back, keeps the time.
+/// A minimal host: sends packets, waits for replies and keeps the time.
 class HostWire {
 public:
     explicit HostWire(std::string_view spec = "servo", ChainOptions options = {})
@@ -83,7 +83,7 @@ public:
         wait(options.resetDeadTime + std::chrono::milliseconds(2));
     }
 
-    /// Time passes; what arrives in it is thrown away.
+    /// Lets time pass; bytes that arrive meanwhile are discarded.
     void wait(Duration time) {
         now += time;
         chain.advanceTo(now);
@@ -91,7 +91,7 @@ public:
     }
     void waitTicks(int ticks) { wait(kTick * ticks); }
 
-    /// Sends and lets the line fall silent.
+    /// Sends `bytes` and waits until the line is silent; returns what was received.
     std::vector<HostByte> exchange(const Bytes& bytes) {
         chain.hostSends(bytes, now);
         while (const auto next = chain.nextEvent()) {
@@ -104,7 +104,7 @@ public:
         return values(exchange(packet(address, code, data)));
     }
 
-    /// Gives the modules the addresses 1..count, group FF, no leader.
+    /// Assigns the addresses 1..count to the modules, in group FF without a leader.
     void address(unsigned count) {
         for (unsigned i = 1; i <= count; ++i)
             ASSERT_EQ(command(0, 0x21, {static_cast<std::uint8_t>(i), 0xFF}).size(), 2U) << "module " << i;
@@ -128,7 +128,7 @@ public:
     void gains(const Bytes& data, unsigned at = 1) { command(at, data.size() == 13 ? 0xD6 : 0xE6, data); }
     /// Amplifier on, motor off.
     void enableAmplifier(unsigned at = 1) { command(at, 0x17, {0x03}); }
-    /// Amplifier on, servo on where it stands.
+    /// Amplifier on, servo on at its present position.
     void servoOn(unsigned at = 1) { command(at, 0x17, {0x05}); }
     void trapezoid(std::int32_t goal, std::uint32_t velocity, std::uint32_t acceleration, unsigned at = 1) {
         Bytes data{0x97};

@@ -72,7 +72,7 @@ TEST(Line, AByteOfTheHostCutsAReplyShortAndTheNewCommandIsAnswered) {
     wire.wait(milliseconds(5));
     const TimePoint cut = wire.now;
     const auto reply = wire.exchange(packet(1, 0x0E));
-    // What was complete when the first byte had come in is there, then only the second answer.
+    // The bytes that were complete when the first byte arrived are there, then only the second answer.
     const TimePoint firstByteIn = cut + nanoseconds(10'000'000'000 / 19'200);
     std::size_t before = 0;
     while (before < reply.size() && reply[before].due <= firstByteIn)
@@ -99,7 +99,8 @@ TEST(Line, AWrongSumIsAnsweredWithTheErrorBitAndNotExecuted) {
     wire.address(1);
     Bytes wrong = packet(1, 0x12, {0x20});
     wrong.back() ^= 0x10;
-    EXPECT_EQ(values(wire.exchange(wrong)), (Bytes{0x1B, 0x1B})) << "bit 1, and the items of before";
+    EXPECT_EQ(values(wire.exchange(wrong)), (Bytes{0x1B, 0x1B}))
+        << "bit 1 is set, and the items are as before";
     EXPECT_EQ(wire.command(1, 0x0E), kIdle) << "the bit is about the packet just received";
     EXPECT_EQ(wire.chain.statistics().modules[0].checksumErrors, 1U);
     EXPECT_EQ(wire.chain.statistics().modules[0].executions(CommandCode::DefineStatus), 0U);
@@ -129,7 +130,7 @@ TEST(Line, ALostByteMakesTheNextPacketTheTailAndSixteenNullsRecover) {
     EXPECT_FALSE(wire.truth().servo.ampEnabled);
     EXPECT_EQ(wire.command(1, 0x0E), kIdle);
 
-    // The longest packet, cut behind its command byte: 15 data bytes and the sum are wanted.
+    // The longest packet, cut after its command byte: 15 data bytes and the sum are missing.
     EXPECT_TRUE(wire.exchange({0xAA, 0x01, 0xFE}).empty());
     EXPECT_TRUE(wire.exchange(packet(1, 0x0E)).empty());
     wire.exchange(Bytes(16, 0));
@@ -154,8 +155,9 @@ TEST(Line, BytesAreGarbledFromFourPercentAndAllOfThemFromFive) {
     EXPECT_EQ(garbleProbability(realRate(20), 57'600), 0.0);   // +3.3 %
     EXPECT_EQ(garbleProbability(realRate(21), 57'600), 0.0);   // -1.4 %
     EXPECT_EQ(garbleProbability(realRate(10), 115'200), 0.0);  // -1.4 %
-    // Of 16 samples a bit 8 are left at 9.5 bits, two of them uncertain: 6/152 = 3.947 % to 8/152 = 5.263 %.
-    // 9 200 Bd is 4.32 % below brd 129's 9615: (0.0432 * 152 - 6) / 2 = 0.2832. 9 100 Bd is 5.36 % below.
+    // At 16 samples per bit, the margin at 9.5 bits is 8 samples, two of them uncertain: 6/152 = 3.947 % to
+    // 8/152 = 5.263 %. 9 200 Bd is 4.32 % below brd 129's 9615: (0.0432 * 152 - 6) / 2 = 0.2832. 9 100 Bd
+    // is 5.36 % below.
     EXPECT_NEAR(garbleProbability(realRate(129), 9'200), 0.2832, 1e-4);
     EXPECT_EQ(garbleProbability(realRate(129), 9'100), 1.0);
     EXPECT_EQ(garbleProbability(realRate(63), 115'200), 1.0);
@@ -301,7 +303,7 @@ RC_GTEST_PROP(Line, WhateverBytesArriveTheChainLivesAndRecovers, ()) {
                                               {1, rc::gen::inRange<std::uint8_t>(0, 4)}})));
     for (const Bytes& chunk : chunks) {
         wire.exchange(chunk);
-        // Whole packets with random commands too: those get behind the checksum.
+        // Complete packets with random commands, too, which pass the checksum.
         if (!chunk.empty())
             wire.command(chunk[0] % 4U, chunk.back() & 0x0FU, {});
         wire.wait(milliseconds(20));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The motor against closed forms: nothing else is tested against it before.
+// Compares the motor with closed forms, because the other tests rely on it.
 #include "sim/motorplant.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(MotorPlant, RunsAtTheNoLoadSpeedOfItsConstants) {
 
 TEST(MotorPlant, HasTheMechanicalTimeConstantRJOverKSquared) {
     MotorParameters p;
-    p.inductanceHenry = 1e-6;  // R/L 1.1 million per second: the current follows at once
+    p.inductanceHenry = 1e-6;  // R/L 1.1 million per second: the current follows immediately
     p.viscousNmS = 0;
     p.coulombNm = 0;
     MotorPlant motor(p);

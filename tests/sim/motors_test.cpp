@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The motors that people have: what `set` makes of the simulator's, each against a closed form.
+// Properties that real motors have and `set` gives to the simulated one, each compared with a closed form.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ protected:
         EXPECT_EQ(say("set 1 " + nameAndValue), nlohmann::json({{"ok", true}})) << nameAndValue;
     }
     double state(const char* key) { return say("state 1")[key].get<double>(); }
-    /// Counts per second that it comes to at a PWM value.
+    /// The speed that it reaches at a PWM value, in counts per second.
     double speedAt(int pwm) {
         wire.pwm(pwm);
         wire.wait(seconds(2));
@@ -49,7 +49,7 @@ TEST_F(Motors, HaveTheGainInCountsPerSecondForAPwmCount) {
     set("gain 300");
     EXPECT_NEAR(speedAt(100), 100 * 300 * kViscous, 1);
     EXPECT_NEAR(speedAt(-20), -20 * 300 * kViscous, 1);
-    // At friction's torque M the speed is less by M R / k^2 rad/s.
+    // A friction torque M reduces the speed by M R / k^2 rad/s.
     set("friction 0.002");
     EXPECT_NEAR(speedAt(100),
                 kViscous * (30'000 - 0.002 * 1.1 / (0.038 * 0.038) * 2'000 / (2 * std::numbers::pi)), 1);
@@ -122,21 +122,22 @@ TEST_F(Motors, HaveAnEncoderWithNoise) {
     // variance.
     EXPECT_NEAR(mean, 0.0, 4 * 3.014 / std::sqrt(4'000));
     EXPECT_NEAR(variance, 9.083, 4 * 9.083 * std::sqrt(2.0 / 4'000));
-    EXPECT_EQ(two.truth(1).servo.shaftCounts, 0.0) << "the shaft stands";
+    EXPECT_EQ(two.truth(1).servo.shaftCounts, 0.0) << "the shaft is at rest";
     EXPECT_NE(noiseOf(two, 2), off);
     HostWire again("servo,servo");
     again.set(Input::EncoderNoise, 3.0, 1);
     EXPECT_EQ(noiseOf(again, 1), off) << "one seed, one history";
     again.set(Input::EncoderNoise, 0.0, 1);
     again.waitTicks(1);
-    EXPECT_EQ(again.truth(1).servo.position, 0) << "nothing of it stays";
+    EXPECT_EQ(again.truth(1).servo.position, 0) << "the noise leaves no offset";
 }
 
 // ---- A second mass on a spring ----
 
 TEST(ElasticLoad, SwingsAgainstTheShaftAtItsResonance) {
-    // Hung at rest on a shaft that coasts at w0 without friction: of w0 stays J1 / (J1 + J2), and the rest is
-    // the damped swing of J1 J2 / (J1 + J2) on the spring, whose speed begins with w0 and whose twist with 0.
+    // The second mass is at rest when it is attached to a shaft that coasts at w0 without friction: w0 J1 /
+    // (J1 + J2) remains, and the rest is the damped swing of J1 J2 / (J1 + J2) on the spring, which begins
+    // with a speed of w0 and a twist of 0.
     for (const double hertz : {20.0, 50.0, 400.0})
         for (const double share : {0.2, 1.0, 5.0}) {
             MotorParameters p;
@@ -158,7 +159,8 @@ TEST(ElasticLoad, SwingsAgainstTheShaftAtItsResonance) {
                 const double swing = std::exp(-kZeta * omega * t) *
                                      (std::cos(root * omega * t) - kZeta / root * std::sin(root * omega * t));
                 const double expected = begin * (1 + share * swing) / (1 + share);
-                // Leapfrog: (omega 128 us)^2 / 24 too fast, 0.4 % at 400 Hz, over 2.5 turns of 2 pi.
+                // Leapfrog integration is too fast by (omega 128 us)^2 / 24, which is 0.4 % at 400 Hz,
+                // over 2.5 turns of 2 pi.
                 ASSERT_NEAR(motor.speedRadPerSecond(), expected, (hertz > 100 ? 0.08 : 0.01) * begin)
                     << hertz << " Hz, " << share << ", " << t << " s";
             }
@@ -187,10 +189,11 @@ TEST_F(Motors, CarryASecondMassOnASpring) {
     const double begin = state("velocity") / 512e-6;
     set("resonance 40");
     set("elastic_inertia 1.7e-5");  // as much as the rotor's
-    wire.waitTicks(24);             // half of 25 ms: all of the speed has gone over
+    wire.waitTicks(24);             // half of 25 ms: all of the speed has been passed on
     EXPECT_NEAR(state("velocity") / 512e-6, 0.0, 0.1 * begin);
     wire.wait(seconds(1));
-    EXPECT_NEAR(state("velocity") / 512e-6, 0.5 * begin, 0.05 * begin) << "momentum stays, by and by shared";
+    EXPECT_NEAR(state("velocity") / 512e-6, 0.5 * begin, 0.05 * begin)
+        << "momentum is conserved, and shared after a while";
     EXPECT_EQ(state("elastic_inertia"), 1.7e-5);
     EXPECT_EQ(state("resonance"), 40.0);
 }

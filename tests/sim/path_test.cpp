@@ -9,7 +9,7 @@
 namespace nmc::sim {
 namespace {
 
-/// Counts of a word: its magnitude stands above F and D and the zeros of its rate.
+/// A word and its counts: the magnitude is above F, D and the zeros of its rate.
 struct Segment {
     int counts = 0;
     int ticks = 0;

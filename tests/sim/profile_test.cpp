@@ -32,7 +32,7 @@ Move finish(Profile& profile, std::int64_t vmax, std::int64_t a, std::int64_t li
         const std::int64_t moved = profile.finePosition() - before;
         if (std::abs(moved) > vmax)
             ADD_FAILURE() << "moved " << moved << " in tick " << run.ticks;
-        // The last step's velocity is what it moved by; then it stands.
+        // The velocity of the last step is the distance that it moved; after that, it is at rest.
         if (std::abs(moved - v) > a || (profile.done() && std::abs(moved) > a))
             ADD_FAILURE() << "velocity from " << v << " to " << moved << " in tick " << run.ticks;
         run.peak = std::max(run.peak, std::abs(moved));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ten minutes of a host that does anything it may, and much that it should not; its own books, kept from the
-// bytes on the wire alone, against `stats` and `state`.
+// Ten minutes of a host that does everything it may, and much that it should not. Its own books, kept only
+// from the bytes on the line, are compared with `stats` and `state`.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -56,9 +56,9 @@ struct Book {
     std::optional<Bytes> gains;  ///< when they were in range
     unsigned pinControl = kInputs;
     unsigned outputs = 0x10;
-    std::optional<std::int32_t> home = 0;  ///< nothing: a home search may have changed it
+    std::optional<std::int32_t> home = 0;  ///< empty: a home search may have changed it
 
-    // The world outside, which no reset changes.
+    // Inputs from outside, which no reset changes.
     std::map<std::string, unsigned> set;
 
     std::map<std::string, unsigned> executed;
@@ -87,7 +87,7 @@ std::size_t sizeOfItems(unsigned items) {
     return size;
 }
 
-/// A status packet; what was not sent is absent.
+/// A status packet; items that were not sent are absent.
 struct Reply {
     unsigned status = 0;
     std::array<std::optional<std::uint32_t>, 6> item;
@@ -164,14 +164,14 @@ private:
         m_now += time;
         m_chain.advanceTo(m_now);
         take();
-        EXPECT_TRUE(m_heard.empty()) << "nobody was asked";
+        EXPECT_TRUE(m_heard.empty()) << "no module was queried";
         m_heard.clear();
     }
     void send(const Bytes& bytes) {
         m_bytesIn += bytes.size();
         m_chain.hostSends(bytes, m_now);
     }
-    /// Until the line is silent.
+    /// Receives until the line is silent.
     Bytes hear() {
         while (const auto next = m_chain.nextEvent()) {
             m_now = *next;
@@ -186,7 +186,7 @@ private:
 
     // ---- Commands ----
 
-    /// Without an address it wakes when its neighbour away from the host has one.
+    /// A module without an address is awake once its neighbour on the side away from the host has one.
     [[nodiscard]] bool isAwake(const Book& book) const {
         return book.address != 0 || &book == m_books.data() || (&book)[-1].address != 0;
     }
@@ -195,7 +195,7 @@ private:
         return address == book.address || address == book.group || resetsAll;
     }
 
-    /// One command to its end, in the books before and after.
+    /// Sends one command, waits for its end, and enters it in the books.
     std::optional<Reply> command(unsigned address, unsigned command, const Bytes& data = {},
                                  bool good = true) {
         Bytes bytes = packet(address, command, data);
@@ -234,7 +234,7 @@ private:
         const Reply reply(bytes, items);
         EXPECT_EQ(reply.bit(1), !good);
         look(*answering, reply);
-        // Position and home of one reply are of one instant.
+        // Position and home in one reply are of the same instant.
         if (good && (command & 0x0FU) == 0x0C && reply.item[0] && reply.item[4]) {
             EXPECT_EQ(reply.item[0], reply.item[4]);
         }
@@ -244,7 +244,7 @@ private:
         return reply;
     }
 
-    /// What every reply must agree with.
+    /// Checks what is the same in every reply.
     void look(const Book& book, const Reply& reply) {
         EXPECT_EQ(reply.bit(3), book.set.at("power") != 0);
         if (!book.isStep) {
@@ -306,7 +306,7 @@ private:
                 book.code = data[0];
                 return;
             case 0xC:
-                book.home.reset();  // whatever it is; a reply will tell
+                book.home.reset();  // unknown until a reply contains it
                 return;
             case 0xF:
                 book.reset();
@@ -335,7 +335,7 @@ private:
             std::any_of(m_books.begin(), m_books.end(), [&](const Book& b) { return b.address == address; }));
         command(book.address, 0x21, groupData(book, address));
     }
-    /// FF twice as often as the two others; a leader only where there is none.
+    /// FF twice as often as the two other groups; a leader only where there is none.
     Bytes groupData(const Book& book, unsigned address) {
         const unsigned group = std::array{0xFFU, 0xFFU, 0x81U, 0xA0U}[below(4)];
         const bool isLed = std::any_of(m_books.begin(), m_books.end(), [&](const Book& other) {
@@ -349,21 +349,22 @@ private:
         for (Book& book : m_books)
             if (book.group != kEveryone)
                 command(book.address, 0x21, {static_cast<std::uint8_t>(book.address), kEveryone});
-        // A leader's answer comes at the new rate.
+        // A leader answers at the new rate.
         send(packet(kEveryone, 0x1A, {rate.code}));
         m_chain.setHostBaud(rate.baud);
         m_rate = rate;
         finish(kEveryone, 0x1A, {rate.code}, true);
     }
 
-    /// By itself or all of them. At another rate than the power-up rate all, before the first hears again.
+    /// Resets one module or all; at a rate other than the power-up rate all, before the first one listens
+    /// again.
     void reset() {
         Book& one = anyModule();
         if (m_rate.baud == kPowerUp.baud && below(3) > 0) {
             powerCycleOr([&] { command(one.address, 0x0F); }, one);
         } else {
             if (m_rate.baud < kPowerUp.baud)
-                changeRate(kPowerUp);  // or the first would hear again before the last is told
+                changeRate(kPowerUp);  // otherwise the first would listen again before the last is reset
             const bool reachesAll = std::all_of(m_books.begin(), m_books.end(), [](const Book& b) {
                 return b.group == kEveryone || b.isStep;
             });
@@ -402,7 +403,7 @@ private:
         book.set[name] = value;
     }
 
-    /// A reply that is cut by a null: it counts, but not as a reply.
+    /// A reply that is cut short by a null: the command counts as executed, but not as answered.
     void cut() {
         Book& book = anyModule();
         ++book.executed["read_status"];
@@ -417,7 +418,7 @@ private:
         ++book.dropped;
     }
 
-    /// A packet that breaks off; nulls make up for what is missing, and one of them is taken for the sum.
+    /// A packet that is cut off; nulls replace what is missing, and one of them is taken for the sum.
     void tear() {
         const unsigned address = anyModule().address;
         const unsigned length = below(15);
@@ -454,7 +455,7 @@ private:
         wait(microseconds(600) + microseconds(below(1'000) * kPauses[below(kPauses.size())]));
     }
 
-    /// Anything that is no header.
+    /// Sends anything that is not a header.
     void sendNoise() {
         Bytes noise = below(2) == 0 ? Bytes(1 + below(30), 0) : randomBytes(1 + below(20));
         std::replace(noise.begin(), noise.end(), std::uint8_t{0xAA}, std::uint8_t{0xAB});
@@ -500,7 +501,7 @@ private:
             case 0xA:
             case 0xF:
             case 0xD:
-                return;  // changeRate() and reset(); D is not in the sheets
+                return;  // done by changeRate() and reset(); D is not in the data sheets
             case 0xB:
                 if (address == book.address && !book.isStep)
                     command(address, 0x0B, {}, good);
@@ -510,7 +511,7 @@ private:
         }
     }
 
-    /// Mostly what makes a motor move; at times anything.
+    /// Mostly loads that make a motor move, and sometimes arbitrary bytes.
     void loadTrajectory(const Book& book, unsigned address, bool good) {
         if (below(4) == 0) {
             const Bytes data = randomBytes(1 + below(14));
@@ -543,7 +544,7 @@ private:
     // ---- Checkpoints ----
 
     void check() {
-        // At rest, or the reply and the truth would be of different instants.
+        // Stops all motors, because otherwise the reply and the true state would be of different instants.
         for (Book& book : m_books) {
             command(book.address, 0x19, {0x00});
             command(book.address, 0x17, {static_cast<std::uint8_t>(book.isStep ? 0x04 : 0x02)});
@@ -584,7 +585,7 @@ private:
             if (book.gains)
                 checkGains(book, state["gains"]);
         }
-        // From here on it is known again: no home search is under way.
+        // From here on, home is known again, because no search is in progress.
         book.home = reply->home();
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands as bytes: what the simulator makes of them besides the statements of DS-V 5.2 and 4.5, which
-// tests/conformance has.
+// Commands as bytes: the simulator's behaviour beyond the statements of DS-V 5.2 and 4.5, which
+// tests/conformance covers.
 #include "tests/sim/hostwire.h"
 
 namespace nmc::sim::test {
@@ -24,9 +24,9 @@ protected:
 
 TEST(ServoPowerUp, EstablishesTheStateOfTheDataSheet) {
     HostWire wire;
-    // Type, version, home, aux, velocity, A/D, position: everything that can be asked for.
+    // Type, version, home, aux, velocity, A/D, position: everything that can be requested.
     EXPECT_EQ(wire.command(0, 0x13, {0x3F}), (Bytes{0x19, 0, 0, 0, 0, 0, 0, 0, 0x00, 0, 0, 0, 0, 0, 4, 0x1D}))
-        << "move_done, power, pos_error set; aux clear (the shaft stands on its index)";
+        << "move_done, power, pos_error set; aux clear (the shaft is at its index)";
     const ModuleSnapshot s = wire.truth();
     EXPECT_EQ(s.address, 0);
     EXPECT_EQ(s.group, 0xFF);
@@ -68,7 +68,7 @@ TEST_F(Servo, DefineStatusIsPermanentAndItsReplyAlreadyHasTheItems) {
     EXPECT_EQ(wire.command(1, 0x0E).size(), 4U);
     EXPECT_EQ(wire.command(1, 0x13, {0x01}).size(), 6U);
     EXPECT_EQ(wire.command(1, 0x0E).size(), 4U) << "Read Status is for its own reply only";
-    EXPECT_EQ(wire.command(1, 0x13, {0xC0}).size(), 2U) << "items 6 and 7 are nothing";
+    EXPECT_EQ(wire.command(1, 0x13, {0xC0}).size(), 2U) << "items 6 and 7 do not exist";
 }
 
 TEST_F(Servo, VelocityModeFollowsTheVelocityAndReportsItsNegative) {

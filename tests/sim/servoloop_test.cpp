@@ -18,7 +18,7 @@ TEST(PidFilter, ComputesTheSumOfThreeTermsInIntegers) {
     g.ki = 50;
     g.il = 2;
     PidFilter f;
-    // Running sum 300, over 256 is 1.
+    // The running sum is 300; divided by 256, this is 1.
     EXPECT_EQ(f.output(g, 300), 100 * 300 + 1000 * 300 + 50 * 1);
     // The sum is held at 2 * 256.
     EXPECT_EQ(f.output(g, 290), 100 * 290 - 1000 * 10 + 50 * 2);
@@ -146,7 +146,7 @@ TEST(StepResponse, OvershootsByHalfWithoutDamping) {
 class Loop : public testing::Test {
 protected:
     Loop() { wire.address(1); }
-    /// Blocks the shaft where it stands.
+    /// Blocks the shaft at position 0.
     void block() {
         wire.set(Input::TravelMin, 0);
         wire.set(Input::TravelMax, 0);
@@ -204,7 +204,7 @@ TEST_F(Loop, AnErrorBeyondTheLimitDisablesTheServo) {
     wire.command(1, 0x0B);
     wire.command(1, 0x57, {0x11, 50, 0, 0, 0});
     wire.waitTicks(5);
-    EXPECT_FALSE(wire.report().positionError()) << "larger than the limit, not equal";
+    EXPECT_FALSE(wire.report().positionError()) << "the error must be larger than the limit, not equal to it";
     wire.command(1, 0x57, {0x11, 51, 0, 0, 0});
     wire.waitTicks(5);
     const Report r = wire.report();
@@ -212,7 +212,7 @@ TEST_F(Loop, AnErrorBeyondTheLimitDisablesTheServo) {
     EXPECT_FALSE(r.servoOn());
     EXPECT_TRUE(r.moveDone());
     EXPECT_EQ(wire.truth().servo.pwm, 0);
-    EXPECT_EQ(wire.truth().servo.commandPosition, 0) << "follows the motor";
+    EXPECT_EQ(wire.truth().servo.commandPosition, 0) << "it follows the motor";
 }
 
 TEST_F(Loop, CurrentLimitingTakesOneCountPerTickWhileOverAndGivesItBack) {
@@ -225,13 +225,13 @@ TEST_F(Loop, CurrentLimitingTakesOneCountPerTickWhileOverAndGivesItBack) {
     EXPECT_FALSE(wire.report().overcurrent());
     wire.set(Input::Analog, 101);
     wire.waitTicks(10);
-    EXPECT_EQ(wire.truth().servo.currentLimitAdjustment, 0) << "exceeds, not equal";
+    EXPECT_EQ(wire.truth().servo.currentLimitAdjustment, 0) << "the current must exceed the limit";
     wire.set(Input::Analog, 102);
     wire.waitTicks(30);
     EXPECT_EQ(wire.truth().servo.currentLimitAdjustment, 30);
     EXPECT_EQ(wire.truth().servo.pwm, 70);
     wire.waitTicks(200);
-    EXPECT_EQ(wire.truth().servo.currentLimitAdjustment, 100) << "at most the output";
+    EXPECT_EQ(wire.truth().servo.currentLimitAdjustment, 100) << "it is at most the output";
     wire.set(Input::Analog, 50);
     wire.waitTicks(40);
     EXPECT_EQ(wire.truth().servo.pwm, 40);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DS-S 3 and 5: what a stepper answers, and the commands that are not motion.
+// DS-S 3 and 5: the answers of a stepper, and the commands that do not cause motion.
 #include "tests/sim/stepperwire.h"
 
 namespace nmc::sim::test {
@@ -18,8 +18,9 @@ TEST(StepperStatus, AfterPowerUpTheReplyIsStatusAndSum) {
 TEST(StepperStatus, TheTypeIs3AndTheVersion1) {
     StepperWire wire;
     EXPECT_EQ(wire.command(1, 0x13, {0x20}), (Bytes{0x0C, 3, 1, 0x10}));
-    EXPECT_EQ(wire.command(1, 0x0E).size(), 2U) << "Read Status is for once";
-    EXPECT_EQ(wire.command(1, 0x12, {0x24}).size(), 6U) << "Define Status has its items already";
+    EXPECT_EQ(wire.command(1, 0x0E).size(), 2U) << "Read Status applies only once";
+    EXPECT_EQ(wire.command(1, 0x12, {0x24}).size(), 6U)
+        << "the answer to Define Status already has its items";
     EXPECT_EQ(wire.command(1, 0x0E).size(), 6U);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shaft on a stepper: hard stops, and switches that it works.
+// The shaft on a stepper: hard stops, and switches that it operates.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -86,7 +86,7 @@ TEST_F(StepperMachineTest, AWholeRunInOneGoEndsAtTheSwitchAsInSmallSlices) {
         for (const TimePoint until = fast.now + milliseconds(2520); fast.now < until;)
             fast.wait(slice);
         EXPECT_EQ(fast.step().shaft, 70'000);
-        // 25.6 steps in the tick in which it gets there.
+        // It makes 25.6 steps in the tick in which it arrives there.
         EXPECT_NEAR(fast.position(), 70'013, 13);
         return fast.position();
     };

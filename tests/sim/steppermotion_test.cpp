@@ -49,7 +49,7 @@ TEST(StepperTimer, TakesCountsFrom1To65452AndNoOthers) {
         wire.load({.count = std::uint16_t{0}});
         EXPECT_EQ(wire.step().timerCount, 1);
     }
-    // The largest count at 8x is the fastest there is.
+    // The largest count at 8x gives the highest speed.
     StepperWire wire;
     wire.parameters(k8x);
     wire.load({.count = std::uint16_t{65'452}});
@@ -69,7 +69,7 @@ TEST(Unprofiled, StopsAbruptlyAtTheLoadedPosition) {
     for (const std::int32_t goal : {5000, -5000}) {
         StepperWire wire;
         wire.parameters(k1x, 50);
-        // The direction bit is for the modes without a position.
+        // The direction bit applies only to the modes without a position.
         wire.load({.position = goal, .count = std::uint16_t{65'536 - 125 + 2}, .reverse = goal > 0});
         EXPECT_NEAR(toSeconds(wire.timeToStop()), 1.0, 0.02);
         EXPECT_EQ(wire.position(), goal);
@@ -131,7 +131,7 @@ TEST(VelocityProfile, ASmoothStopRampsToTheMinimumAndThenStops) {
     const std::int32_t from = wire.position();
     wire.stop(0x09);
     EXPECT_NEAR(toSeconds(wire.timeToStop()), 0.1, 0.003);
-    // 1 ms at each of 150 ... 51: 10 050 x 25 x 0.001 = 251 steps, and what it ran while the command came.
+    // 1 ms at each of 150 ... 51: 10 050 x 25 x 0.001 = 251 steps, plus those made while the command arrived.
     EXPECT_NEAR(wire.position() - from, 251 + 0.0031 * 150 * 25, 4);
     // The goal speed is 0 now, and that is below the minimum.
     wire.load({});

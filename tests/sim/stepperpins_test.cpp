@@ -24,7 +24,7 @@ TEST_F(StepperPinsTest, Limit1StopsForwardAndLimit2ReverseMotionAndTheWayBackIsF
         run(reverse);
         wire.set(other, 1);
         wire.waitTicks(2);
-        EXPECT_TRUE(moving()) << "off that switch";
+        EXPECT_TRUE(moving()) << "it moves away from that switch";
         wire.set(other, 0);
         wire.set(own, 1);
         wire.waitTicks(2);
@@ -63,7 +63,7 @@ TEST_F(StepperPinsTest, StoppingAtLimitsCanBeDisabled) {
     EXPECT_TRUE(moving());
     wire.parameters(k1x);
     wire.waitTicks(2);
-    EXPECT_FALSE(moving()) << "the bit counts in motion as well";
+    EXPECT_FALSE(moving()) << "the bit takes effect in motion, too";
 }
 
 TEST_F(StepperPinsTest, EStopStopsAndCanBeDisabled) {
@@ -94,7 +94,7 @@ TEST_F(StepperPinsTest, TheMotorIsTurnedOffOnLimitOrEStopWhenAskedTo) {
         EXPECT_FALSE(amplifier());
         wire.set(input, 0);
         wire.waitTicks(2);
-        EXPECT_FALSE(amplifier()) << "until a Stop Motor command enables it";
+        EXPECT_FALSE(amplifier()) << "it stays off until a Stop Motor command enables it";
     }
 }
 
@@ -194,7 +194,7 @@ TEST_F(StepperPinsTest, CapturesHomeOnAChangeOfTheFlaggedSwitchOnly) {
             const StepperReport r = wire.stepReport();
             EXPECT_EQ(r.status & 0x80U, 0U);
             EXPECT_NEAR(r.home, there, 1);
-            EXPECT_GT(r.position, r.home + 90) << "without a stop bit it goes on";
+            EXPECT_GT(r.position, r.home + 90) << "without a stop bit, the motion continues";
         }
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DS-S 5.1, Table 4: which mode may follow which, and what must be loaded for it.
+// DS-S 5.1, Table 4: which mode may follow which, and what must be loaded for the transition.
 #include <memory>
 
 #include "tests/sim/stepperwire.h"
@@ -38,7 +38,7 @@ std::unique_ptr<StepperWire> inMode(StepperMode mode) {
     return wire;
 }
 
-/// The parameters that lead to a goal from standstill, or in motion.
+/// The parameters that lead to the mode `goal`, from standstill or in motion.
 Load toward(StepperMode goal, bool fromStandstill) {
     Load l;
     if (goal == Trapezoidal || (goal == UnprofiledWithStop && fromStandstill))
@@ -67,8 +67,8 @@ TEST(ModeTable, AllTransitionsAreAsInTable4) {
         for (std::size_t i = 0; i < 5; ++i) {
             SCOPED_TRACE(std::string(toText(kFrom[i])) + " " + std::to_string(i) + " to " +
                          std::string(toText(row.goal)));
-            // A timer count alone is "with a stop" where there is a stop, and "without" where there is none:
-            // the two cells that cannot be asked for. With a position it is a stop.
+            // A timer count alone means "with a stop" where the present mode has one, and "without" where it
+            // has none, so two cells cannot be requested. With a position, it means "with a stop".
             const bool timerOnlyMeansStop =
                 row.goal == Unprofiled && (kFrom[i] == Trapezoidal || kFrom[i] == UnprofiledWithStop);
             const auto wire = inMode(kFrom[i]);
@@ -76,7 +76,7 @@ TEST(ModeTable, AllTransitionsAreAsInTable4) {
             if (row.goal == UnprofiledWithStop && (kFrom[i] == Velocity || kFrom[i] == Unprofiled))
                 load.position = kFar;
             if (row.goal == Velocity && kFrom[i] == Trapezoidal) {
-                load.speed = 30;  // tells it from "unprofiled with stop"
+                load.speed = 30;  // distinguishes it from "unprofiled with stop"
                 load.count = kCount;
                 load.nearest = 40;
             }
@@ -202,13 +202,13 @@ TEST(StepperParameters, SpeedModeAndMinimumSpeedAreIgnoredInMotion) {
     wire->wait(std::chrono::milliseconds(300));
     wire->parameters(k8x, 30, 111, 22);
     EXPECT_NEAR(wire->step().stepRate, 60 * 25, 1e-9);
-    EXPECT_EQ(wire->step().currentLimit, 111) << "the rest is not";
+    EXPECT_EQ(wire->step().currentLimit, 111) << "the other parameters take effect";
     wire->load({.speed = std::uint8_t{1}});
     wire->wait(std::chrono::milliseconds(500));
     EXPECT_NEAR(wire->step().stepRate, 10 * 25, 1e-9);
     wire->stop(0x05);
     wire->load({});
-    EXPECT_NEAR(wire->step().stepRate, 10 * 25, 1e-9) << "nor do they come later";
+    EXPECT_NEAR(wire->step().stepRate, 10 * 25, 1e-9) << "they do not take effect later either";
 }
 
 }  // namespace

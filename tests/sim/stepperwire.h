@@ -43,13 +43,13 @@ public:
     }
     StepperSnapshot step() { return truth().stepper.value_or(StepperSnapshot{}); }
     std::int32_t position() { return step().position; }
-    /// Steps made in so long.
+    /// The steps made within `time`.
     std::int32_t stepsIn(Duration time) {
         const std::int32_t before = position();
         wait(time);
         return position() - before;
     }
-    /// Runs until it stands still; how long that took, to the tick.
+    /// Waits until the motor is at rest; returns how long that took, to the tick.
     Duration timeToStop(Duration limit = std::chrono::seconds(20)) {
         const TimePoint from = now;
         while (step().moving && now - from < limit)

@@ -32,7 +32,7 @@ TEST_F(Violations, ACommandThatCutsAReplyIsOneAndHasItsBytesAndTime) {
     wire.exchange(packet(2, 0x0E));
     ASSERT_EQ(wire.violations(), Kinds{Kind::CommandInFlight});
     const Violation& v = wire.chain.violations().entries()[0];
-    EXPECT_EQ(v.module, 0) << "whose reply was cut";
+    EXPECT_EQ(v.module, 0) << "the module whose reply was cut";
     EXPECT_EQ(toHex(v.bytes), "AA 02 0E 10");
     EXPECT_GT(v.time, TimePoint{} + milliseconds(10));
     EXPECT_LE(v.time, wire.now);
@@ -43,11 +43,11 @@ TEST_F(Violations, WhoWasReadLateIsNotCalledHasty) {
     wire.chain.hostSends(packet(2, 0x0E), wire.now, true);
     wire.wait(milliseconds(1));
     wire.exchange(packet(2, 0x0E));
-    EXPECT_EQ(wire.violations(), Kinds{}) << "in time itself, but behind what was not";
+    EXPECT_EQ(wire.violations(), Kinds{}) << "it was read in time, but after commands that were not";
     wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
     wire.wait(milliseconds(5));
     wire.exchange(packet(2, 0x0E));
-    EXPECT_EQ(wire.violations(), Kinds{Kind::CommandInFlight}) << "the chain was at rest between";
+    EXPECT_EQ(wire.violations(), Kinds{Kind::CommandInFlight}) << "the chain was at rest in between";
 }
 
 TEST_F(Violations, AStopMotorMayCutAReply) {
@@ -95,8 +95,8 @@ TEST_F(Violations, WaitingHalfAMillisecondBehindAGroupCommandIsEnough) {
 
 class Overwriting : public Violations {
 protected:
-    /// Two commands at once, up to twenty times until that is a violation. At half the servo rate 250 kBd are
-    /// no violation; a command takes 160 us of a tick of 512.
+    /// Sends two commands at once, up to twenty times, until this is a violation. At half the servo rate, 250
+    /// kBd is not a violation; a command takes 160 us of a tick of 512.
     void sendTwo(bool late) {
         wire.gains(gainData(0, 0, 0, 0, 0, 0, 0, 2, 0), 0xFF);
         wire.command(0xFF, 0x1A, {4});
@@ -130,7 +130,7 @@ TEST_F(Violations, ARateThatTheChipDoesNotKeepUpWithIsOne) {
         one.command(0xFF, 0x1A, {divisor});
         return one.violations();
     };
-    // DS-V 3.1, DS-S 3.1: to 115 200 Bd, divisor 10.
+    // DS-V 3.1, DS-S 3.1: up to 115 200 Bd, divisor 10.
     for (const char* chip :
          {"servo@1", "servo@2", "servo@3", "servo@4", "servo@5", "servo@10", "step", "io"}) {
         EXPECT_EQ(kindsAt(chip, 10), Kinds{}) << chip;
@@ -159,7 +159,7 @@ TEST_F(Violations, LoadingWithoutStartingInMotionIsNone) {
     EXPECT_EQ(wire.violations(), Kinds{});
     EXPECT_EQ(wire.truth().servo.mode, ServoMode::Trapezoidal);
     wire.wait(milliseconds(700));
-    EXPECT_EQ(wire.truth().servo.commandPosition, 1000) << "the move that runs is not touched";
+    EXPECT_EQ(wire.truth().servo.commandPosition, 1000) << "the running move is not affected";
     wire.command(1, 0x05);
     wire.wait(milliseconds(100));
     EXPECT_LT(wire.truth().servo.commandPosition, 1000);
@@ -189,7 +189,7 @@ TEST_F(Violations, WrongLengthsAreReported) {
     wire.command(1, 0x07);                      // Stop Motor without its control byte
     wire.command(1, 0x17, {0x11});              // stop here without a position
     wire.command(1, 0x57, {0x05, 0, 0, 0, 0});  // a position without stop here
-    wire.command(1, 0x24, {0x11, 1});           // a trajectory shorter than it says
+    wire.command(1, 0x24, {0x11, 1});           // a trajectory shorter than its control byte announces
     wire.command(1, 0xC6, Bytes(12, 1));        // Set Gain of 12
     EXPECT_EQ(wire.violations(), Kinds(6, Kind::WrongLength));
 }
@@ -235,15 +235,15 @@ TEST_F(Violations, ResetPositionDuringATrapezoidOfAnScIsNone) {
     }
 }
 
-/// A command whose first data byte has bits that the sheet wants cleared, and that byte with all other bits
-/// that go together.
+/// A command with reserved bits in its first data byte, which the data sheet requires to be clear; `data` has
+/// other bits set that go together.
 struct Form {
     unsigned command;
     Bytes data;
     unsigned reserved;
 };
 
-/// Each bit of the first data byte, by itself added to it: those reserved are reported, no other is.
+/// Adds each bit of the first data byte, one at a time: only the reserved ones are reported.
 void expectReservedBits(std::string_view chip, const std::vector<Form>& forms) {
     for (const Form& form : forms)
         for (unsigned bit = 0; bit < 8; ++bit) {
@@ -284,7 +284,7 @@ TEST_F(Violations, OutputsMadeByAReservedBitAreReported) {
     wire.exchange({0xAA, 0x01, 0x18, 0x10, 0x29});
     EXPECT_EQ(wire.violations(), Kinds{Kind::ReservedBits}) << "and both limit pins are outputs";
     wire.exchange({0xAA, 0x01, 0x18, 0x0C, 0x25});
-    wire.command(1, 0x0E);  // without data: what is left of earlier packets is nobody's
+    wire.command(1, 0x0E);  // without data: bytes left over from earlier packets are not reported
     EXPECT_EQ(wire.violations().size(), 1U);
 }
 
