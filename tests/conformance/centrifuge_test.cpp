@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A laboratory centrifuge's host, one PIC-SERVO and one PIC-I/O, on nmcsim's terminal: nothing but POSIX. It
-// sends its whole start-up in one go, which works only where bytes take their time on the wire and a module
-// that was reset is deaf for a while; it sends a frame with a wrong sum; it uses code 20 for 57 600 Bd; and
-// it takes no status byte but 09 for rest.
+// The host of a laboratory centrifuge with one PIC-SERVO and one PIC-I/O, on nmcsim's terminal, using only
+// POSIX. It sends its whole start-up in one go, which works only if bytes take their time on the line and a
+// module that was reset is deaf for a while; it sends a frame with a wrong sum; it uses code 20 for 57 600
+// Bd; and it accepts only the status byte 09 as rest.
 #include <gtest/gtest.h>
 
 #include "tests/conformance/fieldhost.h"
@@ -37,8 +37,8 @@ class Centrifuge : public testing::TestWithParam<const char*> {
 protected:
     Centrifuge() : sim(std::string(GetParam()) + ",io", {"--stepped"}), wire(sim) {}
 
-    /// 420 bytes without waiting for anything: nulls, Hard Reset, both addresses, and nulls for the time
-    /// between them; at 19 200 Bd they take 0.22 s.
+    /// Sends 420 bytes without waiting for anything: nulls, Hard Reset, both addresses, and nulls for the
+    /// time between them; at 19 200 Bd they take 0.22 s.
     void preamble() {
         const Bytes bytes = Bytes(100, 0) + packet(kEveryone, 0x0F) + Bytes(60, 0) +
                             packet(0, 0x21, {kServo, kEveryone}) + Bytes(40, 0) +
@@ -46,14 +46,14 @@ protected:
         ASSERT_EQ(bytes.size(), 420U);
         wire.exchange(bytes, 0.4);
     }
-    /// Answered with the right sum.
+    /// Sends `bytes` and returns the answer, which must have this length and the right sum.
     Bytes answered(const Bytes& bytes, std::size_t length) {
         Bytes reply = wire.exchange(bytes);
         if (reply.size() != length || !sumIsRight(reply))
             throw std::runtime_error("a reply of " + std::to_string(reply.size()) + " bytes");
         return reply;
     }
-    /// And not refused.
+    /// Sends a command and returns the answer, which must not be a refusal.
     Bytes ask(unsigned address, unsigned command, const Bytes& data, std::size_t length) {
         Bytes reply = answered(packet(address, command, data), length);
         EXPECT_EQ(reply.front() & 0x02U, 0U);
@@ -97,7 +97,8 @@ TEST_P(Centrifuge, RunsUpHomesAndComesToRest) {
     ask(kServo, 0x0B, {}, 2);
     waitForRest();
 
-    // Home on the index with a smooth stop: 20 counts and 1 count per tick and tick, of five times 0.512 ms.
+    // Home on the index with a smooth stop: 20 counts per tick and 1 count per tick squared, with ticks of
+    // five times 0.512 ms.
     ask(kServo, 0x19, {0x28}, 2);
     EXPECT_EQ(status() & 0x80U, 0x80U);
     ask(kServo, 0x94, {0xB6, 0, 0, 20, 0, 0, 0, 1, 0}, 2);
@@ -107,13 +108,13 @@ TEST_P(Centrifuge, RunsUpHomesAndComesToRest) {
     const Bytes reply = ask(kServo, 0x13, {0x1F}, 14);
     const std::int32_t home = sim.state(1)["home"];
     EXPECT_EQ(reply.at(9) | reply.at(10) << 8U, home & 0xFFFF);
-    EXPECT_GT(sim.state(1)["position"].get<int>(), home) << "it stopped behind the index";
+    EXPECT_GT(sim.state(1)["position"].get<int>(), home) << "it stopped after the index";
     EXPECT_EQ(sim.state(1)["command_velocity"], 0.0);
 }
 
 TEST_P(Centrifuge, ReadsAllEightItemsFromEveryServo) {
     preamble();
-    // A host that takes every servo for an SC gets its 19 bytes from one, and the 16 that there are else.
+    // A host that takes every servo for an SC gets 19 bytes from an SC, and only 16 from others.
     const bool isSc = std::string(GetParam()) == "servo@10";
     const Bytes reply = ask(kServo, 0x13, {0xFF}, isSc ? 19 : 16);
     EXPECT_EQ(reply.at(14), isSc ? 10U : 4U);

@@ -7,11 +7,11 @@
 
 namespace nmc::conformance {
 
-/// A statement of a data sheet, tried in both places. A test's name begins with the statement's number in
-/// statements-*.md, which stand beside this file.
+/// A statement of a data sheet, tested in both places. The name of a test begins with the statement's number
+/// in the statements-*.md files beside this one.
 class Statement : public testing::TestWithParam<Place> {
 protected:
-    /// A fresh chain; `rig` is then it.
+    /// Makes a fresh chain, to which `rig` then refers.
     void make(const std::string& chain, const std::vector<std::string>& options = {}) {
         rig = makeRig(GetParam(), chain, options);
     }

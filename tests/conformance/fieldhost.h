@@ -9,7 +9,7 @@
 #include "tests/support/port.h"
 #include "tests/support/simprocess.h"
 
-/// What the host programs of the field have in common.
+/// Common parts of the host programs that are used in the field.
 namespace nmc::field {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -25,8 +25,8 @@ inline constexpr unsigned kEveryone = 0xFF;
     return left;
 }
 
-/// nmcsim's terminal to a host. Its time is stepped: an answer comes or does not, whatever else this machine
-/// is busy with.
+/// nmcsim's terminal, as a host uses it. Time is stepped, so that answers do not depend on how busy this
+/// computer is.
 class Wire {
 public:
     explicit Wire(testing_support::SimProcess& sim) : m_sim(sim), m_port(sim.terminal()) { setRate(B19200); }
@@ -35,7 +35,7 @@ public:
         m_port.setRate(rate);
         m_sim.control("time");  // it looks at the rate before it answers
     }
-    /// All that comes within so many seconds of what is sent.
+    /// Sends `bytes` and returns everything that arrives within `seconds`.
     Bytes exchange(const Bytes& bytes, double seconds = kExchange) {
         m_port.write(bytes);
         m_sent += bytes.size();
@@ -44,7 +44,7 @@ public:
         const std::size_t sent = m_sim.control("advance " + std::to_string(seconds))["sent"];
         Bytes answer;
         while (answer.size() < sent - m_received) {
-            constexpr int kKernelMs = 10'000;  // hands the bytes over in a thread of its own
+            constexpr int kKernelMs = 10'000;  // the kernel hands the bytes over in a thread of its own
             const Bytes more = m_port.read(sent - m_received - answer.size(), kKernelMs);
             if (more.empty())
                 throw std::runtime_error("the terminal lost bytes");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A host program as they are in the field, on nmcsim's terminal: nothing but POSIX and the data sheets. Every
-// answer must come at once and be right, at 57 600 Bd with code 20, too.
+// A host program like those in the field, on nmcsim's terminal, using only POSIX and the data sheets. Every
+// answer must arrive at once and be right, even at 57 600 Bd with code 20.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -28,7 +28,7 @@ Bytes little(std::uint32_t value, unsigned count) {
     return bytes;
 }
 
-/// A status packet, its fields found by the items that were asked for.
+/// A status packet, decoded by the items that were requested.
 struct Status {
     unsigned byte = 0;
     std::int32_t position = 0;
@@ -47,7 +47,7 @@ class FieldHost {
 public:
     explicit FieldHost(SimProcess& sim) : m_wire(sim) {}
 
-    /// 20 nulls and Hard Reset, twice; then Set Address until nobody answers.
+    /// 20 nulls and Hard Reset, twice; then Set Address until no module answers.
     unsigned enumerate() {
         for (int i = 0; i < 2; ++i) {
             m_wire.exchange(Bytes(20, 0));
@@ -56,7 +56,7 @@ public:
         unsigned address = 1;
         while (m_wire.exchange(packet(0, 0x21, {byte(address), kEveryone})).size() == 2)
             ++address;
-        m_wire.exchange(Bytes(30, 0));  // the last one was for nobody
+        m_wire.exchange(Bytes(30, 0));  // the last Set Address was for no module
         return address - 1;
     }
 
@@ -67,7 +67,7 @@ public:
         m_wire.setRate(rate);
     }
 
-    /// One command, and its answer.
+    /// Sends one command and returns its answer.
     Status ask(unsigned address, unsigned command, const Bytes& data = {}) {
         const unsigned code = command & 0x0FU;
         if (code == 0x02)
@@ -79,12 +79,12 @@ public:
             throw std::runtime_error("module " + std::to_string(address) + " has heard a wrong sum");
         return decoded(answer, items);
     }
-    /// A command that nobody answers.
+    /// Sends a command that is not answered.
     void tell(unsigned group, unsigned command, const Bytes& data = {}) {
         EXPECT_EQ(m_wire.exchange(packet(group, command, data)), Bytes());
     }
 
-    /// Reads everything until `wanted`.
+    /// Reads all items until `wanted` is true.
     Status until(unsigned address, const std::function<bool(const Status&)>& wanted) {
         for (int i = 0; i < kPatience; ++i)
             if (const Status status = ask(address, 0x13, {0x3F}); wanted(status))
@@ -92,7 +92,7 @@ public:
         throw std::runtime_error("module " + std::to_string(address) + " never gets there");
     }
 
-    /// A packet whose sum is wrong; the answer's status byte.
+    /// Sends a packet with a wrong sum; returns the status byte of the answer.
     unsigned wrongSum(unsigned address) {
         Bytes bytes = packet(address, 0x00);
         bytes.back() ^= 0x40U;
@@ -149,7 +149,7 @@ private:
         return s;
     }
 
-    /// As long as it should be, with the right sum.
+    /// Returns the answer, which must have the right length and sum.
     Bytes answered(const Bytes& bytes, unsigned items) {
         Bytes answer = m_wire.exchange(bytes);
         if (answer.size() != replyLength(items))
@@ -168,7 +168,7 @@ private:
     std::map<Key, unsigned> m_asked;
 };
 
-/// A rate, its code, and what the modules really make of it: 1 250 000 / (code + 1).
+/// A rate, its code, and the actual rate of the modules: 1 250 000 / (code + 1).
 struct Rate {
     const char* name;
     speed_t speed;
@@ -186,7 +186,7 @@ protected:
     void addresses(unsigned address);
     void books();
 
-    /// Ground truth about the module at an address; they are numbered alike.
+    /// The simulator's state of the module at an address; both are numbered alike.
     nlohmann::json truth(unsigned address) { return sim.state(static_cast<int>(address)); }
     void set(unsigned address, const std::string& what) {
         const auto answer = sim.control("set " + std::to_string(address) + " " + what);
@@ -297,7 +297,7 @@ void HostProgram::everyStepCommand(unsigned a) {
     EXPECT_EQ(truth(a)["outputs"], 0x15);
     host.ask(a, 0x00);
 
-    // A trapezoid of 200 steps at speed 40, 1000 steps/s; not before Start Motion.
+    // A trapezoid of 200 steps at speed 40, 1000 steps/s; it does not begin before Start Motion.
     host.ask(a, 0x74, Bytes{0x07} + little(200, 4) + Bytes{40, 1});
     EXPECT_EQ(host.ask(a, 0x0E).position, 0);
     host.ask(a, 0x05);
@@ -320,7 +320,7 @@ void HostProgram::everyStepCommand(unsigned a) {
     EXPECT_DOUBLE_EQ(truth(a)["step_rate"].get<double>(), -500.0);
     EXPECT_FALSE(host.ask(a, 0x17, {0x05}).has(0));
 
-    // Homing on the home switch with an abrupt stop: it stands where it was captured.
+    // Homing on the home switch with an abrupt stop: the motor stops where home was captured.
     EXPECT_TRUE(host.ask(a, 0x19, {0x18}).has(7));
     host.ask(a, 0x34, {0x86, 20, 2});
     set(a, "home_switch 1");
@@ -332,7 +332,7 @@ void HostProgram::everyStepCommand(unsigned a) {
     EXPECT_FALSE(host.ask(a, 0x17, {0x00}).has(2));
 }
 
-/// A module moves to another address and back.
+/// Moves a module to another address and back.
 void HostProgram::addresses(unsigned a) {
     const unsigned other = a + 20;
     const auto move = [&](unsigned from, unsigned to) {
@@ -345,7 +345,7 @@ void HostProgram::addresses(unsigned a) {
     move(other, a);
 }
 
-/// A group of 1 and 2 with 1 as its leader, which answers alone.
+/// A group of 1 and 2 with 1 as its leader, which is the only one to answer.
 void HostProgram::groups() {
     host.ask(1, 0x21, {1, 0x05});
     host.ask(2, 0x21, {2, 0x85});
@@ -353,7 +353,7 @@ void HostProgram::groups() {
     EXPECT_TRUE(truth(1)["leader"]);
     EXPECT_FALSE(truth(2)["leader"]);
     host.becomes(1, 0x85);
-    EXPECT_EQ(host.ask(0x85, 0x13, {0x20}).version, 4U) << "the leader's";
+    EXPECT_EQ(host.ask(0x85, 0x13, {0x20}).version, 4U) << "the leader has answered";
     host.ask(2, 0x00);
     host.ask(0x85, 0x0C);
     EXPECT_EQ(host.ask(2, 0x0E).home, host.ask(2, 0x0E).position);
@@ -363,7 +363,7 @@ void HostProgram::groups() {
     host.ask(2, 0x21, {2, kEveryone});
 }
 
-/// What nmcsim counted is what this host counted.
+/// Checks that nmcsim and this host have counted the same.
 void HostProgram::books() {
     const nlohmann::json stats = sim.control("stats");
     EXPECT_EQ(stats["bytes_in"], host.wire().sent());
@@ -380,7 +380,7 @@ void HostProgram::books() {
         for (const auto& [name, count] : stats["modules"][a - 1]["executed"].items()) {
             const auto code = codes.find(name);
             if (code == codes.end())
-                continue;  // sent to all, or while nobody had an address, too
+                continue;  // also sent to all, or while no module had an address
             EXPECT_EQ(count, host.asked(a, code->second)) << name << " " << a;
         }
         EXPECT_EQ(stats["modules"][a - 1]["checksum_errors"], 1);

@@ -10,7 +10,7 @@ namespace nmc::conformance {
 
 namespace {
 
-/// Those of nmcsim's options that are about the chain.
+/// The options of nmcsim that concern the chain.
 sim::ChainOptions chainOptions(const std::vector<std::string>& options) {
     sim::ChainOptions result;
     for (const std::string& option : options) {

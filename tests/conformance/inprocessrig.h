@@ -6,7 +6,7 @@
 
 namespace nmc::conformance {
 
-/// The simulator in this process, as the panel has it built in.
+/// The simulator in this process, as it is built into the panel.
 class InProcessRig : public Rig {
 public:
     InProcessRig(const std::string& chain, const std::vector<std::string>& options);

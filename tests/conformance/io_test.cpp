@@ -79,17 +79,17 @@ TEST_P(PicIo, SetOutput2_BitsOfInputsAreIgnored) {
     output(kAllPins);
     EXPECT_EQ(pins(), 0x001FU);
     direction(0);
-    EXPECT_EQ(pins(), 0x000FU) << "the others have never been set";
+    EXPECT_EQ(pins(), 0x000FU) << "the other outputs have never been set";
     direction(0x000F);
     output(0);
     direction(0);
-    EXPECT_EQ(pins(), 0x000FU) << "nor are these reset while they are inputs";
+    EXPECT_EQ(pins(), 0x000FU) << "these are not reset while they are inputs either";
 }
 
 TEST_P(PicIo, SetOutput3_OutputPinsAreReadBackAsInputs) {
     direction(0x0FFE);
     set("in 1 1");
-    EXPECT_EQ(pins(), 0U) << "what is outside does not drive an output";
+    EXPECT_EQ(pins(), 0U) << "an outside level does not drive an output";
     output(0x0001);
     set("in 1 0");
     EXPECT_EQ(pins(), 1U);
@@ -109,7 +109,7 @@ TEST_P(PicIo, SetTimerMode1_ATimerCounts5MHz) {
     const std::uint32_t first = count();
     rig->wait(kTick * 15'625);  // 8 s
     const std::uint32_t second = count();
-    // Another 20 ms for the answer to each question: whole ticks of 2560 clocks.
+    // Each query takes another 20 ms; the counts differ by whole ticks of 2560 clocks.
     EXPECT_NEAR(second - first, 8.02 * 5e6, 2 * 2560);
     EXPECT_EQ((second - first) % 2560, 0U);
 }

@@ -5,7 +5,7 @@
 
 namespace nmc::conformance {
 
-/// The statements about the PIC-I/O (statements-io.md): one at address 1.
+/// The statements about the PIC-I/O (statements-io.md): one module at address 1.
 class PicIo : public Statement {
 protected:
     PicIo() { start("io", 1); }

@@ -13,7 +13,7 @@ using std::chrono::seconds;
 /// The integer speed next to kCount: 1000 / 25.
 inline constexpr std::uint8_t kNearest = 40;
 
-/// A whole number of ticks that is a whole number of seconds: no tick's worth of doubt.
+/// A whole number of ticks that is a whole number of seconds, so that results are not uncertain by a tick.
 inline constexpr Duration kEightSeconds = kTick * 15'625;
 /// 64 ms.
 inline constexpr Duration k125Ticks = kTick * 125;
@@ -25,18 +25,18 @@ class PicStep : public Statement {
 protected:
     PicStep() { fresh(); }
 
-    /// Off and on again, with nothing logged: a stepper at address 1, its amplifier enabled.
+    /// Makes a fresh chain with nothing logged: a stepper at address 1, its amplifier enabled.
     void fresh(const std::string& chain = "step", const std::vector<std::string>& options = {});
-    /// The same, with modules that nobody has addressed.
+    /// Makes a fresh chain with modules that have no addresses yet.
     void powerUp(const std::string& chain = "step") { make(chain); }
 
-    /// To module 1.
+    /// Sends a command to module 1.
     Bytes command(unsigned byte, const Bytes& data = {}) { return rig->command(1, byte, data); }
     void parameters(unsigned mode, unsigned minimum = 1, unsigned run = 200, unsigned hold = 80,
                     unsigned thermal = 0);
     void load(const Load& l);
     void stop(unsigned control) { EXPECT_EQ(command(0x17, {static_cast<std::uint8_t>(control)}).size(), 2U); }
-    /// kCount, without a stop.
+    /// Runs at kCount, without a stop.
     void run(bool reverse = false) { load({.count = kCount, .nearest = kNearest, .reverse = reverse}); }
     void moveTo(std::int32_t goal);
 
@@ -52,16 +52,17 @@ protected:
     std::int64_t position() { return truth<std::int64_t>("position"); }
     unsigned speed() { return truth<unsigned>("speed"); }
     bool amplifier() { return (status() & 0x04U) != 0; }
-    /// Steps made in so long.
+    /// The steps made within `time`.
     double stepsIn(Duration time);
-    /// Runs until it stands still; how long that took, in seconds, to the tick.
+    /// Waits until the motor is at rest; returns how long that took, in seconds, to the tick.
     double secondsToStop();
-    /// The same, until a profile has reached an integer speed.
+    /// Waits until a profile has reached an integer speed; returns how long that took, in seconds, to the
+    /// tick.
     double secondsToSpeed(unsigned wanted);
 
-    /// Executed once as `name`; one data byte more is the wrong length.
+    /// Checks that the command is executed once as `name`, and that one more data byte is a wrong length.
     void expectForm(const char* name, unsigned byte, const Bytes& data, unsigned address = 1);
-    /// A pin that is one bit of the inputs byte, high and low again.
+    /// Checks that a pin is one bit of the inputs byte, high and low again.
     void expectInput(const std::string& pin, unsigned bit);
     void expectViolations(const Kinds& kinds) { EXPECT_EQ(rig->violations(), kinds); }
     void expectNoViolations() { expectViolations({}); }

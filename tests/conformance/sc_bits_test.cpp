@@ -72,8 +72,8 @@ TEST_P(ScServo, IoControl5_AMotionIntoAClosedLimitIsRefused) {
     EXPECT_EQ(truth("command_position"), 0.0);
     trapezoid(-1000, 5 * kOne, kOne);
     rig->wait(seconds(1));
-    EXPECT_EQ(truth("command_position"), -1000.0) << "away from it";
-    // Refused is not switched off.
+    EXPECT_EQ(truth("command_position"), -1000.0) << "it moves away from the limit";
+    // A refused motion does not switch the motor off.
     ioControl(kLimitOff);
     trapezoid(1000, 5 * kOne, kOne);
     rig->wait(milliseconds(100));

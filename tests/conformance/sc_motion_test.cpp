@@ -146,7 +146,7 @@ TEST_P(ScServo, LoadTrajectory7_AMoveMayBeChangedUnderWay) {
     const double speed = number("command_velocity");
     ASSERT_GT(speed, 1);
     trapezoid(300, 5 * kOne, 1000);
-    EXPECT_GT(number("command_velocity"), speed / 2) << "it goes on from the velocity it had";
+    EXPECT_GT(number("command_velocity"), speed / 2) << "it continues from the velocity it had";
     rig->wait(seconds(3));
     EXPECT_EQ(truth("command_position"), 300.0);
     EXPECT_EQ(status().byte & kMoveDone, kMoveDone);
@@ -187,7 +187,7 @@ TEST_P(ScServo, DefineStatus4_TheVelocityIsNotNegated) {
         stop(kAmplifier);
         pwm(60);
         rig->wait(milliseconds(300));
-        // 23.7 counts per tick, as PicServoItems reckons.
+        // 23.7 counts per tick, as calculated in PicServoItems.
         EXPECT_NEAR(static_cast<std::int16_t>(wordAt(command(0x13, {0x04}), 1)), 23.7, 1) << chip;
     }
 }

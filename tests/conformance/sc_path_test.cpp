@@ -9,7 +9,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using Course = std::vector<double>;
 
-/// Where the command is after each tick of a path: counts per segment, each in so many ticks.
+/// The command position after each tick of a path: `segments` in counts, each lasting `ticks`.
 Course course(const std::vector<int>& segments, int ticks) {
     Course places;
     double from = 0;
@@ -32,7 +32,7 @@ TEST_P(ScServo, AddPathPoints1_WithoutPointsItStartsThePath) {
     expectNoViolation();
 }
 
-// Each magnitude is chosen to make whole multiples of 1/64 count per tick: exact in a double.
+// Each magnitude results in whole multiples of 1/64 count per tick, which are exact in a double.
 
 TEST_P(ScServo, AddPathPoints2_At30HzTheWordIsTheMagnitudeTimes4WithF) {
     servoOn();
@@ -68,8 +68,8 @@ TEST_P(ScServo, AddPathPoints6_Bit0IsReverse) {
 
 TEST_P(ScServo, AddPathPoints7_EachSegmentEndsExactlyOnItsPoint) {
     servoOn();
-    // Odd counts, at both rates in turn: 100 in 32 ticks, 77 in 64, -3 in 32, 8191 is the most at 60 Hz but
-    // too fast for this motor; 501 is not.
+    // Odd counts, at both rates in turn: 100 in 32 ticks, 77 in 64, -3 in 32 and 501 in 32; the maximum at 60
+    // Hz, 8191, is too fast for this motor.
     points({100 * 8, 77 * 4 | 2, 3 * 8 | 1, 501 * 8});
     const Course places = followPath(32 + 64 + 32 + 32);
     EXPECT_EQ(places.at(31), 100);
@@ -150,7 +150,7 @@ TEST_P(ScServo, AddPathPoints13_AGroupStartsTogether) {
     const double first = rig->state(1)["command_position"];
     const double second = rig->state(2)["command_position"];
     EXPECT_GT(first, 100);
-    // 10 counts per tick; their ticks are up to one apart.
+    // 10 counts per tick; the ticks of the two modules are up to one apart.
     EXPECT_NEAR(first, second, 10);
 }
 

@@ -37,11 +37,12 @@ protected:
         rig->must("power-cycle 1");
         rig->wait(std::chrono::milliseconds(20));
     }
-    /// Servo on without integral gain under a load: some counts of error that stay.
+    /// Switches the servo on without integral gain under a load, which leaves an error of some counts.
     void leanOnAnError();
-    /// Starts the path and follows the command position for so many ticks: from the first one that moves it.
+    /// Starts the path and returns the command position after each of `ticks` ticks, from the first one that
+    /// moves it.
     std::vector<double> followPath(int ticks);
-    /// The motor runs at about so many counts per tick, by the profile.
+    /// Lets the motor run at about `countsPerTick`, by the profile.
     void runForward(std::int32_t countsPerTick = 5);
 };
 

@@ -17,7 +17,7 @@ protected:
     }
     Bytes nop(unsigned at) { return rig->command(at, 0x0E); }
     bool listens(int module) { return rig->state(module)["listening"]; }
-    /// Every module of the chain, and the host behind them.
+    /// Sets the rate of every module of the chain, and then that of the host.
     void setBaud(unsigned divisor, unsigned baud) {
         EXPECT_EQ(rig->command(0xFF, 0x1A, {static_cast<std::uint8_t>(divisor)}), Bytes{});
         rig->setBaud(baud);
@@ -36,9 +36,9 @@ TEST_P(PicServoNetwork, SetAddress1_TheFirstByteIsTheIndividualAddress) {
 TEST_P(PicServoNetwork, SetAddress2_TheSecondByteIsTheGroupAddress) {
     setAddress(1, 1, 0x95);
     rig->command(0x95, 0x12, {0x20});
-    EXPECT_EQ(nop(1).size(), 4U) << "heard as a member";
+    EXPECT_EQ(nop(1).size(), 4U) << "it has received the command as a member";
     rig->command(0xFF, 0x12, {0x00});
-    EXPECT_EQ(nop(1).size(), 4U) << "no member of FF any more";
+    EXPECT_EQ(nop(1).size(), 4U) << "it is no longer a member of FF";
 }
 
 TEST_P(PicServoNetwork, SetAddress3_BothHaveInitialValues) {
@@ -72,7 +72,7 @@ TEST_P(PicServoNetwork, SetAddress6_TheFirstOneEnablesTheNextModuleOfTheChain) {
     setAddress(0, 1, 0xFF);
     EXPECT_TRUE(listens(2));
     setAddress(1, 5, 0xFF);
-    EXPECT_TRUE(listens(2)) << "later ones change nothing there";
+    EXPECT_TRUE(listens(2)) << "later ones do not change this";
     EXPECT_EQ(nop(0), kIdle) << "the second module";
 }
 
@@ -179,7 +179,7 @@ TEST_P(PicServoNetwork, Addressing11_TheSheetsProcedureBringsUpANetwork) {
         EXPECT_EQ(byteAt(rig->command(i, 0x13, {0x20}), 1), 0U);
         EXPECT_EQ(byteAt(rig->command(i, 0x13, {0x20}), 2), versions[i - 1]);
     }
-    EXPECT_EQ(setAddress(0, 4, 0xFF), Bytes{}) << "there are no more";
+    EXPECT_EQ(setAddress(0, 4, 0xFF), Bytes{}) << "there are no more modules";
     setBaud(10, 115'200);
     for (unsigned i = 1; i <= 3; ++i) {
         EXPECT_EQ(nop(i), kIdle);
@@ -201,7 +201,7 @@ TEST_P(PicServoNetwork, SetBaudRate1_TheDivisorsOfTheSheetGiveItsRates) {
     EXPECT_EQ(nop(1), kIdle);
     EXPECT_NEAR(rate(10, 115'200), 115'200, 0.02 * 115'200);
     EXPECT_EQ(nop(1), kIdle);
-    // 3.3 % off, which a receiver bears (simulator.md).
+    // 3.3 % off, which a receiver tolerates (simulator.md).
     EXPECT_NEAR(rate(20, 57'600), 57'600, 0.04 * 57'600);
     EXPECT_EQ(nop(1), kIdle);
 }

@@ -68,15 +68,15 @@ TEST_P(PicServoBits, StatusByte3_PowerOnIsTheMotorsPower) {
 }
 
 TEST_P(PicServoBits, StatusByte4_PositionErrorIsSetByAnExcessErrorAndWheneverTheServoIsOff) {
-    EXPECT_TRUE(has(kPositionError)) << "off";
+    EXPECT_TRUE(has(kPositionError)) << "the servo is off";
     clearStickyBits();
-    EXPECT_TRUE(has(kPositionError)) << "still off";
+    EXPECT_TRUE(has(kPositionError)) << "the servo is still off";
     servoOn();
     EXPECT_FALSE(has(kPositionError));
     excessError();
     EXPECT_TRUE(has(kPositionError));
     stop(kAmplifier | kAbruptly);
-    EXPECT_TRUE(has(kPositionError)) << "until it is cleared";
+    EXPECT_TRUE(has(kPositionError)) << "it stays set until it is cleared";
 }
 
 TEST_P(PicServoBits, StatusByte5_Limit1IsTheValueOfTheInput) {
@@ -132,7 +132,7 @@ TEST_P(PicServoBits, AuxByte2_ServoOnIsSetWhileThePositionServoIsEnabled) {
 
 TEST_P(PicServoBits, AuxByte3_AccelerationDoneIsSetAfterTheFirstPhaseAndClearedByTheNextStart) {
     servoOn();
-    trapezoid(4000, 4 * kOne, kOne / 64);  // 256 ticks, 744, 256
+    trapezoid(4000, 4 * kOne, kOne / 64);  // 256 ticks up, 744 at speed, 256 down
     EXPECT_FALSE(auxiliaryHas(kAccelerationDone));
     rig->waitTicks(300);
     EXPECT_TRUE(auxiliaryHas(kAccelerationDone));

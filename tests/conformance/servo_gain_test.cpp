@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DS-V 5.2 Set Gain, with 4.3. Mostly with the shaft held at 0, so that the position error is what Stop Here
-// or the velocity profile makes it.
+// DS-V 5.2 Set Gain, with 4.3. Mostly with the shaft held at 0, so that the position error is determined by
+// Stop Here or the velocity profile.
 #include "tests/conformance/servocommands.h"
 
 namespace nmc::conformance {
@@ -11,7 +11,7 @@ using std::chrono::milliseconds;
 class PicServoGain : public PicServo {
 protected:
     PicServoGain() { block(); }
-    /// The servo is on, with this position error.
+    /// Switches the servo on, with this position error.
     void error(std::int32_t counts) {
         servoOn({});
         stopHere(counts);
@@ -70,7 +70,7 @@ TEST_P(PicServoGain, SetGain5_TheRunningSumItselfIsBounded) {
     gains({.ki = 256, .il = 10});
     rig->waitTicks(5000);
     stopHere(-100);
-    // 2560 / 100 is 25.6 ticks to zero, as many again to the other bound.
+    // 2560 / 100 is 25.6 ticks to zero, and as many again to the other bound.
     rig->waitTicks(60);
     EXPECT_EQ(truth("pwm"), -10);
 }
@@ -138,19 +138,19 @@ TEST_P(PicServoGain, SetGain11_CurrentLimitingTakesOneFromThePwmPerTickAndGivesI
     rig->must("set 1 analog 200");
     for (const int left : {60, 40, 20, 0, 0}) {
         rig->waitTicks(20);
-        EXPECT_EQ(truth("pwm"), left) << "down to nothing, not below";
+        EXPECT_EQ(truth("pwm"), left) << "down to 0, but not below";
     }
     rig->must("set 1 analog 0");
     for (const int left : {20, 40, 60, 80, 80}) {
         rig->waitTicks(20);
-        EXPECT_EQ(truth("pwm"), left) << "at most what was there";
+        EXPECT_EQ(truth("pwm"), left) << "at most the original value";
     }
 }
 
 TEST_P(PicServoGain, SetGain12_Bytes11And12AreThePositionErrorLimit) {
     servoOn({.el = 0x0132});
     stopHere(0x0132);
-    EXPECT_EQ(truth("servo_on"), true) << "not larger";
+    EXPECT_EQ(truth("servo_on"), true) << "the error is not larger than the limit";
     stopHere(0x0133);
     EXPECT_EQ(truth("servo_on"), false);
     EXPECT_EQ(status().byte & kPositionError, kPositionError);

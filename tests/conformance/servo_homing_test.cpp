@@ -10,7 +10,7 @@ using std::chrono::milliseconds;
 class PicServoHoming : public PicServo {
 protected:
     PicServoHoming() { run(); }
-    /// Velocity mode, 2 counts per tick, which it takes 64 ticks to stop.
+    /// Runs in velocity mode at 2 counts per tick, from which a stop takes 64 ticks.
     void run() {
         servoOn({.kp = 200, .kd = 2000, .ki = 20, .il = 200, .el = 500});
         velocity(2 * kOne, kOne / 32);
@@ -22,7 +22,7 @@ protected:
     }
     bool searching() { return (status().byte & kHomeInProgress) != 0; }
 
-    /// Where the motor was when `event` happened is home.
+    /// Checks that home is where the motor was when `event` happened.
     void expectCapture(const std::string& event) {
         const int before = truth("position");
         rig->must(event);
@@ -38,7 +38,7 @@ protected:
         rig->waitTicks(2);
         ASSERT_GT(number("home"), 0);
     }
-    /// The statement about a stop on versions 1 and 2: the bit means nothing.
+    /// Checks that a stop bit means nothing on versions 1 and 2.
     void expectNoStop(unsigned bit) {
         for (const char* version : {"servo@1", "servo@2"}) {
             run(version);
@@ -80,7 +80,7 @@ TEST_P(PicServoHoming, SetHomingMode3_Bit2TurnsTheMotorOffOnHomeFromVersion3On) 
         findHome();
         EXPECT_EQ(truth("servo_on"), false) << version;
         EXPECT_EQ(truth("pwm"), 0);
-        EXPECT_EQ(truth("amp_enabled"), true) << "that is its host's";
+        EXPECT_EQ(truth("amp_enabled"), true) << "that is left to the host";
     }
 }
 
@@ -93,12 +93,12 @@ TEST_P(PicServoHoming, SetHomingMode5_Bit3CapturesHomeOnAChangeOfTheIndex) {
     rig->must("set 1 limit1 1");
     rig->must("set 1 limit2 1");
     EXPECT_TRUE(searching());
-    // The pin is looked at once a tick, and high for one count.
+    // The pin is sampled once a tick, and is high for one count.
     velocity(kOne / 2, kOne);
     ASSERT_LT(number("shaft"), 1500);
     rig->waitTicks(4'000);
     EXPECT_FALSE(searching());
-    EXPECT_NEAR(number("home"), 2000, 1) << "a turn behind the index it started on";
+    EXPECT_NEAR(number("home"), 2000, 1) << "a turn after the index where it started";
 }
 
 TEST_P(PicServoHoming, SetHomingMode6_Bit4StopsAbruptlyOnHomeFromVersion3On) {
@@ -169,7 +169,7 @@ TEST_P(PicServoHoming, SetHomingMode13_AnyOfTheFlaggedConditionsCapturesAndOnlyT
     const double home = number("home");
     rig->must("set 1 limit1 1");
     rig->waitTicks(2);
-    EXPECT_EQ(number("home"), home) << "the search is over";
+    EXPECT_EQ(number("home"), home) << "the search has ended";
     homing(0x03);
     expectCapture("set 1 limit1 0");
 }

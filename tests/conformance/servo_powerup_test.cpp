@@ -7,10 +7,10 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A module that has forgotten nothing yet: everything that can be set is set.
+/// A module in which everything that can be set has been set.
 class PicServoPowerUp : public PicServo {
 protected:
-    /// Once after Hard Reset, once after the supply was off: `statement` is tried at address 0.
+    /// Checks `statement` at address 0, once after a Hard Reset and once after the supply was off.
     template <typename F>
     void afterEitherRestart(F statement) {
         start("servo", 1);
@@ -93,7 +93,7 @@ TEST_P(PicServoPowerUp, PowerUp5_ThePwmValueIs0) {
     afterEitherRestart([this](const char* how) {
         EXPECT_EQ(truth("pwm"), 0) << how;
         load(kStart, {}, 0);
-        EXPECT_EQ(truth("pwm"), 0) << how << ", the value that waits";
+        EXPECT_EQ(truth("pwm"), 0) << how << ", the waiting value";
     });
 }
 

@@ -92,13 +92,14 @@ TEST_P(PicServo, Protocol8_AWrongSumIsAnsweredButNotExecuted) {
 }
 
 TEST_P(PicServo, Protocol9_AnotherCommunicationErrorIsAnsweredButNotExecutedEither) {
-    // 9 600 Bd against 10 000 is 4.0 % off: some bytes are heard wrong. Nulls after each command let the
+    // 9 600 Bd against 10 000 is 4.0 % off: some bytes are received wrong. Nulls after each command let the
     // module find the next header.
     constexpr int kCommands = 400;
     const auto answers = [this] {
         return statistics("replies").get<int>() + statistics("replies_dropped").get<int>();
     };
-    command(0x21, {1, 0x7F});  // a leader: it answers what a wrong address makes a group's, too
+    command(0x21,
+            {1, 0x7F});  // as a leader, it also answers commands that a wrong address sends to the group
     rig->command(0xFF, 0x1A, {124});
     rig->setBaud(9'600);
     const int before = answers();
@@ -117,7 +118,7 @@ TEST_P(PicServo, Protocol10_ACommandIsExecutedAndAnsweredAtTheEndOfTheTick) {
     start("servo", 1, {"--unpaced"});
     for (int i = 0; i < 20; ++i) {
         rig->send(kNop);
-        EXPECT_EQ(rig->wait(microseconds(2'083)), Bytes{}) << "not before its last byte is in";
+        EXPECT_EQ(rig->wait(microseconds(2'083)), Bytes{}) << "not before its last byte has arrived";
         EXPECT_EQ(rig->wait(microseconds(1) + kTick), kIdle);
         rig->wait(microseconds(37 * i));  // another phase of the tick
     }
@@ -145,12 +146,12 @@ TEST_P(PicServo, Protocol13_DataFromTheHostStopTheReplyAndAreHeard) {
     start("servo,servo", 2);
     command(0x12, {0x3F});
     rig->send(kNop);
-    // Ended: command 2.1 ms, tick 0.5 ms, and some of the reply's 16 * 0.5 ms.
+    // This covers the command (2.1 ms), the tick (0.5 ms) and some of the reply (16 * 0.5 ms).
     const std::size_t before = rig->wait(milliseconds(5)).size();
     EXPECT_GT(before, 2U);
     const std::size_t after = rig->exchange(packet(2, 0x17, {0x00})).size();
     EXPECT_GT(after, 2U) << "module 2 has answered";
-    EXPECT_LT(before + after, 16U) << "and module 1 has not gone on";
+    EXPECT_LT(before + after, 16U) << "module 1 has not continued";
     EXPECT_EQ(statistics("replies_dropped", 1), 1);
     EXPECT_EQ(statistics("executed", 2)["stop_motor"], 1);
 }
@@ -189,7 +190,7 @@ TEST_P(PicServo, Protocol16_HalfAMillisecondAfterAGroupCommandIsEnough) {
 }
 
 TEST_P(PicServo, Protocol17_SixteenNullsFillAPartiallyFilledBuffer) {
-    rig->exchange({0xAA, 0x01, 0xE6});  // wants 14 data bytes and a sum
+    rig->exchange({0xAA, 0x01, 0xE6});  // requires 14 data bytes and a sum
     rig->exchange(Bytes(16, 0x00));
     EXPECT_EQ(rig->exchange(kNop), kIdle);
     EXPECT_EQ(truth("gains")["sr"], 1) << "the sum was wrong";
@@ -236,7 +237,7 @@ TEST_P(PicServo, WhileMoving4_EveryOtherCommandIsAllowed) {
     command(0x0B);
     command(0x0C);
     command(0x0E);
-    EXPECT_EQ(number("command_velocity"), 1) << "the move has gone on";
+    EXPECT_EQ(number("command_velocity"), 1) << "the move has continued";
     stop(kAmplifier | kSmoothly);
     command(0x0F);
     expectNoViolation();

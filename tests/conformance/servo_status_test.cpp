@@ -9,7 +9,7 @@ using std::chrono::milliseconds;
 
 constexpr unsigned kDefine = 0x12, kRead = 0x13;
 
-/// Both commands have the same items; `by` is the one that asks.
+/// Both commands have the same items; `by` is the one that is used.
 class PicServoItems : public PicServo {
 protected:
     Bytes items(unsigned by, unsigned mask) { return command(by, {static_cast<std::uint8_t>(mask)}); }

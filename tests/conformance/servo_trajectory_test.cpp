@@ -12,7 +12,7 @@ TEST_P(PicServo, LoadTrajectory1_Bit0LoadsThePositionAsTheGoal) {
     trapezoid(300, 4 * kOne, kOne);
     rig->waitTicks(200);
     EXPECT_EQ(number("command_position"), 300);
-    // What is not loaded again stays as it was.
+    // Parameters that are not loaded again stay as they were.
     load(kServo | kLoadPosition | kStart, position(-0x102));
     rig->waitTicks(300);
     EXPECT_EQ(number("command_position"), -0x102);
@@ -60,7 +60,7 @@ TEST_P(PicServo, LoadTrajectory6_Bit5SaysTrapezoidalOrVelocityProfile) {
     velocity(kOne, kOne);
     EXPECT_EQ(truth("mode"), "velocity");
     rig->waitTicks(200);
-    EXPECT_GT(number("command_position"), 300) << "it goes on";
+    EXPECT_GT(number("command_position"), 300) << "it continues";
 }
 
 TEST_P(PicServo, LoadTrajectory7_Bit6ReversesInVelocityMode) {
@@ -83,7 +83,8 @@ TEST_P(PicServo, LoadTrajectory9_Bit7ExecutesTheCommandAtOnce) {
     servoOn();
     rig->send(packet(1, 0x94,
                      Bytes{kServo | kVelocityProfile | 0x06 | kStart} + little(kOne, 4) + little(kOne, 4)));
-    // 13 bytes of 10 bits at 19 200 Bd; executed at the end of the tick, so that the next one moves.
+    // 13 bytes of 10 bits at 19 200 Bd; the command is executed at the end of the tick, so that the motion
+    // begins in the next one.
     rig->wait(std::chrono::microseconds(6'771) + 2 * kTick);
     EXPECT_EQ(number("command_velocity"), 1);
 }
@@ -236,7 +237,7 @@ TEST_P(PicServo, LoadTrajectory25_InVelocityModeVelocityAndAccelerationMayChange
     EXPECT_EQ(number("command_velocity") - before, 0.25);
     velocity(kOne, kOne / 32);
     rig->waitTicks(200);
-    EXPECT_EQ(number("command_velocity"), 1) << "too fast is slowed down";
+    EXPECT_EQ(number("command_velocity"), 1) << "it slows down if it is too fast";
     expectNoViolation();
 }
 
@@ -257,7 +258,7 @@ TEST_P(PicServo, LoadTrajectory27_WhileMovingATrapezoidMayBeLoadedButNotStarted)
     trapezoid(-400, 4 * kOne, kOne / 2, 0);
     expectNoViolation();
     rig->waitTicks(500);
-    EXPECT_EQ(number("command_position"), 400) << "the running move goes on";
+    EXPECT_EQ(number("command_position"), 400) << "the running move continues";
     trapezoid(0, kOne, kOne);
     trapezoid(800, kOne, kOne);
     expectViolation("trapezoid_in_motion");

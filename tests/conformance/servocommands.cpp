@@ -77,7 +77,7 @@ void PicServo::turnAway() {
 
 void PicServo::wrapPosition() {
     stop(kMotorOff);
-    // It ends at (0.0055 - 0.004) N·m / 1e-6 N·m·s = 1500 rad/s, which is 477 000 counts/s.
+    // Its final speed is (0.0055 - 0.004) N·m / 1e-6 N·m·s = 1500 rad/s, or 477 000 counts/s.
     rig->must("set 1 load -0.0055");
     rig->wait(seconds(4'600));
     rig->must("set 1 load 0");

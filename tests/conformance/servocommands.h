@@ -5,7 +5,7 @@
 
 namespace nmc::conformance {
 
-/// What a servo answers that has nothing to do since it was powered up: move_done, power_on, pos_error.
+/// The answer of a servo that has been idle since power-up: move_done, power_on, pos_error.
 inline const Bytes kIdle{0x19, 0x19};
 
 /// 1 count per tick in 16.16.
@@ -31,19 +31,19 @@ struct Gains {
     unsigned kp = 0, kd = 0, ki = 0, il = 0, ol = 255, cl = 0, el = 0x3FFF, sr = 1, db = 0;
 };
 
-/// They hold the default motor well (simulator.md, Fidelity).
+/// Gains that hold the default motor well (simulator.md, Fidelity).
 inline constexpr Gains kGoodGains{.kp = 200, .kd = 2000, .ki = 20, .il = 200};
 
 /// 14 data bytes; the last is the deadband compensation.
 [[nodiscard]] Bytes gainBytes(const Gains& gains);
 [[nodiscard]] Bytes position(std::int32_t counts);
 
-/// What a reply with the items 1F says.
+/// The contents of a reply with the items 1F.
 struct Status {
     unsigned byte = 0;
     std::int32_t position = 0;
     unsigned analog = 0;
-    int velocity = 0;  ///< as it is on the wire
+    int velocity = 0;  ///< as it is sent
     unsigned auxiliary = 0;
     std::int32_t home = 0;
 };
@@ -59,7 +59,7 @@ protected:
         return rig->command(at, code, data);
     }
     Status status(unsigned at = 1);
-    /// Of module 1.
+    /// A value of the true state of module 1.
     nlohmann::json truth(const char* name) { return rig->state()[name]; }
     double number(const char* name) { return truth(name).get<double>(); }
     nlohmann::json statistics(const char* name, int module = 1) {
@@ -81,9 +81,9 @@ protected:
 
     /// Amplifier and servo on with gains that hold the motor, and no sticky bit.
     void servoOn(const Gains& with = kGoodGains, unsigned at = 1);
-    /// Holds the shaft where it stands, between whole counts.
+    /// Holds the shaft where it is, between whole counts.
     void block();
-    /// Turns the motor by hand, so to speak: some thousand counts forward, then it stands, switched off.
+    /// Moves the shaft some thousand counts forward; after that, the motor is at rest and switched off.
     void turnAway();
     /// Lets a load turn the shaft, with the motor off, until the counter has wrapped.
     void wrapPosition();

@@ -7,7 +7,8 @@ namespace {
 
 class PicStepCommands : public PicStep {
 protected:
-    /// A velocity profile from 20 to 120 (3000 steps per second) with 1 ms for each speed, at its speed.
+    /// Starts a velocity profile from 20 to 120 (3000 steps per second) with 1 ms for each speed, and waits
+    /// until it is at its speed.
     void cruise() {
         parameters(k1x, 20);
         load({.speed = 120, .acceleration = 4});
@@ -22,7 +23,7 @@ protected:
         EXPECT_EQ(outputs(), ~bit & 0x1FU);
         expectNoViolations();
     }
-    /// Steps per second at speed 40, which is also the minimum.
+    /// Checks the steps per second at speed 40, which is also the minimum.
     void expectSpeedMode(unsigned mode, int stepsPerSecond, const Kinds& violations = {}) {
         parameters(mode, 40);
         load({.speed = 40, .acceleration = 1});
@@ -170,7 +171,7 @@ TEST_P(PicStepCommands, SetParameters16_InMotionSpeedModeAndMinimumSpeedAreIgnor
     cruise();
     parameters(k8x, 60, 111);
     EXPECT_NEAR(stepsIn(kEightSeconds), 24'000, 1);
-    EXPECT_EQ(truth<int>("current_limit"), 111) << "the rest is not";
+    EXPECT_EQ(truth<int>("current_limit"), 111) << "the other parameters take effect";
     load({.speed = 1});
     rig->wait(milliseconds(200));
     EXPECT_NEAR(stepsIn(kEightSeconds), 8 * 20 * 25, 1);
@@ -220,7 +221,7 @@ TEST_P(PicStepCommands, StopMotor6_Bit3DeceleratesWithTheCurrentAccelerationTime
     cruise();
     rig->send(packet(1, 0x17, {0x09}));
     static_cast<void>(secondsToSpeed(119));
-    // 120 lasted its millisecond; 119 ... 21 follow.
+    // Speed 120 has lasted its millisecond; 119 ... 21 follow.
     EXPECT_NEAR(secondsToStop(), 0.099, 0.0006);
     expectNoViolations();
 }
@@ -260,7 +261,7 @@ TEST_P(PicStepCommands, StopMotor10_AfterASmoothStopATrapezoidNeedsItsSpeedLoade
     const auto goal = static_cast<std::int32_t>(position()) + 5'000;
     load({.position = goal});
     rig->wait(milliseconds(500));
-    EXPECT_EQ(speed(), 20U) << "the minimum, for the speed is 0";
+    EXPECT_EQ(speed(), 20U) << "the minimum, because the speed is 0";
     expectViolations({"velocity_not_loaded"});
     stop(0x05);
     load({.position = goal, .speed = 120});

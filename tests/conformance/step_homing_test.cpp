@@ -19,7 +19,7 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(, PicStepHoming, kPlaces, nameOf);
 
-/// At 1000 steps per second, on both changes of the switch.
+/// Checks the capture at 1000 steps per second, on both changes of the switch.
 void PicStepHoming::expectCapturedOn(const std::string& pin, unsigned control) {
     for (const char* level : {" 1", " 0"}) {
         home(control);
@@ -38,8 +38,8 @@ void PicStepHoming::expectCapturedOn(const std::string& pin, unsigned control) {
     expectNoViolations();
 }
 
-/// Into a switch at 2000 with 3000 steps per second, in a profile from 20 to 120, one millisecond each. Ends
-/// in the tick that finds home.
+/// Runs into a switch at 2000 with 3000 steps per second, in a profile from 20 to 120 with 1 ms for each
+/// speed. Returns in the tick that finds home.
 void PicStepHoming::findAtSpeed(unsigned stopBit) {
     parameters(k1x, 20);
     set("home_switch_at 2000");
@@ -47,7 +47,7 @@ void PicStepHoming::findAtSpeed(unsigned stopBit) {
     load({.speed = 120, .acceleration = 4});
     for (int i = 0; i < 5'000 && truth<bool>("homing"); ++i)
         rig->wait(kTick);
-    // 1.5 steps a tick, in which the switch is looked at once.
+    // The switch is sampled once a tick, in which the motor makes 1.5 steps.
     EXPECT_NEAR(truth<double>("home"), 2'001, 1);
     expectNoViolations();
 }
@@ -252,7 +252,7 @@ TEST_P(PicStepHoming, SaveCurrentPositionAsHome3_ToAGroupStoresAllPositionsAtOnc
     const std::int32_t first = longAt(rig->command(1, 0x13, {0x10}), 1);
     const std::int32_t second = longAt(rig->command(2, 0x13, {0x10}), 1);
     EXPECT_GT(first, 990);
-    EXPECT_NEAR(first, second, 1) << "which were read 20 ms apart, 20 steps";
+    EXPECT_NEAR(first, second, 1) << "although they were read 20 ms, or 20 steps, apart";
     expectNoViolations();
 }
 

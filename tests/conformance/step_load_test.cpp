@@ -92,7 +92,7 @@ TEST_P(PicStepLoad, LoadTrajectory9_DataComeInTheOrderOfTheBits) {
     load({.position = 30'000, .speed = 60});
     command(0x64, {0x8E, 30, 255, 0x91, 0xFD, 40});
     EXPECT_EQ(speed(), 40U);
-    EXPECT_NEAR(secondsToSpeed(39), 0.064, 0.018) << "as much as 18 ms ago it began";
+    EXPECT_NEAR(secondsToSpeed(39), 0.064, 0.018) << "it began up to 18 ms ago";
     static_cast<void>(secondsToSpeed(30));
     rig->wait(seconds(1));
     EXPECT_EQ(speed(), 30U);
@@ -193,7 +193,7 @@ TEST_P(PicStepLoad, LoadTrajectory19_TheAccelerationTimeHoldsInBothProfiles) {
 TEST_P(PicStepLoad, LoadTrajectory20_TheCountIsFollowedByTheNearestIntegerSpeed) {
     command(0x44, {0x88, 0x91, 0xFD, 41});
     EXPECT_EQ(speed(), 41U);
-    EXPECT_NEAR(stepsIn(kEightSeconds), 8'000, 1) << "the count makes the speed";
+    EXPECT_NEAR(stepsIn(kEightSeconds), 8'000, 1) << "the count determines the speed";
 }
 
 TEST_P(PicStepLoad, LoadTrajectory21_RampsFromACountBeginAtTheNearestIntegerSpeed) {
@@ -202,7 +202,7 @@ TEST_P(PicStepLoad, LoadTrajectory21_RampsFromACountBeginAtTheNearestIntegerSpee
         load({.speed = static_cast<std::uint8_t>(goal), .acceleration = 200});  // 50 ms each
         EXPECT_EQ(speed(), 40U);
         rig->wait(milliseconds(275));
-        EXPECT_EQ(speed(), goal > 40 ? 45U : 35U) << "286 to 292 ms behind the command";
+        EXPECT_EQ(speed(), goal > 40 ? 45U : 35U) << "286 to 292 ms after the command";
         stop(0x05);
     }
     expectNoViolations();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DS-S 5.1, Table 4: a goal mode for each row, a starting mode for each column.
+// DS-S 5.1, Table 4: each row is a goal mode, and each column a starting mode.
 #include "tests/conformance/picstep.h"
 
 namespace nmc::conformance {
@@ -10,7 +10,7 @@ using enum From;
 
 constexpr std::int32_t kFar = 30'000;
 constexpr std::uint16_t kFaster = kCount + 125;  // 625 000 / 500 = 1250 per second
-// Loads by their parameters.
+// Loads, named by their parameters.
 constexpr Load kPosition{.position = 2'000};
 constexpr Load kSpeed{.speed = 30};
 constexpr Load kAcceleration{.acceleration = 8};
@@ -21,15 +21,15 @@ constexpr Load kNothing{};
 
 class PicStepModeTable : public PicStep {
 protected:
-    /// A fresh chip in a starting mode, with speed 60 and acceleration time 4 loaded before.
+    /// Brings a fresh chip into a starting mode, with speed 60 and acceleration time 4 loaded before.
     void enter(From from);
-    /// The cell allows each of these, which lead to a mode.
+    /// Checks that the cell allows each of these loads, and that they lead to `mode`.
     void expectAllowed(From from, const std::string& mode, const std::vector<Load>& loads);
-    /// The cell does not allow any of these: it goes on as before.
+    /// Checks that the cell allows none of these loads, and that the chip continues as before.
     void expectForbidden(From from, const std::vector<Load>& loads);
-    /// Stop Motor, abruptly and smoothly.
+    /// Checks that Stop Motor ends the motion, abruptly and smoothly.
     void expectStopCommandStops(From from);
-    /// The present motion ends at a position, by itself.
+    /// Checks that the present motion ends at `goal` by itself.
     void expectEnd(std::int32_t goal) {
         static_cast<void>(secondsToStop());
         EXPECT_EQ(position(), goal);
@@ -191,19 +191,19 @@ TEST_P(PicStepModeTable, ModeTable21_UnprofiledNoStopFromStoppedNeedsATimerCount
     EXPECT_NEAR(stepsIn(kEightSeconds * 10), 100'000, 1) << "past any goal";
     expectForbidden(Stopped, {kTimer + kSpeed, kTimer + kAcceleration});
 }
-// A timer count alone keeps the stop (cell 17): no load leads there.
+// A timer count alone keeps the stop (cell 17), so no load leads there.
 TEST_P(PicStepModeTable, ModeTable22_UnprofiledNoStopFromTrapezoidalIsNotAllowed) {
     enter(Trapezoidal);
     load(kTimer);
     rig->wait(seconds(60));
-    EXPECT_EQ(position(), kFar) << "the stop has stayed";
+    EXPECT_EQ(position(), kFar) << "the stop has remained in force";
 }
 TEST_P(PicStepModeTable, ModeTable23_UnprofiledNoStopFromVelocityProfileNeedsATimerCountOnly) {
     expectAllowed(Velocity, "unprofiled", {kTimer});
     EXPECT_NEAR(stepsIn(kEightSeconds * 10), 100'000, 1);
     expectForbidden(Velocity, {kTimer + kSpeed, kTimer + kAcceleration});
 }
-// As cell 22, by cell 19.
+// A timer count alone keeps the stop (cell 19), so no load leads there.
 TEST_P(PicStepModeTable, ModeTable24_UnprofiledNoStopFromUnprofiledWithStopIsNotAllowed) {
     enter(UnprofiledWithStop);
     load(kTimer);

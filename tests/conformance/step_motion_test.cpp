@@ -194,7 +194,7 @@ TEST_P(PicStep, VelocityProfile9_From25To125WithAnAccelerationTimeOf4Takes100Mil
     parameters(k1x, 25);
     load({.speed = 25, .acceleration = 4});
     rig->send(packet(1, 0x24, {0x82, 125}));
-    static_cast<void>(secondsToSpeed(26));  // the first millisecond is over
+    static_cast<void>(secondsToSpeed(26));  // the first millisecond has passed
     EXPECT_NEAR(secondsToSpeed(125), 0.099, 0.0006);
 }
 
@@ -212,7 +212,7 @@ TEST_P(PicStep, VelocityProfile10_AnotherDirectionNeedsAStopFirst) {
 
 // ---- 4.3 ----
 // From 20 to 120 at 1 ms each and 25 steps per second: (20 + ... + 119) x 0.025 = 173.75 steps in 0.1 s, and
-// as many on the way down; what is left of 2000 takes 1652.5 / 3000 = 0.551 s.
+// as many on the way down; the rest of 2000 takes 1652.5 / 3000 = 0.551 s.
 
 TEST_P(PicStep, Trapezoid1_AcceleratesSlewsAndDeceleratesToAStopAtTheGoal) {
     parameters(k1x, 20);

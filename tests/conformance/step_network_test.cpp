@@ -11,7 +11,7 @@ const Bytes kEnabled{0x0C, 0x0C};
 class PicStepNetwork : public PicStep {
 protected:
     unsigned outputs(int module = 1) { return rig->state(module)["outputs"].get<unsigned>(); }
-    /// To everyone, who do not answer; then a No Operation at the host's new rate.
+    /// Sets the rate of all modules, which do not answer; then sends No Operation at the host's new rate.
     void expectRate(std::uint8_t divisor, unsigned hostBaud) {
         EXPECT_TRUE(rig->command(0xFF, 0x1A, {divisor}).empty());
         rig->setBaud(hostBaud);
@@ -195,7 +195,7 @@ TEST_P(PicStepNetwork, HardReset3_ToTheGroupResetsAllModules) {
 TEST_P(PicStepNetwork, HardReset4_ToFFIsObeyedWhateverTheGroup) {
     command(0x21, {1, 0x85});
     rig->command(0xFF, 0x18, {0x03});
-    EXPECT_EQ(outputs(), 0x10U) << "no other command is";
+    EXPECT_EQ(outputs(), 0x10U) << "no other command to FF is obeyed";
     EXPECT_TRUE(rig->command(0xFF, 0x0F).empty());
     rig->waitTicks(20);
     EXPECT_EQ(truth<int>("address"), 0);

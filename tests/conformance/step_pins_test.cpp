@@ -28,7 +28,7 @@ TEST_P(PicStep, Pins3_AddrOutIsHighAtFirstAndStaysLowAfterSetAddress) {
     EXPECT_EQ(rig->state(2)["listening"], true);
     ASSERT_EQ(rig->command(0, 0x21, {2, 0xFF}).size(), 2U);
     ASSERT_EQ(rig->command(1, 0x21, {3, 0xFF}).size(), 2U) << "a second time";
-    EXPECT_EQ(rig->command(2, 0x0E).size(), 2U) << "which would be deaf if it had risen";
+    EXPECT_EQ(rig->command(2, 0x0E).size(), 2U) << "module 2 would be deaf if its ADDR_IN had risen";
 }
 
 TEST_P(PicStep, Pins4_Limit1IsAGeneralInputTooWhenItDoesNotStop) {
@@ -97,7 +97,7 @@ TEST_P(PicStep, Pins11_LowPwrSenseLowersAmpEnAndTerminatesMotion) {
     EXPECT_EQ(status(), 0x00U);
     EXPECT_EQ(stepsIn(seconds(1)), 0);
     set("power 1");
-    EXPECT_EQ(status(), 0x08U) << "until it is enabled again";
+    EXPECT_EQ(status(), 0x08U) << "it stays off until it is enabled again";
     stop(0x01);
     run();
     EXPECT_EQ(status(), 0x1DU) << "normal operation";

@@ -8,7 +8,8 @@ namespace {
 class PicStepStatus : public PicStep {
 protected:
     PicStepStatus() { parameters(k1x, 20); }
-    /// Home at 258 = 0x0102, standing at -515 = 0xFFFFFDFD after 1000 steps per second; A/D 55, inputs 22.
+    /// Sets home at 258 = 0x0102 and moves to -515 = 0xFFFFFDFD at 1000 steps per second; A/D is 0x55, and
+    /// the inputs are 0x22.
     void arrange() {
         moveTo(258);
         command(0x0C);
@@ -22,7 +23,7 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(, PicStepStatus, kPlaces, nameOf);
 
-/// The answer to Define Status or Read Status: status byte, the item, the sum.
+/// Checks the answer to Define Status or Read Status: status byte, the item, the sum.
 void PicStepStatus::expectItem(unsigned byte, unsigned mask, const Bytes& item, const Kinds& violations) {
     arrange();
     Bytes expected{0x0C};
@@ -168,7 +169,7 @@ TEST_P(PicStepStatus, StatusByte1_CommunicationsError) {
     Bytes wrong = packet(1, 0x17, {0x00});
     wrong.back() ^= 1U;
     EXPECT_EQ(rig->exchange(wrong), (Bytes{0x0E, 0x0E}));
-    EXPECT_EQ(status(), 0x0CU) << "and the command was not executed";
+    EXPECT_EQ(status(), 0x0CU) << "the command was not executed";
 }
 
 TEST_P(PicStepStatus, StatusByte2_TheAmplifierEnableOutputIsHigh) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-/// The stepper's frames (DS-S 5), made and read without the program's code.
+/// The stepper's frames (DS-S 5), made and read independently of the program's code.
 namespace nmc::stepperchip {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -22,7 +22,7 @@ inline void append(Bytes& bytes, std::uint32_t value, int count) {
         bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i) & 0xFFU));
 }
 
-/// What a Load Trajectory command loads; what is absent is not.
+/// The parameters of a Load Trajectory command; absent ones are not loaded.
 struct Load {
     std::optional<std::int32_t> position{};
     std::optional<std::uint8_t> speed{};
@@ -33,7 +33,7 @@ struct Load {
     bool start = true;
 };
 
-/// What either of them loads; `more` goes before.
+/// The parameters of both loads; those of `more` take precedence.
 inline Load operator+(Load load, const Load& more) {
     load.position = more.position ? more.position : load.position;
     load.speed = more.speed ? more.speed : load.speed;
@@ -68,12 +68,12 @@ inline Bytes loadData(const Load& load) {
     return data;
 }
 
-/// Load Trajectory's command byte for such data.
+/// Load Trajectory's command byte for this data.
 inline unsigned loadByte(const Bytes& data) {
     return static_cast<unsigned>(data.size()) << 4U | 4U;
 }
 
-/// What a reply with all items (3F) says.
+/// The contents of a reply with all items (3F).
 struct StepperReport {
     unsigned status = 0;
     std::int32_t position = 0;
@@ -86,7 +86,7 @@ struct StepperReport {
 };
 inline constexpr std::size_t kReportSize = 16;
 
-/// `reply` has kReportSize bytes.
+/// Decodes `reply`, which has kReportSize bytes.
 inline StepperReport readReport(const Bytes& reply) {
     const auto number = [&reply](std::size_t at, std::size_t count) {
         std::uint32_t value = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What hosts do to a terminal besides talking. Time is stepped: no scheduler can upset it.
+// What hosts do with a terminal besides communicating. Time is stepped, so that the scheduler has no
+// influence.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -27,7 +28,7 @@ std::size_t memory(const SimProcess& sim) {
     return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// A pipe with a name, for what a process says on standard error.
+/// A named pipe for the standard error of a process.
 class NamedPipe {
 public:
     NamedPipe() : m_path(testing::TempDir() + "nmc-said-" + std::to_string(::getpid())) {
@@ -44,7 +45,7 @@ public:
     NamedPipe& operator=(const NamedPipe&) = delete;
 
     [[nodiscard]] const std::string& path() const { return m_path; }
-    /// Reads until the words have come; false when nothing more is said for a minute.
+    /// Reads until `words` have arrived; returns false if nothing arrives for a minute.
     bool waitUntilSaid(const std::string& words) {
         while (m_said.find(words) == std::string::npos) {
             pollfd readable{m_fd, POLLIN, 0};
@@ -100,7 +101,7 @@ TEST(Terminal, AHostMayCloseItAndComeBack) {
     ASSERT_TRUE(host.answers(kNop));
     host.hangUp();
     host.comeBack();
-    EXPECT_EQ(host.rate(), speed_t{B115200}) << "as a terminal keeps it";
+    EXPECT_EQ(host.rate(), speed_t{B115200}) << "a terminal keeps its rate";
     EXPECT_TRUE(host.answers(kNop));
     EXPECT_EQ(host.sim.state(1)["address"], 1);
 }
@@ -109,13 +110,13 @@ TEST(Terminal, WhatAHostHasWrittenBeforeItHangsUpTakesNoMoreWireTime) {
     Host host;
     ASSERT_TRUE(host.answers(kSetAddress));
     const double before = host.sim.control("time")["time"];
-    // 1000 nulls are 521 ms at 19 200 Bd, and a command more is 2 ms; nothing is lost of it.
+    // 1000 nulls are 521 ms at 19 200 Bd, and the command takes another 2 ms; nothing of this is lost.
     Bytes burst(1000, 0);
     burst.insert(burst.end(), kNopToAll.begin(), kNopToAll.end());
     host.write(burst);
     host.hangUp();
     host.comeBack();
-    EXPECT_EQ(host.answer(kNop), kIdle) << "the old bytes are not before it";
+    EXPECT_EQ(host.answer(kNop), kIdle) << "no old bytes come before it";
     EXPECT_EQ(host.nops(), 2U);
     const double now = host.sim.control("time")["time"];
     EXPECT_NEAR(now - before, 1004 * 10.0 / 19'200 + 0.1, 1e-3) << "the line's time, and that of the answer";
@@ -152,7 +153,7 @@ TEST(Terminal, InRealTimeAHostThatHangsUpAndComesBackIsAnsweredAtOnce) {
 TEST(Terminal, BytesThatAreStillLeavingKeepTheRateTheyWereWrittenAt) {
     Host host;
     ASSERT_TRUE(host.answers(kSetAddress));
-    // 500 nulls are 260 ms at 19 200 Bd; read they are at once.
+    // 500 nulls are 260 ms at 19 200 Bd; they are read at once.
     Bytes bytes(500, 0);
     bytes.insert(bytes.end(), kNop.begin(), kNop.end());
     host.write(bytes);
@@ -171,18 +172,18 @@ TEST(Terminal, AHostThatHangsUpInAPacketLeavesAModuleThatWaitsForTheRest) {
     host.write({0xAA, 0x01, 0x74});
     host.hangUp();
     host.comeBack();
-    EXPECT_TRUE(host.answer(kNop).empty()) << "four of the eight bytes that are wanted";
+    EXPECT_TRUE(host.answer(kNop).empty()) << "these are four of the eight missing bytes";
     host.answer(Bytes(30, 0));  // the rest, which makes a wrong sum, and more
     EXPECT_TRUE(host.answers(kNop));
     EXPECT_EQ(host.sim.control("stats")["modules"][0]["executed"].contains("load_trajectory"), false);
 }
 
 TEST(Terminal, AMegabyteOfRepliesThatNobodyReadsHarmsNothing) {
-    // Read Status with everything, and nulls for longer than a tick (0.52 ms each at 19 200 Bd) behind it.
+    // Read Status with everything, and nulls for longer than a tick (0.52 ms each at 19 200 Bd) after it.
     const Bytes query{0xAA, 0x01, 0x13, 0x3F, 0x53, 0, 0};
     constexpr unsigned kQueries = 65'536;  // of 16 bytes each
     constexpr unsigned kAtOnce = 2'048;
-    ::setenv("ASAN_OPTIONS", "quarantine_size_mb=1", 0);  // which would be memory as well
+    ::setenv("ASAN_OPTIONS", "quarantine_size_mb=1", 0);  // quarantined memory would count as well
     Host host({"--unpaced"});
     ASSERT_TRUE(host.answers(kSetAddress));
     Bytes queries;
@@ -225,7 +226,7 @@ TEST(Terminal, OptionsTakeTheirValueBehindASpaceOrAnEqualsSign) {
 
 TEST(Terminal, AControlLineThatIsTooLongIsRefusedAsAWhole) {
     Host host;
-    // Whatever part of it is read by itself, the end would set the load.
+    // If a part of it were read as a line of its own, the end would set the load.
     for (const std::size_t blanks : {4'096U, 5'000U, 70'000U}) {
         auto answer = host.sim.control("stats" + std::string(blanks, ' ') + "\rset 1 load 0.02");
         EXPECT_EQ(answer["error"], "too long a line; allowed are 4096 bytes") << blanks;

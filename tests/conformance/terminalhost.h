@@ -19,7 +19,7 @@ using Bytes = std::vector<std::uint8_t>;
 inline const Bytes kNop{0xAA, 0x01, 0x0E, 0x0F};
 inline const Bytes kSetAddress{0xAA, 0x00, 0x21, 0x01, 0xFF, 0x21};
 inline const Bytes kIdle{0x19, 0x19};
-// To all; nobody answers.
+// Commands to all modules, which none of them answers.
 inline const Bytes kNopToAll{0xAA, 0xFF, 0x0E, 0x0D};
 inline const Bytes kResetAll{0xAA, 0xFF, 0x0F, 0x0E};
 inline const Bytes kAllTo115200{0xAA, 0xFF, 0x1A, 10, 0x23};
@@ -40,7 +40,7 @@ public:
         m_port->setRate(rate);
         sim.control("time");  // the simulator looks at the rate before it answers
     }
-    /// In one breath: by then the simulator may have noticed all, some or nothing of it.
+    /// Does both without a pause: meanwhile the simulator may have noticed all, some or nothing of it.
     void writeAndSetRate(const Bytes& before, speed_t rate, const Bytes& behind) {
         if (!before.empty())
             m_port->write(before);
@@ -57,7 +57,7 @@ public:
     void hangUp() { m_port.reset(); }
     void comeBack() { m_port.emplace(sim.terminal()); }
 
-    /// The simulator has the bytes; they leave when time passes.
+    /// Hands the bytes over to the simulator; they leave when time passes.
     void write(const Bytes& bytes) {
         m_port->write(bytes);
         m_written += bytes.size();
@@ -65,7 +65,7 @@ public:
     }
     void pass(double seconds) { sim.control("advance " + std::to_string(seconds)); }
 
-    /// All that is answered within a tenth of a second.
+    /// Sends a command and returns everything that is answered within a tenth of a second.
     Bytes answer(const Bytes& command) {
         const std::size_t before = sim.control("time")["sent"];
         write(command);
@@ -81,14 +81,14 @@ public:
         return all;
     }
     bool answers(const Bytes& command, const Bytes& wanted = kIdle) { return answer(command) == wanted; }
-    /// Throws away whatever came unread.
+    /// Like answers(), but first discards everything unread.
     bool answersAfterAFlood(const Bytes& command, const Bytes& wanted = kIdle) {
         m_port->flush();
         return answers(command, wanted);
     }
 
     unsigned nops() { return sim.control("stats")["modules"][0]["executed"].value("nop", 0U); }
-    /// Bytes that were heard wrong.
+    /// Number of bytes that were received wrong.
     unsigned garbled() { return sim.control("stats")["modules"][0]["bytes_garbled"]; }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rates that hosts set at a terminal, before and behind what they write. Time is stepped, and each case comes
-// often, so that the simulator notices all, some and nothing of it in between.
+// Rates that hosts set at a terminal, before and after what they write. Time is stepped, and each case is
+// repeated often, so that the simulator notices all, some or nothing of it in between.
 #include <gtest/gtest.h>
 
 #include "tests/conformance/terminalhost.h"
@@ -62,7 +62,7 @@ TEST(Terminal, ABadLineGarblesWhatACleanOneHearsRightly) {
 
 constexpr unsigned kOften = 200;
 
-/// How a host makes its settings: from those it finds, or from nothing.
+/// The way in which a host makes its settings: from those it finds, or from scratch.
 class NewRate : public testing::TestWithParam<bool> {
 protected:
     NewRate() {
