@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any address for a module that answers (DS-V 5.2, DS-S 5.1 Set Address), and a chain whose addresses do not
-// follow one another; any divisor that the chips can make (Set Baud Rate).
+// Any address for a module that answers (DS-V 5.2, DS-S 5.1 Set Address), chains whose addresses are not
+// consecutive, and any divisor that the chips support (Set Baud Rate).
 #include <gtest/gtest.h>
 
 #include "tests/bus/groups.h"
@@ -24,7 +24,7 @@ protected:
                       Outcome::Done);
         bus.runFor(3s);
     }
-    /// Runs until that has ended; the reason when it failed.
+    /// Changes the address and runs until this has ended; returns the reason if it failed.
     std::optional<Reason> move(std::uint8_t module, std::uint8_t address) {
         const std::size_t before = bus.count<AddressChanged>() + bus.count<ReaddressFailed>();
         const std::size_t failed = bus.count<ReaddressFailed>();
@@ -37,7 +37,7 @@ protected:
     [[nodiscard]] int addressOf(std::uint8_t module) {
         return bus.chain.snapshot(ModuleIndex(module), bus.now).address;
     }
-    /// Each is asked where it is, and is what it was.
+    /// Each module answers at its address and is in its old position.
     void expectAllLive() {
         bus.runFor(1s);
         for (std::uint8_t i = 0; i < 3; ++i) {
@@ -64,7 +64,7 @@ TEST_F(Addresses, AreAnyFrom1To127AndTheModuleKeepsWhatItHas) {
     ASSERT_TRUE(stop);
     EXPECT_EQ(stop->stopped.size(), 3U);
     EXPECT_EQ(bus.servo(1).commandVelocity, 0.0);
-    EXPECT_EQ(move(1, 2), std::nullopt) << "and back";
+    EXPECT_EQ(move(1, 2), std::nullopt) << "it gets its old address back";
     bus.expectNoViolations();
 }
 
@@ -72,7 +72,7 @@ TEST_F(Addresses, AreInTheStopThatLiesReady) {
     (void)bus.engine.changedStopBurst();
     EXPECT_EQ(move(1, 100), std::nullopt);
     const auto burst = bus.engine.changedStopBurst();
-    ASSERT_TRUE(burst) << "a guardian would stop nobody at the old one";
+    ASSERT_TRUE(burst) << "a guardian would stop no motor at the old address";
     EXPECT_NE(toHex(*burst).find("AA 64 17"), std::string::npos);
     EXPECT_EQ(toHex(*burst).find("AA 02 17"), std::string::npos);
 }
@@ -89,9 +89,9 @@ TEST_F(Addresses, ChangeWithoutTheGroup) {
 TEST_F(Addresses, ThatCannotBeAreRefusedBeforeAnythingIsSent) {
     const std::size_t from = bus.sent.size();
     EXPECT_EQ(move(1, 3), Reason::Taken);
-    EXPECT_EQ(move(1, 2), Reason::Taken) << "it has it";
-    EXPECT_EQ(move(1, 0), Reason::Taken) << "of those that have none";
-    EXPECT_EQ(move(1, 0x80), Reason::Taken) << "a group's";
+    EXPECT_EQ(move(1, 2), Reason::Taken) << "it has this address already";
+    EXPECT_EQ(move(1, 0), Reason::Taken) << "reserved for modules without an address";
+    EXPECT_EQ(move(1, 0x80), Reason::Taken) << "a group's address";
     ASSERT_EQ(bus.perform({loadVelocity(2, 65'536, true)}), Outcome::Done);
     bus.runFor(200ms);
     EXPECT_EQ(move(1, 20), Reason::NotNow) << "a motor moves";
@@ -101,7 +101,7 @@ TEST_F(Addresses, ThatCannotBeAreRefusedBeforeAnythingIsSent) {
 
 TEST_F(Addresses, OfAModuleThatIsNotKnownHereAreTaken) {
     ASSERT_EQ(move(2, 90), std::nullopt);
-    bus.newHost();  // which has never heard of 90
+    bus.newHost();  // it does not know address 90
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.last<ChainFound>()->modules.size(), 2U);
     EXPECT_EQ(move(0, 50), Reason::GroupUnknown) << "another host may have given it one";
@@ -115,7 +115,7 @@ TEST_F(Addresses, AreFoundOutWhenTheAnswerIsLost) {
     bus.losesReply = [](ByteSpan command) { return command.size() > 2 && command[2] == 0x21; };
     EXPECT_EQ(move(1, 60), std::nullopt);
     bus.losesReply = nullptr;
-    EXPECT_EQ(bus.sends("AA 02 21"), 1U) << "it is asked at the new one first";
+    EXPECT_EQ(bus.sends("AA 02 21"), 1U) << "it is queried at the new address first";
     EXPECT_EQ(addressOf(1), 60);
     expectAllLive();
 }
@@ -173,7 +173,7 @@ TEST_F(Addresses, LeadAnotherProgramToTheSamePlaces) {
     EXPECT_TRUE(found.absent.empty());
     EXPECT_EQ(found.modules[0].address, BusAddress(99));
     expectAllLive();
-    ASSERT_TRUE(bus.connect()) << "and so does a scan";
+    ASSERT_TRUE(bus.connect()) << "a scan finds the same";
     EXPECT_EQ(bus.last<ChainFound>()->modules[0].address, BusAddress(99));
     expectAllLive();
 }
@@ -226,7 +226,7 @@ TEST_F(Divisors, OutsideTheTableTakeTheChainToTheirRateAndBack) {
 }
 
 TEST_F(Divisors, ThatGiveNoSuchRateAreRefused) {
-    // Next to 1 250 000 / 4 = 312 500 comes 1 250 000 / 3 = 416 667.
+    // The rate after 1 250 000 / 4 = 312 500 is 1 250 000 / 3 = 416 667.
     EXPECT_FALSE(change(360'000));
     EXPECT_EQ(bus.last<RateChangeFailed>()->reason, RateChangeFailed::Reason::NoSuchRate);
     EXPECT_FALSE(change(4'000)) << "slower than divisor 255";
@@ -258,10 +258,10 @@ TEST_F(Divisors, AreLookedAtByAProgramThatKnowsThem) {
     EXPECT_EQ(bus.last<ChainFound>()->baud, 250'000U);
     EXPECT_TRUE(bus.last<ChainFound>()->attached);
     expectAllLive();
-    ASSERT_TRUE(bus.connect()) << "and a scan stays there";
+    ASSERT_TRUE(bus.connect()) << "a scan stays at this rate";
     EXPECT_EQ(bus.last<ChainFound>()->baud, 250'000U);
     bus.newHost(config);
-    ASSERT_TRUE(bus.restart()) << "a reset reaches it there";
+    ASSERT_TRUE(bus.restart()) << "a reset reaches the chain at this rate";
     EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 3U);
     EXPECT_EQ(bus.last<ChainFound>()->baud, 19'200U);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Connecting to a chain that another program left behind: it is found as it is and left as it is.
+// Connecting to a chain that another program left behind: it is found and left as it is.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -59,7 +59,7 @@ TEST_P(AttachAt, AsksWithNoOperationUntilTheLastAddress) {
             EXPECT_EQ(sent[at].bytes, std::vector<std::uint8_t>(16, 0));
     for (int address = 0; address <= 32; ++address)
         EXPECT_TRUE(asked.count(address)) << address;
-    // From there on questions, and the length of replies.
+    // After that, only queries and the length of replies are sent.
     for (; at < sent.size(); ++at) {
         const std::uint8_t command = commandOf(sent[at]);
         EXPECT_TRUE(command == 0x13 || command == 0x12 || command == 0x0E) << sent[at].hex();
@@ -75,7 +75,7 @@ TEST_P(AttachAt, CanStopWhatIsRunning) {
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() > 0; }, 5s));
     EXPECT_EQ(bus.last<StopFinished>()->stopped.size(), 3U);
     EXPECT_DOUBLE_EQ(left.commandVelocity(), 0);
-    EXPECT_TRUE(bus.servo(0).servoOn) << "it holds";
+    EXPECT_TRUE(bus.servo(0).servoOn) << "it still holds";
 }
 
 INSTANTIATE_TEST_SUITE_P(Rates, AttachAt, testing::Values(9'600U, 19'200U, 57'600U, 115'200U));
@@ -92,7 +92,8 @@ TEST(Attach, ForbidsATrapezoidalMoveUntilAStopWasAnswered) {
     bus.expectNoViolations();
 }
 
-/// At velocity 0 in velocity mode a servo says move_done; nobody here knows that it is not a move that ended.
+/// At velocity 0 in velocity mode, a servo reports move_done; the new host cannot distinguish this from a
+/// move that has ended.
 TEST(Attach, ForbidsATrapezoidalMoveOfAServoThatHolds) {
     VirtualBus bus(servos(1), atRate(115'200));
     ASSERT_TRUE(bus.connect());
@@ -133,7 +134,7 @@ TEST(Attach, StopsTheMotorsWhenAskedToDuringTheLook) {
         }
 }
 
-/// As any module's page asks for it, while the panel looks for a chain that it knows.
+/// A stop as requested on the page of a module, while the panel searches for a chain that it knows.
 TEST(Attach, StopsOneMotorAtOnceWhileItsChainIsLookedForAgain) {
     using Manner = servo::StopManner;
     for (const Manner manner : {Manner::Abruptly, Manner::Smoothly, Manner::Here, Manner::MotorOff})
@@ -143,18 +144,18 @@ TEST(Attach, StopsOneMotorAtOnceWhileItsChainIsLookedForAgain) {
             ASSERT_TRUE(bus.connect());
             bus.engine.connect(bus.now);
             bus.runFor(after);
-            ASSERT_EQ(bus.count<ChainFound>(), 1U) << "it is being looked for";
+            ASSERT_EQ(bus.count<ChainFound>(), 1U) << "the search is in progress";
             const bool off = manner == Manner::MotorOff;
             const OperationId id = bus.submit({toServo(0, servo::StopMotor{!off, manner, Counts(-5'000)})});
             EXPECT_EQ(bus.outcomeOf(id), Outcome::Done);
-            // A question that nobody answers takes some 20 ms at this rate, the stop after it 30 more.
+            // An unanswered query takes some 20 ms at this rate, and the stop after it another 30.
             bus.runFor(150ms);
-            EXPECT_EQ(bus.count<ChainFound>(), 1U) << "still";
+            EXPECT_EQ(bus.count<ChainFound>(), 1U) << "the search is still in progress";
             EXPECT_EQ(bus.servo(0).servoOn, !off);
-            EXPECT_TRUE(off || left.commandVelocity() < 1.0) << "it slows down, or stands";
+            EXPECT_TRUE(off || left.commandVelocity() < 1.0) << "it slows down, or is at rest";
             ASSERT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() > 0; }, 20s));
-            EXPECT_EQ(bus.servo(0).servoOn, !off) << "as it was asked for, after the search, too";
-            EXPECT_NE(bus.servo(0).position, -5'000) << "the place was old by then";
+            EXPECT_EQ(bus.servo(0).servoOn, !off) << "as requested, even after the search";
+            EXPECT_NE(bus.servo(0).position, -5'000) << "the requested position was out of date by then";
         }
 }
 
@@ -170,7 +171,8 @@ TEST(Attach, EndsAStopDuringALookThatFindsNobody) {
     EXPECT_TRUE(bus.last<StopFinished>()->stopped.empty());
 }
 
-/// The result of a stop that the operator asked for is always shown, even where another one ran already.
+/// The result of a stop that the operator requested is always shown, even if another one was already in
+/// progress.
 TEST(Attach, SaysOfAStopWhetherTheOperatorAskedForIt) {
     for (const bool asked : {false, true}) {
         VirtualBus bus{std::vector<ModuleIdentity>{}};
@@ -197,7 +199,8 @@ TEST(Attach, TellsOfAModuleWithoutAnAddressBesideTheChain) {
         EXPECT_TRUE(found.attached);
         EXPECT_TRUE(found.unaddressed);
         EXPECT_EQ(found.modules.size(), 2U);
-        EXPECT_EQ(bus.chain.snapshot(ModuleIndex(2), bus.now).address, 0) << "it is not given one unasked";
+        EXPECT_EQ(bus.chain.snapshot(ModuleIndex(2), bus.now).address, 0)
+            << "it is given no address without a request";
         EXPECT_NEAR(left.commandVelocity(), 1.0, 0.01);
         ASSERT_TRUE(bus.restart());
         EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 3U);
@@ -205,7 +208,7 @@ TEST(Attach, TellsOfAModuleWithoutAnAddressBesideTheChain) {
     }
 }
 
-/// Whichever it is: nobody is left out, and nobody is given an address that another has.
+/// Whichever answer is lost, no module is left out, and none is given the address of another.
 TEST(Attach, IsNotMisledByOneLostAnswer) {
     for (const bool restarted : {false, true})
         for (int lost = 0; lost < 80; ++lost) {
@@ -225,8 +228,8 @@ TEST(Attach, IsNotMisledByOneLostAnswer) {
         }
 }
 
-/// The answers to two questions in a row to one address, or to two neighbours: at the usual rates, at the
-/// lowest places and at the end of the chain.
+/// The first one or two answers from one address are lost: from any address in chains of one, two and four
+/// modules, and from address 0 if a module has restarted.
 TEST(Attach, IsNotMisledByTwoLostAnswersOfOneModule) {
     for (const std::size_t modules : {1U, 2U, 4U})
         for (std::uint8_t address = 0; address <= modules; ++address)
@@ -252,8 +255,8 @@ TEST(Attach, IsNotMisledByTwoLostAnswersOfOneModule) {
             }
 }
 
-/// USB hubs, Bluetooth and device servers pass a reply on in pieces: how long they pause is learned, told and
-/// waited for.
+/// USB hubs, Bluetooth and device servers pass a reply on in pieces: the length of the pauses is learned,
+/// reported and waited for.
 TEST(Attach, LearnsHowLongAnAdapterPausesWithinAReply) {
     for (const std::uint32_t baud : {19'200U, 115'200U})
         for (const bool fresh : {false, true}) {
@@ -289,7 +292,7 @@ TEST(Attach, DoesNotTakeNoiseForAPauseOfTheAdapter) {
     EXPECT_LE(left.bus.count<ChainFound>() + left.bus.count<ConnectFailed>(), 1U);
 }
 
-/// The same program looks again: whoever answers at its address has not restarted, and is what it was.
+/// The same program searches again: a module that answers at its address has not restarted, and is unchanged.
 TEST(Attach, KeepsWhatItToldAModuleThatItFindsAgain) {
     VirtualBus bus(servos(2));
     ASSERT_TRUE(bus.connect());
@@ -299,11 +302,11 @@ TEST(Attach, KeepsWhatItToldAModuleThatItFindsAgain) {
     const auto found = *bus.last<ChainFound>();
     EXPECT_TRUE(found.attached);
     for (const ModuleInfo& info : found.modules)
-        EXPECT_EQ(info.group, GroupPlace{}) << "nobody else has set one";
+        EXPECT_EQ(info.group, GroupPlace{}) << "no other host has set one";
     bus.runFor(500ms);
     EXPECT_EQ(bus.perform({loadMove(0, 500), start(0)}), Outcome::Done) << "without a stop before it";
-    // One that lost its power meanwhile does not answer there, and is a stranger when it has an address
-    // again.
+    // A module that has lost power in the meantime does not answer there, and counts as unknown when it has
+    // an address again.
     bus.chain.powerCycle(ModuleIndex(1), bus.now);
     ASSERT_TRUE(bus.connect());
     EXPECT_EQ(bus.last<ChainFound>()->absent, std::vector{ModuleIndex(1)});
@@ -343,21 +346,21 @@ TEST(Attach, SwitchesMotorsOffWithARestart) {
     EXPECT_EQ(left.bus.perform({gains(0), enable(0), loadMove(0, 100), start(0)}), Outcome::Done);
 }
 
-/// The status byte of a PIC-STEP at rest without motor power is 00, and so is the sum of a reply with nothing
-/// else in it (DS-S 5.2).
+/// The status byte of a PIC-STEP at rest without motor power is 00, and so is the sum of a reply that
+/// contains nothing else (DS-S 5.2).
 TEST(Attach, FindsAStepperWithoutMotorPower) {
     for (const std::size_t modules : {1U, 3U}) {
         VirtualBus bus(std::vector<ModuleIdentity>(modules, kStep));
         for (std::uint8_t i = 0; i < modules; ++i)
             bus.chain.set(ModuleIndex(i), sim::Input::Power, 0.0, bus.now);
-        ASSERT_TRUE(bus.connect()) << "fresh, failure "
+        ASSERT_TRUE(bus.connect()) << "a fresh chain, failure "
                                    << static_cast<int>(bus.last<ConnectFailed>()->reason);
         EXPECT_EQ(bus.last<ChainFound>()->modules.size(), modules);
         EXPECT_EQ(bus.last<ChainFound>()->modules[0].identity, kStep);
         bus.runFor(2s);
         EXPECT_EQ(bus.engine.statistics().rejected, 0U);
         bus.newHost();
-        ASSERT_TRUE(bus.connect()) << "left behind";
+        ASSERT_TRUE(bus.connect()) << "a chain that was left behind";
         EXPECT_EQ(bus.last<ChainFound>()->modules.size(), modules);
     }
 }

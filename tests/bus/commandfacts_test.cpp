@@ -10,7 +10,7 @@ namespace {
 
 using namespace bus;
 
-// The oracle is the table of link.md 2.3.
+// Expected values are those of the table in link.md 2.3.
 
 TEST(CommandFacts, RepeatsQuestionsAndIdenticalSettingsTwice) {
     const std::vector<ModuleCommand> commands{

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of link.md 2.4: how often a corrupted reply passes for a true one. NMC_CORRUPTION_TRIALS sets the
-// trials of each row.
+// The table of link.md 2.4: how often a corrupted reply is accepted as a true one. NMC_CORRUPTION_TRIALS sets
+// the number of trials for each row.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,9 +23,9 @@ constexpr std::uint8_t kNineBytes = 0x0D;     ///< position, velocity, aux
 constexpr std::uint8_t kSixteenBytes = 0x3F;  ///< everything
 constexpr unsigned kTrials = 200'000;
 constexpr double kTicksBetween = 10.0 / 0.512;
-/// How far a believed position may be from the straight line, in counts: at most 12.3 ms or 24 ticks pass,
-/// with an acceleration of 0.5 as of a shaft turned by hand 144; 2 ms more or less at 20 counts per tick 80;
-/// a velocity without fraction that changed by 2 lately 72; rounding and slack 16; the same again, rounded,
+/// How far an accepted position may be from the straight line, in counts: 144 for an acceleration of 0.5, as
+/// of a shaft turned by hand, over at most 12.3 ms or 24 ticks; 80 for 2 ms more or less at 20 counts per
+/// tick; 72 for a velocity without a fraction that has just changed by 2; 16 for rounding and slack; and 88
 /// for the half that the reply's own wrong velocity may add.
 constexpr double kTolerance = 400;
 
@@ -42,7 +42,7 @@ enum class Damage : std::uint8_t {
     AllZero
 };
 
-/// A row of the page: accepted although wrong, by the sum alone and by everything.
+/// A row of the page: the share of wrong replies that are accepted by the sum alone, and by all checks.
 struct Row {
     const char* name;
     Damage damage;
@@ -90,7 +90,7 @@ public:
         m_state.analog = static_cast<std::uint8_t>(random.below(256));
     }
 
-    /// The time to the next question: 10 ms, give or take two.
+    /// Moves on and returns the time to the next query: 10 ms, plus or minus two.
     Duration advance() {
         const auto time = Duration(8ms) + Duration(m_random.below(4'000'000));
         const double ticks = toSeconds(time) / toSeconds(kServoTick);
@@ -137,7 +137,7 @@ void flip(Bytes& bytes, std::size_t count, sim::Random& random) {
     return static_cast<std::uint8_t>(random.below(256));
 }
 
-/// Sixteen bits in a row are as they may be, in the order of the wire: the least significant of a byte first.
+/// Makes sixteen bits in a row random, in the order of the line: the least significant bit of a byte first.
 void burst(Bytes& bytes, sim::Random& random) {
     const std::size_t first = random.below(bytes.size() * 8 - 16 + 1);
     for (std::size_t bit = first; bit < first + 16; ++bit)
@@ -213,14 +213,15 @@ TEST_P(Corruption, IsBelievedNoMoreOftenThanThePageSays) {
         const ReplyEnd end = accepted(ModuleType::Servo, row.items, bytes, now);
         const bool fits = bytes != whole && end.result == ReplyResult::Accepted;
         rightSum += fits ? 1U : 0U;
-        // With bit 1 set it is the module's refusal, and no sample.
+        // With bit 1 set, the reply is the module's refusal, and not a sample.
         Plausibility asNow = plausibility;
         if (fits && !end.report.commandRefused() && !asNow.check(end)) {
             ++believed;
             const double expected = before.position + speed * kTicksBetween;
             farthest = std::max(farthest, std::abs(static_cast<double>(*end.report.position) - expected));
         }
-        // The true one, so that the next is judged by it; in between one in full, as polls take turns.
+        // The true reply follows, so that the next one is checked against it, and then a full one, as polls
+        // alternate.
         cleanRejected += plausibility.check(accepted(ModuleType::Servo, row.items, whole, now)) ? 1U : 0U;
         now += motor.advance();
         cleanRejected += plausibility.check(accepted(ModuleType::Servo, kSixteenBytes,
@@ -233,7 +234,7 @@ TEST_P(Corruption, IsBelievedNoMoreOftenThanThePageSays) {
     std::printf("%-26s sum %.1e (page %.1e)  all %.1e (page %.1e)  farthest %.0f counts\n", row.name, bySum,
                 row.bySum, byAll, row.byAll, farthest);
     EXPECT_EQ(cleanRejected, 0U);
-    EXPECT_GE(bySum, row.bySum * 0.7) << "otherwise this is not the page's corruption";
+    EXPECT_GE(bySum, row.bySum * 0.7) << "otherwise this is not the corruption that the page describes";
     EXPECT_LE(bySum, row.bySum * 1.4);
     EXPECT_LE(byAll, 2 * row.byAll);
     EXPECT_LE(farthest, kTolerance);

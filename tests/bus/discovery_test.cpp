@@ -30,7 +30,8 @@ TEST(Discovery, FindsThirtyTwoModulesInOrder) {
     bus.expectNoViolations();
 }
 
-/// Every group at every rate (faults.md F-48), FF and 19 200 Bd last: then all are reset at once.
+/// Resets every group at every rate (faults.md F-48), with FF and 19 200 Bd last, so that all are then reset
+/// at once.
 TEST(Discovery, RestartsWithAResetAtEveryRate) {
     ScriptedBus bus(1);
     std::vector<std::uint32_t> rates;
@@ -53,7 +54,7 @@ TEST(Discovery, RestartsWithAResetAtEveryRate) {
         EXPECT_EQ(sent[0].hex, ScriptedBus::kNulls);
         EXPECT_EQ(sent[1].hex, "AA 80 0F 8F");
         EXPECT_EQ(sent[128].hex, "AA FF 0F 0E");
-        // Sixteen bytes and one millisecond; between packets that nobody answers 0.51 ms.
+        // Sixteen bytes and one millisecond; 0.51 ms between packets that are not answered.
         EXPECT_GE(sent[1].time - sent[0].time, 16 * byteTimeAtBaud(rates[i]) + 1ms);
         EXPECT_GE(sent[128].time - sent[127].time, 4 * byteTimeAtBaud(rates[i]) + 510us);
     }
@@ -75,9 +76,9 @@ TEST(Discovery, AsksInTheOrderOfTheDataSheet) {
     EXPECT_EQ(packets[0], "AA 00 21 01 FF 21");
     EXPECT_EQ(packets[1], "AA 00 21 02 FF 22");
     EXPECT_EQ(packets[2], "AA 00 21 03 FF 23");
-    EXPECT_EQ(packets[3], "AA 03 13 20 36") << "nobody answered: is it the answer that got lost?";
-    EXPECT_EQ(packets[4], "AA 03 13 20 36") << "or this one?";
-    EXPECT_EQ(packets[5], "AA 02 0E 10") << "or is the line dead?";
+    EXPECT_EQ(packets[3], "AA 03 13 20 36") << "no answer: was it lost?";
+    EXPECT_EQ(packets[4], "AA 03 13 20 36") << "was this one lost, too?";
+    EXPECT_EQ(packets[5], "AA 02 0E 10") << "is the line dead?";
     EXPECT_EQ(packets[6], "AA 00 21 04 FF 24") << "a number that was sent is never sent again";
     ASSERT_EQ(packets.back(), "AA 01 13 3F 53") << "the first poll";
     const std::vector<std::string> tail(packets.end() - 7, packets.end());
@@ -85,14 +86,14 @@ TEST(Discovery, AsksInTheOrderOfTheDataSheet) {
     EXPECT_EQ(tail[1], "AA 02 13 20 35");
     EXPECT_EQ(tail[2], "AA 01 12 0F 22");
     EXPECT_EQ(tail[3], "AA 02 12 0F 23");
-    EXPECT_EQ(tail[4], "AA 01 13 3F 53") << "three answers that differ: nobody shares an address";
+    EXPECT_EQ(tail[4], "AA 01 13 3F 53") << "three different answers: no two modules share an address";
     EXPECT_EQ(tail[5], "AA 02 13 3F 54");
 }
 
 TEST(Discovery, RestartsAChainLeftAtAnotherRate) {
     for (const std::uint32_t baud : {9'600U, 57'600U, 115'200U}) {
         SCOPED_TRACE(baud);
-        // One engine leaves the chain at a rate; a second one, at 19 200, does not know.
+        // One engine leaves the chain at this rate; a second one, at 19 200, does not know the rate.
         EngineConfig config;
         config.baud = baud;
         VirtualBus bus(servos(3), config);
@@ -104,8 +105,8 @@ TEST(Discovery, RestartsAChainLeftAtAnotherRate) {
     }
 }
 
-/// What gets lost while address `n` is given: the command, its answer, or the answers to the question at the
-/// new address as well, so often.
+/// What is lost while address `n` is assigned: the command, or this many answers, first to the command and
+/// then to the queries at the new address.
 struct Loss {
     bool command = false;
     int answers = 0;
@@ -116,7 +117,8 @@ struct Loss {
 
 class AddressLost : public testing::TestWithParam<Loss> {};
 
-/// A module that takes a number unheard, and the next one the same number: two motors would obey one command.
+/// If a module took a number without being heard, and the next one got the same number, two motors would obey
+/// one command.
 TEST_P(AddressLost, LeavesNoTwoModulesAtOneAddress) {
     constexpr std::uint8_t kModules = 8;
     for (std::uint8_t n = 1; n <= kModules; ++n) {
@@ -145,7 +147,7 @@ TEST_P(AddressLost, LeavesNoTwoModulesAtOneAddress) {
             if (sent.hex().rfind("AA 00 21", 0) == 0)
                 given.push_back(sent.bytes[3]);
         EXPECT_TRUE(std::adjacent_find(given.begin(), given.end(), std::greater_equal<>()) == given.end())
-            << "each number once, in their order";
+            << "each number once, in ascending order";
         int before = 0;
         for (std::uint8_t i = 0; i < kModules; ++i) {
             const int address = bus.chain.snapshot(ModuleIndex(i), bus.now).address;
@@ -165,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(Discovery, AddressLost,
                          testing::Values(Loss{true, 0}, Loss{false, 1}, Loss{false, 2}, Loss{false, 3}),
                          testing::PrintToStringParamName());
 
-/// At any place: a chain that has just been switched on is found whole.
+/// Wherever the answers are lost, a chain that has just been switched on is found complete.
 TEST(Discovery, IsNotMisledByTwoLostAnswers) {
     constexpr std::size_t kModules = 4;
     EngineConfig config;
@@ -184,8 +186,8 @@ TEST(Discovery, IsNotMisledByTwoLostAnswers) {
         }
 }
 
-/// An adapter, or a computer between, that stands still for a while: what was asked meanwhile gets lost, or
-/// its answers do. The chain is found whole, or somebody says that it was not.
+/// An adapter or a computer in between stops working for a while: the commands sent meanwhile are lost, or
+/// their answers are. The chain is found complete, or a failure is reported.
 class LineFrozen : public testing::TestWithParam<bool> {};
 
 TEST_P(LineFrozen, NeverMakesAShorterChain) {
@@ -220,7 +222,7 @@ TEST_P(LineFrozen, NeverMakesAShorterChain) {
 INSTANTIATE_TEST_SUITE_P(Discovery, LineFrozen, testing::Bool(),
                          [](const auto& lost) { return lost.param ? "CommandsLost" : "AnswersLost"; });
 
-/// It is there, and then it is not: what is known by then is no chain.
+/// The chain answers, and then it does not: the part that is known by then is not used as a chain.
 TEST(Discovery, SaysThatTheLineIsDisturbed) {
     VirtualBus bus(servos(4));
     bool given = false;
@@ -232,7 +234,7 @@ TEST(Discovery, SaysThatTheLineIsDisturbed) {
     EXPECT_EQ(bus.last<ConnectFailed>()->reason, ConnectFailure::Disturbed);
 }
 
-/// The communication-error bit says "certainly not carried out"; a flipped bit says so, too.
+/// The communication-error bit means "certainly not carried out", but a flipped bit looks the same.
 TEST(Discovery, GivesAnotherNumberWhenOneIsRefused) {
     ScriptedBus bus(2);
     bus.answer = [&](ByteSpan packet) {
@@ -246,7 +248,7 @@ TEST(Discovery, GivesAnotherNumberWhenOneIsRefused) {
     EXPECT_EQ(bus.all<ChainFound>().at(0).modules.size(), 2U);
 }
 
-/// Two that wake at once take one number together, and answer together.
+/// Two modules that wake at the same time take the same number, and answer at the same time.
 TEST(Discovery, NamesTheAddressAtWhichTwoAnswerAtOnce) {
     ScriptedBus bus(2);
     bus.answer = [&](ByteSpan packet) {
@@ -270,7 +272,7 @@ TEST(Discovery, SaysThatNobodyAnswers) {
     ASSERT_EQ(failed.size(), 1U);
     EXPECT_EQ(failed[0].reason, ConnectFailure::NobodyAnswers);
     EXPECT_EQ(failed[0].baud, 19'200U);
-    EXPECT_FALSE(bus.engine.nextDeadline()) << "nothing goes on by itself";
+    EXPECT_FALSE(bus.engine.nextDeadline()) << "nothing happens without a request";
 }
 
 TEST(Discovery, SaysThatAnswersAreGarbled) {
@@ -298,12 +300,12 @@ TEST(Discovery, NamesTheModuleThatDoesNotFollowToTheNewRate) {
     EXPECT_EQ(failed[0].reason, ConnectFailure::RateChange);
     EXPECT_EQ(failed[0].modules, std::vector{ModuleIndex(1)});
     EXPECT_EQ(failed[0].baud, 115'200U);
-    EXPECT_EQ(bus.sends("AA 02 0E 10"), 3U) << "asked three times";
+    EXPECT_EQ(bus.sends("AA 02 0E 10"), 3U) << "queried three times";
 }
 
 TEST(Discovery, RefusesARateThatTheChipsCannotMakeBeforeItResetsAnything) {
     EngineConfig config;
-    config.baud = 360'000;  // between 1 250 000 / 4 and / 3
+    config.baud = 360'000;  // between 1 250 000 / 4 and 1 250 000 / 3
     ScriptedBus bus(3, config);
     EXPECT_FALSE(bus.connect());
     EXPECT_TRUE(bus.sent.empty());
@@ -355,7 +357,8 @@ TEST(Discovery, LetsWhatIsLeavingLeaveBeforeItChangesTheRate) {
     EXPECT_GE(*bus.engine.nextDeadline() - bus.now, 4 * byteTimeAtBaud(19'200));
 }
 
-/// Most of it to ask three times whether a chain is there that must not be given other addresses.
+/// Most of the time is needed to query three times for an existing chain, which must not be given other
+/// addresses.
 TEST(Discovery, TakesLittleMoreThanASecondForAShortChain) {
     VirtualBus bus(servos(3));
     const TimePoint began = bus.now;

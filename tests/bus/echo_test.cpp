@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An adapter that returns what is sent, at the level of single bytes. At 19 200 Bd a byte takes 520.833 us:
-// a command of four bytes leaves until 2.083 ms.
+// An adapter that echoes what is sent, at the level of single bytes. At 19 200 Bd a byte takes 520.833 us: a
+// command of four bytes has left after 2.083 ms.
 #include <gtest/gtest.h>
 
 #include "bus/line.h"
@@ -23,7 +23,7 @@ protected:
         now += 100ms;
         line.begin({BusAddress(1), encode(Nop{}), {{ModuleType::Servo, 4}, StatusItems{0x0B}}, framing}, now);
     }
-    /// So long after the command began to leave.
+    /// Passes bytes to the line, `after` the command began to leave.
     bool hear(const std::string& hex, Duration after) { return line.onBytes(fromHex(hex), now + after); }
     [[nodiscard]] ReplyEnd end() {
         while (const auto deadline = line.deadline())
@@ -33,7 +33,7 @@ protected:
         EXPECT_FALSE(line.takeEnd());
         return end.value_or(ReplyEnd{});
     }
-    /// The first exchange shows what the adapter does.
+    /// Lets the line recognise the echo, which the first exchange shows.
     void recognise() {
         ask();
         hear(kCommand, 2083us);
@@ -73,12 +73,12 @@ TEST_F(EchoingLine, IsRecognisedWhereTheLastBytesComeBehindTheReplysLength) {
     EXPECT_TRUE(line.echoes());
 }
 
-/// The module is there, but does not answer: AA 01 0E 0F is not its answer, nor is what follows the AA, whose
+/// The module does not answer: neither AA 01 0E 0F is its answer, nor the bytes after the AA, although their
 /// sum is right.
 TEST_F(EchoingLine, GivesSilenceWhereNobodyAnswers) {
     recognise();
     ask();
-    EXPECT_FALSE(hear(kCommand, 2083us)) << "nobody was heard";
+    EXPECT_FALSE(hear(kCommand, 2083us)) << "no module was heard";
     const ReplyEnd silent = end();
     EXPECT_EQ(silent.result, ReplyResult::Unresponsive);
     EXPECT_TRUE(silent.bytes.empty());
@@ -101,7 +101,7 @@ TEST_F(EchoingLine, TakesAnOpenAnswerBehindTheEcho) {
     EXPECT_EQ(open.bytes.size(), 8U);
 }
 
-/// The echo of the next command comes while bytes behind the reply would spoil it.
+/// The echo of the next command arrives at a time when surplus bytes would spoil the reply.
 TEST_F(EchoingLine, SpoilsNoPipelinedReplyByTheEchoOfTheNextCommand) {
     recognise();
     ask(Framing::Pipelined);
@@ -139,7 +139,8 @@ TEST_F(EchoingLine, RejectsAnAnswerBehindADamagedEcho) {
     }
 }
 
-/// Nulls and blind stops come back, too; with an adapter that holds bytes back, only behind the next command.
+/// Nulls and blind stops are echoed, too; with an adapter that holds bytes back, their echo arrives only
+/// after the next command.
 TEST_F(EchoingLine, PassesByWhatComesBackLate) {
     recognise();
     now += 100ms;
@@ -159,7 +160,7 @@ TEST_F(EchoingLine, CountsTheEchoOfAScriptAsExpected) {
     line.run({Line::Nulls{}, Line::Lag{}}, now);
     EXPECT_FALSE(hear("00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 ", 8334us));
     EXPECT_EQ(line.statistics().surplusBytes, 0U);
-    EXPECT_TRUE(hear("19 ", 9ms)) << "somebody else";
+    EXPECT_TRUE(hear("19 ", 9ms)) << "another host";
     EXPECT_EQ(line.statistics().surplusBytes, 1U);
 }
 
@@ -171,14 +172,14 @@ TEST_F(EchoingLine, CountsTheRestOfAnAbandonedExchangeAsExpected) {
     hear("0E 0F ", 2083us);
     hear(kReply, 7ms);
     EXPECT_EQ(line.statistics().surplusBytes, 0U);
-    // A stop that comes right behind.
+    // A stop that follows at once.
     ask();
     hear(kCommand, 2083us);
     hear(kReply, 7ms);
     EXPECT_EQ(end().result, ReplyResult::Accepted);
 }
 
-/// Somebody has turned the echo off at the adapter.
+/// The echo has been switched off at the adapter.
 TEST_F(EchoingLine, EndsWithAWholeAnswerWithoutEchoWhichDoesNotCount) {
     recognise();
     ask();
@@ -190,7 +191,7 @@ TEST_F(EchoingLine, EndsWithAWholeAnswerWithoutEchoWhichDoesNotCount) {
     EXPECT_EQ(end().result, ReplyResult::Accepted);
 }
 
-/// Noise, or half an answer, is no sign of that.
+/// Noise or half an answer does not mean that the echo is off.
 TEST_F(EchoingLine, DoesNotEndByNoiseOrSilence) {
     recognise();
     for (const char* heard : {"19 00 00 ", "19 00 00 00 00 00 00 18 ", ""}) {
@@ -201,7 +202,7 @@ TEST_F(EchoingLine, DoesNotEndByNoiseOrSilence) {
     }
 }
 
-/// A motor may well stand where its reply holds the bytes of a command.
+/// A motor may be at a position whose reply contains the bytes of a command.
 TEST_F(EchoingLine, IsNotTakenForOneByAnAnswerThatHoldsTheCommand) {
     for (int i = 0; i < 3; ++i) {
         ask();
@@ -211,7 +212,7 @@ TEST_F(EchoingLine, IsNotTakenForOneByAnAnswerThatHoldsTheCommand) {
     }
 }
 
-/// Two panels on one port cannot be, but noise is possible: a first byte that is not the command's.
+/// Noise may come before the echo: a first byte that is not that of the command.
 TEST_F(EchoingLine, IsNotRecognisedBehindSomethingElse) {
     ask();
     hear("55 ", 1ms);

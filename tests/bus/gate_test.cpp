@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 constexpr std::uint8_t kMoveDone = 0x01;
 constexpr std::uint8_t kPower = 0x08;
 
-/// A belief with a hand on the wire: every send is one millisecond later.
+/// A belief, with a clock that advances by one millisecond with each message.
 class Module {
 public:
     explicit Module(ModuleIdentity identity = {ModuleType::Servo, 4})
@@ -37,7 +37,7 @@ public:
     }
     void unanswered(const Order& order) { belief.onSent(order.command, m_now += 1ms); }
     [[nodiscard]] Permission permit(const Order& order) const { return bus::permit(belief, order.command); }
-    /// Of the start of a trapezoidal move that has been loaded.
+    /// The permission to start a trapezoidal move that has been loaded.
     [[nodiscard]] Permission permitMove() const {
         Module loaded = *this;
         loaded.executed(loadMove(0, 10));
@@ -118,7 +118,7 @@ TEST(Gate, CountsAnUnansweredStartAsMoving) {
     EXPECT_EQ(module.permitMove(), Permission::InMotion);
     module.unanswered(enable(0));
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.permitMove(), Permission::InMotion) << "nor was the stop answered";
+    EXPECT_EQ(module.permitMove(), Permission::InMotion) << "the stop was not answered either";
     module.executed(enable(0));
     module.status(kMoveDone | kPower, kServoOn, 0);
     EXPECT_EQ(module.permitMove(), Permission::Allowed);
@@ -130,7 +130,7 @@ TEST(Gate, DoesNotStartALoadThatWasNotAnswered) {
     EXPECT_EQ(module.permit(start(0)), Permission::Never);
     module.executed(loadMove(0, 10));
     module.unanswered(loadMove(0, 20));
-    EXPECT_EQ(module.permit(start(0)), Permission::Never) << "which of the two?";
+    EXPECT_EQ(module.permit(start(0)), Permission::Never) << "it is not known which of the two is loaded";
 }
 
 TEST(Gate, ForbidsTrapezoidalStartNow) {
@@ -148,7 +148,7 @@ TEST(Gate, TakesACoastingMotorForMoving) {
     EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
-/// The velocity item is 0 in every third tick at two thirds of a count per tick.
+/// At two thirds of a count per tick, the velocity item is 0 in every third tick.
 TEST(Gate, TakesAMotorThatCoastsSlowlyForMoving) {
     Module module;
     module.status(kMoveDone | kPower, 0, 0, 1'000);
@@ -280,9 +280,11 @@ TEST(Gate, LetsAStandingScFollowAPathAtARateThatItHas) {
     EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Permission::Allowed);
     EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz120), Permission::Allowed);
     module.unanswered(scControl(false));
-    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Permission::Never) << "which one is not known";
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Permission::Never)
+        << "it is not known which one applies";
     module.executed(scControl(false, true));
-    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Permission::Never) << "step and direction";
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Permission::Never)
+        << "with step and direction outputs";
 }
 
 TEST(Gate, LetsNobodyElseFollowAPath) {
@@ -293,7 +295,7 @@ TEST(Gate, LetsNobodyElseFollowAPath) {
     EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Permission::Never) << "left by another host";
     module = standingSc();
     module.status(kMoveDone | kPower, 0);
-    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Permission::Never) << "off";
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Permission::Never) << "the servo is off";
     module = standingSc();
     module.status(kPower, kServoOn);
     EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Permission::InMotion);
@@ -304,7 +306,8 @@ TEST(Gate, LetsNobodyElseFollowAPath) {
 
 TEST(Gate, KeepsOtherMotionsFromAModuleOnAPath) {
     Module module = standingSc();
-    EXPECT_EQ(module.permit(servo::AddPathPoints()), Permission::Never) << "it is no command of its own";
+    EXPECT_EQ(module.permit(servo::AddPathPoints()), Permission::Never)
+        << "points are not sent as a command of their own";
     module.executed(toServo(0, servo::AddPathPoints()));
     EXPECT_TRUE(module.belief.mayMove());
     module.status(kMoveDone | kPower, kServoOn | kPathMode);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a group is told besides its start and its home: stops, a new zero, sticky bits (DS-V 4.1, 5.2).
+// Commands to groups other than start and home: stops, a new zero, sticky bits (DS-V 4.1, 5.2).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,7 +14,7 @@ using namespace bus;
 using namespace std::chrono_literals;
 using Action = GroupCommand::Action;
 
-/// Four servos, on; the first three are group 81, which the second leads if there is a leader.
+/// Four servos that are on; the first three are group 81, which the second leads if there is a leader.
 class GroupCommands : public testing::TestWithParam<bool> {
 protected:
     void SetUp() override {
@@ -33,7 +33,7 @@ protected:
     [[nodiscard]] GroupFinished tell(Action action) {
         return bus.finish(bus.submitGroup(GroupCommand{kGroup, action}));
     }
-    /// How many of the group have confirmed that they rest.
+    /// Number of members that have confirmed that they are at rest.
     [[nodiscard]] std::size_t confirmed() const {
         std::size_t n = 0;
         for (const auto& stop : bus.all<OwedStopConfirmed>())
@@ -69,7 +69,7 @@ TEST_P(GroupCommands, StopAllMembersInTheSameTickAndEachConfirms) {
         EXPECT_EQ(finished.members.size(), 3U);
         expectStopped(c.on);
         EXPECT_EQ(bus.sends(c.packet, from), 1U);
-        EXPECT_NEAR(bus.servo(3).commandVelocity, 1.0, 1e-9) << "it is of no group";
+        EXPECT_NEAR(bus.servo(3).commandVelocity, 1.0, 1e-9) << "it is in no group";
         bus.events.clear();
     }
     EXPECT_EQ(bus.engine.statistics().errors(), 0U);
@@ -130,7 +130,7 @@ TEST_P(GroupCommands, StopAHoldOfAMemberForGood) {
         bus.engine.hold(hold, bus.now);
         bus.runFor(100ms);
     }
-    EXPECT_EQ(bus.servo(2).commandVelocity, 0.0) << "the press is over";
+    EXPECT_EQ(bus.servo(2).commandVelocity, 0.0) << "the press has ended";
     expectStopped();
 }
 
@@ -156,7 +156,7 @@ TEST_P(GroupCommands, SetTheirPositionsTo0InTheSameTick) {
     EXPECT_EQ(bus.sends("AA 81 00 81"), 1U);
     for (std::uint8_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(bus.servo(i).position, 0, 2);
-        EXPECT_EQ(bus.executedOnly<ResetPosition>(i), 1U) << "the panel hears of it";
+        EXPECT_EQ(bus.executedOnly<ResetPosition>(i), 1U) << "it is reported to the panel";
     }
     EXPECT_EQ(bus.engine.statistics().errors(), 0U) << "a new zero is no contradiction";
     bus.expectNoViolations();
@@ -179,8 +179,8 @@ TEST_P(GroupCommands, SayWhoseZeroIsStillTheOldOne) {
 }
 
 TEST_P(GroupCommands, ClearTheirStickyBits) {
-    // A current limit of 0 A/D counts, odd or even, does not trip; an error limit of 0 does: the servo
-    // switches off, and its bit stays when it is on again (DS-V 5.3).
+    // A current limit of 0 does not trip; an error limit of 1 does: the servo switches off, and the bit stays
+    // set when it is on again (DS-V 5.3).
     const auto tripped = toServo(0, servo::SetGain{200, 2000, 20, 200, 255, 0, 1, 1, std::uint8_t{0}});
     ASSERT_EQ(bus.perform({tripped, loadVelocity(0, 655'360, true)}), Outcome::Done);
     ASSERT_TRUE(bus.runUntil([&] { return !bus.servo(0).servoOn; }, 2s));

@@ -16,7 +16,7 @@ namespace nmc::test {
 /// The address of a group.
 inline constexpr std::uint8_t kGroup = 0x81;
 
-/// A bus of whichever kind, with operations of groups.
+/// Adds group operations to any kind of bus.
 template <typename Bus>
 class WithGroups : public Bus {
 public:
@@ -27,7 +27,7 @@ public:
         this->engine.submit(bus::GroupOperation{id, what}, this->now);
         return id;
     }
-    /// Runs until it has ended.
+    /// Runs until the operation has ended.
     bus::GroupFinished finish(bus::OperationId id) {
         std::optional<bus::GroupFinished> found;
         const auto ended = [&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Groups (DS-V 4.1): who is in which, and the commands that all of one carry out in the same tick.
+// Groups (DS-V 4.1): their members, and the commands that all members carry out in the same tick.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-/// Three servos of group 81, on and at rest; `leader`: the second leads it.
+/// Three servos in group 81 that are on and at rest; if `leader`, the second leads it.
 void makeGroup(GroupBus& bus, bool leader) {
     ASSERT_TRUE(bus.connect());
     for (std::uint8_t i = 0; i < 3; ++i) {
@@ -67,8 +67,8 @@ TEST(Groups, ThatCannotBeAreRefused) {
     ASSERT_TRUE(bus.connect());
     const std::size_t from = bus.sent.size();
     EXPECT_EQ(bus.put(0, 0xFF, true).outcome, Outcome::Forbidden) << "stops and rates go to FF";
-    EXPECT_EQ(bus.put(0, 0x7F).outcome, Outcome::Forbidden) << "an address";
-    EXPECT_EQ(bus.put(5, 0x81).outcome, Outcome::Forbidden) << "nobody";
+    EXPECT_EQ(bus.put(0, 0x7F).outcome, Outcome::Forbidden) << "this is a module's address";
+    EXPECT_EQ(bus.put(5, 0x81).outcome, Outcome::Forbidden) << "there is no such module";
     EXPECT_EQ(bus.sends("AA 01 21", from) + bus.sends("AA 02 21", from), 0U);
 }
 
@@ -89,7 +89,7 @@ TEST(Groups, OfAnotherHostAreNotKnownAndGetNoCommand) {
     const GroupFinished withheld = bus.start(0x82);
     EXPECT_EQ(withheld.outcome, Outcome::Forbidden);
     EXPECT_EQ(withheld.members, (std::vector<GroupMember>{{ModuleIndex(1), MemberOutcome::Withheld}}));
-    EXPECT_EQ(bus.put(0, 0x82, true).outcome, Outcome::Forbidden) << "the other one may lead it";
+    EXPECT_EQ(bus.put(0, 0x82, true).outcome, Outcome::Forbidden) << "the other module may lead it";
     EXPECT_EQ(bus.sends("AA 82", from), 0U);
 }
 
@@ -100,7 +100,7 @@ TEST(Groups, AreKnownAgainWhenAChangeIsAnsweredLate) {
     bus.losesReply = [&](ByteSpan command) {
         return command.size() > 2 && command[2] == 0x21 && std::exchange(lose, false);
     };
-    EXPECT_EQ(bus.put(1, 0x81).outcome, Outcome::Done) << "again, after a question whether it is there";
+    EXPECT_EQ(bus.put(1, 0x81).outcome, Outcome::Done) << "repeated after a query has found it";
     EXPECT_EQ(bus.sends("AA 02 21 02 81"), 2U);
     bus.losesReply = [](ByteSpan command) { return command.size() > 2 && command[2] == 0x21; };
     EXPECT_EQ(bus.put(1, 0x83).outcome, Outcome::NoAnswer);
@@ -123,7 +123,8 @@ TEST(GroupStart, IsLatchedByAllMembersInTheSameTick) {
         EXPECT_FALSE(finished.stopped);
         EXPECT_EQ(finished.members.size(), 3U);
         for (std::uint8_t i = 0; i < 3; ++i) {
-            // While they speed up, a tick of 0.01 counts per tick is the phase between two chips' clocks.
+            // While they accelerate, the phase between two chips' clocks may make a difference of one tick,
+            // 0.01 counts per tick.
             const double speed = std::abs(bus.servo(i).commandVelocity);
             EXPECT_GT(speed, 0.02) << int{i};
             EXPECT_LT(speed, 1.99) << int{i};
@@ -135,7 +136,7 @@ TEST(GroupStart, IsLatchedByAllMembersInTheSameTick) {
         EXPECT_NEAR(bus.servo(1).position, -4'000, 2);
         EXPECT_NEAR(bus.servo(2).position, 8'000, 2);
         for (std::uint8_t i = 0; i < 3; ++i)
-            EXPECT_EQ(bus.executedOnly<StartMotion>(i), 1U) << "the model hears of each";
+            EXPECT_EQ(bus.executedOnly<StartMotion>(i), 1U) << "each is reported to the model";
         bus.expectNoViolations();
     }
 }
@@ -163,7 +164,7 @@ TEST(GroupStart, IsWithheldWhenALoadWasNotConfirmedOrIsUsedUp) {
     bus.losesReply = nullptr;
     bus.runFor(6s);
     finished = bus.start(0x81);
-    EXPECT_EQ(finished.outcome, Outcome::Forbidden) << "it may have heard it";
+    EXPECT_EQ(finished.outcome, Outcome::Forbidden) << "the load may have arrived";
     ASSERT_EQ(bus.perform({loadMove(2, 4'000)}), Outcome::Done);
     ASSERT_EQ(bus.perform({enable(1)}), Outcome::Done);
     EXPECT_EQ(bus.start(0x81).outcome, Outcome::Forbidden) << "a stop uses the load up (DS-V 5.2)";
@@ -274,7 +275,7 @@ TEST(GroupStop, GoesToEachModuleWhereAnotherHostChoseTheGroups) {
     ASSERT_TRUE(stop);
     EXPECT_EQ(stop->stopped.size(), 2U);
     EXPECT_EQ(bus.sends("AA FF 17", from), 0U) << "the first would not hear it";
-    EXPECT_EQ(bus.sends("AA 01 17 05 1D", from), 2U) << "at once, and again for its reply";
+    EXPECT_EQ(bus.sends("AA 01 17 05 1D", from), 2U) << "blindly at first, and again for the reply";
     EXPECT_EQ(bus.sends("AA 02 17 05 1E", from), 2U);
     bus.expectNoViolations();
 }
@@ -307,11 +308,11 @@ TEST(LoadNow, StartsLaterByAnOperationOfItsOwn) {
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0), loadMove(0, 3'000)}), Outcome::Done);
     bus.runFor(3s);
-    EXPECT_EQ(bus.servo(0).commandVelocity, 0.0) << "it waits";
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0.0) << "the load waits";
     EXPECT_EQ(bus.perform({start(0)}), Outcome::Done);
     bus.runFor(4s);
     EXPECT_NEAR(bus.servo(0).position, 3'000, 2);
-    EXPECT_EQ(bus.perform({start(0)}), Outcome::Forbidden) << "it is used up";
+    EXPECT_EQ(bus.perform({start(0)}), Outcome::Forbidden) << "the load is used up";
     ASSERT_EQ(bus.perform({loadMove(0, 0), loadMove(0, 1'000)}), Outcome::Done);
     EXPECT_EQ(bus.perform({start(0)}), Outcome::Done);
     bus.runFor(4s);

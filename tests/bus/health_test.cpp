@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The leaky bucket of link.md 2.5: +10, -1, 30, 100; and what tells a silent module from a dead line.
+// The leaky bucket of link.md 2.5: +10, -1, 30, 100; and the distinction between a silent module and a dead
+// line.
 #include "bus/health.h"
 
 #include <gtest/gtest.h>
@@ -112,7 +113,7 @@ TEST(SilenceOfTheLine, IsLikelyOnceThreeModulesInARowAreSilent) {
     EXPECT_TRUE(silence.asked(ModuleIndex(5)));
     EXPECT_FALSE(silence.asked(ModuleIndex(4)));
     silence.heard();
-    EXPECT_FALSE(silence.likelyDead()) << "one byte and it lives";
+    EXPECT_FALSE(silence.likelyDead()) << "a single byte shows that it is alive";
     EXPECT_FALSE(silence.asked(ModuleIndex(5)));
 }
 
@@ -121,14 +122,14 @@ TEST(SilenceOfTheLine, IsCertainOnceEveryModuleAndFourQuestionsAreSilent) {
     two.onSilence(ModuleIndex(0));
     two.onSilence(ModuleIndex(1));
     two.onSilence(ModuleIndex(0));
-    EXPECT_FALSE(two.dead(2)) << "three questions";
+    EXPECT_FALSE(two.dead(2)) << "only three queries";
     two.onSilence(ModuleIndex(1));
     EXPECT_TRUE(two.dead(2));
-    EXPECT_FALSE(two.dead(3)) << "the third has not been asked";
+    EXPECT_FALSE(two.dead(3)) << "the third module has not been queried";
     Silence one;
     for (int i = 0; i < 10; ++i)
         one.onSilence(ModuleIndex(0));
-    EXPECT_FALSE(one.dead(1)) << "of a single module it is the module that is silent";
+    EXPECT_FALSE(one.dead(1)) << "with a single module, it is the module that is silent";
 }
 
 TEST(SilenceOfTheLine, TellsThirtyTwoModulesApart) {

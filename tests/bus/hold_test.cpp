@@ -24,7 +24,7 @@ protected:
         bus.runFor(100ms);
         from = bus.sent.size();
     }
-    /// As a held button does, every 100 ms.
+    /// Sends `hold` every 100 ms, as a held button does.
     void holdFor(Duration time, const HoldToMove& hold) {
         for (const TimePoint end = bus.now + time; bus.now < end; bus.runFor(100ms))
             bus.engine.hold(hold, bus.now);
@@ -37,9 +37,9 @@ protected:
 TEST_F(Hold, MovesUntilReleased) {
     enableFirst();
     holdFor(1s, forward(0));
-    // One count a tick: 1953 counts a second, less the time to get to speed.
+    // One count a tick, as soon as it is at speed.
     EXPECT_NEAR(bus.servo(0).commandVelocity, 1.0, 1e-3);
-    EXPECT_EQ(bus.sends("AA 01 94 B6 00 00 01 00", from), 1U) << "the same again sends nothing";
+    EXPECT_EQ(bus.sends("AA 01 94 B6 00 00 01 00", from), 1U) << "the same velocity is not sent again";
     bus.engine.release(bus.now);
     bus.runFor(500ms);
     EXPECT_EQ(bus.sends(kSmoothStop, from), 1U);
@@ -50,7 +50,7 @@ TEST_F(Hold, MovesUntilReleased) {
     bus.expectNoViolations();
 }
 
-/// What was asked for before goes before it: behind the start it would end a motion that is held.
+/// A stop that was requested earlier is sent first: after the start, it would end a motion that is held.
 TEST_F(Hold, BeginsBehindAStopThatWasAskedForBefore) {
     enableFirst();
     servo::StopMotor stop;
@@ -90,7 +90,7 @@ TEST_F(Hold, NeverSwitchesAServoOn) {
     EXPECT_EQ(bus.sends("AA 01 94"), 0U);
     EXPECT_EQ(bus.sends("AA 01 17"), 0U);
     EXPECT_FALSE(bus.servo(0).servoOn);
-    EXPECT_EQ(bus.count<HoldExpired>(), 1U) << "once: the button that is down moves nothing";
+    EXPECT_EQ(bus.count<HoldExpired>(), 1U) << "only once: the held button moves nothing";
 }
 
 TEST_F(Hold, NeverSwitchesATrippedServoOn) {
@@ -113,7 +113,7 @@ TEST_F(Hold, NeverSwitchesATrippedServoOn) {
 TEST_F(Hold, IsSentOnceTheServoIsKnownToBeOn) {
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
-    holdFor(300ms, forward(0));  // no poll in between: the engine looks first
+    holdFor(300ms, forward(0));  // no poll in between: the engine queries it first
     EXPECT_EQ(bus.sends("AA 01 94"), 1U);
 }
 
@@ -187,7 +187,7 @@ TEST_F(Hold, EndsWithAStopOfAllMotors) {
     EXPECT_EQ(bus.count<HoldExpired>(), 0U);
 }
 
-// ---- a hold that has ended is over until the button was up ----
+// ---- a hold that has ended does not begin again until the button has been released ----
 
 TEST_F(Hold, LateEvidenceOfAPressThatExpiredMovesNothing) {
     enableFirst();
@@ -249,7 +249,7 @@ TEST_F(Hold, ItsEndDoesNotSwitchOnWhatWasSwitchedOffMeanwhile) {
     bus.engine.hold(forward(0), bus.now);
     bus.runFor(100ms);
     ASSERT_GT(bus.servo(0).velocity, 0.5);
-    // "Motor off" is on its way when the button comes up.
+    // "Motor off" is on its way when the button is released.
     bus.engine.submit({OperationId(9), {motorOff(0)}}, bus.now);
     while (bus.sends("AA 01 17 02", from) == 0)
         bus.runFor(500us);
@@ -265,7 +265,7 @@ TEST(HoldLane, KnowsAPressByItsNumber) {
     lane.hold(press, t);
     EXPECT_FALSE(lane.expired(t + 249ms));
     EXPECT_TRUE(lane.expired(t + 250ms));
-    EXPECT_FALSE(lane.release()) << "nothing was told";
+    EXPECT_FALSE(lane.release()) << "nothing was sent";
     lane.hold(press, t + 251ms);
     EXPECT_FALSE(lane.wanted());
     ++press.press;

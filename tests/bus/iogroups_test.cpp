@@ -10,7 +10,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-/// A servo, on, and a PIC-I/O whose IO1 to IO4 are outputs, in one group; `leader` leads it, if anybody.
+/// A servo that is on and a PIC-I/O whose IO1 to IO4 are outputs, in one group; led by `leader`, if any.
 class IoGroups : public testing::Test {
 protected:
     static constexpr std::uint8_t kServo = 0;
@@ -68,7 +68,8 @@ TEST_F(IoGroups, AMemberThatDidNotHearIsTold) {
     EXPECT_EQ(truth().outputs & 0x000FU, 0x0001U);
 }
 
-/// PWM does not read back, and what was latched is not polled: whether it was heard only a leader says.
+/// PWM cannot be read back, and latched values are not polled: only a leader's answer shows that the command
+/// was received.
 TEST_F(IoGroups, WhatNobodyCanSeeALeaderConfirms) {
     make(kIo);
     ASSERT_EQ(bus.perform({loadMove(kServo, 20'000), told(io::SetSynchOutput{0x0001, 99, 0})}),

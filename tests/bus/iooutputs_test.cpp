@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a stop tells a PIC-I/O: exactly the outputs that the machine wants low, and only while they may be
-// high.
+// The commands of a stop to a PIC-I/O: exactly the outputs that the machine marks go low, and only while they
+// may be high.
 #include "bus/iooutputs.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(IoOutputs, TheOneThatIsMarkedGoesLowAndTheOthersStay) {
     tell(outputs, io::SetOutput{kPumpAndLamp});
     EXPECT_EQ(outputs.stop(), pins(0x0001));
     tell(outputs, io::SetOutput{0x0001});
-    EXPECT_EQ(outputs.stop(), std::nullopt) << "done";
+    EXPECT_EQ(outputs.stop(), std::nullopt) << "they are low already";
 }
 
 TEST(IoOutputs, WhatWasSentAndNotAnsweredMayBeHigh) {
@@ -51,7 +51,7 @@ TEST(IoOutputs, WhatWasSentAndNotAnsweredMayBeHigh) {
 TEST(IoOutputs, LeftByAnotherHostItIsReadFirst) {
     IoOutputs outputs = with(kPump);
     outputs.forget();
-    EXPECT_EQ(outputs.stop(), std::nullopt) << "the others would change";
+    EXPECT_EQ(outputs.stop(), std::nullopt) << "the other outputs would change";
     outputs.onPins(0x0805);
     EXPECT_EQ(outputs.stop(), pins(0x0801));
 }
@@ -74,7 +74,7 @@ TEST(IoOutputs, WhatWasStoredCountsOnceItIsPutOut) {
     EXPECT_EQ(outputs.stop(), pins(0x0001));
 }
 
-/// Another host's, of a module that was found as it was left.
+/// Another host may have stored outputs in a module that was found as it was left.
 TEST(IoOutputs, WhatNobodyHereHasStoredMayBeAnything) {
     IoOutputs outputs = with(kPump);
     tell(outputs, io::SetOutput{0});

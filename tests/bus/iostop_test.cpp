@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STOP ALL and a PIC-I/O beside two servos, on the simulator: its outputs stay, but for those that the
-// machine wants low.
+// STOP ALL and a PIC-I/O beside two servos, on the simulator: its outputs stay as they are, except those that
+// the machine marks to go low.
 #include <gtest/gtest.h>
 
 #include "tests/bus/steps.h"
@@ -20,7 +20,7 @@ protected:
         EXPECT_TRUE(bus.connect());
     }
     [[nodiscard]] static Order told(const IoCommand& command) { return {ModuleIndex(kIo), command}; }
-    /// IO1 to IO4 and both PWM outputs are on.
+    /// Switches on IO1 to IO4 and both PWM outputs.
     void switchOn() {
         ASSERT_EQ(bus.perform({told(io::SetDirection{0x0FF0}), told(io::SetOutput{0x000F}),
                                told(io::SetPwm{100, 200})}),
@@ -42,7 +42,7 @@ TEST_F(StopsAnIoModule, ItIsFoundAndPolledLikeTheOthers) {
     };
     EXPECT_TRUE(reported(kIo, &StatusReport::pins));
     EXPECT_TRUE(reported(kIo, &StatusReport::counter));
-    EXPECT_TRUE(reported(2, &StatusReport::positionError)) << "an SC reports it";
+    EXPECT_TRUE(reported(2, &StatusReport::positionError)) << "an SC reports its error";
     EXPECT_FALSE(reported(0, &StatusReport::positionError));
 }
 
@@ -65,7 +65,7 @@ TEST_F(StopsAnIoModule, WhatIsMarkedGoesLowAndTheRestStays) {
     EXPECT_EQ(truth().pwm, (std::array<std::uint8_t, 2>{100, 0}));
 }
 
-/// The bytes for a process that is about to die have all of it.
+/// The bytes for a process that is about to die contain all of it.
 TEST_F(StopsAnIoModule, TheBurstHasThePinsAndThePwm) {
     bus.engine.setStopOutputs({{}, {0x0005, 0x02}, {}});
     EXPECT_TRUE(bus.engine.stopBurst().empty());
@@ -76,7 +76,7 @@ TEST_F(StopsAnIoModule, TheBurstHasThePinsAndThePwm) {
     EXPECT_NE(hex.find("AA 02 24 64 00 8A"), std::string::npos) << hex;
 }
 
-/// Whoever keeps it ready hears of each change, of the second command as well.
+/// The process that keeps the burst ready is informed of each change, including that of the second command.
 TEST_F(StopsAnIoModule, TheBurstIsNewWhenOnlyThePwmChanges) {
     bus.engine.setStopOutputs({{}, {0x0005, 0x02}, {}});
     ASSERT_EQ(bus.perform({told(io::SetDirection{0x0FF0}), told(io::SetOutput{0x000F})}), Outcome::Done);

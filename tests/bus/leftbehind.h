@@ -18,8 +18,8 @@ namespace nmc::test {
     return options;
 }
 
-/// The first program: it gives addresses, runs the first motor in velocity mode, one count per tick, and is
-/// gone. Another one, with `next` for its configuration, takes its place.
+/// The first program assigns addresses, runs the first motor in velocity mode at one count per tick, and
+/// disappears. Another one takes its place, with `next` as its configuration.
 class LeftBehind {
 public:
     LeftBehind(std::size_t modules, std::uint32_t baud, const bus::EngineConfig& next = {})

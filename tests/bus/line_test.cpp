@@ -20,7 +20,7 @@ constexpr StatusItems kPoll{0x0B};
     return {BusAddress(1), encode(Nop{}), {{ModuleType::Servo, 4}, items}};
 }
 
-/// How the exchange in flight ends when nothing more comes.
+/// The end of the exchange in progress if nothing more arrives.
 [[nodiscard]] std::optional<ReplyEnd> endOf(Line& line) {
     if (const auto deadline = line.deadline())
         line.onDeadline(*deadline);
@@ -28,7 +28,8 @@ constexpr StatusItems kPoll{0x0B};
 }
 
 TEST(LineTiming, IsTheSumOfItsParts) {
-    // 4 bytes out, 8 back at 19 200 Bd: 12 x 520.833 us, 0.512 ms, 4 ms adapter, 10 ms margin.
+    // 4 bytes out and 8 back at 19 200 Bd: 12 x 520.833 us, 0.512 ms, 4 ms for the adapter, and a margin of
+    // 10 ms.
     LineTiming timing{byteTimeAtBaud(19'200), 0ms, 10ms};
     EXPECT_EQ(timing.timeout(4, 8), Duration(12 * 520'833) + 512us + 4ms + 10ms);
     timing.latency = 16ms;
@@ -123,15 +124,15 @@ TEST(Line, ReckonsFromWhatIsStillLeaving) {
     const auto end = endOf(line);
     ASSERT_TRUE(end);
     EXPECT_EQ(end->latched, now + Duration(20 * 520'833) + 256us);
-    // The eight bytes of the answer took 4.08 ms at least, so it was not latched later than this.
+    // The eight bytes of the answer took at least 4.08 ms, so it was latched no later than this.
     EXPECT_EQ(end->latchedBy, now + 20ms - kShortestAnswer);
 }
 
 TEST(Line, TellsHowMuchLaterAReplyCameThanIsExplained) {
-    // 4 bytes out, a tick, 8 bytes back, half a tick for this machine.
+    // 4 bytes out, a tick, 8 bytes back, and half a tick for this computer.
     const Duration prompt = Duration(4 * 520'833) + kShortestAnswer + 768us;
     for (const Duration latency : {Duration(0ms), Duration(4ms), Duration(16ms)}) {
-        // 4 ms is what to wait for at least, whatever the adapter; it is not known to be one's latency.
+        // 4 ms is the least time to wait with any adapter, and not a latency that is known.
         const Duration known = latency == Duration(4ms) ? Duration{} : latency;
         for (const Duration late : {Duration(-1ms), Duration(0ms), Duration(3ms)}) {
             Line line(latency, 10ms);
@@ -139,8 +140,8 @@ TEST(Line, TellsHowMuchLaterAReplyCameThanIsExplained) {
             line.onBytes(fromHex("19 00 00 00 00 00 00 19 "), TimePoint(1s) + prompt + known + late);
             const auto end = endOf(line);
             ASSERT_TRUE(end);
-            // What came before the end of that was latched before it, and not before half a tick; only an
-            // adapter that is known to keep bytes back explains that another one is late.
+            // A reply that arrives before this time was latched earlier, but not before half a tick. A known
+            // adapter latency explains a later reply, but does not make a reply early.
             const Duration early = known > Duration{} ? Duration{} : Duration(-512us);
             EXPECT_EQ(end->late, std::max(late, early));
         }
@@ -205,7 +206,7 @@ TEST(Line, RejectsAReplyWithSurplusBytesWithinTwoCharacterTimes) {
     EXPECT_EQ(end->bytes.size(), 9U);
 }
 
-/// An echo, noise, or what is left of an earlier reply; the command leaves until 2.08 ms.
+/// An echo, noise, or the rest of an earlier reply; the command has left after 2.08 ms.
 TEST(Line, TakesNothingForTheReplyThatComesBeforeTheCommandHasLeft) {
     Line line(4ms, 10ms);
     line.begin(nop(), TimePoint(1s));
@@ -240,7 +241,7 @@ TEST(Line, BelievesAReplyThatNothingFollows) {
     EXPECT_TRUE(line.idle());
 }
 
-/// The next command leaves at once; no module can answer it before its last byte has left.
+/// The next command is sent at once; no module can answer it before its last byte has left.
 TEST(Line, RejectsAPipelinedReplyForBytesThatComeBeforeTheNextCommandHasLeft) {
     Line line(4ms, 10ms);
     Request request = nop();
@@ -249,14 +250,14 @@ TEST(Line, RejectsAPipelinedReplyForBytesThatComeBeforeTheNextCommandHasLeft) {
     line.onBytes(fromHex(kReply), TimePoint(1s + 8ms));
     ASSERT_TRUE(line.ready());
     line.begin(request, TimePoint(1s + 8ms));
-    line.onBytes(fromHex("BB "), TimePoint(1s + 9ms));  // the command leaves until 10.08 ms
+    line.onBytes(fromHex("BB "), TimePoint(1s + 9ms));  // the command has left after 10.08 ms
     const auto first = line.takeEnd();
     ASSERT_TRUE(first);
     EXPECT_EQ(first->result, ReplyResult::Surplus);
     line.onBytes(fromHex(kReply), TimePoint(1s + 16ms));
     const auto second = endOf(line);
     ASSERT_TRUE(second);
-    EXPECT_EQ(second->result, ReplyResult::Accepted) << "judged by itself";
+    EXPECT_EQ(second->result, ReplyResult::Accepted) << "it is judged by itself";
 }
 
 TEST(Line, BelievesAPipelinedReplyOnceTheNextOneBegins) {
@@ -313,7 +314,7 @@ TEST(Line, RunsAScriptInOrder) {
     EXPECT_EQ(line.deadline(), now + 100ms);
     line.onDeadline(now + 100ms);
     EXPECT_EQ(line.takeOutput().size(), 2U);
-    // Sixteen bytes leave first.
+    // Sixteen bytes have to leave first.
     EXPECT_EQ(line.deadline(), now + 100ms + Duration(16 * 520'833) + 1ms);
     line.onDeadline(*line.deadline());
     const auto output = line.takeOutput();
@@ -323,8 +324,8 @@ TEST(Line, RunsAScriptInOrder) {
     EXPECT_EQ(line.timing().byteTime, Duration(86'805));
 }
 
-/// DS-V 4.1: 0.51 ms behind a packet that nobody answers, on the wire, where an adapter cannot take them
-/// away.
+/// DS-V 4.1: 0.51 ms after a packet that is not answered, ensured on the line itself, where an adapter cannot
+/// shorten them.
 TEST(Line, KeepsPacketsApartThatNobodyAnswersEvenIfTheyAreWrittenTogether) {
     for (const std::uint32_t rate : {9'600U, 19'200U, 57'600U, 115'200U}) {
         Line line(4ms, 10ms);
@@ -336,7 +337,7 @@ TEST(Line, KeepsPacketsApartThatNobodyAnswersEvenIfTheyAreWrittenTogether) {
         EXPECT_EQ(*line.deadline(),
                   TimePoint(1s) +
                       byteTimeAtBaud(rate) * (4 + static_cast<int>(std::get<Send>(output[2]).bytes.size())))
-            << "nothing waits in a buffer that a stop would have to wait for";
+            << "no bytes wait in a buffer, where they would delay a stop";
         const auto& nulls = std::get<Send>(output[2]).bytes;
         EXPECT_THAT(nulls, testing::Each(0));
         EXPECT_GE(static_cast<double>(nulls.size()) * 10.0 / rate, 0.51e-3) << rate;

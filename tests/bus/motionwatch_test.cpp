@@ -18,7 +18,7 @@ void send(MotionWatch& watch, ServoRegisters& sent, const Order& order) {
     watch.onSent(order.command, sent);
 }
 
-/// A servo that is on, told things and asked in turns.
+/// A servo that is on, with commands sent to it and two layouts of replies in turn.
 class Watched {
 public:
     explicit Watched(std::int32_t position = 0) { EXPECT_EQ(is(position), Suspect{}); }
@@ -66,14 +66,14 @@ TEST(MotionWatch, TellsOnceOfAMoveAwayFromItsGoal) {
         Watched servo(10'000);
         servo.told(loadMove(0, 10'000 + sign * 5'000));
         servo.told(start(0));
-        EXPECT_EQ(servo.is(10'000 - sign * 400, 4), Suspect{}) << "that much it may give";
+        EXPECT_EQ(servo.is(10'000 - sign * 400, 4), Suspect{}) << "this much is allowed";
         EXPECT_EQ(servo.is(10'000 - sign * 401, 4), MotionSuspect::Reason::WrongWay);
         EXPECT_EQ(servo.is(10'000 - sign * 900, 4), Suspect{});
     }
 }
 
 TEST(MotionWatch, TellsOfAMoveThatGoesPastItsGoal) {
-    // A tenth of the way and 400 counts are overshoot.
+    // An overshoot of a tenth of the way plus 400 counts is allowed.
     Watched servo;
     servo.told(loadMove(0, -5'000));
     servo.told(start(0));
@@ -84,7 +84,8 @@ TEST(MotionWatch, TellsOfAMoveThatGoesPastItsGoal) {
 TEST(MotionWatch, WatchesALoadAsIfItHadStarted) {
     Watched servo;
     servo.told(loadMove(0, 5'000));
-    EXPECT_EQ(servo.is(-401, -4), MotionSuspect::Reason::WrongWay) << "changed on its way it may have";
+    EXPECT_EQ(servo.is(-401, -4), MotionSuspect::Reason::WrongWay)
+        << "corrupted on its way, it may have started";
 }
 
 TEST(MotionWatch, GoesByTheGoalThatStaysLoaded) {
@@ -94,7 +95,7 @@ TEST(MotionWatch, GoesByTheGoalThatStaysLoaded) {
     for (std::int32_t position = 0; position <= 5'000; position += 100)
         ASSERT_EQ(servo.is(position, 5), Suspect{});
     servo.told(start(0));
-    EXPECT_EQ(servo.is(5'000), Suspect{}) << "a move of no length";
+    EXPECT_EQ(servo.is(5'000), Suspect{}) << "a move of length 0";
     EXPECT_EQ(servo.is(5'401, 4), MotionSuspect::Reason::Overshot);
 }
 
@@ -108,7 +109,7 @@ TEST(MotionWatch, TellsOfAMotorThatTurnsAgainstItsDirection) {
         EXPECT_EQ(servo.is(sign * 1'500, static_cast<std::int16_t>(-sign * 5)), Suspect{});
         EXPECT_EQ(servo.is(sign * 1'499, static_cast<std::int16_t>(-sign * 5)),
                   MotionSuspect::Reason::WrongWay)
-            << "401 behind the farthest it has come";
+            << "401 back from the farthest position it has reached";
     }
 }
 
@@ -125,7 +126,7 @@ TEST(MotionWatch, LetsAMotorSlowDownBeforeItTurnsRound) {
     EXPECT_EQ(servo.is(4'000, 5), MotionSuspect::Reason::WrongWay) << "forward again";
 }
 
-/// It is told to go back before it has come to rest.
+/// It is sent back before it has come to rest.
 TEST(MotionWatch, LetsAMotorThatIsBeingStoppedSlowDownToo) {
     Watched servo;
     servo.told(turn(false));
@@ -154,7 +155,7 @@ TEST(MotionWatch, ForgetsAMotionThatWasStopped) {
     servo.told(loadMove(0, 5'000));
     servo.told(start(0));
     servo.told(toServo(0, servo::StopMotor{true, servo::StopManner::AmplifierOnly, {}}));
-    EXPECT_EQ(servo.is(-3'000, -4), MotionSuspect::Reason::WrongWay) << "that stops nothing";
+    EXPECT_EQ(servo.is(-3'000, -4), MotionSuspect::Reason::WrongWay) << "this does not stop the motion";
 }
 
 TEST(MotionWatch, ForgetsAMotionWhoseServoIsOffAndStands) {

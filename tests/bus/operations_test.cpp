@@ -57,7 +57,7 @@ TEST(Operations, GoBeforePolls) {
     EXPECT_EQ(bus.sent[from + 1].hex, "AA 03 0B 0E");
 }
 
-/// Golden frames of protocol.md section 4, out of the engine.
+/// The golden frames of protocol.md section 4, as sent by the engine.
 TEST(Operations, PutTheGoldenFramesOnTheWire) {
     ScriptedBus bus(1);
     ASSERT_TRUE(bus.connect());
@@ -126,7 +126,7 @@ TEST(Operations, NeverRepeatAStartBlindly) {
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
     bus.losesReply = [](ByteSpan command) { return has(command, "AA 01 05"); };
-    EXPECT_EQ(bus.perform({loadMove(0, 20'000), start(0)}), Outcome::Done) << "it moves: it was started";
+    EXPECT_EQ(bus.perform({loadMove(0, 20'000), start(0)}), Outcome::Done) << "it moves, so it was started";
     EXPECT_EQ(bus.sends("AA 01 05"), 1U);
     EXPECT_EQ(bus.count<CommandExecuted>(), 4U) << "gains, stop, load, and the start";
 }
@@ -146,7 +146,7 @@ TEST(Operations, LeaveAStartThatDidNotArriveToTheOperator) {
     EXPECT_NEAR(bus.servo(0).position, 0, 3);
 }
 
-/// What a look at the module can tell is not left open (link.md 2.3).
+/// What a query of the module can determine is not left open (link.md 2.3).
 TEST(Operations, LookWhetherAResetWasCarriedOut) {
     for (const bool arrives : {true, false}) {
         SCOPED_TRACE(arrives);
@@ -170,8 +170,8 @@ TEST(Operations, LookWhetherAResetWasCarriedOut) {
     }
 }
 
-/// Whatever its bits and its code would mean to a motor: 200 has bit 7, which starts a Load Trajectory, and
-/// Set Synch Output has the code of Stop Motor, which goes out five times.
+/// Regardless of what the bits and the code would mean to a motor: 200 has bit 7, which starts a Load
+/// Trajectory, and Set Synch Output has the code of Stop Motor, which is sent up to five times.
 TEST(Operations, RepeatWhatAPicIoWasToldTwice) {
     const std::vector<std::pair<IoCommand, std::string>> commands{
         {io::SetPwm{100, 0}, "AA 01 24 64"},
@@ -240,11 +240,11 @@ TEST(Operations, ARefusedCommandChangesNothingThatIsHeldPlausible) {
     bus.answer = [&](ByteSpan packet) {
         std::vector<std::uint8_t> reply = bus.likeAServo(packet);
         const auto frame = parsePacket(packet);
-        constexpr std::size_t kVelocity = 1 + 4 + 1;  // behind status, position and A/D
+        constexpr std::size_t kVelocity = 1 + 4 + 1;  // after status, position and A/D
         if (frame && frame->payload.code == CommandCode::SetGain) {
             reply[0] |= 0x02U;
         } else if (fast && reply.size() > kVelocity + 2) {
-            reply[kVelocity] = 0x38;  // -200, which the wire carries for 200
+            reply[kVelocity] = 0x38;  // -200, which is sent for 200
             reply[kVelocity + 1] = 0xFF;
         }
         reply.pop_back();
@@ -313,7 +313,7 @@ TEST(Operations, MayStartAgainAsSoonAsTheMoveHasEnded) {
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0), loadMove(0, 200), start(0)}), Outcome::Done);
     ASSERT_TRUE(bus.runUntil([&] { return bus.servo(0).commandPosition >= 200; }, 5s));
-    // The last poll may still say "moving": the gate looks once more.
+    // The last poll may still report motion: the gate queries it once more.
     EXPECT_EQ(bus.perform({loadMove(0, 0), start(0)}), Outcome::Done);
     bus.expectNoViolations();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Expected values are counted by hand: a point leaves the buffer each period.
+// Expected values are counted by hand: one point leaves the buffer in each period.
 #include "bus/pathbuffer.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ constexpr Duration kPeriod = 10ms;
     return TimePoint{} + time;
 }
 
-/// All that fits, before it runs.
+/// A buffer that is filled completely before it runs.
 PathBuffer filled(std::size_t points, std::size_t capacity = 128) {
     PathBuffer buffer(points, capacity, kPeriod);
     while (buffer.frame() > 0 && buffer.roomAt() == TimePoint::min())
@@ -29,13 +29,13 @@ PathBuffer filled(std::size_t points, std::size_t capacity = 128) {
 TEST(PathBuffer, IsFilledInFramesOfSeven) {
     EXPECT_EQ(filled(1'000).sent(), 126U);
     EXPECT_EQ(filled(1'000, 96).sent(), 91U);
-    EXPECT_EQ(filled(1'000).roomAt(), TimePoint::max()) << "nothing leaves before it runs";
+    EXPECT_EQ(filled(1'000).roomAt(), TimePoint::max()) << "no point leaves before it runs";
     EXPECT_EQ(filled(20).sent(), 20U);
     EXPECT_TRUE(filled(20).sentAll());
     EXPECT_EQ(filled(20).frame(), 0U);
 }
 
-/// One of a point or two more could not be told from one that was lost.
+/// A frame of only a point or two could not be distinguished from a frame that was lost.
 TEST(PathBuffer, NeverEndsInAShortFrame) {
     for (std::size_t points = 4; points < 40; ++points) {
         PathBuffer buffer(points, 128, kPeriod);
@@ -53,7 +53,7 @@ TEST(PathBuffer, NeverEndsInAShortFrame) {
 TEST(PathBuffer, HasRoomWhenSoManyHaveLeft) {
     PathBuffer buffer = filled(1'000);
     buffer.start(at(0ms));
-    // 126 + 7 points are 5 more than there is room for.
+    // 126 + 7 points are 5 more than fit.
     EXPECT_EQ(buffer.roomAt(), at(5 * kPeriod + kServoTick));
     EXPECT_EQ(buffer.taken(at(5 * kPeriod)), 4U) << "its tick may be a tick later than ours";
     EXPECT_EQ(buffer.taken(at(5 * kPeriod + kServoTick)), 5U);
@@ -65,19 +65,19 @@ TEST(PathBuffer, HasRoomWhenSoManyHaveLeft) {
 
 TEST(PathBuffer, TellsAFrameThatWasCarriedOutFromOneThatWasLost) {
     PathBuffer buffer = filled(1'000);
-    EXPECT_EQ(buffer.carriedOut(2, 126, at(0ms), at(0ms)), false) << "exactly, before it runs";
+    EXPECT_EQ(buffer.carriedOut(2, 126, at(0ms), at(0ms)), false) << "the number is exact before it runs";
     EXPECT_EQ(buffer.carriedOut(2, 128, at(0ms), at(0ms)), true);
     EXPECT_EQ(buffer.carriedOut(2, 127, at(0ms), at(0ms)), std::nullopt);
     buffer.start(at(0ms));
     buffer.onReported(120, at(60ms), at(60ms));
-    // 200 ms later 20 have left, or one more or less.
+    // 200 ms later, 20 points have left, or one more or less.
     for (const std::size_t left : {99U, 100U, 101U})
         EXPECT_EQ(buffer.carriedOut(7, left, at(260ms), at(260ms)), false) << left;
     for (const std::size_t left : {106U, 107U, 108U})
         EXPECT_EQ(buffer.carriedOut(7, left, at(260ms), at(260ms)), true) << left;
     for (const std::size_t left : {97U, 103U, 110U})
         EXPECT_EQ(buffer.carriedOut(7, left, at(260ms), at(260ms)), std::nullopt) << left;
-    // Known to 50 ms only, five points more or less: 102 may be either.
+    // The time is known to 60 ms only, which are six points: 102 may mean either.
     EXPECT_EQ(buffer.carriedOut(4, 102, at(230ms), at(290ms)), std::nullopt);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every rule of link.md 2.4 with a reply that breaks it, and its look-alike that must be believed.
+// Every rule of link.md 2.4, with a reply that breaks it and a similar one that must be believed.
 #include "bus/plausibility.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-/// One module that is asked every ten milliseconds.
+/// One module that is queried every ten milliseconds.
 template <typename State, ModuleType kType>
 class Asked {
 public:
@@ -27,7 +27,7 @@ public:
         now += after;
         return plausibility.check(accepted(kType, items, bytesOf(said, items), now));
     }
-    /// A few replies that nothing is wrong with.
+    /// Passes a few plausible replies.
     void settle(const State& said) {
         for (int i = 0; i < 4; ++i)
             EXPECT_EQ(says(said, i == 0 || i % 2 != 0 ? kLong : kShort), std::nullopt);
@@ -60,7 +60,7 @@ TEST(Plausibility, TellsOnceOfACounterThatSomebodyElseHasSet) {
     EXPECT_EQ(servo.says({.position = 0}, kShort), std::nullopt);
     EXPECT_TRUE(servo.plausibility.takeJump());
     EXPECT_FALSE(servo.plausibility.takeJump());
-    // What this host sets is no news.
+    // A change by this host is not reported.
     Servo ours({.position = 50'000});
     ours.sends(ServoCommand(ResetPosition{}));
     EXPECT_EQ(ours.says({.position = 0}), std::nullopt);
@@ -72,11 +72,11 @@ TEST(Plausibility, RejectsALineThatIsHeldLowOrHigh) {
     const std::vector<std::uint8_t> low(10, 0x00);
     EXPECT_EQ(servo.plausibility.check(accepted(ModuleType::Servo, kShort, low, servo.now + 10ms)),
               Rejection::Uniform);
-    // The sum of FF FF is FE: only a reply of status byte and sum can be all FF and fit.
+    // The sum of FF FF is FE: only a reply of status byte and sum can be all FF with a correct sum.
     const std::vector<std::uint8_t> high(2, 0xFF);
     EXPECT_EQ(servo.plausibility.check(accepted(ModuleType::Servo, 0, high, servo.now + 20ms)),
               Rejection::Uniform);
-    // A servo that runs, without a limit and without a bit in its position, is none.
+    // A servo that runs without an active limit, with all position bits 0, is not such a line.
     Plausibility fresh({ModuleType::Servo, 4});
     const auto bytes = bytesOf(ServoState{.status = 0x08}, kShort);
     EXPECT_FALSE(fresh.check(accepted(ModuleType::Servo, kShort, bytes, {})));
@@ -88,7 +88,7 @@ TEST(Plausibility, BelievesTheZerosOfAStepperThatHasNothingElseToTell) {
         return stepper.plausibility.check(accepted(ModuleType::Stepper, kShort, zeros, stepper.now + 10ms));
     };
     Stepper resting({.status = 0x00, .analog = 0});
-    EXPECT_EQ(says(resting), std::nullopt) << "it said so before, with its type";
+    EXPECT_EQ(says(resting), std::nullopt) << "it reported the same before, with its type";
     Stepper powered({.status = 0x08, .analog = 0});
     EXPECT_EQ(says(powered), Rejection::Uniform);
     Stepper elsewhere({.status = 0x00, .position = 5, .analog = 0});
@@ -101,7 +101,7 @@ TEST(Plausibility, RejectsAnotherTypeOrVersion) {
     Servo servo;
     EXPECT_EQ(servo.says({.version = 5}), Rejection::Identity);
     EXPECT_EQ(servo.says({.type = 2}), Rejection::Identity);
-    EXPECT_EQ(servo.says({.version = 5}, kShort), std::nullopt) << "it was not asked";
+    EXPECT_EQ(servo.says({.version = 5}, kShort), std::nullopt) << "the reply does not contain the version";
 }
 
 TEST(Plausibility, RejectsUndefinedBitsOtherThanAtFirst) {
@@ -109,7 +109,7 @@ TEST(Plausibility, RejectsUndefinedBitsOtherThanAtFirst) {
     EXPECT_EQ(servo.says({.aux = 0x44}), Rejection::UndefinedBits);
     EXPECT_EQ(servo.says({.aux = 0x05}), std::nullopt) << "the index is defined";
     Servo odd({.aux = 0xC4});
-    EXPECT_EQ(odd.says({.aux = 0xC5}), std::nullopt) << "this chip always said so";
+    EXPECT_EQ(odd.says({.aux = 0xC5}), std::nullopt) << "this chip has always set these bits";
     EXPECT_EQ(odd.says({.aux = 0x84}), Rejection::UndefinedBits);
     Stepper stepper;
     EXPECT_EQ(stepper.says({.inputs = 0x80}), Rejection::UndefinedBits);
@@ -135,7 +135,8 @@ TEST(Plausibility, BelievesTheAnswerOfAServoThatIsSwitchedOnWithoutPower) {
     Servo servo({.status = 0x11, .aux = 0x00});
     servo.sends(enable(0).command);
     EXPECT_EQ(servo.says({.status = 0x11, .aux = 0x04}, kShort, 5ms), std::nullopt);
-    EXPECT_EQ(servo.says({.status = 0x11, .aux = 0x04}), Rejection::OnWithoutPower) << "long after";
+    EXPECT_EQ(servo.says({.status = 0x11, .aux = 0x04}), Rejection::OnWithoutPower)
+        << "too long after the command";
 }
 
 TEST(Plausibility, RejectsSlewDoneWithoutAccelDone) {
@@ -166,7 +167,7 @@ TEST(Plausibility, RejectsHomingThatNobodyAskedFor) {
     Servo told;
     told.sends(ServoCommand(servo::SetHoming{.onIndexChange = true}));
     EXPECT_EQ(told.says({.status = 0x89}), std::nullopt);
-    EXPECT_EQ(told.says({.status = 0x09}), std::nullopt) << "it is over when it is over";
+    EXPECT_EQ(told.says({.status = 0x09}), std::nullopt) << "homing may end at any time";
     Stepper stepper;
     EXPECT_EQ(stepper.says({.status = 0x8C}), Rejection::HomingRose);
     Stepper home;
@@ -180,7 +181,7 @@ TEST(Plausibility, RejectsAnotherHomeWithoutACause) {
     Servo saved;
     saved.sends(ServoCommand(SaveAsHome{}));
     EXPECT_EQ(saved.says({.home = 64}), std::nullopt);
-    // Captured long after it was asked for.
+    // Home is captured long after it was requested.
     Servo homing;
     homing.sends(ServoCommand(servo::SetHoming{.onLimit1Change = true}));
     for (int i = 0; i < 50; ++i)
@@ -197,19 +198,18 @@ TEST(Plausibility, RejectsAnotherHomeWithoutACause) {
 TEST(Plausibility, RejectsAPositionThatTheVelocityDoesNotReach) {
     Servo standing({.position = 1'000});
     EXPECT_EQ(standing.says({.position = 1'000 + 1'024}), Rejection::PositionJump);
-    EXPECT_EQ(standing.says({.position = 1'008}), std::nullopt) << "it gives a little";
+    EXPECT_EQ(standing.says({.position = 1'008}), std::nullopt) << "it may yield a little";
     Servo moving;
     moving.sends(loadVelocity(0, 20 * 65'536, true).command);
     for (int i = 1; i <= 100; ++i)
         ASSERT_EQ(moving.says({.status = 0x08, .position = i * 195, .velocity = 10}), std::nullopt);
     EXPECT_EQ(moving.says({.position = 101 * 195 + 1'024, .velocity = 10}), Rejection::PositionJump);
     EXPECT_EQ(moving.says({.position = 99 * 195, .velocity = 10}, kShort), Rejection::PositionJump)
-        << "nor does it go back";
+        << "it does not go back either";
 }
 
-/// It swings so fast that it is asked at the same velocity nearly every time, wherever it is by then.
-/// A chain of modules of one type, where nothing but its position tells one from the other: a reply of the
-/// neighbour, which stands elsewhere or runs, is not believed at once for a motor that stands.
+/// A chain of modules of one type, which only their positions distinguish: a reply of the neighbour, which is
+/// elsewhere or runs, is not believed at once for a motor that is at rest.
 TEST(Plausibility, RejectsAnotherModulesPositionForAMotorThatStands) {
     constexpr std::uint8_t kOff = 0x19;  // move_done, power, pos_error
     for (const bool on : {true, false}) {
@@ -224,9 +224,9 @@ TEST(Plausibility, RejectsAnotherModulesPositionForAMotorThatStands) {
             for (const std::int32_t other : {2'000, 3'386, 8'951, -8'951}) {
                 Servo servo(says(0));
                 EXPECT_EQ(servo.says(says(other, velocity), kLong, 250ms).has_value(), true) << other;
-                EXPECT_EQ(servo.says(says(0), kShort, 250ms), std::nullopt) << "its own";
+                EXPECT_EQ(servo.says(says(0), kShort, 250ms), std::nullopt) << "its own reply";
             }
-        // A shaft that is turned a little by hand, or slowly: 0.9 counts a tick reads 0.
+        // A shaft that is turned a little by hand, or slowly: 0.9 counts a tick are reported as 0.
         Servo turned(says(0));
         EXPECT_EQ(turned.says(says(400), kLong, 250ms), std::nullopt);
         Servo slow(says(0));
@@ -234,7 +234,7 @@ TEST(Plausibility, RejectsAnotherModulesPositionForAMotorThatStands) {
     }
 }
 
-/// Another program starts it: the next reply says so too, and its counter is what it was.
+/// Another program starts it: the next reply confirms this, and the counter has not been set.
 TEST(Plausibility, TakesAMotionThatSomebodyElseBeganForNoJump) {
     Servo servo;
     EXPECT_EQ(servo.says({.status = 0x08, .position = 2'000, .velocity = 8, .aux = 0x0C}, kLong, 250ms),
@@ -244,7 +244,7 @@ TEST(Plausibility, TakesAMotionThatSomebodyElseBeganForNoJump) {
     EXPECT_FALSE(servo.plausibility.takeJump());
 }
 
-/// It would have switched off before it got there.
+/// The servo would have switched off before it reached this position.
 TEST(Plausibility, RejectsAHoldingServoBeyondItsErrorLimit) {
     Servo servo;
     servo.sends(ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, 1, std::uint8_t{0}}));
@@ -261,7 +261,7 @@ TEST(Plausibility, RejectsAHoldingServoBeyondItsErrorLimit) {
     EXPECT_EQ(other.says({.position = 300}, kLong, 250ms), Rejection::PositionJump);
 }
 
-/// After a command it goes as far as it may, however long nobody has asked it.
+/// After a command, it may go as far as the command allows, however long it was not queried.
 TEST(Plausibility, BelievesAMotorThatWasStartedAndNotAskedForLong) {
     Servo servo;
     servo.sends(loadMove(0, 200'000).command);
@@ -277,7 +277,8 @@ TEST(Plausibility, BelievesAServoThatSwingsAsFastAsItIsAsked) {
     servo.sends(gains(0).command);
     const double amplitude = 300;
     for (int i = 0; i < 300; ++i) {
-        // 35 ticks between questions, 37 a period: 17.9 ms and 18.9 ms.
+        // 35 ticks between queries and 37 in a period, 17.9 ms and 18.9 ms: nearly the same velocity each
+        // time, wherever it is by then.
         const double angle = 2 * 3.14159265 * 35 / 37 * i;
         const double speed = amplitude * 2 * 3.14159265 / 37;
         const ServoState state{.status = 0x08,
@@ -287,7 +288,7 @@ TEST(Plausibility, BelievesAServoThatSwingsAsFastAsItIsAsked) {
     }
 }
 
-/// Asked in focus, every second reply has the position only: the velocity is the one before that.
+/// In focus, every second reply contains only the position: the known velocity is that of the reply before.
 TEST(Plausibility, BelievesAMotorThatComesToRestBehindABriefReply) {
     Servo servo;
     servo.sends(loadVelocity(0, 40 * 65'536, true).command);
@@ -315,7 +316,7 @@ TEST(Plausibility, BelievesAPositionThatWasReset) {
     EXPECT_EQ(told.says({.position = 0}), std::nullopt);
     Servo other({.position = 100'000});
     other.sends(ServoCommand(ResetPosition{}));
-    EXPECT_EQ(other.says({.position = 50'000}), Rejection::PositionJump) << "nor is it somewhere else";
+    EXPECT_EQ(other.says({.position = 50'000}), Rejection::PositionJump) << "it is not anywhere else either";
 }
 
 TEST(Plausibility, RejectsAVelocityThatNoMotorReaches) {
@@ -323,7 +324,7 @@ TEST(Plausibility, RejectsAVelocityThatNoMotorReaches) {
     EXPECT_EQ(servo.says({.velocity = 257}), Rejection::VelocityJump) << "500 000 edges a second";
     EXPECT_EQ(servo.says({.velocity = 128}), Rejection::VelocityJump);
     EXPECT_EQ(servo.says({.position = 20, .velocity = 2}), std::nullopt);
-    // A start without acceleration limit throws a small motor to its speed at once.
+    // A start without acceleration limit brings a small motor to its speed at once.
     Servo thrown;
     thrown.sends(loadVelocity(0, 20 * 65'536, true).command);
     EXPECT_EQ(thrown.says({.status = 0x08, .position = 195, .velocity = 20}), std::nullopt);
@@ -338,7 +339,7 @@ TEST(Plausibility, RejectsAStepperInTwoModes) {
 TEST(Plausibility, RejectsAStepperThatMovesWithoutPower) {
     Stepper stepper;
     EXPECT_EQ(stepper.says({.status = 0x25, .timer = 60'000}), Rejection::MovingWithoutPower);
-    EXPECT_EQ(stepper.says({.status = 0x00}), std::nullopt) << "it stands";
+    EXPECT_EQ(stepper.says({.status = 0x00}), std::nullopt) << "it is at rest";
 }
 
 TEST(Plausibility, RejectsAStepperThatMovedWhileItStood) {
@@ -349,9 +350,9 @@ TEST(Plausibility, RejectsAStepperThatMovedWhileItStood) {
     oneStep.startNow = true;
     Stepper told;
     told.sends(StepperCommand(oneStep));
-    EXPECT_EQ(told.says({.position = 1}), std::nullopt) << "one step, between two questions";
+    EXPECT_EQ(told.says({.position = 1}), std::nullopt) << "one step between two queries";
     Stepper ended({.status = 0x4D, .timer = 60'000});
-    EXPECT_EQ(ended.says({.position = 12}), std::nullopt) << "it moved when it was asked last";
+    EXPECT_EQ(ended.says({.position = 12}), std::nullopt) << "it was moving when it was last queried";
 }
 
 TEST(Plausibility, RejectsMoreThanFiftyThousandStepsASecond) {
@@ -381,10 +382,11 @@ TEST(Plausibility, BelievesAContradictionThatTheNextReplyConfirms) {
     ASSERT_NE(servo.says(after), std::nullopt);
     EXPECT_EQ(servo.says(after, kShort, 300ms), std::nullopt) << "another host moved it";
     EXPECT_EQ(servo.says(after), std::nullopt);
-    EXPECT_EQ(servo.says({.position = 100, .home = -3}), Rejection::PositionJump) << "and it is there now";
+    EXPECT_EQ(servo.says({.position = 100, .home = -3}), Rejection::PositionJump)
+        << "the new position is now the known one";
 }
 
-/// The questions of a challenge: who it is, and then everything.
+/// The queries of a challenge: its identity, and then everything.
 TEST(Plausibility, LetsAReplyThatDoesNotTellConfirmNothingAndRefuteNothing) {
     const ServoState moved{.position = 90'000};
     Servo servo;
@@ -402,8 +404,9 @@ TEST(Plausibility, DoesNotTakeTwoDifferentContradictionsForAConfirmation) {
     Servo servo({.position = 100});
     EXPECT_EQ(servo.says({.position = 90'000}), Rejection::PositionJump);
     EXPECT_EQ(servo.says({.position = -70'000}), Rejection::PositionJump);
-    EXPECT_EQ(servo.says({.position = 100}), std::nullopt) << "it was where it was";
-    EXPECT_EQ(servo.says({.position = 90'000}), Rejection::PositionJump) << "long ago does not confirm";
+    EXPECT_EQ(servo.says({.position = 100}), std::nullopt) << "it is where it was";
+    EXPECT_EQ(servo.says({.position = 90'000}), Rejection::PositionJump)
+        << "an old contradiction does not confirm it";
 }
 
 TEST(Plausibility, NeverBelievesWhatCannotBeHoweverOften) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// On a clean line nothing is rejected, whatever is done to the motors. NMC_PLAUSIBILITY_SECONDS sets the
-// length of each session.
+// On a clean line, no reply is rejected, whatever the motors do. NMC_PLAUSIBILITY_SECONDS sets the length of
+// each session.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -25,7 +25,7 @@ using testing_support::kStep;
     return std::chrono::seconds(text != nullptr ? std::strtol(text, nullptr, 10) : 60);
 }
 
-/// An operator without a plan.
+/// An operator who acts at random.
 class Session {
 public:
     Session(std::vector<ModuleIdentity> modules, std::uint32_t baud, std::uint64_t seed)
@@ -42,8 +42,8 @@ public:
     }
     void expectNothingRejected() {
         const LinkStatistics& statistics = bus.engine.statistics();
-        // A motor that stood, that nobody has asked for a second, and that a load has run away with meanwhile
-        // takes another reply: its neighbour's would look the same (link.md 2.4).
+        // A motor that was at rest, was not queried for a second, and was carried away by a load meanwhile
+        // needs a second reply: one of its neighbour would look the same (link.md 2.4).
         const auto jumps = statistics.rejections[static_cast<std::size_t>(Rejection::PositionJump)];
         if (jumps <= 1 && statistics.errors() == jumps && bus.count<HealthChanged>() == 0)
             return;
@@ -87,7 +87,7 @@ private:
             case 0:
                 return ask("gains and on", {gains(m), enable(m)});
             case 1: {
-                // Too much of Kp, too little of Kd: it swings as hard as the motor can.
+                // Too much Kp and too little Kd: it swings as hard as the motor can.
                 const servo::SetGain wild{static_cast<std::uint16_t>(500 + below(3'000)),
                                           100,
                                           0,
@@ -153,8 +153,8 @@ private:
             case 15:
                 return set(m, coin() ? Input::Limit1 : Input::Limit2, coin() ? 1.0 : 0.0);
             case 16: {
-                // A stop that a servo pushes against is not taken away: that throws a motor without a
-                // command.
+                // A mechanical stop that a servo pushes against is not removed: that would make a motor leap
+                // without a command.
                 if (bus.servo(m).pwm != 0)
                     return;
                 const double shaft = bus.servo(m).shaftCounts;

@@ -49,7 +49,8 @@ TEST(Polls, AreStampedWithTheTimeAtWhichTheModuleLatchedThem) {
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, 4 * 65'536, true)}), Outcome::Done);
     bus.runFor(2s);
-    // 4 counts a tick: a line through the samples has that slope, and none is off by more than half a tick.
+    // 4 counts a tick: a line through the samples has that slope, and no sample is off by more than half a
+    // tick.
     const auto samples = bus.all<Sample>();
     const Sample& last = samples.back();
     for (auto it = samples.end() - 100; it != samples.end(); ++it) {
@@ -58,7 +59,8 @@ TEST(Polls, AreStampedWithTheTimeAtWhichTheModuleLatchedThem) {
     }
 }
 
-/// 32 modules at 19 200 Bd: one that nobody looks at is asked every 0.6 s, and runs and stops in between.
+/// 32 modules at 19 200 Bd: a module that is not being watched is polled every 0.6 s, and runs and stops in
+/// between.
 TEST(Polls, BelieveAMotionThatLiesBetweenTwoOfThem) {
     VirtualBus bus(servos(32));
     ASSERT_TRUE(bus.connect());
@@ -174,14 +176,14 @@ TEST(Silence, OfAllIsALostLinkThatComesBackByItself) {
     const std::size_t questions =
         bus.sends("AA 01 13", from) + bus.sends("AA 02 13", from) + bus.sends("AA 03 13", from);
     EXPECT_NEAR(static_cast<double>(questions), 10, 1) << "once a second";
-    EXPECT_NEAR(static_cast<double>(bus.sends("AA 01 17 05 1D", from)), 20, 1) << "its stop is owed";
+    EXPECT_NEAR(static_cast<double>(bus.sends("AA 01 17 05 1D", from)), 20, 1) << "a stop is owed to it";
     bus.losesReply = {};
     const std::size_t then = bus.sent.size();
     bus.runFor(3s);
     EXPECT_EQ(bus.count<ModuleUnresponsive>(), 6U);
     EXPECT_EQ(bus.count<LinkLost>(), 1U);
     EXPECT_EQ(bus.count<OwedStopConfirmed>(), 1U);
-    // Only that stop and questions: nothing that moves, enables or sets gains.
+    // Only that stop and queries are sent: nothing that moves, enables or sets gains.
     for (std::size_t i = then; i < bus.sent.size(); ++i)
         if (bus.sent[i].bytes[0] == 0xAA) {
             const int code = bus.sent[i].bytes[2] & 0x0F;
@@ -205,7 +207,7 @@ TEST(Silence, OfAStopThatFindsNobodyEndsSoonAndSaysSo) {
     ASSERT_TRUE(stopped);
     EXPECT_EQ(stopped->unreached.size(), 2U);
     EXPECT_EQ(bus.sends("00 00", from) > 0, true);
-    EXPECT_GE(bus.sends("AA 01 17 05 1D", from), 3U) << "it may hear us";
+    EXPECT_GE(bus.sends("AA 01 17 05 1D", from), 3U) << "the command may still arrive";
     EXPECT_EQ(bus.sends("AA 02 17", from), 0U) << "its servo was off";
 }
 
@@ -213,7 +215,8 @@ TEST(Link, SurvivesTheReplyOfAnotherLength) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
     bus.runFor(100ms);
-    // A foreign host redefines the status; three rejects, silence, then the layout is defined anew.
+    // Another host redefines the status; three replies are rejected, the module counts as silent, and then
+    // the layout is defined again.
     bus.chain.hostSends(fromHex("AA 01 12 1F 32 "), bus.now);
     bus.runFor(4s);
     const std::size_t samples = bus.samplesOf(0);
@@ -231,7 +234,8 @@ TEST(Link, AcceptsTheLatencyOfAnAdapter) {
     EXPECT_EQ(bus.engine.statistics().errors(), 0U);
 }
 
-/// Any bytes at any time: the engine goes on, sends nothing that moves, and works again afterwards.
+/// With arbitrary bytes at any time, the engine continues, sends nothing that moves a motor, and works again
+/// afterwards.
 RC_GTEST_PROP(Link, OutlivesGarbage, ()) {
     VirtualBus bus(servos(2));
     RC_ASSERT(bus.connect());
@@ -272,8 +276,8 @@ TEST(Link, OutlivesAFloodInEveryPhase) {
     EXPECT_GT(bus.engine.statistics().surplusBytes, flood.size());
 }
 
-/// Operations, holds, stops and losses in any order: one end for each operation and each stop, nothing a real
-/// chip would not forgive except what lost bytes do, and at the end a stop that stands.
+/// Operations, holds, stops and losses in any order: each operation and each stop ends once, nothing happens
+/// that a real chip would not tolerate except as a result of lost bytes, and a final stop is effective.
 RC_GTEST_PROP(Engine, KeepsItsPromisesInAnyOrder, ()) {
     VirtualBus bus(servos(2));
     RC_ASSERT(bus.connect());
@@ -326,8 +330,8 @@ RC_GTEST_PROP(Engine, KeepsItsPromisesInAnyOrder, ()) {
     for (const ModuleIndex module : {ModuleIndex(0), ModuleIndex(1)}) {
         const auto servo = bus.servo(module.value());
         RC_ASSERT(servo.commandVelocity == 0);
-        // A load cut short and filled up with nulls can be a Set Gain with a valid sum (link.md 1): such a
-        // servo may swing for ever, and the stop says so.
+        // A load that is cut short and filled up with nulls can be a Set Gain with a valid sum (link.md 1):
+        // such a servo may swing for ever, and the stop reports it.
         if (servo.gains.kp == 200)
             RC_ASSERT(std::count(stopped->stopped.begin(), stopped->stopped.end(), module) == 1);
     }
@@ -336,8 +340,8 @@ RC_GTEST_PROP(Engine, KeepsItsPromisesInAnyOrder, ()) {
         ++ends[finished.id.value()];
     for (const OperationId id : submitted)
         RC_ASSERT(ends[id.value()] == 1);
-    // A byte that is lost can make another command, of a wrong length say, when nulls or zeros complete its
-    // sum (link.md 1). What the gate forbids never happens.
+    // A lost byte can result in another command, for instance one of a wrong length, if nulls or zeros
+    // complete its sum (link.md 1). Nothing that the gate forbids ever happens.
     using enum sim::ViolationKind;
     for (const sim::Violation& v : bus.chain.violations().entries())
         if (v.kind == TrapezoidInMotion || v.kind == ResetInMotion || v.kind == ReplyCollision)

@@ -64,7 +64,7 @@ TEST(PollSchedule, TreatsAllAlikeWhenNobodyLooks) {
     EXPECT_EQ(pollsIn(schedule, 3, 3s), (std::vector<int>{100, 100, 100}));
 }
 
-/// Of a focus that is renewed as long as it is wanted.
+/// With a focus that is renewed as long as it is wanted.
 TEST(PollScheduleFocus, AsksTheOthersOnceASecondAndNeverTwiceInARow) {
     PollSchedule schedule(32);
     schedule.watch({kSecond});
@@ -86,7 +86,7 @@ TEST(PollScheduleFocus, AsksTheOthersOnceASecondAndNeverTwiceInARow) {
     EXPECT_GE(polls[0], 2'000 - 31 * 5) << "of 2000";
 }
 
-/// As a square wave does with each edge.
+/// Renews the focus often, as a square wave does with each edge.
 TEST(PollScheduleFocus, LeavesTheOthersTheirTurnsHoweverOftenItIsRenewed) {
     PollSchedule schedule(3);
     std::vector<int> polls(3);
@@ -130,7 +130,8 @@ TEST(PollScheduleFocus, LeavesSilentModulesAlone) {
     schedule.focus(kFirst, TimePoint(1s));
     for (TimePoint now(1s); now < TimePoint(5s); now += 10ms)
         EXPECT_EQ(schedule.next(now)->module, kFirst);
-    EXPECT_EQ(schedule.next(TimePoint(6s))->module, kSecond) << "its time-outs disturb nobody any more";
+    EXPECT_EQ(schedule.next(TimePoint(6s))->module, kSecond)
+        << "its time-outs do not disturb the focus any more";
 }
 
 TEST(PollScheduleFocus, IsNotForAModuleThatIsSilentOrFallsSilent) {
@@ -206,7 +207,7 @@ TEST(PollSchedule, AsksOnceASecondWhenAllAreSilent) {
     for (TimePoint now{}; now < TimePoint(6500ms);) {
         now = *schedule.nextDue();
         const auto turn = schedule.next(now);
-        ASSERT_TRUE(turn) << "due, but nothing to do";
+        ASSERT_TRUE(turn) << "it is due, but there is nothing to do";
         asked.push_back(turn->module.value());
         schedule.onTimeout(turn->module, now + 20ms);
     }
@@ -220,7 +221,7 @@ TEST(PollSchedule, AsksTheOthersSoonWhenOneAnswersAgain) {
     EXPECT_EQ(schedule.next(TimePoint(1s))->module, kFirst);
     schedule.recover(kFirst, TimePoint(1s));
     EXPECT_EQ(schedule.next(TimePoint(1s))->module, kSecond);
-    EXPECT_TRUE(schedule.next(TimePoint(1s))->full) << "everything may be new";
+    EXPECT_TRUE(schedule.next(TimePoint(1s))->full) << "everything may have changed";
 }
 
 TEST(PollSchedule, HasNothingToDoWithoutModules) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rate of a chain that runs: everybody follows, or everybody goes back.
+// Changing the rate of a running chain: all modules follow, or all go back.
 #include <gtest/gtest.h>
 
 #include "tests/bus/groups.h"
@@ -25,7 +25,7 @@ public:
     [[nodiscard]] bool ended() const { return count<RateChanged>() + count<RateChangeFailed>() > 0; }
     [[nodiscard]] RateChangeFailed failure() { return std::get<RateChangeFailed>(lastEnd()); }
 
-    /// The module does not hear Set Baud from now on.
+    /// Makes the module ignore Set Baud from now on.
     void makeDeaf(std::uint8_t module) {
         sim::FaultSpec ignore;
         ignore.kind = sim::FaultKind::Ignore;
@@ -33,7 +33,7 @@ public:
         ignore.command = CommandCode::SetBaud;
         EXPECT_TRUE(chain.inject(ignore, now));
     }
-    /// Nominal, of each module (protocol.md 1).
+    /// The nominal rate of each module (protocol.md 1).
     [[nodiscard]] std::vector<std::uint32_t> rates() {
         std::vector<std::uint32_t> all;
         for (std::uint8_t i = 0; i < chain.moduleCount(); ++i)
@@ -82,7 +82,7 @@ private:
     return options;
 }
 
-/// Three servos that hold their place, at 19 200 Bd.
+/// Connects to three servos that hold their positions, at 19 200 Bd.
 void makeReady(RateBus& bus) {
     ASSERT_TRUE(bus.connect());
     for (std::uint8_t i = 0; i < 3; ++i)
@@ -105,7 +105,7 @@ TEST(ChainRate, ChangesForAllAndPositionsGainsAndLoadsStay) {
         EXPECT_NEAR(bus.servo(i).position, 100 * (i + 1), 2);
         EXPECT_EQ(bus.servo(i).gains.kp, 200);
     }
-    EXPECT_EQ(bus.perform({start(1)}), Outcome::Done) << "the load waits still";
+    EXPECT_EQ(bus.perform({start(1)}), Outcome::Done) << "the load is still waiting";
     bus.runFor(3s);
     EXPECT_NEAR(bus.servo(1).position, 1'000, 2);
     EXPECT_EQ(bus.engine.statistics().errors(), 0U);
@@ -158,7 +158,7 @@ TEST(ChainRate, GoesBackWhenAModuleIsDeafToIt) {
             EXPECT_TRUE(bus.servo(i).servoOn);
             EXPECT_NEAR(bus.servo(i).position, 100 * (i + 1), 2);
         }
-        ASSERT_TRUE(bus.change(57'600)) << "it has come round";
+        ASSERT_TRUE(bus.change(57'600)) << "it follows now";
         bus.expectRunsAt(57'600);
     }
 }
@@ -166,7 +166,7 @@ TEST(ChainRate, GoesBackWhenAModuleIsDeafToIt) {
 TEST(ChainRate, SaysWhoIsLeftBehind) {
     RateBus bus(servos(3));
     makeReady(bus);
-    // One follows, but what is said at the new rate never reaches it, the way back included.
+    // One module follows, but receives nothing at the new rate, not even the command to go back.
     bool away = false;
     bus.onTime = [&] { away = away || bus.chain.snapshot(ModuleIndex(2), bus.now).brd == 10; };
     bus.onCommand = [&](std::vector<std::uint8_t>& command) {
@@ -228,9 +228,9 @@ TEST(ChainRate, DoesNotHoldUpAStop) {
     }
 }
 
-/// Nobody knows who is at which rate: it goes out at both, before anything is cleared up. What is on the wire
-/// ends (9 ms at most); then at 19 200 Bd sixteen nulls, 1 ms, a stop and the adapter's 4 ms, 18 ms in all,
-/// and 4 ms for the same at 115 200 Bd.
+/// It is not known which modules are at which rate, so the stop is sent at both before this is resolved.
+/// First the present exchange ends (9 ms at most); then sixteen nulls, 1 ms, a stop and the adapter's 4 ms
+/// take 18 ms at 19 200 Bd, and 4 ms at 115 200 Bd.
 TEST(ChainRate, SendsAStopAtBothRatesAtOnce) {
     for (const bool deaf : {false, true})
         for (int ms = 0; ms < 260; ms += 4) {
@@ -298,7 +298,7 @@ TEST(ChainRate, IsTheSameForAllAgainWhenTheWayBackIsNotHeard) {
     ASSERT_TRUE(bus.chain.inject(ignore, bus.now));
     const auto stop = bus.stopAll();
     ASSERT_TRUE(stop);
-    EXPECT_EQ(stop->unreached, std::vector{ModuleIndex(1)}) << "it is where nobody expects it";
+    EXPECT_EQ(stop->unreached, std::vector{ModuleIndex(1)}) << "it is at a rate where it is not expected";
     EXPECT_TRUE(bus.servo(1).servoOn);
     ASSERT_TRUE(bus.runUntil([&] { return bus.ended(); }, 5s));
     EXPECT_EQ(bus.failure().reason, RateChangeFailed::Reason::Interrupted);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the wire carries, in virtual time: the polls of modules that are looked at and of the others, and the
-// addresses of a long chain.
+// The capacity of the line, in virtual time: polls of the modules that are being watched and of the others,
+// and the time to assign the addresses of a long chain.
 #include <gtest/gtest.h>
 
 #include "tests/bus/steps.h"
@@ -30,7 +30,8 @@ using namespace std::chrono_literals;
     return all;
 }
 
-/// By hand: polls take turns in 4 + 10 and 5 + 16 bytes, 10 bits each, and half a tick of 0.512 ms.
+/// Calculated by hand: polls alternate between 4 + 10 and 5 + 16 bytes, 10 bits each, plus half a tick of
+/// 0.512 ms each.
 [[nodiscard]] double pollsPerSecond(double baud) {
     return 2 / (35 * 10 / baud + 0.000'512);
 }
@@ -82,8 +83,8 @@ TEST(PollRates, RememberWhoIsLookedAtThroughAnotherConnection) {
     EXPECT_GT(all[3], 20 * all[0]);
 }
 
-/// By hand: 5 + 6 and 4 + 10 bytes take turns, each with half a tick of waiting on average. An exchange that
-/// begins with a tick fits better or worse than that.
+/// Calculated by hand: 5 + 6 and 4 + 10 bytes alternate, each with half a tick of waiting on average. Since
+/// exchanges begin with a tick, the actual waiting time may be shorter or longer.
 [[nodiscard]] double focusedPerSecond(double baud) {
     return 2 / (25 * 10 / baud + 0.000'512);
 }
@@ -126,7 +127,7 @@ protected:
         bus.engine.focus(ModuleIndex(0), bus.now);
         ASSERT_TRUE(focused());
     }
-    /// The position alone is asked for in focus only.
+    /// True if the module is in focus: only then is the position requested alone.
     [[nodiscard]] bool focused() {
         const std::size_t from = bus.sent.size();
         bus.runFor(100ms);
@@ -176,7 +177,7 @@ TEST_F(Focus, EndsWhenTheModuleIsSilent) {
     EXPECT_FALSE(focused());
 }
 
-/// From the first Set Address to the end.
+/// The time from the first Set Address to the end.
 TEST(EnumerationTime, OfThirtyTwoModulesIsThatOfTheWire) {
     for (const bool restart : {false, true}) {
         SCOPED_TRACE(restart);
@@ -198,7 +199,7 @@ TEST(EnumerationTime, OfThirtyTwoModulesIsThatOfTheWire) {
         ASSERT_TRUE(began);
         const double took = toSeconds(end - *began);
         // link.md 2.1 for Read Status with type and version, five bytes out and four back: 9 bytes, 0.51 ms,
-        // the adapter's 4 ms, a margin of 10 ms.
+        // 4 ms for the adapter, and a margin of 10 ms.
         const double timeout = 9 * 10 / 19'200.0 + 0.000'51 + 0.004 + 0.010;
         std::printf("%.3f s, of which %.3f s on the wire; a time-out is %.3f s\n", took, wire, timeout);
         EXPECT_LE(took, 1.2 * wire + timeout);

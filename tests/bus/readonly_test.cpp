@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// H-02: a read-only connection looks and changes nothing. The witness is the simulator's own count of what
-// its modules have carried out.
+// H-02: a read-only connection monitors and changes nothing, as shown by the simulator's own count of the
+// commands that its modules have carried out.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -24,22 +24,22 @@ using testing_support::kFirst;
     return config;
 }
 
-/// A chain that another program left behind, with its first motor in motion, and one that only looks.
+/// A chain that another program left behind with its first motor in motion, and a read-only connection to it.
 class OnLooker : public LeftBehind {
 public:
     explicit OnLooker(std::size_t modules = 3, std::uint32_t baud = 19'200,
                       const EngineConfig& config = readOnly())
         : LeftBehind(modules, baud, config), m_before(bus.chain.statistics()) {}
 
-    /// What others have defined replies to have.
+    /// Defines the items of replies, as another host would.
     void define(std::uint8_t address, std::uint8_t items) {
         const auto sum = static_cast<std::uint8_t>(address + 0x12 + items);
-        bus.runFor(20ms);  // what the program before has sent last is through
+        bus.runFor(20ms);  // the last command of the previous program has been received
         bus.chain.hostSends(std::vector<std::uint8_t>{0xAA, address, 0x12, items, sum}, bus.now);
         bus.runFor(20ms);
         m_before = bus.chain.statistics();
     }
-    /// Carried out since, by all modules.
+    /// Number of these commands that all modules have carried out since.
     [[nodiscard]] std::uint64_t executed(CommandCode code) const {
         std::uint64_t n = 0;
         const auto now = bus.chain.statistics();
@@ -89,7 +89,7 @@ TEST_P(ReadOnlyAt, LooksAndLeavesEverythingToOthers) {
     EXPECT_EQ(found.baud, GetParam());
     EXPECT_EQ(found.modules.size(), 3U);
     bus.runFor(2s);
-    // Every reply was what the question before it was for: nothing was asked that did not go out.
+    // Every reply matched its query, so no query was held back.
     EXPECT_EQ(bus.engine.statistics().errors(), 0U);
     EXPECT_EQ(bus.engine.statistics().resyncs, 0U);
     for (std::uint8_t i = 0; i < 3; ++i) {
@@ -111,18 +111,18 @@ TEST_P(ReadOnlyAt, StopsWhenItIsAskedTo) {
     ASSERT_TRUE(stopped.has_value());
     EXPECT_EQ(stopped->stopped.size(), 3U);
     EXPECT_DOUBLE_EQ(looker.commandVelocity(), 0);
-    EXPECT_TRUE(bus.servo(0).servoOn) << "it holds";
+    EXPECT_TRUE(bus.servo(0).servoOn) << "it still holds";
     looker.expectOnlyLookedAt({CommandCode::StopMotor});
     const std::uint64_t stops = looker.executed(CommandCode::StopMotor);
     EXPECT_GT(stops, 0U);
     bus.runFor(5s);
-    EXPECT_EQ(looker.executed(CommandCode::StopMotor), stops) << "once";
+    EXPECT_EQ(looker.executed(CommandCode::StopMotor), stops) << "it is sent only once";
     bus.expectNoViolations();
 }
 
 INSTANTIATE_TEST_SUITE_P(Rates, ReadOnlyAt, testing::Values(9'600U, 19'200U, 57'600U, 115'200U));
 
-/// No Operation and Stop Motor are answered with what somebody else wanted to have.
+/// No Operation and Stop Motor are answered with the items that another host defined.
 TEST(ReadOnly, NeedNotKnowWhatRepliesWereDefinedToHave) {
     for (const StatusItems items : {StatusItems{}, kBriefItems, kStandingItems, kAllItems}) {
         SCOPED_TRACE(int{items.mask()});
@@ -158,14 +158,14 @@ TEST(ReadOnly, LooksAtOneModuleAsFastAsTheWireCarries) {
     looker.expectUndisturbed();
 }
 
-// ---- chains that are not whole ----
+// ---- incomplete chains ----
 
 TEST(ReadOnly, GivesNoAddressToAChainThatHasNone) {
     VirtualBus bus(servos(2), readOnly());
     EXPECT_FALSE(bus.connect());
     ASSERT_TRUE(bus.last<ConnectFailed>().has_value());
     EXPECT_EQ(bus.last<ConnectFailed>()->reason, ConnectFailure::Unaddressed);
-    EXPECT_FALSE(bus.restart()) << "nor when it is told to restart it";
+    EXPECT_FALSE(bus.restart()) << "not even if a restart is requested";
     EXPECT_EQ(bus.last<ConnectFailed>()->reason, ConnectFailure::Unaddressed);
     for (std::uint8_t i = 0; i < 2; ++i) {
         EXPECT_EQ(bus.chain.snapshot(ModuleIndex(i), bus.now).address, 0);
@@ -199,7 +199,7 @@ TEST(ReadOnly, TellsOfAModuleWithoutAnAddressAndLeavesItSo) {
     }
 }
 
-// ---- what stops motors elsewhere ----
+// ---- events that stop motors on other connections ----
 
 TEST(ReadOnly, LeavesMotorsAloneWhenAModuleRestarts) {
     for (const std::uint32_t baud : {19'200U, 115'200U}) {
@@ -246,11 +246,12 @@ TEST(ReadOnly, LeavesMotorsAloneWhenTheLinkIsGivenUp) {
     looker.expectUndisturbed();
 }
 
-/// Elsewhere a position that stays while the motor is said to move is a reason to stop it (faults.md F-12).
+/// On other connections, a position that does not change while motion is reported is a reason for a stop
+/// (faults.md F-12).
 TEST(ReadOnly, SuspectsNoMotionOfAModuleThatRepeatsAReply) {
     OnLooker looker;
     VirtualBus& bus = looker.bus;
-    // The program before has sent one command more: 4 counts per tick, in velocity mode (DS-V 5.2).
+    // The previous program sends another command: 4 counts per tick, in velocity mode (DS-V 5.2).
     bus.chain.hostSends(testing_support::fromHex("AA 01 94 B6 00 00 04 00 1F 05 00 00 73"), bus.now);
     bus.runFor(500ms);
     ASSERT_NEAR(looker.commandVelocity(), 4.0, 0.01);
@@ -261,7 +262,7 @@ TEST(ReadOnly, SuspectsNoMotionOfAModuleThatRepeatsAReply) {
     stuck.modules = {0};
     ASSERT_TRUE(bus.chain.inject(stuck, bus.now));
     bus.runFor(5s);
-    EXPECT_NEAR(*bus.lastSample(0)->report.velocity, 4, 1) << "as of the reply that is repeated";
+    EXPECT_NEAR(*bus.lastSample(0)->report.velocity, 4, 1) << "from the reply that is repeated";
     EXPECT_NEAR(looker.commandVelocity(), 4.0, 0.01);
     EXPECT_EQ(bus.count<MotionSuspect>(), 0U);
     EXPECT_EQ(bus.count<StopFinished>(), 0U);
@@ -295,7 +296,7 @@ TEST(ReadOnly, StopsNobodyUnasked) {
     looker.expectUndisturbed();
 }
 
-// ---- what is asked of it ----
+// ---- requests to a read-only connection ----
 
 TEST(ReadOnly, RefusesEverythingThatWouldChangeAModule) {
     for (const bool connected : {false, true}) {
@@ -338,7 +339,7 @@ TEST(ReadOnly, LooksAgainWhenItIsToldToRestartTheNetworkAndStaysReadOnly) {
     looker.expectUndisturbed();
 }
 
-// ---- a stop that was asked for ----
+// ---- a stop that was requested ----
 
 TEST(ReadOnly, StopsWhenItIsAskedToDuringTheLook) {
     for (const Duration after : {Duration(1ms), Duration(90ms), Duration(400ms)}) {
@@ -357,8 +358,8 @@ TEST(ReadOnly, StopsWhenItIsAskedToDuringTheLook) {
     }
 }
 
-/// Outputs marked "off at stop" are told by Set Output and Set PWM, which no question is. The rest of the
-/// module stays as others want it.
+/// Outputs marked "off at stop" are set by Set Output and Set PWM, which are not queries. The rest of the
+/// module stays as the other host has set it.
 TEST(ReadOnly, TakesOutputsLowWhenItIsAskedToStop) {
     VirtualBus bus({{ModuleType::Servo, 4}, {ModuleType::Io, 1}});
     ASSERT_TRUE(bus.connect());
@@ -372,7 +373,7 @@ TEST(ReadOnly, TakesOutputsLowWhenItIsAskedToStop) {
     ASSERT_TRUE(bus.connect());
     bus.runFor(1s);
     const auto truth = [&] { return *bus.chain.snapshot(ModuleIndex(1), bus.now).io; };
-    EXPECT_EQ(truth().outputs, 0x000F) << "nobody has asked";
+    EXPECT_EQ(truth().outputs, 0x000F) << "no stop was requested";
     const auto stopped = bus.stopAll();
     ASSERT_TRUE(stopped.has_value());
     EXPECT_EQ(stopped->stopped.size(), 2U);
@@ -382,11 +383,11 @@ TEST(ReadOnly, TakesOutputsLowWhenItIsAskedToStop) {
     const std::size_t sent = bus.sent.size();
     bus.runFor(20s);
     EXPECT_EQ(bus.engine.statistics().timeouts, 0U);
-    EXPECT_EQ(bus.sends("AA 02 24", sent) + bus.sends("AA 02 26", sent), 0U) << "once";
+    EXPECT_EQ(bus.sends("AA 02 24", sent) + bus.sends("AA 02 26", sent), 0U) << "it is sent only once";
     bus.expectNoViolations();
 }
 
-/// "It was asked for": until each module has confirmed, and no longer.
+/// A requested stop is owed until each module has confirmed it, and no longer.
 TEST(ReadOnly, OwesAStopThatWasNotConfirmed) {
     OnLooker looker;
     VirtualBus& bus = looker.bus;
@@ -402,7 +403,7 @@ TEST(ReadOnly, OwesAStopThatWasNotConfirmed) {
     EXPECT_DOUBLE_EQ(looker.commandVelocity(), 0);
     looker.expectOnlyLookedAt({CommandCode::StopMotor});
     const std::uint64_t stops = looker.executed(CommandCode::StopMotor);
-    // Lost once more, as above: this time nobody has asked.
+    // The link is lost once more, but this time no stop was requested.
     bus.losesReply = [](ByteSpan) { return true; };
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<LinkLost>() > 0; }, 10s));
     bus.runFor(5s);

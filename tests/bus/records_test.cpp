@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the packet monitor is told: every byte that went out and what came back.
+// Records for the packet monitor: every byte that was sent, and the replies.
 #include <gtest/gtest.h>
 
 #include "tests/bus/scriptedbus.h"
@@ -20,7 +20,7 @@ TEST(Records, AreNotKeptUnlessAskedFor) {
     EXPECT_TRUE(bus.engine.takeRecords().empty());
 }
 
-/// From connecting to a stop: the bytes of the records are the bytes of the line, in their order.
+/// From connecting to a stop, the bytes of the records are those on the line, in the same order.
 TEST(Records, HoldEveryByteThatWasSent) {
     VirtualBus bus(servos(2));
     bus.engine.setRecording(true);
@@ -32,7 +32,7 @@ TEST(Records, HoldEveryByteThatWasSent) {
     bus.runFor(100ms);
     const auto records = bus.engine.takeRecords();
     ASSERT_GT(records.size(), 50U);
-    // What is still under way has no record yet.
+    // An exchange that is still in progress has no record yet.
     ASSERT_LE(records.size(), bus.sent.size());
     ASSERT_GE(records.size() + 2, bus.sent.size());
     for (std::size_t i = 0; i < records.size(); ++i) {
@@ -46,7 +46,7 @@ TEST(Records, HoldEveryByteThatWasSent) {
     }
     EXPECT_EQ(records.front().baud, 19'200U);
     EXPECT_EQ(records.back().baud, 19'200U);
-    EXPECT_TRUE(bus.engine.takeRecords().empty()) << "taken";
+    EXPECT_TRUE(bus.engine.takeRecords().empty()) << "they have been taken";
 }
 
 TEST(Records, SayWhatEachExchangeWasFor) {

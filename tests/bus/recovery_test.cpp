@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What follows a doubtful answer: nulls, a challenge of two questions, and in the end a link that is given
-// up.
+// The reaction to doubtful answers: nulls, a challenge of two queries, and finally giving up the link.
 #include <gtest/gtest.h>
 
 #include "tests/bus/scriptedbus.h"
@@ -41,7 +40,7 @@ constexpr std::array kDoubts{
               return whole;
           }},
     Doubt{"AllZero", [](Bytes whole) { return Bytes(whole.size(), 0); }},
-    Doubt{"Contradicting",  // position 01 01 01 01, home or not, the sum is right
+    Doubt{"Contradicting",  // position 01 01 01 01, with a correct sum
           [](Bytes whole) {
               whole.pop_back();
               for (std::size_t i = 1; i <= 4; ++i)
@@ -52,7 +51,8 @@ constexpr std::array kDoubts{
 
 class AfterADoubtfulAnswer : public testing::TestWithParam<Doubt> {};
 
-/// Poll of the first module in full; the next thing that is asked of anybody is who it is, then everything.
+/// The answer to a full poll of the first module is wrong; the next queries request its identity, and then
+/// everything.
 TEST_P(AfterADoubtfulAnswer, AsksTwoQuestionsOfDifferentLength) {
     ScriptedBus bus(2);
     ASSERT_TRUE(bus.connect());
@@ -112,7 +112,7 @@ TEST(Recovery, BelievesAMoveThatTheChallengeConfirms) {
     EXPECT_EQ(bus.engine.statistics().rejected, 1U);
 }
 
-/// Every fifth answer of one of two modules is wrong: the bucket gets 10 and loses 4 of them each time.
+/// Every fifth answer, of module 2 or of both, is wrong: for five answers, the bucket gains 10 and loses 4.
 class BadLine {
 public:
     BadLine() : bus(2) {
@@ -138,7 +138,7 @@ public:
 
     ScriptedBus bus;
     bool isBad = false;
-    bool everywhere = false;  ///< else at module 2 only
+    bool everywhere = false;  ///< otherwise only at module 2
 
 private:
     unsigned m_asked = 0;
@@ -171,7 +171,7 @@ TEST(Recovery, StopsEverythingAndOnlyAsksWhoIsThereOnceTheLinkIsLost) {
     ASSERT_TRUE(line.bus.runUntil(lost, 120s));
     const std::size_t at = line.bus.sent.size();
     ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<StopFinished>() > 0; }, 10s));
-    EXPECT_GE(line.bus.sends("AA 01 17 05 1D", at), 1U) << "abrupt, amplifier kept";
+    EXPECT_GE(line.bus.sends("AA 01 17 05 1D", at), 1U) << "abruptly, with the amplifier on";
     EXPECT_GE(line.bus.sends("AA 02 17 05 1E", at), 1U);
     // The stops are owed until the motors are seen at rest.
     EXPECT_EQ(line.bus.count<OwedStopConfirmed>(), 0U);
@@ -185,12 +185,13 @@ TEST(Recovery, StopsEverythingAndOnlyAsksWhoIsThereOnceTheLinkIsLost) {
     for (std::size_t i = after; i < line.bus.sent.size(); ++i) {
         const std::string& hex = line.bus.sent[i].hex;
         EXPECT_TRUE(hex.starts_with("00") || hex.starts_with("AA 01 13 20") || hex.starts_with("AA 02 13 20"))
-            << hex << ": nothing but who is there";
+            << hex << ": only queries for the identity";
     }
-    EXPECT_LT(line.bus.sent.size() - after, 60U * 10 * 2) << "ten times a second, with nulls behind a doubt";
+    EXPECT_LT(line.bus.sent.size() - after, 60U * 10 * 2)
+        << "ten times a second, with nulls after a doubtful answer";
     EXPECT_EQ(line.bus.events.size(), events);
     EXPECT_EQ(line.bus.count<StopFinished>(), 1U);
-    // Commands are not taken any more; a stop is.
+    // Commands are not accepted any more, but a stop is.
     line.bus.engine.submit({OperationId(7), {gains(0)}}, line.bus.now);
     line.bus.runFor(1s);
     ASSERT_EQ(line.bus.count<OperationFinished>(), 1U);
@@ -213,7 +214,8 @@ TEST(Recovery, GivesUpOneModuleAndGoesOnWithTheOthers) {
     line.bus.runFor(10s);
     EXPECT_GT(line.bus.sends("AA 01 0E 0F", from), 300U);
     EXPECT_EQ(line.bus.sends("AA 02 0E 10", from), 0U);
-    EXPECT_EQ(line.bus.sends("AA 02 13 3F 54", from), 0U) << "as long as its answers are wrong";
+    EXPECT_EQ(line.bus.sends("AA 02 13 3F 54", from), 0U)
+        << "it is not polled as long as its answers are wrong";
 }
 
 TEST(Recovery, ComesBackWithAnotherConnection) {
@@ -233,7 +235,7 @@ TEST(Recovery, ComesBackWithAnotherConnection) {
     ASSERT_TRUE(bus.runUntil(lost, 60s));
     bus.runFor(5s);
     EXPECT_DOUBLE_EQ(bus.servo(0).commandVelocity, 0);
-    EXPECT_TRUE(bus.servo(0).servoOn) << "it holds";
+    EXPECT_TRUE(bus.servo(0).servoOn) << "it still holds";
     bus.onHostByte = {};
     ASSERT_TRUE(bus.connect());
     EXPECT_TRUE(bus.last<ChainFound>()->attached);
@@ -241,13 +243,13 @@ TEST(Recovery, ComesBackWithAnotherConnection) {
     const std::size_t healths = bus.count<HealthChanged>();
     bus.runFor(5s);
     EXPECT_GT(bus.count<Sample>(), samples + 100);
-    EXPECT_EQ(bus.count<HealthChanged>(), healths) << "it begins with a clean slate";
+    EXPECT_EQ(bus.count<HealthChanged>(), healths) << "the health starts from good again";
     EXPECT_EQ(bus.servo(0).gains.kp, 200) << "nothing was reset";
 }
 
-// ---- what was given up ----
+// ---- modules and lines that were given up ----
 
-/// A line that was too bad, and is well again: the chain is there again by itself, and stands.
+/// A line that was too bad is good again: the chain is found again automatically, and is at rest.
 TEST(WellAgain, TakesTheChainUpOnceTheLineIsWell) {
     VirtualBus bus(servos(3));
     ASSERT_TRUE(bus.connect());
@@ -262,7 +264,7 @@ TEST(WellAgain, TakesTheChainUpOnceTheLineIsWell) {
     };
     ASSERT_TRUE(bus.runUntil(givenUp, 60s));
     bus.runFor(10s);
-    EXPECT_EQ(bus.count<ChainFound>(), 1U) << "not while it is bad";
+    EXPECT_EQ(bus.count<ChainFound>(), 1U) << "not while the line is bad";
     const std::size_t sent = bus.sent.size();
     bus.onHostByte = {};
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 2; }, 6s));
@@ -271,12 +273,12 @@ TEST(WellAgain, TakesTheChainUpOnceTheLineIsWell) {
     const std::size_t samples = bus.samplesOf(2);
     bus.runFor(1s);
     EXPECT_GT(bus.samplesOf(2), samples + 5);
-    EXPECT_DOUBLE_EQ(bus.servo(0).commandVelocity, 0) << "what was stopped stays so";
+    EXPECT_DOUBLE_EQ(bus.servo(0).commandVelocity, 0) << "a stopped motor stays stopped";
     EXPECT_EQ(bus.sends("AA 01 94", sent) + bus.sends("AA 01 05", sent), 0U);
     bus.expectNoViolations();
 }
 
-/// The same of one module behind a bad plug: the others go on all the while.
+/// One module behind a bad plug was given up: it is queried again, while the others continue.
 TEST(WellAgain, AsksOneModuleAgainThatWasGivenUp) {
     VirtualBus bus(servos(3));
     ASSERT_TRUE(bus.connect());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chain of which one module has restarted: who is who, and how that one gets its address back.
+// A chain in which one module has restarted: the modules are identified, and that one gets its address back.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,18 +43,18 @@ TEST(Rejoin, DoesNotCallAModuleRestartedThatIsOfAnotherType) {
 
 TEST(Rejoin, TakesAnotherChainAsItIs) {
     EXPECT_FALSE(rejoin({module(0, 1), module(1, 2)}, {module(0, 1, kStep)}, std::nullopt)) << "another type";
-    EXPECT_FALSE(rejoin({module(0, 1)}, {module(0, 1), module(1, 2)}, std::nullopt)) << "one more";
+    EXPECT_FALSE(rejoin({module(0, 1)}, {module(0, 1), module(1, 2)}, std::nullopt)) << "one module more";
     EXPECT_FALSE(rejoin({}, {module(0, 1)}, std::nullopt)) << "nothing was known";
-    EXPECT_FALSE(rejoin({module(0, 1)}, {}, kServo)) << "nobody was found";
+    EXPECT_FALSE(rejoin({module(0, 1)}, {}, kServo)) << "no module was found";
 }
 
 struct Case {
     std::uint32_t baud;
-    bool deaf;  ///< a module is, whose ADDR_IN rises
+    bool deaf;  ///< a module stops listening when its ADDR_IN rises
     friend void PrintTo(const Case& c, std::ostream* stream) { *stream << c.baud << (c.deaf ? "Deaf" : ""); }
 };
 
-/// Three servos; X, Y and Z with gains, X and Z at 1 000 and 3 000 counts. Y's supply has just failed.
+/// Three servos X, Y and Z with gains; X and Z are at 1 000 and 3 000 counts. Y has just lost its supply.
 class YRestarted : public testing::TestWithParam<Case> {
 public:
     static EngineConfig config() {
@@ -94,7 +94,7 @@ TEST_P(YRestarted, DrivesZByZsControls) {
     const auto found = *bus.last<ChainFound>();
     ASSERT_EQ(found.modules.size(), 3U);
     EXPECT_EQ(found.modules[2].address, BusAddress(3));
-    EXPECT_EQ(bus.last<ModuleRestarted>()->module, ModuleIndex(1)) << "it is said who has restarted";
+    EXPECT_EQ(bus.last<ModuleRestarted>()->module, ModuleIndex(1)) << "the restarted module is reported";
     bus.runFor(2s);
     if (GetParam().deaf)
         return;  // Z cannot be heard before Y has its address
@@ -113,8 +113,8 @@ TEST_P(YRestarted, GivesYItsAddressAndLeavesTheOthersAlone) {
     ASSERT_TRUE(readdress());
     EXPECT_EQ(bus.last<Readdressed>()->module.address, BusAddress(2));
     EXPECT_EQ(bus.last<Readdressed>()->module.group, GroupPlace{}) << "as after a restart";
-    EXPECT_EQ(bus.sends("AA 00 21 02 FF 22", from), 1U) << "once";
-    EXPECT_EQ(bus.sends("AA FF 0F", from), 0U) << "nobody is reset";
+    EXPECT_EQ(bus.sends("AA 00 21 02 FF 22", from), 1U) << "it is sent only once";
+    EXPECT_EQ(bus.sends("AA FF 0F", from), 0U) << "no module is reset";
     bus.runFor(6s);
     for (std::uint8_t i = 0; i < 3; ++i) {
         EXPECT_EQ(bus.chain.snapshot(ModuleIndex(i), bus.now).address, i + 1);
@@ -124,7 +124,7 @@ TEST_P(YRestarted, GivesYItsAddressAndLeavesTheOthersAlone) {
     EXPECT_EQ(bus.servo(2).gains.kp, 200);
     EXPECT_NEAR(bus.servo(0).position, 1'000, 3);
     EXPECT_NEAR(bus.servo(2).position, 3'000, 3);
-    EXPECT_EQ(bus.servo(1).gains.kp, 0) << "N1: what it lost is not sent again unasked";
+    EXPECT_EQ(bus.servo(1).gains.kp, 0) << "N1: its lost gains are not sent again without a request";
     EXPECT_FALSE(bus.servo(1).servoOn);
     ASSERT_EQ(bus.perform({gains(1), enable(1), loadMove(1, 500), start(1)}), Outcome::Done);
     bus.runFor(3s);
@@ -151,7 +151,7 @@ TEST_P(YRestarted, GivesNoAddressWhileAMotorMoves) {
     EXPECT_EQ(bus.sends("AA 00 21", from), 0U);
 }
 
-/// A computer that is busy comes too late for an answer now and then.
+/// A busy computer sometimes reads an answer too late.
 TEST_P(YRestarted, IsAskedAgainWhereAnAnswerIsLost) {
     ASSERT_TRUE(scanAgain());
     bus.runFor(1s);
@@ -161,7 +161,7 @@ TEST_P(YRestarted, IsAskedAgainWhereAnAnswerIsLost) {
         return looks && lost++ < 2;
     };
     EXPECT_TRUE(readdress());
-    EXPECT_GE(lost, 3) << "two in vain, and one more";
+    EXPECT_GE(lost, 3) << "two lost answers, and a third query";
     EXPECT_EQ(bus.last<Readdressed>()->module.address, BusAddress(2));
 }
 
@@ -184,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(Rates, YRestarted,
                                          Case{115'200, false}, Case{115'200, true}),
                          testing::PrintToStringParamName());
 
-/// The same chain, of which Y is reset on purpose (DS-V 5.2 Hard Reset).
+/// The same chain, with Y being reset on purpose (DS-V 5.2 Hard Reset).
 class YIsReset : public YRestarted {
 public:
     void SetUp() override { ASSERT_NO_FATAL_FAILURE(moveAll()); }

@@ -7,10 +7,10 @@
 #include "bus/exchange.h"
 #include "tests/bus/scriptedbus.h"
 
-/// Replies put together by hand, byte by byte as the data sheets lay them out (DS-V 5.3, DS-S 5.2).
+/// Replies composed by hand, byte by byte as the data sheets describe them (DS-V 5.3, DS-S 5.2).
 namespace nmc::test {
 
-// Items that a reply has: all of them, or position, A/D, velocity and aux.
+// Items of a reply: all of them, or position, A/D, velocity and aux.
 inline constexpr std::uint8_t kLong = 0x3F;
 inline constexpr std::uint8_t kShort = 0x0F;
 
@@ -22,7 +22,7 @@ struct ServoState {
     std::uint8_t status = 0x09;
     std::int32_t position = 0;
     std::uint8_t analog = 0;
-    std::int16_t velocity = 0;  ///< counts per tick; the wire carries its negative
+    std::int16_t velocity = 0;  ///< counts per tick; its negative is sent
     std::uint8_t aux = 0x04;
     std::int32_t home = 0;
     std::uint8_t type = 0;
@@ -76,7 +76,7 @@ struct StepperState {
     return replyBytes(items, s.status, s.position, s.analog, s.timer, s.inputs, s.home, s.type, s.version);
 }
 
-/// What the line makes of bytes whose sum is right.
+/// The end that the line reports for bytes with a correct sum.
 [[nodiscard]] inline bus::ReplyEnd accepted(ModuleType type, std::uint8_t items,
                                             const std::vector<std::uint8_t>& bytes, TimePoint latched) {
     bus::ReplyEnd end;

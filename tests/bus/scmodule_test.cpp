@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an SC can beyond the first data sheet, asked of the engine, on the simulator: moves by a distance,
-// limits that the chip minds by itself, and a configuration that is saved. Distances by hand.
+// Functions of an SC that the first data sheet does not have, through the engine and on the simulator: moves
+// by a distance, limits that the chip itself observes, and a saved configuration. Distances by hand.
 #include <gtest/gtest.h>
 
 #include "tests/bus/steps.h"
@@ -58,7 +58,7 @@ TEST_F(ScOnTheBus, WhatALimitHasEndedIsAtRestAndMayMoveBack) {
     bus.runFor(300ms);
     const std::int32_t rest = truth().servo.position;
     EXPECT_GT(rest, 100);
-    EXPECT_EQ(bus.perform({loadMove(kSc, 0), start(kSc)}), Outcome::Done) << "no stop is owed first";
+    EXPECT_EQ(bus.perform({loadMove(kSc, 0), start(kSc)}), Outcome::Done) << "no stop is needed first";
     bus.runFor(2s);
     EXPECT_NEAR(truth().servo.position, 0, 3);
     bus.expectNoViolations();

@@ -21,7 +21,7 @@ inline constexpr std::uint8_t kServoOn = 0x04;
 
 using testing_support::fromHex;
 
-/// A reply with its sum.
+/// Appends the sum to a reply.
 [[nodiscard]] inline std::vector<std::uint8_t> withSum(std::vector<std::uint8_t> bytes) {
     bytes.push_back(sum8(bytes));
     return bytes;
@@ -47,7 +47,7 @@ public:
     std::vector<bus::Event> events;
     /// Bytes that come back, all at once; empty for silence.
     std::function<std::vector<std::uint8_t>(ByteSpan packet)> answer;
-    /// From the command's last byte.
+    /// Counted from the last byte of the command.
     Duration replyDelay = std::chrono::milliseconds(2);
     std::uint8_t status = 0x19;  ///< move_done, power_on, pos_error
     std::uint8_t aux = 0x00;     ///< servo off
@@ -146,7 +146,7 @@ public:
         return withSum(bytes);
     }
 
-    /// Nulls that only keep two packets apart: too few to empty a command buffer.
+    /// True for nulls that only keep two packets apart: too few to empty a command buffer.
     [[nodiscard]] static bool isSpacer(ByteSpan bytes) { return bytes.front() == 0 && bytes.size() < 16; }
     static constexpr const char* kNulls = "00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00";
 

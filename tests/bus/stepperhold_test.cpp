@@ -26,7 +26,7 @@ protected:
         bus.runFor(100ms);
         from = bus.sent.size();
     }
-    /// 40 x 25 steps/s, one unit each 1 ms.
+    /// 40 x 25 steps/s, with one more unit every 1 ms.
     [[nodiscard]] static HoldToMove pace(bool reverse, std::uint8_t speed = 40) {
         HoldToMove hold;
         hold.module = ModuleIndex(0);
@@ -49,7 +49,7 @@ TEST_F(StepperHold, MovesUntilReleased) {
     prepare();
     holdFor(1s, pace(false));
     EXPECT_NEAR(truth().stepRate, 1'000, 1e-6);
-    EXPECT_EQ(bus.sends("AA 01 34 86 28 04", from), 1U) << "the same again sends nothing";
+    EXPECT_EQ(bus.sends("AA 01 34 86 28 04", from), 1U) << "the same pace is not sent again";
     bus.engine.release(bus.now);
     bus.runFor(500ms);
     EXPECT_EQ(bus.sends("AA 01 17 09", from), 1U);

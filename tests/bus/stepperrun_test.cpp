@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mode transitions of a PIC-STEP (DS-S 5.1, Table 4), cell by cell as the sheet prints them.
+// The mode transitions of a PIC-STEP (DS-S 5.1, Table 4), cell by cell as in the data sheet.
 #include "module/stepperrun.h"
 
 #include <gtest/gtest.h>
@@ -23,15 +23,15 @@ using enum StepperMode;
     return partOf(whole, position, speed, acceleration, timer);
 }
 
-/// What a cell asks for: y must be loaded, n must not, - may; in the order position, velocity, acceleration,
-/// timer. Empty: not allowed.
+/// The requirements of a cell: y must be loaded, n must not, and - may be, in the order position, velocity,
+/// acceleration, timer. An empty cell is not allowed.
 struct Cell {
     StepperMode goal;
     StepperMode from;
     std::string_view loads;
 };
 
-/// The goal "stopped" is the Stop command's, in all five columns, and no Load Trajectory leads there.
+/// The goal "stopped" requires the Stop command in all five columns, and no Load Trajectory leads there.
 constexpr std::array kTable{
     Cell{Trapezoidal, Stopped, "y--n"},
     Cell{Trapezoidal, Trapezoidal, ""},
@@ -66,7 +66,7 @@ constexpr std::array kTable{
     return true;
 }
 
-/// Some cell of the column has room for what is loaded.
+/// True if any cell of the column fits what is loaded.
 [[nodiscard]] bool tableAllows(StepperMode from, unsigned loaded) {
     for (const Cell& cell : kTable)
         if (cell.from == from && fits(cell.loads, loaded))
@@ -93,7 +93,7 @@ TEST(StepperGate, NamesTheGoalOfEveryCell) {
             for (const Cell& cell : kTable)
                 if (!expected && cell.from == from && fits(cell.loads, loaded))
                     expected = cell.goal;
-            // With a timer count alone two cells of this column fit, and only one of them needs no ramp.
+            // With only a timer count, two cells of this column fit, and only one of them needs no ramp.
             if (from == Trapezoidal && loaded == 0b1000)
                 expected = UnprofiledWithStop;
             EXPECT_EQ(goalMode(from, loadOf(loaded)), expected)
@@ -108,7 +108,7 @@ TEST(StepperGate, NeverChangesTheDirectionInMotion) {
                  {Trapezoidal, VelocityProfile, UnprofiledWithStop, Unprofiled, Unknown})
                 EXPECT_FALSE(mayFollow(from, reverse, loadOf(loaded, !reverse)));
             EXPECT_EQ(mayFollow(Stopped, reverse, loadOf(loaded, !reverse)), tableAllows(Stopped, loaded))
-                << "at rest either way is open";
+                << "at rest, both directions are possible";
         }
 }
 

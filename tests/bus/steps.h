@@ -5,7 +5,7 @@
 
 #include "bus/types.h"
 
-/// What a panel would ask for, as steps; gains as of simulator.md, which suit the simulated motor.
+/// Requests of a panel as steps; the gains are those of simulator.md, which suit the simulated motor.
 namespace nmc::test {
 
 /// A velocity: one count per tick.
@@ -27,7 +27,7 @@ inline constexpr std::uint32_t kOnePerTick = 65'536;
     return toServo(module, servo::StopMotor{false, servo::StopManner::MotorOff, {}});
 }
 
-/// Up to 2 counts per tick, 0.01 counts per tick squared.
+/// Loads a move with up to 2 counts per tick and 0.01 counts per tick squared.
 [[nodiscard]] inline bus::Order loadMove(std::uint8_t module, std::int32_t goal) {
     servo::LoadTrajectory load;
     load.position = Counts(goal);
@@ -58,7 +58,7 @@ inline constexpr std::uint32_t kOnePerTick = 65'536;
     return toServo(module, load);
 }
 
-/// A press of its own each time.
+/// A hold with a new press each time.
 [[nodiscard]] inline bus::HoldToMove forward(std::uint8_t module, std::uint32_t velocity = kOnePerTick) {
     static std::uint32_t presses = 0;
     return {ModuleIndex(module), CountsPerTick(velocity), CountsPerTickSquared(655), false, {}, ++presses};

@@ -54,7 +54,7 @@ TEST(StopAll, KeepsAServoThatIsOffOff) {
     EXPECT_TRUE(bus.servo(0).servoOn);
     EXPECT_FALSE(bus.servo(1).servoOn);
     EXPECT_EQ(bus.sends("AA 02 17", from), 0U);
-    EXPECT_EQ(bus.sends("AA FF", from), 0U) << "not all of them may take the same packet";
+    EXPECT_EQ(bus.sends("AA FF", from), 0U) << "not all of them may receive the same packet";
 }
 
 TEST(StopAll, SwitchesOffAPwmOutput) {
@@ -79,7 +79,7 @@ TEST(StopAll, StopsAServoThatMayHaveBeenSwitchedOn) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0)}), Outcome::Done);
-    // Executed, but the answer never comes.
+    // The command is carried out, but its answer is lost.
     bus.losesReply = [](ByteSpan) { return true; };
     bus.submit({loadVelocity(0, 65'536, true)});
     ASSERT_TRUE(bus.runUntil([&] { return bus.sends("AA 01 94") == 1; }, 1s));
@@ -122,7 +122,7 @@ TEST(StopAll, PreEmptsAReplyAndLeavesTheGap) {
     bus.aux = 0x04;
     ASSERT_TRUE(bus.connect());
     bus.runFor(100ms);
-    // A poll has just gone out and its reply is under way.
+    // A poll has just been sent, and its reply is on its way.
     const std::size_t polls = bus.sent.size();
     ASSERT_TRUE(bus.runUntil([&] { return bus.sent.size() > polls; }));
     const auto poll = bus.sent.back();
@@ -231,8 +231,8 @@ TEST(StopAll, DoesNotSwitchATrippedServoOnAgain) {
 }
 
 TEST(StopAll, RaisesNoAmplifierThatIsOff) {
-    // AMP_EN low, and then a move: the servo is on, its command has gone 2000 counts ahead, and the motor,
-    // which has no current, stands (DS-V 5.2). With AMP_EN high it would leap there.
+    // AMP_EN low, and then a move: the servo is on, its command position has moved 2000 counts, and the
+    // motor, which has no current, is at rest (DS-V 5.2). With AMP_EN high, the motor would leap there.
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), motorOff(0), loadMove(0, 2'000), start(0)}), Outcome::Done);
@@ -269,15 +269,15 @@ TEST(StopAll, DuringARestartIsConfirmed) {
     bus.engine.restart(bus.now);
     bus.engine.stopAll(bus.now);
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() == 1; }, 5s));
-    EXPECT_EQ(bus.count<ChainFound>(), 1U) << "it is known then who there is";
+    EXPECT_EQ(bus.count<ChainFound>(), 1U) << "by then, the modules are known";
     EXPECT_EQ(bus.last<StopFinished>()->stopped.size(), 2U);
     bus.engine.restart(bus.now);
     bus.runFor(400ms);
     bus.engine.stopAll(bus.now);
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() == 2; }, 5s));
-    EXPECT_EQ(bus.count<ChainFound>(), 1U) << "now there is a chain that is known";
+    EXPECT_EQ(bus.count<ChainFound>(), 1U) << "now the chain is already known";
     EXPECT_EQ(bus.last<StopFinished>()->stopped.size() + bus.last<StopFinished>()->unreached.size(), 2U);
-    EXPECT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 2; }, 10s)) << "and the restart goes on";
+    EXPECT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 2; }, 10s)) << "the restart continues";
 }
 
 TEST(StopAll, IsNoLinkError) {
@@ -301,7 +301,7 @@ TEST(StopAll, TakesShortTimeOnAHealthyLink) {
     const TimePoint asked = bus.now;
     const auto stopped = bus.stopAll();
     ASSERT_TRUE(stopped);
-    // At the worst the whole poll before it, 5 bytes of 0.52 ms, and the gap.
+    // At worst, the stop waits for a whole poll, 5 bytes of 0.52 ms, and the gap.
     ASSERT_EQ(bus.sent[from].hex(), "AA 01 17 05 1D");
     EXPECT_LT(bus.sent[from].time - asked, 4ms);
     EXPECT_LT(stopped->took, 150ms);
@@ -352,7 +352,7 @@ TEST(StopAll, NeverCallsAModuleStoppedThatItCannotTell) {
     bus.runFor(5s);
     EXPECT_EQ(bus.count<OwedStopConfirmed>(), 0U);
     for (std::size_t i = from; i < bus.sent.size(); ++i)
-        EXPECT_FALSE(has(bus.sent[i].hex, "AA 02 17")) << "what it takes a stop for is unknown";
+        EXPECT_FALSE(has(bus.sent[i].hex, "AA 02 17")) << "it is not known how it would interpret a stop";
 }
 
 TEST(StopAll, StopsASteppersMotion) {
@@ -398,10 +398,10 @@ TEST(StopAll, IsReportedBeforeWhatTheModuleSaysAfterIt) {
     ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, 4 * 65'536), start(0)}), Outcome::Done);
     bus.runFor(200ms);
     const std::size_t polled = bus.sent.size();
-    ASSERT_TRUE(bus.runUntil([&] { return bus.sent.size() > polled; }, 1s));  // a reply is under way
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sent.size() > polled; }, 1s));  // a reply is on its way
     bus.events.clear();
     ASSERT_TRUE(bus.stopAll());
-    // The first command that stops module 1, and no status from after it may come earlier.
+    // No status from after the first command that stops module 1 may be reported before that command.
     std::optional<TimePoint> stopped;
     std::vector<TimePoint> before;
     for (const bus::Event& event : bus.events) {
@@ -434,7 +434,7 @@ TEST(StopAll, StopsASimulatedStepperAndLeavesAnOffOneOff) {
     ASSERT_TRUE(finished.has_value());
     EXPECT_THAT(numbers(finished->stopped), ElementsAre(0, 1, 2));
     EXPECT_FALSE(bus.chain.snapshot(ModuleIndex(1), bus.now).stepper->moving);
-    EXPECT_TRUE(bus.chain.snapshot(ModuleIndex(1), bus.now).stepper->ampEnabled) << "it keeps holding";
+    EXPECT_TRUE(bus.chain.snapshot(ModuleIndex(1), bus.now).stepper->ampEnabled) << "it still holds";
     EXPECT_FALSE(bus.chain.snapshot(ModuleIndex(2), bus.now).stepper->ampEnabled);
     bus.expectNoViolations();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stop that a dying process writes: known before it is needed, made anew only when it has to be.
+// The stop that a dying process writes: it is known before it is needed, and changes only when it has to.
 #include <gtest/gtest.h>
 
 #include "tests/bus/steps.h"
@@ -29,7 +29,7 @@ TEST(StopBurst, IsMadeAnewOnlyForMotorsThatHaveToBeStopped) {
     ASSERT_TRUE(on);
     EXPECT_EQ(toHex(*on), kStopsTheFirst);
     EXPECT_EQ(*on, bus.engine.stopBurst());
-    EXPECT_FALSE(bus.engine.changedStopBurst()) << "asked again";
+    EXPECT_FALSE(bus.engine.changedStopBurst()) << "it has not changed since";
     ASSERT_EQ(bus.perform({motorOff(0)}), Outcome::Done);
     bus.runFor(500ms);
     const auto off = bus.engine.changedStopBurst();
@@ -58,12 +58,12 @@ TEST(StopBurst, IsForTheRateOfTheChainWhileTheLineIsElsewhere) {
     VirtualBus bus(servos(2), config);
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
-    // A servo tick is 5.9 bytes now.
+    // At this rate, a servo tick is 5.9 bytes long.
     const std::string stop = kStopsTheFirst + " 00 00 00 00 00";
     EXPECT_EQ(toHex(bus.engine.stopBurst()), stop);
     bus.chain.powerCycle(ModuleIndex(1), bus.now);
     ASSERT_TRUE(bus.runUntil([&] { return bus.hostBaud == 19'200; }, 10s))
-        << "it looks for the one that restarted";
+        << "it searches for the module that restarted";
     EXPECT_EQ(bus.engine.stopBurstBaud(), 115'200U);
     EXPECT_EQ(toHex(bus.engine.stopBurst()), stop);
 }

@@ -33,7 +33,7 @@ TEST_F(Strays, ThreeWithinTenSecondsAreSomebodyElseOnce) {
     EXPECT_TRUE(foreign());
     for (int i = 0; i < 30; ++i) {
         hear(kFrame);
-        EXPECT_FALSE(foreign()) << "told already";
+        EXPECT_FALSE(foreign()) << "already reported";
     }
     now += 11s;
     EXPECT_FALSE(foreign());
@@ -41,7 +41,7 @@ TEST_F(Strays, ThreeWithinTenSecondsAreSomebodyElseOnce) {
         hear(kFrame);
         now += 1s;
     }
-    EXPECT_TRUE(foreign()) << "he is back";
+    EXPECT_TRUE(foreign()) << "the other host is back";
 }
 
 TEST_F(Strays, OverALongerTimeAreNot) {
@@ -69,7 +69,7 @@ TEST_F(Strays, AreNoLateAnswers) {
         hear(kFrame);
         EXPECT_FALSE(foreign());
     }
-    // An answer that stayed away pays for one, and not for long.
+    // A missing answer accounts for only one frame, and only for a short time.
     strays.onMissed(now);
     now += 2s;
     bool told = false;
@@ -92,7 +92,7 @@ TEST_F(Strays, AreNeitherEchoesNorHeldLinesNorTooShort) {
         }
 }
 
-/// The reckoning of strayframes.h: a quarter of an hour of noise in runs of every length.
+/// The calculation in strayframes.h: a quarter of an hour of noise in runs of every length.
 TEST_F(Strays, AreNotMadeOfNoise) {
     sim::Random random(45);
     unsigned frames = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits of travel are kept by the engine, whoever else is busy.
+// The engine keeps travel limits, whatever else is busy.
 #include <gtest/gtest.h>
 
 #include "tests/bus/steps.h"
@@ -32,7 +32,8 @@ protected:
     VirtualBus bus{servos(2)};
 };
 
-/// It takes 1001 counts to come to rest (v^2 / 2a), and goes 391 counts in the 0.1 s that the stop may need.
+/// The motor takes 1001 counts to come to rest (v^2 / 2a), and moves 391 counts in the 0.1 s that the stop
+/// may need.
 TEST_F(TravelLimit, ARunThatWasBegunBeforeItsLimitsEndsBeforeThem) {
     for (const bool reverse : {false, true}) {
         SCOPED_TRACE(reverse);
@@ -78,7 +79,7 @@ TEST_F(TravelLimit, APwmOutputIsSwitchedOff) {
     EXPECT_EQ(bus.servo(0).pwm, 0);
 }
 
-/// Where the counter is 0 is another place then, and so are the limits.
+/// The zero of the counter is then at another place, and so are the limits.
 TEST_F(TravelLimit, IsNotInForceAfterTheCounterWasSet) {
     enableFirst();
     bus.engine.setTravelLimits({{-1'000, 1'000}});
@@ -95,13 +96,13 @@ TEST_F(TravelLimit, IsNotInForceAfterTheCounterWasSet) {
 TEST_F(TravelLimit, LeavesAMoveAloneThatEndsByItself) {
     enableFirst();
     bus.engine.setTravelLimits({{std::nullopt, 5'000}});
-    ASSERT_EQ(bus.perform({loadMove(0, 6'000), start(0)}), Outcome::Done) << "the plan has allowed it";
+    ASSERT_EQ(bus.perform({loadMove(0, 6'000), start(0)}), Outcome::Done) << "the plan allowed it";
     bus.runFor(6s);
     EXPECT_NEAR(bus.servo(0).position, 6'000, 4);
     EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 0U);
 }
 
-/// The stop of all modules does what the limit asks for.
+/// The stop of all modules does what the limit requires.
 TEST_F(TravelLimit, IsSilentWhileEverythingIsBeingStopped) {
     enableFirst();
     ASSERT_EQ(bus.perform({run()}), Outcome::Done);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gains that are tried, and come back whatever happens: engine and simulator in virtual time. The truth is
-// the simulator's.
+// Gains that are tried, and taken back whatever happens: engine and simulator in virtual time. Expected
+// values are compared with the simulator's own state.
 #include <gtest/gtest.h>
 
 #include "tests/bus/steps.h"
@@ -13,9 +13,9 @@ using namespace bus;
 using namespace std::chrono_literals;
 
 const servo::SetGain kGood = std::get<servo::SetGain>(std::get<ServoCommand>(gains(0).command));
-/// Less stiff: holds as well.
+/// Less stiff, but holds as well.
 constexpr servo::SetGain kOther{150, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
-/// No damping: swings up from a push.
+/// No damping: a push makes it swing more and more.
 constexpr servo::SetGain kBad{3'000, 0, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}};
 
 class Trials : public testing::Test {
@@ -36,7 +36,7 @@ protected:
         bus.runFor(4ms);
         bus.chain.set(ModuleIndex(0), sim::Input::Load, 0.0, bus.now);
     }
-    /// In the chip.
+    /// True if the chip has these gains.
     [[nodiscard]] bool has(const servo::SetGain& wanted) {
         const auto& g = bus.servo(0).gains;
         return g.kp == wanted.kp && g.kd == wanted.kd;
@@ -122,16 +122,16 @@ TEST_F(Trials, TooLateToKeepIsTooLate) {
 }
 
 TEST_F(Trials, AStopOfAllTakesThemBackAndSeesASwingingServoAtRest) {
-    // Held up, so that the swing has grown to its full size: the stop has to cope with that.
+    // The stop comes while the servo swings with bad gains, and has to cope with that.
     beginTrial(kOther);
-    ASSERT_EQ(bus.perform({toServo(0, kOther)}), Outcome::Done) << "a trial no more";
+    ASSERT_EQ(bus.perform({toServo(0, kOther)}), Outcome::Done) << "this ends the trial";
     beginTrial(kBad);
     push();
     bus.engine.stopAll(bus.now);
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() == 1; }, 5s));
     const auto stopped = bus.last<StopFinished>();
     EXPECT_EQ(stopped->stopped.size(), 2U);
-    EXPECT_TRUE(has(kGood)) << "before the stop is told as done";
+    EXPECT_TRUE(has(kGood)) << "before the end of the stop is reported";
     EXPECT_LT(stopped->took, 1s);
 }
 
@@ -163,7 +163,7 @@ TEST_F(Trials, WhateverElseIsAskedOfTheModuleEndsThemFirst) {
     bus.engine.hold(forward(0), bus.now);
     bus.runFor(200ms);
     EXPECT_TRUE(has(kGood));
-    EXPECT_NE(bus.servo(0).commandVelocity, 0) << "and it is moved";
+    EXPECT_NE(bus.servo(0).commandVelocity, 0) << "it moves";
 }
 
 TEST_F(Trials, ThoseOfAnotherModuleGoOn) {
@@ -178,7 +178,7 @@ TEST_F(Trials, OtherGainsTakeTheirPlace) {
     ASSERT_EQ(bus.perform({toServo(0, kOther)}), Outcome::Done);
     EXPECT_EQ(finished()->outcome, Outcome::Cancelled);
     bus.runFor(15s);
-    EXPECT_TRUE(has(kOther)) << "nobody takes these back";
+    EXPECT_TRUE(has(kOther)) << "these are not taken back";
 }
 
 TEST_F(Trials, ASecondOneIsRefusedWhileOneRuns) {

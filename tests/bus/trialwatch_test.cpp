@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sines that grow, stay or calm down, sampled every 1.6 ms, as positions of a servo that gains are tried on.
+// Sines that grow, stay or decay, sampled every 1.6 ms, as positions of a servo on which gains are tried.
 #include "bus/trialwatch.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,8 @@ struct End {
     TrialEnd why;
 };
 
-/// Until it is over, or for two seconds. `off`: counts from where it stood, by seconds.
+/// The end of a trial, if it ends within two seconds. `off`: distance in counts from the first position, by
+/// time in seconds.
 [[nodiscard]] std::optional<End> endOf(const std::function<double(double)>& off,
                                        const servo::SetGain& gains = gainsOf(10, 255)) {
     TrialWatch watch(gains, kTrial);
@@ -42,7 +43,7 @@ struct End {
     };
 }
 
-/// Each half cycle twice as wide as the one before: from 6 counts on the third is beyond all doubt.
+/// Each half cycle is twice as wide as the one before: starting from 6 counts, the third leaves no doubt.
 TEST(TrialWatch, EndsAtTheThirdHalfCycleOfASwingThatGrows) {
     for (const double hertz : {5.0, 30.0, 80.0}) {
         const auto end = endOf(swing(6, hertz, 2));
@@ -63,8 +64,8 @@ TEST(TrialWatch, EndsASwingThatStaysAtItsThirdHalfCycle) {
     }
 }
 
-/// A stable loop that was pushed calms down: by exp(-pi zeta / sqrt(1 - zeta^2)) each half cycle, 0.53 for a
-/// zeta of 0.2.
+/// A stable loop that was pushed calms down: each half cycle is exp(-pi zeta / sqrt(1 - zeta^2)) of the one
+/// before, 0.53 for a zeta of 0.2.
 TEST(TrialWatch, LeavesAloneWhatCalmsDown) {
     for (const double hertz : {5.0, 30.0, 120.0})
         for (const double zeta : {0.2, 0.5, 0.7})
@@ -77,7 +78,7 @@ TEST(TrialWatch, LeavesAloneWhatCalmsDown) {
 TEST(TrialWatch, LeavesAloneWhatCreepsAndWhatIsPushedSlowly) {
     EXPECT_FALSE(endOf([](double t) { return -6 * t; })) << "friction and Ki, by up to 12 counts";
     EXPECT_FALSE(endOf([](double t) { return std::fmod(t * 500, 2); })) << "to and fro by a count";
-    // A hand pushes it by 30 counts in half a second, lets go, and it is back with an overshoot of 3.
+    // A hand pushes it by 30 counts in half a second and lets go, and it returns with an overshoot of 3.
     EXPECT_FALSE(endOf([](double t) {
         return t < 0.5 ? 60 * t : 33 * std::exp(-40 * (t - 0.5)) * std::cos(60 * (t - 0.5));
     }));
@@ -87,7 +88,7 @@ TEST(TrialWatch, LeavesAloneWhatCreepsAndWhatIsPushedSlowly) {
     }));
 }
 
-/// The error alone asks for more than OL: 1000 e / 256 > 100 from 25.6 counts on (DS-V 4.3).
+/// The error alone requires more than OL: 1000 e / 256 > 100 from 25.6 counts on (DS-V 4.3).
 TEST(TrialWatch, EndsWhereTheOutputLimitIsReached) {
     EXPECT_FALSE(endOf([](double) { return 25.0; }, gainsOf(1'000, 100)));
     const auto end = endOf([](double) { return -26.0; }, gainsOf(1'000, 100));

@@ -11,7 +11,7 @@ namespace {
 
 using namespace bus;
 
-/// What is passed on of a reply with this status.
+/// A servo, and the status that is passed on of its replies.
 class TrustedServo {
 public:
     TrustedServo() { trust.emplace(ModuleIdentity{ModuleType::Servo, 4}); }
@@ -36,14 +36,14 @@ TEST(Trust, SaysNothingAfterTheFirstReply) {
 }
 
 TEST(Trust, LetsTwoRepliesOfDifferentLengthPermit) {
-    // As it is, as it becomes: stands still, power is back, limits released, homing over.
+    // Before and after: comes to rest, power is back, limits released, homing ended.
     const std::pair<std::uint8_t, std::uint8_t> kPermits[] = {
         {0x08, 0x09}, {0x11, 0x19}, {0x29, 0x09}, {0x49, 0x09}, {0x89, 0x09}};
     for (const auto& [before, after] : kPermits) {
         SCOPED_TRACE(int{before});
         TrustedServo servo;
         servo.settle(before);
-        EXPECT_EQ(servo.says(after, kShort), before) << "once is not enough";
+        EXPECT_EQ(servo.says(after, kShort), before) << "one reply is not enough";
         EXPECT_EQ(servo.says(after, kLong), after);
     }
 }
@@ -97,7 +97,7 @@ TEST(Trust, WantsStandstillShownAnewAfterAStart) {
     TrustedServo servo;
     servo.settle(0x09);
     servo.trust->expectMotion();
-    EXPECT_EQ(servo.says(0x09, kShort), 0x08) << "power is another matter";
+    EXPECT_EQ(servo.says(0x09, kShort), 0x08) << "power is not affected";
     EXPECT_EQ(servo.says(0x09, kLong), 0x09);
 }
 
@@ -114,7 +114,7 @@ TEST(Trust, WithholdsAReleasedEstopOfAStepperOnce) {
     ASSERT_TRUE(trusted);
     EXPECT_EQ(trusted->status, 0x8D);
     EXPECT_EQ(trusted->aux, 0x19);
-    // A reply without the inputs permits what it tells of only.
+    // A reply without the inputs permits only what it contains.
     trusted = says(0x0C, 0x00, 0x01);
     EXPECT_EQ(trusted->status, 0x0C);
     EXPECT_FALSE(trusted->aux);
@@ -123,7 +123,7 @@ TEST(Trust, WithholdsAReleasedEstopOfAStepperOnce) {
     trusted = says(0x0C, 0x00, kShort);
     EXPECT_EQ(trusted->aux, 0x00);
     trusted = says(0x0C, 0x01, kLong);
-    EXPECT_EQ(trusted->aux, 0x01) << "that it is pressed is told at once";
+    EXPECT_EQ(trusted->aux, 0x01) << "a pressed E-stop is reported at once";
 }
 
 TEST(Trust, PassesOnWhatAnUnknownModuleSays) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// link.md 2.3: what a look at the module says about a command that nobody answered.
+// link.md 2.3: what a query of the module shows about a command that was not answered.
 #include "bus/verification.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-/// A command that was not answered, and the look after it.
+/// A command that was not answered, and the query after it.
 class Lost {
 public:
     explicit Lost(ServoCommand command, std::int32_t position = 1'000, std::int32_t home = 50)
@@ -26,7 +26,7 @@ public:
         m_verification.position = m_belief.position();
         m_belief.onSent(m_order.command, m_now += 10ms);
     }
-    /// Refused with the communication-error bit, says the module.
+    /// The module has refused the command with the communication-error bit.
     Lost& refused() {
         m_verification.end.result = ReplyResult::Refused;
         return *this;
@@ -39,7 +39,7 @@ public:
         status(state);
         return verify(m_order, m_belief, m_verification);
     }
-    /// As it was, but for what is changed.
+    /// The verdict for a status that differs from the one before by `change`.
     [[nodiscard]] Carried looksLike(auto change) {
         ServoState state = m_before;
         change(state);
@@ -81,7 +81,7 @@ TEST(Verification, CanTellForFourCommandsOnly) {
     EXPECT_TRUE(leavesEvidence(StepperCommand(StartMotion{})));
     EXPECT_FALSE(leavesEvidence(loadMove(0, 5).command));
     EXPECT_FALSE(leavesEvidence(loadVelocity(0, 65'536, true).command))
-        << "velocity cannot be told from before";
+        << "the velocity cannot be distinguished from the one before";
     EXPECT_FALSE(leavesEvidence(gains(0).command));
     EXPECT_FALSE(leavesEvidence(enable(0).command));
     EXPECT_FALSE(leavesEvidence(ServoCommand(servo::SetHoming{})));
@@ -92,13 +92,14 @@ TEST(Verification, CanTellForFourCommandsOnly) {
 
 TEST(Verification, TakesAMotorThatMovesForStarted) {
     EXPECT_EQ(Lost(StartMotion{}).looksLike(moves), Carried::Out);
-    EXPECT_EQ(Lost(StartMotion{}).looksLike(at(1'500)), Carried::Out) << "it has come to its goal already";
-    EXPECT_EQ(Lost(StartMotion{}).refused().looksLike(moves), Carried::Out) << "whatever the module said";
+    EXPECT_EQ(Lost(StartMotion{}).looksLike(at(1'500)), Carried::Out) << "it has already reached its goal";
+    EXPECT_EQ(Lost(StartMotion{}).refused().looksLike(moves), Carried::Out) << "whatever the module answered";
 }
 
 TEST(Verification, NeverCallsAStartNotDoneBySilenceAlone) {
-    EXPECT_EQ(Lost(StartMotion{}).looksLike(asItWas), Carried::Unknown) << "a move of no length?";
-    EXPECT_EQ(Lost(StartMotion{}).looksLike(at(1'003)), Carried::Unknown) << "a servo works in its friction";
+    EXPECT_EQ(Lost(StartMotion{}).looksLike(asItWas), Carried::Unknown) << "it may be a move of length 0";
+    EXPECT_EQ(Lost(StartMotion{}).looksLike(at(1'003)), Carried::Unknown)
+        << "a servo moves within its friction";
     EXPECT_EQ(Lost(StartMotion{}).refused().looksLike(asItWas), Carried::NotOut);
 }
 
@@ -106,7 +107,7 @@ TEST(Verification, TellsAResetPositionByThePosition) {
     EXPECT_EQ(Lost(ResetPosition{}).looksLike(at(0)), Carried::Out);
     EXPECT_EQ(Lost(ResetPosition{}).looksLike(at(-3)), Carried::Out);
     EXPECT_EQ(Lost(ResetPosition{}).looksLike(asItWas), Carried::NotOut);
-    EXPECT_EQ(Lost(ResetPosition{}).looksLike(at(500)), Carried::Unknown) << "neither here nor there";
+    EXPECT_EQ(Lost(ResetPosition{}).looksLike(at(500)), Carried::Unknown) << "it matches neither case";
     EXPECT_EQ(Lost(ResetPosition{}).looksLike(moves), Carried::Unknown);
     EXPECT_EQ(Lost(ResetPosition{}).noPositionBefore().looksLike(at(0)), Carried::Unknown);
 }
@@ -120,7 +121,7 @@ TEST(Verification, TellsASavedHomeByTheHomeRegister) {
     EXPECT_EQ(Lost(SaveAsHome{}).looksLike(homeAt(1'000)), Carried::Out);
     EXPECT_EQ(Lost(SaveAsHome{}).looksLike(homeAt(998)), Carried::Out);
     EXPECT_EQ(Lost(SaveAsHome{}).looksLike(asItWas), Carried::NotOut);
-    EXPECT_EQ(Lost(SaveAsHome{}).looksLike(moves), Carried::Unknown) << "home is somewhere behind it";
+    EXPECT_EQ(Lost(SaveAsHome{}).looksLike(moves), Carried::Unknown) << "home is somewhere on its way";
 }
 
 TEST(Verification, TellsClearedBitsByTheBits) {
