@@ -61,6 +61,22 @@ TEST(StepPlotPicture, TwoRunsOfOneModuleHaveOneUnit) {
     EXPECT_TRUE(plot.legendText(1).endsWith(u"counts"_s)) << plot.legendText(1).toStdString();
 }
 
+TEST(StepPlotPicture, TheStripsHaveThatUnitAsWell) {
+    ResponsePlot plot;
+    plot.resize(600, 500);
+    KeptResponse a = ramp(100);
+    a.scale = AxisScale::servo({UnitKind::Millimetres, 50.0, {}}, 1);
+    KeptResponse b = ramp(60);
+    const auto picture = [&] {
+        plot.showRuns(&a, &b);
+        plot.grab();  // lays it out
+        return plot.grab().toImage();
+    };
+    const QImage bInCounts = picture();
+    b.scale = a.scale;
+    EXPECT_EQ(bInCounts, picture()) << "the unit was changed between the two runs";
+}
+
 TEST(StepPlotPicture, NoLineCrossesAGap) {
     ResponsePlot plot;
     plot.resize(600, 400);

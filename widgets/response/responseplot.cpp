@@ -85,8 +85,9 @@ void ResponsePlot::showRuns(const KeptResponse* a, const KeptResponse* b,
     m_curves[0] = a != nullptr ? std::optional(curveOf(*a, a->scale)) : std::nullopt;
     // The user may have changed the unit between two runs of a module.
     const bool oneModule = a != nullptr && b != nullptr && a->run.module == b->run.module;
-    m_curves[1] = b != nullptr ? std::optional(curveOf(*b, oneModule ? a->scale : b->scale)) : std::nullopt;
-    m_strips.show(a, b);
+    const AxisScale* scaleOfB = b == nullptr ? nullptr : oneModule ? &a->scale : &b->scale;
+    m_curves[1] = b != nullptr ? std::optional(curveOf(*b, *scaleOfB)) : std::nullopt;
+    m_strips.show(a, b, scaleOfB);
     m_backdrop.resize(QSizeF(width(), height() - stripsHeight()));
     adoptPalette();
     fit();

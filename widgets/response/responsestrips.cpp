@@ -21,28 +21,30 @@ class StripTexts {
 constexpr double kStripTraceWidth = 1.3;
 }  // namespace
 
-void ResponseStrips::show(const KeptResponse* a, const KeptResponse* b) {
+void ResponseStrips::show(const KeptResponse* a, const KeptResponse* b, const AxisScale* scaleOfB) {
     constexpr double kBands = 4.0;         // above and below the goal
     constexpr double kFewestCounts = 4.0;  // an encoder reports whole counts
     m_curves = {};
     const KeptResponse* first = a != nullptr ? a : b;
     if (first == nullptr)
         return;
-    m_unit = texts::unitOf(first->scale);
-    m_band = first->scale.distance(first->run.band());
-    m_zoom = std::max(kBands * m_band, first->scale.distance(kFewestCounts));
+    const AxisScale& firstScale = a != nullptr ? a->scale : *scaleOfB;
+    m_unit = texts::unitOf(firstScale);
+    m_band = firstScale.distance(first->run.band());
+    m_zoom = std::max(kBands * m_band, firstScale.distance(kFewestCounts));
     m_limit = 1.0;
     for (const KeptResponse* kept : {a, b}) {
         if (kept == nullptr)
             continue;
         Curve& curve = m_curves[kept == a ? 0 : 1];
+        const AxisScale& scale = kept == a ? a->scale : *scaleOfB;
         for (const DrivePoint& point : driveOf(kept->run)) {
-            curve.error << QPointF(point.seconds, kept->scale.position(point.error));
+            curve.error << QPointF(point.seconds, scale.position(point.error));
             curve.pwm << QPointF(point.seconds, point.pwm);
         }
         const ResponseMetrics& metrics = kept->run.metrics;
         if (metrics.steadyError)
-            m_zoom = std::max(m_zoom, 2 * kept->scale.distance(std::abs(metrics.steadyError->value)));
+            m_zoom = std::max(m_zoom, 2 * scale.distance(std::abs(metrics.steadyError->value)));
         const servo::SetGain& gains = kept->run.taken.gains;
         m_limit = std::max<double>(m_limit, std::min(gains.ol + gains.db.value_or(0), 255));
     }

@@ -17,8 +17,8 @@ namespace nmc {
 /// the PWM value that the filter calculates from it. A solid, B dashed.
 class ResponseStrips {
 public:
-    /// Either may be null.
-    void show(const KeptResponse* a, const KeptResponse* b);
+    /// Either may be null. A is drawn in its own unit, B by `scaleOfB`.
+    void show(const KeptResponse* a, const KeptResponse* b, const AxisScale* scaleOfB);
     /// Height of both strips, in lines of text.
     static constexpr double kLines = 9.0;
     /// `place`: over the full width. `above`: geometry of the plot, whose time axis the strips share.
@@ -27,7 +27,7 @@ public:
 
 private:
     struct Curve {
-        QPolygonF error;  ///< in the unit of the run's own axis
+        QPolygonF error;  ///< in the unit that it is drawn in
         QPolygonF pwm;
     };
     void paintStrip(QPainter& painter, const PlotGeometry& geometry, const QString& title, double band,
