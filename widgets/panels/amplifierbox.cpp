@@ -156,7 +156,7 @@ servo::ScIoControl AmplifierBox::wanted() const {
             .stepAndDirection = m_steps->isChecked()};
 }
 
-/// Of the settings those that the module has, not what stands in the fields.
+/// Takes the settings that the module has, not those in the fields.
 servo::HardReset AmplifierBox::wantedSaved() const {
     const servo::ScIoControl now = m_context.state().scIo.value_or(servo::ScIoControl{});
     return {.save = true,
@@ -181,7 +181,7 @@ void AmplifierBox::showModule() {
         m_steps->setChecked(shown.stepAndDirection);
         m_fastPath->setChecked(shown.fastPath);
     }
-    // Of a module that does not tell, what the machine has.
+    // While the settings of the module are unknown, fast path is shown as the machine has it.
     if (!m_shown && kept != m_kept) {
         m_kept = kept;
         m_fastPath->setChecked(kept.value_or(false));

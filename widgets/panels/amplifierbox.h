@@ -17,9 +17,9 @@ namespace nmc {
 class Command;
 class NumberField;
 
-/// How a PIC-SERVO SC drives its amplifier, what its limits do by themselves, and what it keeps over a power
-/// cycle (docs/family.md). A wrong choice can destroy an amplifier, so nothing is sent without a question,
-/// and only while the motor is off.
+/// How a PIC-SERVO SC drives its amplifier, what its limit inputs do by themselves, and what it keeps across
+/// a power cycle (docs/family.md). A wrong choice can destroy an amplifier, so all of this is sent only after
+/// confirmation and while the motor is off, except for the step multiplier, which is sent with the gains.
 class AmplifierBox : public QWidget {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ private:
     void save();
     void erase();
     void setMultiplier();
-    /// Before anything that outlives this panel or could destroy something.
+    /// Asks for confirmation before anything that outlives this panel or could destroy something.
     void question(const QString& name, const QString& title, const QString& text, const QString& verb,
                   const Intent& intent);
     void showModule();
@@ -59,7 +59,7 @@ private:
     Command* m_save;
     Command* m_erase;
     std::optional<servo::ScIoControl> m_shown;
-    std::optional<bool> m_kept;  ///< fast path, with the machine
+    std::optional<bool> m_kept;  ///< fast path, as last shown from the machine
 };
 
 }  // namespace nmc

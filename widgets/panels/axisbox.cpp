@@ -32,8 +32,8 @@ constexpr int kScaleDecimals = 6;
 constexpr double kMostCountsPerUnit = 1e9;
 constexpr double kLeastCountsPerUnit = 1e-6;
 
-/// Shows a text that is kept elsewhere, without disturbing one that is being typed: a space at its end may
-/// not be the end of it.
+/// Shows a text that is kept elsewhere, without disturbing the one being typed: after a trailing space,
+/// another word may follow.
 void showText(QLineEdit* field, const std::string& text) {
     if (const QString shown = QString::fromStdString(text); field->text().trimmed() != shown.trimmed()) {
         const QSignalBlocker blocker(field);
@@ -70,7 +70,7 @@ void AxisBox::addBelowUnit(QWidget* box) {
     QFormLayout::ItemRole role{};
     form->getWidgetPosition(m_symbol, &row, &role);
     form->insertRow(row + 1, box);
-    // Tab comes by where it stands.
+    // The Tab order has the box where it is shown.
     QWidget* before = m_symbol;
     for (QWidget* control : box->findChildren<QWidget*>())
         if ((control->focusPolicy() & Qt::TabFocus) != 0) {
@@ -206,7 +206,7 @@ void AxisBox::showModule() {
     const double cap = servodefaults::motionOf(settings).holdCap;
     if (!m_shown)
         m_holdCap->showNative(cap);
-    else  // what is being typed stays as it is
+    else  // the value being typed is kept
         quantitygrid::follow(m_holdCap, cap, servodefaults::motionOf(*m_shown).holdCap);
     showNumber(m_analogPerCount, settings.analog.perCount,
                before([](const AxisSettings& axis) { return axis.analog.perCount; }));
@@ -218,7 +218,7 @@ void AxisBox::showModule() {
 }
 
 void AxisBox::connectControls() {
-    // Each keeps its own part: what another field shows is rounded, or begun with.
+    // Each field edits only its own part: the value in another one may be rounded or incomplete.
     const auto keepText = [this](QLineEdit* field, auto part) {
         connect(field, &QLineEdit::textEdited, this, [this, part](const QString& text) {
             edit([part, typed = text.toStdString()](AxisSettings& axis) { part(axis) = typed; });

@@ -17,19 +17,19 @@ namespace nmc {
 class NumberField;
 class QuantityField;
 
-/// What the user calls an axis and reads it in. Nothing here is sent: changing the unit keeps every physical
-/// amount.
+/// Name, unit, jog speed cap and A/D scale of an axis. Nothing here is sent: changing the unit keeps every
+/// physical value.
 class AxisBox : public QWidget {
     Q_OBJECT
 
 public:
-    /// The names of a stepper's controls begin with "stepper"; its cap of hold to move is set where its
-    /// speeds are.
+    /// The object names of a stepper's controls begin with "stepper"; its jog speed cap is set with its other
+    /// speeds.
     AxisBox(ModuleContext& context, QWidget* parent);
 
-    /// Another box, below its fields.
+    /// Adds another box below the fields.
     void addBelow(QWidget* box);
-    /// The same where a first session looks: below name and unit.
+    /// Adds another box below name and unit, where a user looks in the first session.
     void addBelowUnit(QWidget* box);
 
 private:

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the boxes of a panel share.
+// Shared by the boxes of a panel.
 
 #include <cstddef>
 
 namespace nmc {
 
-/// Characters in the name of an axis, an input or an output.
+/// Maximum number of characters in the name of an axis, an input or an output.
 inline constexpr int kMaxNameLength = 40;
 
 [[nodiscard]] constexpr bool bitOf(unsigned mask, std::size_t bit) {

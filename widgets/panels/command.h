@@ -8,32 +8,33 @@
 
 namespace nmc {
 
-/// Something that can be asked for on a page, as an object: what it is called, its key, what it does, and why
-/// it can't be done now. Button, menu and command palette show the same one. Its key acts while its box is in
-/// sight; never by auto-repeat. GUI thread.
+/// A command on a page, as an object: its name, its key, what it does, and why it is not possible now.
+/// Button, menu and command palette share it. Its key acts while its box is visible, and never by
+/// auto-repeat. GUI thread.
 class Command : public QAction {
     Q_OBJECT
 
 public:
     struct Spec {
-        QString name;        ///< of its button, for tests and scripts: "goButton"
-        QString icon;        ///< of resources/icons; empty for none
+        QString name;        ///< object name of its button, for tests and scripts: "goButton"
+        QString icon;        ///< name in resources/icons; empty for none
         QString text;        ///< on the button and in the menu
-        QString accessible;  ///< read out, and found by in the palette: a whole sentence without its dot
+        QString accessible;  ///< for screen readers and the palette's search: a sentence without full stop
         QKeySequence key{};
     };
 
-    /// `act` is called where it is possible only.
+    /// `act` is called only while the command is possible.
     Command(const Spec& spec, QWidget* box, std::function<void()> act);
 
-    /// Possible, or not for this reason; `meaning`: what it does. The key is named behind it.
+    /// If `reason` is empty, the command is possible; otherwise it says why not. `meaning` says what the
+    /// command does; the tooltip appends the key to it.
     void setPossible(const QString& reason, const QString& meaning);
-    /// Why it can't be done; empty where it can.
+    /// Why it is not possible now; empty if it is.
     [[nodiscard]] const QString& reason() const { return m_reason; }
     [[nodiscard]] const QString& sentence() const { return m_sentence; }
     /// The box that it belongs to.
     [[nodiscard]] QWidget* box() const;
-    /// As a button acts: nothing where it is not possible.
+    /// Acts like its button: does nothing while the command is not possible.
     void act() {
         if (isEnabled())
             trigger();

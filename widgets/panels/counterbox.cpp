@@ -20,7 +20,7 @@ namespace {
 
 enum Mode { Off, Timer, Counter };
 
-/// IO12 to IO1, as people write binary numbers.
+/// IO12 to IO1, most significant first, as binary numbers are written.
 QString levels(std::uint16_t pins) {
     return u"%1"_s.arg(pins, static_cast<int>(io::kPins), 2, QChar(u'0'));
 }

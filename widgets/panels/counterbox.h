@@ -15,8 +15,8 @@ namespace nmc {
 class Command;
 class NumberField;
 
-/// Timer and counter of one PIC-I/O, and what it does at the same moment as the others of its group: latching
-/// its inputs, and putting out what was stored.
+/// Timer and counter of one PIC-I/O, and what it does at the same moment as the other modules of its group:
+/// latching its inputs and applying stored outputs.
 class CounterBox : public QWidget {
     Q_OBJECT
 

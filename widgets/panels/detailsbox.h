@@ -21,7 +21,7 @@ private:
     ModuleContext& m_context;
     QLabel* m_analog;
     QLabel* m_velocity;
-    QLabel* m_error = nullptr;  ///< of CMC and SC, as the next
+    QLabel* m_error = nullptr;  ///< CMC and SC only, like m_points
     QLabel* m_points = nullptr;
     QLabel* m_home;
     QLabel* m_raw;

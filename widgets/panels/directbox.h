@@ -17,15 +17,15 @@ namespace nmc {
 class Command;
 class NumberField;
 
-/// One command with everything that its data bytes can say: a check box for each bit, a field for each
-/// number, what the chip will do, the bytes, and a button that sends them. What a control does not offer, the
-/// chip has not.
+/// One command with everything that its data bytes can express: a check box for each bit, a field for each
+/// number, what the chip will do, the bytes, and a button that sends them. What is not offered here, the chip
+/// does not have.
 class DirectBox : public QGroupBox {
     Q_OBJECT
 
 public:
     struct Spec {
-        QString name;   ///< of the box and, as a beginning, of all in it: "expertLoad"
+        QString name;   ///< prefix of the object names in it, and its own: "expertLoad"
         QString title;  ///< the command's name in the data sheet
         QString send;   ///< on the button
     };
@@ -33,18 +33,19 @@ public:
 
     QCheckBox* addFlag(const QString& name, const QString& text);
     QComboBox* addChoice(const QString& name, const QString& label, const QStringList& choices);
-    /// A value that is sent where its box is checked, or, without a box, always.
+    /// A value that is sent if its box is checked, or always if it has no box.
     struct Value {
         QCheckBox* loaded = nullptr;
         NumberField* field = nullptr;
 
         [[nodiscard]] bool sent() const;
-        /// Of one that is sent; 0 while there is none.
+        /// The number in the field; 0 if there is none.
         [[nodiscard]] double value() const;
     };
     Value addValue(const QString& name, const QString& text, double min, double max, bool optional);
 
-    /// The command as it stands, and what the chip does with it. Asked for whenever something changes.
+    /// `command` returns the command as it is set here, `meaning` what the chip does with it. Both are called
+    /// whenever something changes.
     void setCommand(std::function<ModuleCommand()> command,
                     std::function<QString(const ModuleCommand&)> meaning);
 

@@ -48,7 +48,7 @@ DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
 }
 
 std::optional<ProcedureReport> DirectionCheckBox::report() const {
-    // Of this connection: whoever has changed a plug since the last has to look again.
+    // Only a report of this connection counts: since an earlier one, a plug may have been changed.
     return m_context.connected() ? m_context.procedure(ProcedureKind::DirectionCheck) : std::nullopt;
 }
 
@@ -78,7 +78,7 @@ QString DirectionCheckBox::question() const {
 }
 
 void DirectionCheckBox::ask() {
-    // As long as its module is in sight and can be checked.
+    // The question stays as long as the Axis page is visible and the check is possible.
     const auto text = [self = QPointer(this)] {
         const bool stands = self && self->parentWidget()->isVisible() && self->whyNotNow().isEmpty();
         return stands ? self->question() : QString();
@@ -96,7 +96,7 @@ void DirectionCheckBox::ask() {
                    {{tr("&Pulse motor"), u"startDirectionCheckButton"_s, go}}, window());
 }
 
-/// Shape, then word.
+/// Returns the state of the check, as a shape followed by words.
 QString DirectionCheckBox::found() const {
     const auto check = report();
     if (running())

@@ -11,8 +11,9 @@ namespace nmc {
 
 class Command;
 
-/// Whether motor and encoder of a PIC-SERVO go the same way, to be found out before it is enabled for the
-/// first time (model/procedure/directioncheck.h). It asks before the motor is pushed, and forbids nothing.
+/// Checks whether motor and encoder of a PIC-SERVO have the same direction, before it is enabled for the
+/// first time (model/procedure/directioncheck.h). It asks before it drives the motor; the servo can be
+/// enabled without this check.
 class DirectionCheckBox : public QGroupBox {
     Q_OBJECT
 

@@ -40,7 +40,7 @@ std::optional<std::uint8_t> byte(const Value& value) {
     return loadedAs<std::uint8_t>(value, [](double number) { return static_cast<std::uint8_t>(number); });
 }
 
-/// What a homing command makes of the chosen manner: none is a capture without a stop.
+/// Sets the chosen manner in a homing command; choice 0 is a capture without a stop.
 template <typename SetHoming>
 void takeManner(SetHoming& homing, int choice) {
     homing.stopAbruptly = choice == 1;
@@ -203,7 +203,7 @@ DirectBox* newServoHoming(ModuleContext& context, QWidget* parent) {
     return box;
 }
 
-/// Of CMC and SC.
+/// For CMC and SC.
 DirectBox* newServoReset(ModuleContext& context, QWidget* parent) {
     auto* box = new DirectBox(
         context, {u"expertReset"_s, ExpertBox::tr("Reset Position"), ExpertBox::tr("Send reset position")},
@@ -233,7 +233,7 @@ DirectBox* newServoReset(ModuleContext& context, QWidget* parent) {
 
 // ---- PIC-STEP ----
 
-/// By Table 4: what is loaded decides it, and what the motor does now.
+/// By Table 4, the goal depends on what is loaded and on what the motor is doing now.
 QString stepperGoalMeaning(const stepper::LoadTrajectory& load, StepperMode mode) {
     const auto goal = goalMode(mode, load);
     if (!goal)

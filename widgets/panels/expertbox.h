@@ -9,8 +9,8 @@ namespace nmc {
 
 class Command;
 
-/// The rarest of what a chip can be told: its motion commands bit by bit, as the data sheet names them, in
-/// the chip's own numbers (DS-V 5.2, DS-S 5.1). Each says what the chip will do, and the bytes.
+/// The commands of a chip that are needed least often: its motion commands bit by bit, as the data sheet
+/// names them, in native numbers (DS-V 5.2, DS-S 5.1). Each shows what the chip will do, and the bytes.
 class ExpertBox : public QWidget {
     Q_OBJECT
 

@@ -14,7 +14,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kRoomForAllSteps = 46;  ///< lines of text, from which on all steps have room
+constexpr int kRoomForAllSteps = 46;  ///< width, in heights of a text line, from which all steps have room
 
 class FirstStepTexts {
     Q_DECLARE_TR_FUNCTIONS(FirstSteps)
@@ -76,7 +76,7 @@ FirstSteps::FirstSteps(ModuleContext& context, QWidget* parent)
         if (m_next)
             emit placeWanted(*m_next);
     });
-    // Not whenSeen(): it hides itself.
+    // Not whenSeen(), which does not refresh a hidden box: the strip hides itself.
     connect(&m_context, &ModuleContext::changed, this, &FirstSteps::refresh);
     refresh();
 }
@@ -105,7 +105,7 @@ void FirstSteps::refresh() {
     setVisible(m_next.has_value());
 }
 
-/// Shape, then word: a check for what is done, an arrow at the next.
+/// Shows each step as a shape followed by words: a check mark for one that is done, an arrow at the next.
 void FirstSteps::refreshSteps(FirstStep next) {
     const bool wide = width() >= fontMetrics().height() * kRoomForAllSteps;
     for (std::size_t i = 0; i < m_steps.size(); ++i) {

@@ -15,20 +15,20 @@ namespace nmc {
 
 class ElidedLabel;
 
-/// A strip below the page of a servo that has no gains yet: fill in, apply, enable, jog, with the next of
-/// them marked. It goes when they are done, and leaves its room empty until giveRoomBack(): what it ends with
-/// is a motion, and nothing moves under the pointer then.
+/// A strip below the page of a servo that has no gains yet: fill in, apply, enable, jog, with the next step
+/// marked. It disappears when all are done, but leaves its room empty until giveRoomBack(): the last step is
+/// a motion, and nothing may shift under the pointer then.
 class FirstSteps : public QFrame {
     Q_OBJECT
 
 public:
     FirstSteps(ModuleContext& context, QWidget* parent);
 
-    /// The page is laid out anew anyway.
+    /// Call when the page is laid out again anyway.
     void giveRoomBack();
 
 signals:
-    /// "Show me": where that is done.
+    /// "Show me" was clicked: the control for this step is to be shown.
     void placeWanted(nmc::FirstStep step);
 
 protected:

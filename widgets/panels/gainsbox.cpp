@@ -24,7 +24,8 @@ namespace {
 constexpr int kTrySeconds = 10;
 }  // namespace
 
-/// A change of what stands in the fields; it never reaches the motor. Typing in one field is one of them.
+/// An edit of the fields, which never reaches the motor. Edits of the same field in a row are merged into
+/// one.
 class GainsBox::Edit : public QUndoCommand {
 public:
     Edit(GainsBox& box, std::optional<Gain> gain, Texts before, Texts after)
@@ -63,7 +64,7 @@ GainsBox::GainsBox(ModuleContext& context, QWidget* parent)
     m_hint->setObjectName(u"gainsHint"_s);
     m_hint->setWordWrap(true);
     m_hint->setTextFormat(Qt::PlainText);
-    // Below the buttons: it comes and goes, and nothing may move under the pointer.
+    // Below the buttons: the hint appears and disappears, and nothing may move under the pointer.
     grid->addWidget(m_hint, ++line, 0, 1, 4);
     grid->setRowStretch(line + 1, 1);
     grid->setColumnStretch(3, 1);
@@ -76,7 +77,7 @@ GainsBox::GainsBox(ModuleContext& context, QWidget* parent)
 }
 
 GainsBox::~GainsBox() {
-    // On its way out it tells that nothing can be undone any more.
+    // While the undo stack is destroyed, it still emits indexChanged.
     m_edits->disconnect(this);
 }
 
@@ -220,8 +221,8 @@ void GainsBox::nameRows(bool letters) {
         look::setText(row.label, letters ? gainLetters(row.gain) : fullName(row.gain));
 }
 
-/// In a narrow column marks stand for words, and the buttons need more lines. What a first session needs is
-/// in the first of them: a low window shows no more than that without scrolling.
+/// In a narrow column, marks replace words, and the buttons need more lines. The first line has what a first
+/// session needs: a low window shows no more than that without scrolling.
 void GainsBox::arrange(bool narrow) {
     m_narrow = narrow;
     struct Place {
@@ -236,14 +237,14 @@ void GainsBox::arrange(bool narrow) {
     layout()->setContentsMargins(side, look::gridUnit(this) / (narrow ? 3 : 1), side, 0);
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         const Place& place = narrow ? kNarrowPlaces[i] : kWidePlaces[i];
-        // The last of a narrow column has its line for itself.
+        // In a narrow column, the last button has a line to itself.
         const int columns = narrow && place.line == 4 ? 2 : 1;
         m_buttonGrid->addWidget(m_buttons[i]->button(), place.line, place.column, 1, columns);
     }
     m_buttonGrid->setColumnStretch(2, 1);
 }
 
-// ---- what stands in the fields ----
+// ---- contents of the fields ----
 
 GainsBox::Texts GainsBox::shown() const {
     Texts texts;
@@ -273,7 +274,7 @@ void GainsBox::edited(std::optional<Gain> gain) {
         m_edits->push(new Edit(*this, gain, m_before, after));
 }
 
-/// Gains that are whole are kept with the axis.
+/// Keeps complete gains with the axis.
 void GainsBox::keep() {
     m_typed = shown() != textsOf(m_sent);
     const std::optional<servo::SetGain> gains = entered();
@@ -310,15 +311,15 @@ void GainsBox::showModule() {
     const auto& kept = m_context.settings().gains;
     std::optional<servo::SetGain> sent = m_context.state().gains;
     if (sent && m_tried && tries())
-        sent->ol = m_tried->ol;          // the trial has lowered it, and nobody asked for that
-    const bool opened = kept != m_kept;  // another machine file goes before what was typed
+        sent->ol = m_tried->ol;          // it was lowered by the trial, not by the user
+    const bool opened = kept != m_kept;  // another machine file replaces what was typed
     if (opened || sent != m_sent) {
         m_kept = kept;
         m_sent = sent;
         if (opened || !m_typed)
             fillIn(textsOf(kept ? kept : sent));
         if (opened && m_typed)
-            edited(std::nullopt);  // which comes back by Undo
+            edited(std::nullopt);  // so that Undo brings it back
         m_before = shown();
         m_typed = m_typed && !opened && m_before != textsOf(sent);
     }
@@ -327,7 +328,7 @@ void GainsBox::showModule() {
 
 std::optional<servo::SetGain> GainsBox::entered() const {
     servo::SetGain gains;
-    // Of an SC, which has it on its page Amplifier.
+    // The step multiplier of an SC, which is set on its Amplifier page.
     if (const auto& known = m_kept ? m_kept : m_sent)
         gains.sm = known->sm;
     for (const Row& row : m_rows) {
@@ -360,10 +361,10 @@ void GainsBox::apply() {
         askBeforeLargeStep(*gains, steps);
 }
 
-/// The motor is under control of these gains at this moment: a large step may make it jump or swing.
+/// The servo is on, so new gains take effect at once: a large change may make the motor jump or oscillate.
 void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList& steps) {
-    // What was asked about, on top of the gains that it was compared with; and as long as the module is in
-    // sight, on whichever page.
+    // The question stays while the gains in the fields and those of the module are the ones that it compares,
+    // and the Gains page is visible.
     const auto text = [self = QPointer(this), gains, steps, before = m_sent] {
         const bool stands = self && self->parentWidget()->isVisible() &&
                             before == self->m_context.state().gains && self->entered() == gains &&
@@ -387,7 +388,7 @@ void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList
                    {{tr("&Apply these gains"), u"applyLargeStepButton"_s, go}}, window());
 }
 
-// ---- how it looks ----
+// ---- display ----
 
 void GainsBox::refreshRow(Row& row) {
     const bool visible = used(row.gain);
@@ -405,7 +406,7 @@ void GainsBox::refreshRow(Row& row) {
         known = Known::Unknown;
     else if (sent.has_value() && value.has_value() && static_cast<int>(*value) == *sent)
         known = Known::Sent;
-    // Shape, then word: a check for sent, a dot for an edit, a question mark for what nobody knows.
+    // A shape followed by words: a check mark for sent, a dot for an edit, a question mark for unknown.
     QString state;
     switch (known) {
         case Known::Unknown:

@@ -19,7 +19,7 @@ namespace nmc {
 class Command;
 class NumberField;
 
-/// The gains of one servo. They cannot be read back, so each says whether it was sent in this connection.
+/// The gains of one servo. They cannot be read back, so each shows whether it was sent in this connection.
 /// Edits are staged per module and can be undone; Apply sends all of them at once.
 class GainsBox : public QWidget {
     Q_OBJECT
@@ -28,7 +28,8 @@ public:
     GainsBox(ModuleContext& context, QWidget* parent);
     ~GainsBox() override;
 
-    /// Pixels that there are: with few of them marks stand for words, with very few letters for names.
+    /// Adapts to a width in pixels: if it is small, marks replace words; if it is very small, letters replace
+    /// names.
     void fitInto(int width);
     /// Fills the fields, as an edit that can be undone; sends nothing.
     void stage(const servo::SetGain& gains);
@@ -38,7 +39,7 @@ signals:
 
 private:
     enum class Known : std::uint8_t { Unknown, Sent, Edited };
-    /// What stands in the fields, values or not.
+    /// The contents of the fields, valid or not.
     using Texts = std::array<QString, kAllGains.size()>;
     class Edit;
     struct Row {
@@ -55,7 +56,7 @@ private:
     [[nodiscard]] static QString fullName(Gain gain);
     void nameRows(bool letters);
     void arrange(bool narrow);
-    /// By the user's hand, in one field or in all (`gain` empty).
+    /// Records an edit by the user, of one field or, if `gain` is empty, of all.
     void edited(std::optional<Gain> gain);
     void fill(const std::function<std::optional<int>(Gain)>& value);
     void revert();
@@ -95,14 +96,14 @@ private:
     std::array<Command*, 9> m_buttons{};
     QGridLayout* m_buttonGrid = nullptr;
     bool m_narrow = false;
-    int m_wideWidth = 0;  ///< pixels that it needs with names
+    int m_wideWidth = 0;  ///< pixels that the wide layout needs
     QUndoStack* m_edits;
-    Texts m_before;        ///< what stood there before the edit that is being made
-    bool m_typed = false;  ///< since it was sent, or a machine file was opened
-    /// When they were looked at last: the axis's, and those that were sent.
+    Texts m_before;        ///< contents before the present edit
+    bool m_typed = false;  ///< edited since the gains were sent or a machine file was opened
+    /// The gains of the axis and those that were sent, both as last shown.
     std::optional<servo::SetGain> m_kept;
     std::optional<servo::SetGain> m_sent;
-    std::optional<servo::SetGain> m_tried;  ///< asked for last, to be tried
+    std::optional<servo::SetGain> m_tried;  ///< the last gains that were requested to be tried
 };
 
 }  // namespace nmc

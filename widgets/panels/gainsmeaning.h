@@ -25,20 +25,20 @@ void setGain(servo::SetGain& gains, Gain gain, int value);
 [[nodiscard]] QString gainName(Gain gain);
 /// What it does, its range, and what the data sheet advises (DS-V 4.3, 5.2).
 [[nodiscard]] QString gainMeaning(Gain gain);
-/// What a value comes to: "1.953 kHz", "off"; empty where the number says it all.
+/// What a value means: "1 953 Hz", "off"; empty if the number is enough.
 [[nodiscard]] QString gainRemark(Gain gain, int value);
-/// 0, or the least the chip takes.
+/// 0, or the least value that the chip accepts.
 [[nodiscard]] int zeroValue(Gain gain);
 
-/// The gains that the new ones change to more than twice or less than half, in the data sheet's letters: with
-/// the servo on that is worth a question.
+/// Those of Kp, Kd, Ki, OL and SR that change to more than twice or less than half, with both values: with
+/// the servo on, such a change needs a confirmation.
 [[nodiscard]] QStringList largeSteps(const servo::SetGain& from, const servo::SetGain& to);
 
-/// Which A/D values are too much current; the chip tells by the parity of CL (DS-V 4.5).
+/// Which A/D values mean overcurrent; the chip distinguishes them by the parity of CL (DS-V 4.5).
 enum class CurrentSense : std::uint8_t { Off, Above, Below };
 [[nodiscard]] CurrentSense currentSense(int cl);
 [[nodiscard]] QString currentSenseName(CurrentSense sense);
-/// The CL of that sense nearest to `cl`.
+/// The CL of that sense nearest to `cl`; for Below, 254 if `cl` is 0.
 [[nodiscard]] int currentLimit(CurrentSense sense, int cl);
 
 }  // namespace nmc

@@ -12,8 +12,8 @@ namespace nmc {
 
 class GlyphLabel;
 
-/// A module without a data sheet here: what it says it is, and its status byte. It is only looked at: what
-/// other commands would do to it is not known.
+/// A module that no data sheet here covers: what it reports to be, and its status byte. It is only monitored,
+/// because the effect of other commands is unknown.
 class GenericPanel : public QWidget {
     Q_OBJECT
 

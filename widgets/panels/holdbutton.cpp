@@ -8,7 +8,7 @@
 namespace nmc {
 
 namespace {
-constexpr int kEvidenceInterval = 100;  // ms; the bus thread waits for 250
+constexpr int kEvidenceInterval = 100;  // ms; the bus thread waits up to 250
 }  // namespace
 
 HoldButton::HoldButton(QWidget* parent) : QPushButton(parent) {
@@ -72,7 +72,7 @@ void HoldButton::mousePressEvent(QMouseEvent* event) {
 void HoldButton::mouseMoveEvent(QMouseEvent* event) {
     if (isHeld() && !hitButton(event->position().toPoint()))
         endHold();
-    // Not to the base class: it would press the button again when the pointer comes back.
+    // Not passed to the base class, which would press the button again when the pointer comes back.
     event->accept();
 }
 

@@ -6,28 +6,30 @@
 
 namespace nmc {
 
-/// Hold to move: asks for motion when pressed and again while it is held, as evidence for the bus thread,
-/// which stops the motor when the evidence stops coming. Ends on release of mouse, touch or key, when the
-/// pointer leaves, on another key or mouse button, focus out, window deactivated, hidden or blocked by a
-/// dialog, and when disabled. Once ended it stays ended until it is pressed anew.
+/// Hold to move: requests motion when pressed, and repeatedly while it is held, as evidence for the bus
+/// thread, which stops the motor when no more evidence arrives. Ends when mouse, touch or key is released,
+/// when the pointer leaves, on another key or mouse button, when the focus is lost, when the window is
+/// deactivated, hidden or blocked by a dialog, and when the button is disabled. Once ended, it stays ended
+/// until it is pressed again.
 class HoldButton : public QPushButton {
     Q_OBJECT
 
 public:
     explicit HoldButton(QWidget* parent = nullptr);
 
-    /// Which way it moves the motor; PWM is no way.
+    /// The direction in which it moves the motor; None for PWM.
     enum class Direction { None, Forward, Reverse };
     void setDirection(Direction direction) { m_direction = direction; }
     [[nodiscard]] Direction direction() const { return m_direction; }
-    /// A press from elsewhere: as one of the mouse, where it is enabled and in sight.
+    /// Begins a hold from elsewhere, like a press of the mouse, if the button is enabled and visible.
     void beginHold();
-    /// How often held() comes while it is held; 100 ms.
+    /// Interval of held() while the button is held; 100 ms by default.
     void setInterval(int milliseconds) { m_timer.setInterval(milliseconds); }
     [[nodiscard]] bool isHeld() const { return m_timer.isActive(); }
-    /// Which press of all hold buttons this is, or was last; for bus::HoldToMove.
+    /// Number of its present or last press, counted over all hold buttons; for bus::HoldToMove.
     [[nodiscard]] quint32 press() const { return m_press; }
-    /// Ends the motion from outside: another module, another speed, a port error, or the bus has ended it.
+    /// Ends the hold from outside: another module, another speed, a port error, or the bus has ended the
+    /// motion.
     void endHold();
 
 signals:

@@ -27,7 +27,7 @@ double speedUnit(const ModuleState& module) {
     return StepperSpeed(parameters ? parameters->speedMode : stepper::SpeedMode::X1).unit();
 }
 
-/// What a search goes through, as far as its recipe tells beforehand.
+/// The stages of a search, as far as its recipe determines them beforehand.
 QList<ProcedureStage> stagesOf(const HomingRecipe& recipe) {
     QList<ProcedureStage> list{ProcedureStage::Searching};
     if (recipe.thenIndex)
@@ -40,7 +40,7 @@ QList<ProcedureStage> stagesOf(const HomingRecipe& recipe) {
     return list;
 }
 
-/// As wide as what is in it, also where that changes.
+/// As wide as its content, even when that changes.
 class UpAndDown : public QScrollArea {
 public:
     using QScrollArea::QScrollArea;
@@ -96,7 +96,7 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
     auto* buttons = new FlowLayout(unit);
     buttons->addWidget(m_cancel->button());
     buttons->addWidget(m_home->button());
-    // What ends a search, and how it goes, stays in sight; the rest gives way where there is little room.
+    // The buttons and the progress of a search stay visible; the rest scrolls if there is little room.
     auto* content = new QWidget(this);
     auto* inner = new QVBoxLayout(content);
     inner->setContentsMargins(0, 0, 0, 0);
@@ -122,7 +122,7 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
     layout->addWidget(m_result);
     layout->addSpacing(unit / 2);
     layout->addWidget(scroll, 1);
-    layout->addWidget(m_hint);  // it comes and goes, and nothing may move under the pointer
+    layout->addWidget(m_hint);  // it appears and disappears, and nothing may move under the pointer
 
     m_form->showRecipe(m_context.settings().homing.value_or(firstRecipe(m_context.state().info.identity)));
     m_shown = m_context.settings().homing;
@@ -141,7 +141,7 @@ void HomingBox::keepRecipe() {
 void HomingBox::showModule() {
     const ModuleState& module = m_context.state();
     const std::optional<HomingRecipe>& kept = m_context.settings().homing;
-    // What is being typed stays: only what was changed elsewhere is shown anew.
+    // The value being typed is kept: only what was changed elsewhere is shown again.
     const HomingRecipe recipe = kept.value_or(firstRecipe(module.info.identity));
     if (kept != m_shown && recipe != m_form->recipe())
         m_form->showRecipe(recipe);
@@ -184,7 +184,7 @@ void HomingBox::refresh() {
     refreshProgress();
 }
 
-/// "✓ Searching  ▶ Going to home  · Making home zero": shape, then word.
+/// "✓ Searching   ▶ Going to home   · Setting position to 0": each stage is a shape followed by words.
 QString HomingBox::stages() const {
     const QList<ProcedureStage> list = stagesOf(effective(m_form->recipe(), m_context.state().info.identity));
     const auto search = report();

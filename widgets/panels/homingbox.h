@@ -14,13 +14,14 @@ class Command;
 class HomingForm;
 class LimitStopBox;
 
-/// Everything about home of one module, of either chip: how it is looked for, how the search goes and went,
-/// and on a PIC-SERVO the limit stop. What is edited is kept in the axis' settings; nothing is sent by that.
+/// Everything about home of one module, of either chip: how it is searched for, progress and result of the
+/// search, and, for a PIC-SERVO, the limit stop. Edits are kept in the settings of the axis; they send
+/// nothing.
 class HomingBox : public QWidget {
     Q_OBJECT
 
 public:
-    /// The names of a stepper's controls begin with "stepper".
+    /// The object names of a stepper's controls begin with "stepper".
     HomingBox(ModuleContext& context, QWidget* parent);
 
 private:
@@ -41,8 +42,8 @@ private:
     QLabel* m_stages;
     QLabel* m_result;
     QLabel* m_hint;
-    std::optional<HomingRecipe> m_shown;  ///< what the settings had when they were looked at last
-    int m_reached = -1;                   ///< of stages()
+    std::optional<HomingRecipe> m_shown;  ///< recipe in the settings, as last shown
+    int m_reached = -1;                   ///< index of the present stage in stages()
 };
 
 }  // namespace nmc

@@ -22,12 +22,12 @@ namespace {
 using Stop = HomingRecipe::Stop;
 constexpr std::array kStops{Stop::Abruptly, Stop::Smoothly, Stop::MotorOff};
 
-/// What the chip counts at most (DS-V 4.4; a PIC-STEP's fastest speed, DS-S table 3).
+/// Highest velocities of the chips, in counts per tick (DS-V 4.4) and steps/s (DS-S table 3).
 constexpr double kFastestServo = 32'767.0;
 constexpr double kFastestStep = 50'000.0;
 constexpr double kSlowestServo = 1.0 / 65'536.0;
 constexpr double kLongestTravel = 2'147'483'647.0;
-constexpr double kLongestTime = 86'400.0;  // s: a day
+constexpr double kLongestTime = 86'400.0;  // s, one day
 constexpr int kFieldDigits = 8;
 }  // namespace
 
@@ -224,7 +224,7 @@ void HomingForm::showChip(const AxisScale& scale, int version, double speedUnit)
             least = 1.0;
             most = kLongestTravel;
         } else if (m_type == ModuleType::Stepper) {
-            // Slower than its slowest speed would be faster than asked.
+            // A request below the slowest speed of the chip would run faster than requested.
             const bool velocity = quantity.value == &HomingRecipe::velocity;
             least = velocity ? speedUnit : 1.0;
             most = velocity ? 250.0 * speedUnit : 1e6;
@@ -271,7 +271,7 @@ void HomingForm::refresh() {
         look::setPossible(box.button, reason, box.meaning);
     }
     {
-        // Both: checking one unchecks the other, and that one would tell of it.
+        // Both are blocked: checking one unchecks the other, which would emit toggled, too.
         const QSignalBlocker forward(m_forward);
         const QSignalBlocker reverse(m_reverse);
         (m_recipe.reverse != m_reversed ? m_reverse : m_forward)->setChecked(true);

@@ -13,8 +13,8 @@ class QLabel;
 
 namespace nmc {
 
-/// The fields of a home search. It keeps a whole recipe: what is typed and is no number within its range
-/// changes nothing, and is told by problemText().
+/// The fields of a home search. The form always has a complete recipe: a typed value that is not a number
+/// within its range changes nothing, and is reported by problemText().
 class HomingForm : public QWidget {
     Q_OBJECT
 
@@ -23,14 +23,14 @@ public:
 
     /// Emits nothing.
     void showRecipe(const HomingRecipe& recipe);
-    /// Emits nothing. `version` of the chip decides who stops the motor; `speedUnit`: PIC-STEP, what its
-    /// speeds are whole multiples of, in steps/s.
+    /// Emits nothing. The `version` of the chip determines whether the chip or the panel stops the motor;
+    /// `speedUnit`: for a PIC-STEP, the speed in steps/s of which all its speeds are whole multiples.
     void showChip(const AxisScale& scale, int version, double speedUnit);
-    /// A search is under way: it has its recipe.
+    /// Locked while a search is running, because the search already has its recipe.
     void setLocked(bool locked);
 
     [[nodiscard]] const HomingRecipe& recipe() const { return m_recipe; }
-    /// Empty while every field in use has a value.
+    /// Empty while every field in use has a valid value.
     [[nodiscard]] QString problemText() const;
 
 signals:
@@ -67,7 +67,7 @@ private:
 
     ModuleType m_type;
     HomingRecipe m_recipe;
-    bool m_reversed = false;  ///< the axis: what is forward here is reverse to the chip
+    bool m_reversed = false;  ///< the axis is reversed: forward here is reverse for the chip
     int m_version = 0;
     int m_line = 0;
     bool m_locked = false;

@@ -117,7 +117,7 @@ void IoBox::show(const IoBox::Indicator& input, std::optional<bool> set, const Q
 }
 
 void IoBox::showModule() {
-    // A pin is an input after power-up (DS-V 5.2); of a chain that was found running nobody knows.
+    // A pin is an input after power-up (DS-V 5.2); in a chain that was found running, its use is unknown.
     const servo::IoControl io = m_context.state().io.value_or(servo::IoControl{});
     for (int i = 0; i < 2; ++i) {
         QComboBox* use = m_pins[static_cast<std::size_t>(i)].use;

@@ -48,7 +48,7 @@ private:
     Indicator m_power;
     QLabel* m_analog = nullptr;
     QCheckBox* m_amplifier = nullptr;
-    QCheckBox* m_fastPath = nullptr;  ///< of a CMC
+    QCheckBox* m_fastPath = nullptr;  ///< CMC only
     QLabel* m_remark = nullptr;
 };
 

@@ -12,7 +12,7 @@ namespace nmc {
 
 class GlyphLabel;
 
-/// Head of the page of a PIC-I/O: who it is, by the name that the user gives it, and whether it answers.
+/// Head of the page of a PIC-I/O: what module it is, the name that the user gives it, and whether it answers.
 class IoHead : public QFrame {
     Q_OBJECT
 

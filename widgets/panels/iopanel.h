@@ -5,7 +5,7 @@
 
 namespace nmc {
 
-/// Everything one PIC-I/O can be asked for: its pins at the left; A/D, PWM, counter and details beside them.
+/// The page of a PIC-I/O: its pins at the left; A/D, PWM and counter beside them.
 class IoPanel : public ModulePage {
     Q_OBJECT
 

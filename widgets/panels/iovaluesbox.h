@@ -16,7 +16,7 @@ namespace nmc {
 
 class NumberField;
 
-/// The three A/D inputs of one PIC-I/O, each in a scale of its own, and its two PWM outputs.
+/// The three A/D inputs of one PIC-I/O, each with its own scale, and its two PWM outputs.
 class IoValuesBox : public QWidget {
     Q_OBJECT
 

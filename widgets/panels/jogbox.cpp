@@ -63,7 +63,7 @@ void JogBox::build() {
     grid->addWidget(m_hint, line++, 0, 1, quantitygrid::kColumns);
 
     connect(m_velocity, &QuantityField::nativeEdited, this, [this] {
-        // What is held was asked for at another speed.
+        // A hold in progress was requested at another speed.
         endHold();
         if (const auto velocity = m_velocity->native())
             m_typed = velocity;
@@ -101,7 +101,7 @@ void JogBox::showModule() {
     const MotionSettings motion = servodefaults::motionOf(m_context.settings());
     const bool otherCap = motion.holdCap != m_motion.holdCap;
     const bool others = otherCap || motion.holdVelocity != m_motion.holdVelocity;
-    // What is held was asked for with other words.
+    // A hold in progress was requested with another cap or scale.
     if (otherCap || m_context.scale() != m_velocity->scale())
         endHold();
     m_motion = motion;
@@ -112,7 +112,7 @@ void JogBox::showModule() {
 }
 
 void JogBox::refresh() {
-    // Never "busy": a hold that is under way must not be cut off by the answers to its own commands.
+    // Never "busy": a hold in progress must not end because it waits for the answers to its own commands.
     look::setPossible(m_forward, reasonFor(false), tr("Moves forward while held, then stops."));
     look::setPossible(m_reverse, reasonFor(true), tr("Moves in reverse while held, then stops."));
     look::setText(m_hint, m_velocity->problemText());

@@ -39,7 +39,7 @@ private:
     HoldButton* m_forward = nullptr;
     HoldButton* m_reverse = nullptr;
     QLabel* m_hint = nullptr;
-    std::optional<double> m_typed;  ///< native velocity, since the connection was made
+    std::optional<double> m_typed;  ///< native velocity, if it was typed since the last search for the chain
     MotionSettings m_motion;        ///< as shown
 };
 

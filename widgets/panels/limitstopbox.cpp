@@ -200,7 +200,7 @@ void LimitStopBox::refresh() {
     refreshState();
 }
 
-/// Shape, then word.
+/// Shows the state as a shape followed by words.
 void LimitStopBox::refreshState() {
     const ModuleState& module = m_context.state();
     const HomeWatch& watch = module.homing;

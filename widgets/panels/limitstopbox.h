@@ -13,9 +13,9 @@ namespace nmc {
 
 class Command;
 
-/// Homing used as a safety stop (DS-V 5.2), because on a PIC-SERVO a limit input does not stop the motor by
-/// itself, nor an excess of position error or current: armed, not armed, or come true. For each motion, where
-/// the axis has it so (LimitStopSettings).
+/// Homing used as a safety stop (DS-V 5.2), because on a PIC-SERVO neither a limit input nor an excessive
+/// position error or current stops the motor by itself. The stop is armed, not armed, or tripped; it is armed
+/// for each motion if the axis is set up so (LimitStopSettings).
 class LimitStopBox : public QGroupBox {
     Q_OBJECT
 
@@ -27,7 +27,7 @@ private:
     void refreshState();
     [[nodiscard]] intent::ArmLimitStop wanted() const;
     [[nodiscard]] QString whyNotArmed() const;
-    /// A search for home is under way; it uses the same watch of the chip.
+    /// True if a search for home is running; it uses the same function of the chip.
     [[nodiscard]] bool homing() const;
     void keep();
     void showSettings();

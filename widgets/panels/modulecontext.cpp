@@ -14,7 +14,7 @@ namespace nmc {
 
 namespace {
 
-/// Runs `refresh` at once where it can be seen, and keeps it for later where it can't.
+/// Runs `refresh` at once if its box is visible, or else as soon as it becomes visible.
 class RefreshWhenSeen : public QObject {
 public:
     RefreshWhenSeen(QWidget* box, std::function<void()> refresh)
@@ -63,7 +63,7 @@ void ModuleContext::adopt(const PanelView& view) {
 }
 
 void ModuleContext::show(const PanelView& view) {
-    // A status that was on its way ends nothing: the module has to speak after it was asked.
+    // A status that was already on its way does not end the wait: the module has to answer after the request.
     const bool answered = m_askedAt && view.module.latestTime != *m_askedAt && !view.module.awaited;
     if (answered || !view.connected)
         m_askedAt.reset();

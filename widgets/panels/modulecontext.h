@@ -12,8 +12,9 @@ class QWidget;
 
 namespace nmc {
 
-/// One module of one connection, as its page sees it: made with it, gone with it. What a box shows it reads
-/// here; what its user wants it says here. Nothing of a module is kept anywhere else in a panel. GUI thread.
+/// One module of one connection, as its page sees it, and for the lifetime of that page. Boxes read here what
+/// they show, and request here what the user wants; a panel keeps nothing about a module anywhere else. GUI
+/// thread.
 class ModuleContext : public QObject {
     Q_OBJECT
 
@@ -23,59 +24,62 @@ public:
     [[nodiscard]] const ModuleState& state() const { return m_state; }
     [[nodiscard]] const AxisSettings& settings() const { return m_settings; }
     [[nodiscard]] AxisScale scale() const { return scaleOf(m_state, m_settings); }
-    /// What the user's direction is to the chip.
+    /// The chip's direction for a direction as the user sees it.
     [[nodiscard]] bool chipReverse(bool reverse) const { return reverse != scale().reversed(); }
     [[nodiscard]] bool connected() const { return m_connected; }
-    /// s, of what is older than it should be.
+    /// Age in s of a state that is older than it should be.
     [[nodiscard]] std::optional<double> age() const { return m_age; }
-    /// The last one of that kind, of this module.
+    /// The last procedure of that kind on this module.
     [[nodiscard]] std::optional<ProcedureReport> procedure(ProcedureKind kind) const;
-    /// Of whatever kind, while it runs.
+    /// The procedure of any kind that is running.
     [[nodiscard]] std::optional<ProcedureReport> runningProcedure() const;
 
     [[nodiscard]] std::optional<Refusal> whyNot(IntentKind kind) const;
-    /// Why it can't be asked for, in words; empty where it can.
+    /// Why it cannot be requested, in words; empty if it can.
     [[nodiscard]] QString reasonFor(IntentKind kind) const;
-    /// Why that very motion can't be asked for, with the limit of travel or of speed in its way.
+    /// Why this very motion cannot be requested, with the travel limit or speed limit that prevents it.
     [[nodiscard]] QString reasonFor(const Intent& intent) const;
-    /// The same of what waits for the module's answer to what was asked before: everything but a stop.
+    /// Why it cannot be requested now, in words. Until the module has answered the last request, everything
+    /// but a stop has to wait.
     [[nodiscard]] QString reasonNow(IntentKind kind) const;
-    /// A click was passed on, and what it asked for has not ended, or the module has not spoken since: a
-    /// double click is one command.
+    /// True while what the last click requested has not ended, or the module has not answered since: a double
+    /// click is one command.
     [[nodiscard]] bool busy() const { return m_askedAt.has_value(); }
-    /// Why, in words; empty when it is not busy.
+    /// Why it is busy, in words; empty if it is not.
     [[nodiscard]] QString whyBusy() const;
 
-    /// Nothing while it is busy; a stop always goes.
+    /// Passes the request on, unless busy; stops, and requests to a procedure that is running, are always
+    /// passed on.
     void ask(const Intent& intent);
-    /// Changes what the panel knows of the axis; sends nothing. Boxes that show news edit nothing: what a
-    /// field says then is not its user's.
+    /// Changes the settings of the axis; sends nothing. Has no effect while boxes are refreshed, because what
+    /// a field says then does not come from the user.
     void edit(const SettingsEdit& edit);
     void hold(const bus::HoldToMove& hold) { emit holdAsked(hold); }
     void release() { emit holdReleased(); }
 
-    /// Calls `refresh` now, and then when there is news while `box` is visible, or when it comes in sight.
+    /// Calls `refresh` now, and after each change: at once while `box` is visible, or else when it becomes
+    /// visible.
     void whenSeen(QWidget* box, const std::function<void()>& refresh);
 
-    /// What is out of sight is made as it is now, too.
+    /// Refreshes boxes that are not visible, too.
     void catchUp() { emit wanted(); }
 
-    /// Of the page that owns it; nothing is emitted but changed().
+    /// For the page that owns it; emits nothing but changed().
     void show(const PanelView& view);
-    /// Between the news that a held button gives, ms.
+    /// Interval in ms at which a held button requests motion.
     void setHoldInterval(int milliseconds) { emit holdIntervalChanged(milliseconds); }
 
 signals:
-    /// The module, the settings, or whether it is busy.
+    /// The module, the settings or busy() has changed.
     void changed();
     void wanted();
-    /// What is held ends.
+    /// A hold in progress must end.
     void holdMustEnd();
-    /// The chain is looked for anew: low speeds again, and no goals.
+    /// The chain is searched for again: speeds are low again, and goals are forgotten.
     void lookedForAnew();
     void holdIntervalChanged(int milliseconds);
 
-    // ---- to whoever carries it out ----
+    // ---- requests to be carried out ----
     void asked(const nmc::Intent& intent);
     void edited(const nmc::AxisSettings& settings);
     void holdAsked(const nmc::bus::HoldToMove& hold);
@@ -90,7 +94,7 @@ private:
     bool m_connected = false;
     bool m_showing = false;
     std::optional<double> m_age;
-    std::optional<TimePoint> m_askedAt;  ///< the latest status then
+    std::optional<TimePoint> m_askedAt;  ///< time of the latest status at the last request
 };
 
 }  // namespace nmc

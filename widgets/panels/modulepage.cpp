@@ -31,16 +31,16 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kNarrowestPages = 17;  ///< lines of text
+constexpr int kNarrowestPages = 17;  ///< in heights of a text line
 constexpr int kLowestPages = 3;
 constexpr int kWindowChanges = 250;  ///< ms
 
-/// On a screen of 540 lines the status line must not be what is lost.
+/// Lets the area shrink, so that the status line is still visible on a screen of 540 lines.
 void giveWay(QScrollArea& area) {
     area.setMinimumHeight(area.fontMetrics().height() * kLowestPages);
 }
 
-/// What does not fit is scrolled for itself, and the motions stay where they are.
+/// Makes each page scroll by itself if it does not fit, while the motions stay where they are.
 void letScroll(QTabWidget& pages) {
     for (int i = 0; i < pages.count(); ++i) {
         QWidget* page = pages.widget(i);
@@ -64,7 +64,8 @@ void letWrap(const QWidget& page, bool may) {
 }  // namespace
 
 ModulePage::ModulePage(const PanelView& view, QWidget* parent) : QWidget(parent), m_context(view, this) {
-    // As the window has it: or all that is on the page would change its palette with each coming and going.
+    // The palette of the window: otherwise, everything on the page would change its palette each time the
+    // page appears or disappears.
     look::adoptReadable(this);
 }
 
@@ -98,7 +99,7 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     layout->addLayout(m_columns, 1);
     connect(&m_context, &ModuleContext::changed, this, &ModulePage::lockPages);
     lockPages();
-    // What acts is seen, whatever it was asked by.
+    // The box of a command that acts is shown, whatever triggered the command.
     for (Command* command : commands())
         connect(command, &QAction::triggered, this, [this, command] { reveal(*command->box()); });
 }
@@ -121,7 +122,7 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
         return fit(pageWidth());
     m_narrow = narrow;
     if (narrow) {
-        // As a page it scrolls in both directions: a button that is cut off can't be reached.
+        // As a page it scrolls in both directions, because a button that is cut off cannot be reached.
         m_motions->setMinimumWidth(0);
         m_motions->setMaximumWidth(QWIDGETSIZE_MAX);
         m_pages->insertTab(0, m_motions, tr("Motion"));
@@ -137,8 +138,8 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
     fit(pageWidth());
 }
 
-/// Names of fields take a second line before a page scrolls sideways, and rows fold where that is too little.
-/// Not before: a label that may wrap does so where there is room, too.
+/// Labels of fields wrap before a page scrolls sideways, and rows fold if that is not enough. Labels may not
+/// wrap earlier, because a label that may wrap does so even if there is room.
 void ModulePage::fit(int width) {
     fitPages(width);
     for (int i = 0; i < m_pages->count(); ++i) {
@@ -146,7 +147,7 @@ void ModulePage::fit(int width) {
         if (area == nullptr)
             continue;
         QWidget* page = area->widget();
-        // At first all names stand in one line.
+        // At first, every label is on one line.
         const auto [need, first] = m_needs.try_emplace(page);
         if (first)
             need->second = page->minimumSizeHint().width();
@@ -163,7 +164,7 @@ int ModulePage::scrollBarWidth() const {
     return m_motions->verticalScrollBar()->sizeHint().width();
 }
 
-/// Half of the room, or more as far as they want it and the pages do not.
+/// Half of the room, or more if the motions need it and the pages do not.
 int ModulePage::motionsWidth() const {
     const int room = columnsWidth() - m_columns->spacing();
     return std::max({room / 2, m_columnWidth, std::min(m_columnWish, room - m_pagesWish)});
@@ -182,7 +183,7 @@ void ModulePage::setTuning(bool on) {
 int ModulePage::spareHeight() const {
     const QWidget& motions = *m_motions->widget();
     const QSize room = m_motions->viewport()->size();
-    // Rows that flow tell only so how many lines they take.
+    // Only heightForWidth() takes into account how many lines the flowing rows need.
     const int need = motions.hasHeightForWidth() ? motions.heightForWidth(room.width()) : 0;
     return room.height() - qMax(need, motions.minimumSizeHint().height());
 }
@@ -226,8 +227,8 @@ HoldButton* ModulePage::holdButton(bool reverse) {
     return nullptr;
 }
 
-/// Not the focus: the next press of Space would be a command. And not before the window is active again,
-/// which takes tool tips away.
+/// Does not set the focus, because the next press of Space would then be a command. Waits until the window is
+/// active again, because that change hides tool tips.
 void ModulePage::pointTo(QWidget& control) {
     QTimer::singleShot(kWindowChanges, &control, [&control] {
         for (QWidget* around = control.parentWidget(); around != nullptr; around = around->parentWidget())

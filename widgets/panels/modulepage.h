@@ -16,29 +16,30 @@ namespace nmc {
 class Command;
 class HoldButton;
 
-/// Everything that one module can be asked for: its head, which is always in view, the motions below at the
-/// left, and pages beside them. Made for one module of one connection, and gone with it.
+/// Page for everything that one module can do: its head, which is always visible, the motions below at the
+/// left, and tabs beside them. Made for one module of one connection, and deleted with it.
 class ModulePage : public QWidget {
     Q_OBJECT
 
 public:
     explicit ModulePage(const PanelView& view, QWidget* parent = nullptr);
 
-    /// Emits nothing, except that a hold ends when its permission goes.
+    /// Emits nothing, except that a hold ends when it is no longer permitted.
     void showModule(const PanelView& view) { m_context.show(view); }
     [[nodiscard]] ModuleContext& context() { return m_context; }
-    /// Of all its boxes, in the order in which they stand.
+    /// The commands of all its boxes, in the order in which they are shown.
     [[nodiscard]] QList<Command*> commands() const;
-    /// Its button comes in sight, with its tool tip; `name` is that of the button.
+    /// Shows the button with the object name `name`, and its tool tip.
     void showCommand(const QString& name);
 
-    /// The one that moves it that way while it is held, which comes in sight; none: it has none.
+    /// Brings the hold button for this direction into view, and returns it; null if there is none.
     [[nodiscard]] HoldButton* holdButton(bool reverse);
 
-    /// The page for tuning comes to the front, now and where little room brings the motions there.
+    /// Brings the page for tuning to the front, now and whenever a lack of room would bring the motions
+    /// there.
     void setTuning(bool on);
 
-    /// How much higher their room is than the motions need; below 0: not all of them are in view.
+    /// Height in pixels that the motions leave unused; negative if not all of them are visible.
     [[nodiscard]] virtual int spareHeight() const;
 
 signals:
@@ -47,19 +48,19 @@ signals:
 protected:
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    /// The head above; motions at the left, the pages beside them: each scrolls for itself where there is
-    /// little room, and where there is very little the motions are the first of the pages.
+    /// Places the head above, the motions at the left and the pages beside them. Each scrolls by itself if
+    /// there is little room; if there is very little, the motions become the first of the pages.
     void layOut(QWidget* head, QLayout* motions, QTabWidget* pages);
 
     ModuleContext m_context;
 
-    /// Its tool tip says what it does, or why not.
+    /// Shows the tool tip of a control, which says what it does, or why it is not possible.
     static void pointTo(QWidget& control);
-    /// Brings the tab to the front that the box stands on.
+    /// Brings the tab that contains the box to the front.
     void reveal(const QWidget& box);
-    /// The pages have so many pixels from now on; for those that leave out words where there are few.
+    /// Called with the width of the pages in pixels; for pages that leave out words if it is small.
     virtual void fitPages(int /*width*/) {}
-    /// What is for tuning; nothing where there is none.
+    /// Shows the controls for tuning, if there are any.
     virtual void revealTuning() {}
 
 private:
@@ -68,17 +69,17 @@ private:
     [[nodiscard]] int motionsWidth() const;
     [[nodiscard]] int pageWidth() const;
     void fit(int width);
-    /// In operator mode, pages whose fields are not the operator's.
+    /// In operator mode, disables pages with fields that the operator may not use.
     void lockPages();
 
     std::optional<OperatorRights> m_lockedFor;
     QTabWidget* m_pages = nullptr;
     QScrollArea* m_motions = nullptr;
     QHBoxLayout* m_columns = nullptr;
-    int m_columnWidth = 0;                  ///< pixels, below which the motions don't fit beside the pages
-    int m_columnWish = 0;                   ///< pixels, from which on each row of them is one
-    int m_pagesWish = 0;                    ///< pixels, from which on no page needs to be arranged otherwise
-    std::map<const QWidget*, int> m_needs;  ///< pixels that a page needs to stand whole
+    int m_columnWidth = 0;                  ///< pixels; the least width of the motions
+    int m_columnWish = 0;                   ///< pixels; width at which no row of the motions wraps
+    int m_pagesWish = 0;                    ///< pixels; width at which no page has to be rearranged
+    std::map<const QWidget*, int> m_needs;  ///< pixels; width that a page needs without wrapping
     bool m_narrow = false;
     bool m_tuning = false;
 };

@@ -19,9 +19,9 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kNarrowestPage = 19;  ///< lines of text
+constexpr int kNarrowestPage = 19;  ///< in heights of a text line
 
-/// What is built late still comes where it stands, and not behind everything.
+/// Puts a page that is built late at its place in the tab order, rather than at the end.
 void keepTabOrder(QWidget* before, QWidget* page) {
     QList<QWidget*> controls;
     for (QWidget* next = page->nextInFocusChain(); next != page; next = next->nextInFocusChain())
@@ -85,7 +85,7 @@ ModulePage& ModulePanel::pageOf(const PanelView& view) {
     if (page.widget == nullptr || another) {
         if (page.widget != nullptr && page.widget.get() == m_current)
             bringUp(m_empty);
-        page.widget.reset();  // before the other is built: nobody is asked by both
+        page.widget.reset();  // before the new one is built, so that no request comes from both
         page = {info.address, info.identity, build(view)};
     }
     return *page.widget;
@@ -96,7 +96,7 @@ bool ModulePanel::prepare(const PanelView& view) {
         return false;
     ModulePage& page = pageOf(view);
     page.resize(size());
-    (void)page.grab({0, 0, 1, 1});  // has fonts, sizes and places found, too
+    (void)page.grab({0, 0, 1, 1});  // this also determines fonts, sizes and positions
     return true;
 }
 
@@ -143,7 +143,8 @@ void ModulePanel::bringUp(QWidget* page) {
     if (page == m_current)
         return;
     QWidget* before = std::exchange(m_current, page);
-    // Qt would hand the focus of the page that goes to what comes first on the other: Enable.
+    // Qt would pass the focus of the page that is hidden to the first control of the other one, which is
+    // Enable.
     if (QWidget* focused = window()->focusWidget(); focused != nullptr && isAncestorOf(focused))
         focused->clearFocus();
     if (page->parentWidget() != this) {
@@ -185,7 +186,8 @@ void ModulePanel::fill() {
         place.setHeight(height() - foot);
     }
     m_current->setGeometry(place);
-    // Never wider because of what a module says: the list beside it would give way, and every button move.
+    // Never wider because of what a module reports: the list beside it would shrink, and every button would
+    // move.
     const QSize least =
         m_current->minimumSizeHint().boundedTo({fontMetrics().height() * kNarrowestPage, QWIDGETSIZE_MAX});
     if (std::exchange(m_least, least) != least)
@@ -214,7 +216,7 @@ void ModulePanel::showModule(const PanelView& view) {
     ModulePage& page = pageOf(view);
     page.showModule(view);
     accessibility::setBusy(*this, page.context().busy());
-    // What was held there ends with the page in sight.
+    // A hold on the previous page ends when that page is hidden.
     bringUp(&page);
 }
 

@@ -17,8 +17,9 @@ namespace nmc {
 class GenericPanel;
 class ModulePage;
 
-/// The middle of the window: the page of the selected module, or what to do when there is none. A page is
-/// built when its module is shown first, and belongs to this one module until the connection ends.
+/// The middle of the window: the page of the selected module, or what to do if there is none. A page is built
+/// when its module is first shown, or before that by prepare(), and belongs to this one module until the
+/// connection ends.
 class ModulePanel : public QWidget {
     Q_OBJECT
 
@@ -26,43 +27,45 @@ public:
     explicit ModulePanel(QWidget* parent = nullptr);
     ~ModulePanel() override;
 
-    /// Emits nothing, except that a hold ends when its module or its permission goes.
+    /// Emits nothing, except that a hold ends when its module disappears or it is no longer permitted.
     void showModule(const PanelView& view);
-    /// Builds the page of a module that has none yet, for when it is shown. False: it has one, or needs none.
+    /// Builds the page of a module before it is shown. Returns false if it has one already, or needs none.
     bool prepare(const PanelView& view);
-    /// No module: `text` says why and what to do. `waiting`: one may come at any moment.
+    /// Shows that there is no module: `text` says why and what to do. `waiting`: one may appear at any
+    /// moment.
     void showNothing(const QString& text, bool waiting = false);
-    /// The same, with a page of the caller's.
+    /// Shows a page of the caller instead of a module.
     void showInstead(QWidget& page);
-    /// A new connection: nothing that was typed, found or remembered for the modules of the last one is left.
+    /// For a new connection: discards everything that was typed, found or remembered for the modules of the
+    /// last one.
     void forgetModules();
-    /// The chain is looked for anew: low speeds again.
+    /// The chain is searched for again: speeds are low again.
     void resetSpeeds();
     void endHold();
     void setHoldInterval(int milliseconds);
-    /// Into the fields of the PIC-SERVO that is shown; sends nothing.
+    /// Fills the gains into the fields of the PIC-SERVO that is shown; sends nothing.
     void stageGains(const servo::SetGain& gains);
-    /// Below whichever page is shown, and scrolled where there is little room; null: nothing, and what was
-    /// there is the caller's again.
+    /// Shows `foot` below any page that is shown, scrolled if there is little room. Null removes it; what was
+    /// there then belongs to the caller again.
     void setFoot(QWidget* foot);
-    /// Of the module that is shown; none: it has no page.
+    /// The page of the module that is shown; null if it has none.
     [[nodiscard]] ModulePage* page() const;
-    /// One that has what this module's page has; none: it has no page.
+    /// A page with the same content as the page of this module; null if that has none.
     [[nodiscard]] const ModulePage* pageLike(const PanelView& view);
 
-    // Of what is in sight.
+    // The sizes of what is visible.
     [[nodiscard]] QSize sizeHint() const override { return m_current->sizeHint(); }
     [[nodiscard]] QSize minimumSizeHint() const override { return m_least; }
 
 signals:
-    /// Another page is in sight.
+    /// Another page is visible.
     void pageChanged();
     void responseWanted();
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
-    /// On press and every 100 ms while held.
+    /// On press, and at the hold interval while held.
     void holdRequested(const nmc::bus::HoldToMove& hold);
     void holdReleased();
-    /// The user changed what the panel knows of an axis; nothing is sent by that.
+    /// The user changed the settings of an axis; this sends nothing.
     void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
 protected:
@@ -73,12 +76,12 @@ private:
     [[nodiscard]] ModulePage& pageOf(const PanelView& view);
     [[nodiscard]] std::unique_ptr<ModulePage> build(const PanelView& view);
     void bringUp(QWidget* page);
-    /// What is in sight fills this. A layout would have the whole window laid out anew for each page, though
-    /// pages need the same room.
+    /// Makes the visible page fill the panel. A layout would lay out the whole window again for each page,
+    /// although pages need the same room.
     void fill();
 
     struct Page {
-        // Another module at the same place has a page of its own.
+        // Another module at the same place gets a page of its own.
         BusAddress address;
         ModuleIdentity identity;
         std::unique_ptr<ModulePage> widget{};
@@ -89,8 +92,8 @@ private:
     QSize m_least;
     QPointer<QWidget> m_foot;
     QScrollArea* m_footPlace = nullptr;
-    /// Those that are not shown are windows of their own, never seen: in this one there is one control of a
-    /// name, and its focus chain stays short.
+    /// Pages that are not shown are separate windows that are never visible, so that each object name is
+    /// unique in this one, and its focus chain stays short.
     std::map<ModuleIndex, Page> m_pages;
     std::optional<int> m_holdInterval;
 };

@@ -170,7 +170,7 @@ void MotionBox::buildRun(QGridLayout* grid, int& line) {
     buttons->addWidget(m_runReverse->button());
     buttons->addWidget(m_runForward->button());
     grid->addLayout(buttons, line++, kButtonColumn);
-    // On the way it changes the velocity, and not the direction.
+    // During a run, Enter changes the velocity but not the direction.
     connect(m_runVelocity, &QuantityField::returnPressed, this, [this] {
         const ModuleState& module = m_context.state();
         const bool reverse =
@@ -210,7 +210,7 @@ std::optional<ServoPace> MotionBox::pace() const {
     return velocity && acceleration ? std::optional(ServoPace{*velocity, *acceleration}) : std::nullopt;
 }
 
-/// What the user types is kept with the axis; what is no value stays in its field.
+/// Keeps a typed value with the axis; what is not a valid value stays in its field only.
 void MotionBox::keep(const QuantityField& field, double MotionSettings::*part) {
     const auto typed = field.native();
     if (typed) {
@@ -286,7 +286,7 @@ std::optional<servomotion::VelocityProfile> MotionBox::enteredRun(bool reverse) 
                                         m_context.chipReverse(reverse)};
 }
 
-/// A goal beyond the limits has a nearest one within.
+/// Offers the nearest position within the travel limits if the goal is beyond them.
 void MotionBox::offerNearest() {
     const auto wanted = entered();
     const auto problem = wanted ? travelProblem(intent::Move{*wanted}, m_context.state()) : std::nullopt;
@@ -349,7 +349,7 @@ void MotionBox::refresh() {
     };
     offerNearest();
     m_go->setPossible(whyNo(IntentKind::Move, false), tr("Moves to the position, then holds."));
-    // By a distance: from where, while it moves?
+    // While the motor moves, a distance has no definite start.
     m_load->setPossible(whyNo(relative() ? IntentKind::Move : IntentKind::Load, true),
                         tr("Loads the move without starting it. Choose Start, or start the module's group."));
     m_start->setPossible(m_context.reasonNow(IntentKind::StartLoaded), tr("Starts the loaded move."));

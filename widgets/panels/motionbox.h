@@ -16,23 +16,23 @@ namespace nmc {
 class Command;
 class QuantityField;
 
-/// Go to a position, now or when it is started later; run at a velocity. Each value stands in the user's unit
-/// with the chip's beside it, and a move says before its start how long it will take.
+/// Moves to a position, at once or when the move is started later, and runs at a velocity. Each value is
+/// shown in the user's unit, with the chip's beside it; the duration of a move is shown before it starts.
 class MotionBox : public QGroupBox, public MovesBy {
     Q_OBJECT
 
 public:
     MotionBox(ModuleContext& context, QWidget* parent);
 
-    /// Empty while the field has no value.
+    /// Empty while the field has no valid value.
     [[nodiscard]] std::optional<CountsPerTickSquared> acceleration() const;
-    /// Of a move to a position.
+    /// The velocity of a move to a position.
     [[nodiscard]] std::optional<CountsPerTick> velocity() const;
     [[nodiscard]] QString whyNoMovesBy() const override;
     [[nodiscard]] std::optional<Intent> movesBy(const Rounds& moves) const override;
 
 signals:
-    /// What is held was asked for at another acceleration.
+    /// A hold in progress was requested with another acceleration.
     void accelerationEdited();
 
 private:

@@ -106,7 +106,7 @@ void MoveByBox::buildRepeat(QGridLayout* grid, int& line) {
                                                          m_backAndForth, m_end->button(), m_progress})
         repeat->addWidget(part);
     auto* title = new QLabel(tr("Repeat"), this);
-    // Beside the first row, should there be two.
+    // The title is beside the first row if there are two.
     title->setMinimumHeight(m_rounds->sizeHint().height());
     grid->addWidget(title, line, 0, Qt::AlignTop);
     grid->addLayout(repeat, line++, 1, 1, quantitygrid::kColumns - 1);

@@ -15,17 +15,17 @@ class Command;
 class NumberField;
 class QuantityField;
 
-/// The box that says how fast such moves go, and by what they are asked for.
+/// The box that provides the velocity of such moves, and the intent that requests them.
 class MovesBy {
 public:
     virtual ~MovesBy() = default;
-    /// Empty where it has all that they need.
+    /// Why such moves are not possible; empty if the box has every value that they need.
     [[nodiscard]] virtual QString whyNoMovesBy() const = 0;
-    /// Nothing where it has not.
+    /// Empty if a value is missing.
     [[nodiscard]] virtual std::optional<Intent> movesBy(const Rounds& moves) const = 0;
 };
 
-/// Step by N: one click is one move of exactly this distance, or as many as are asked for.
+/// Step by N: one click is one move of exactly this distance, or a series of them.
 class MoveByBox : public QGroupBox {
     Q_OBJECT
 
@@ -54,7 +54,7 @@ private:
     QCheckBox* m_backAndForth = nullptr;
     Command* m_end = nullptr;
     QLabel* m_progress = nullptr;
-    double m_shown = 0;  ///< counts, of the settings
+    double m_shown = 0;  ///< counts; distance in the settings, as last shown
 };
 
 }  // namespace nmc

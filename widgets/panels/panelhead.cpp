@@ -23,7 +23,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-// Lines of text, from which on the position stands beside the state, and buttons have icons.
+// Widths, in heights of a text line, from which the position is beside the state, and buttons have icons.
 constexpr int kRoomForPosition = 34;
 constexpr int kRoomy = 46;
 }  // namespace
@@ -93,7 +93,8 @@ void PanelHead::build() {
 
     m_travel = new QLabel(this);
     look::nameText(m_travel, named(u"headTravel"_s), tr("Travel limits"));
-    // In little room these give way, and their tool tips say the rest: the window stays as wide as it is.
+    // If there is little room, these shrink and their tool tips show the full text, so that the window does
+    // not become wider.
     for (QLabel* words : {m_home, m_travel})
         words->setMinimumWidth(1);
     if (isServo()) {
@@ -113,7 +114,7 @@ void PanelHead::resizeEvent(QResizeEvent* event) {
     const int lines = width() / fontMetrics().height();
     if (const bool narrow = lines < kRoomForPosition; narrow != m_narrow)
         arrange(narrow);
-    // Where words need the room, in German say.
+    // No icons if the words need the room, as they do in German.
     const int icon = lines < kRoomy ? 0 : style()->pixelMetric(QStyle::PM_ButtonIconSize);
     for (const Command* command : {m_enable, m_stopSmoothly, m_stopAbruptly, m_stopHere, m_motorOff})
         if (command != nullptr)
@@ -140,7 +141,7 @@ QHBoxLayout* PanelHead::signs() const {
     return signs;
 }
 
-/// Side by side, or below one another where there is little room.
+/// Arranges everything side by side, or one below the other if there is little room.
 void PanelHead::arrange(bool narrow) {
     m_narrow = narrow;
     delete layout();

@@ -16,13 +16,14 @@ class Command;
 class ElidedLabel;
 class GlyphLabel;
 
-/// Head of a module's page, always in view: who it is, what it does in shape and word, where it is and how
-/// fast in large digits, what stops or feeds it, and the controls that switch and stop this one motor.
+/// Head of the page of a module, always visible: which module it is, its state as a shape and words, position
+/// and velocity in large digits, what stops or powers it, and the controls that switch and stop this one
+/// motor.
 class PanelHead : public QFrame {
     Q_OBJECT
 
 public:
-    /// The names of a stepper's controls begin with "stepper": stepperEnableButton.
+    /// The object names of a stepper's controls begin with "stepper": stepperEnableButton.
     PanelHead(ModuleContext& context, QWidget* parent);
 
 protected:

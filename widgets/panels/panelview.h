@@ -12,17 +12,17 @@
 
 namespace nmc {
 
-/// What the user has just changed of an axis, to be done to its settings as they are: the box that says so
-/// touches its own part of them, and knows nothing of the others.
+/// A change that the user has just made to an axis, to be applied to its present settings: each box changes
+/// only its own part of them.
 using SettingsEdit = std::function<void(AxisSettings&)>;
 
-/// Everything that the panel of a module shows, as one value; valid for the call only.
+/// Everything that the panel of a module shows, as one value; valid only during the call.
 struct PanelView {
     const ModuleState& module;
     const AxisSettings& settings;
     const ProcedureReport* procedure = nullptr;  ///< the last one of this module
     bool connected = false;
-    std::optional<double> age{};  ///< s, of what is older than it should be
+    std::optional<double> age{};  ///< s; age of a state that is older than it should be
 
     [[nodiscard]] std::optional<Refusal> whyNot(IntentKind kind) const {
         return connected ? nmc::whyNot(kind, module) : std::optional(Refusal::NotConnected);

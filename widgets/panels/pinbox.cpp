@@ -121,7 +121,7 @@ void PinBox::setDirection(unsigned pin, bool input) {
         m_context.ask(
             iointent::SetDirection{static_cast<std::uint16_t>(input ? *inputs | bit : *inputs & ~bit)});
     }
-    refresh();  // what it shows is what was confirmed, not what was chosen
+    refresh();  // the box shows what was confirmed, not what was selected
 }
 
 void PinBox::setOutput(unsigned pin, bool high) {

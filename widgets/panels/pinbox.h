@@ -18,9 +18,9 @@ namespace nmc {
 class Command;
 class GlyphLabel;
 
-/// The twelve pins of one PIC-I/O: direction, level, name, and for outputs what switches them and how careful
-/// the panel is with that. What a pin reads comes from the chip; which way it goes the chip does not tell,
-/// so while that is unknown all of them are made inputs first.
+/// The twelve pins of one PIC-I/O: direction, level, name, and, for outputs, the control that switches them
+/// and how careful the panel is with that. The chip reports the level of a pin but not its direction, so
+/// while directions are unknown, all pins have to be made inputs first.
 class PinBox : public QWidget {
     Q_OBJECT
 

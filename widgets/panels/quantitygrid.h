@@ -17,15 +17,15 @@ namespace quantitygrid {
 inline constexpr int kButtonColumn = 4;
 inline constexpr int kColumns = 5;
 
-/// A grid with the panel's spacing, in the widget that is about to get its layout.
+/// Returns a grid with the panel's spacing, as the layout of `parent`.
 [[nodiscard]] QGridLayout* newGrid(QWidget* parent);
 void addRow(QGridLayout* grid, int line, const QString& label, QuantityField* field);
-/// The first of a kind of motion: its label is bold, and says which.
+/// Adds the first row for a kind of motion: its label is bold, and names the motion.
 void addFirstRow(QGridLayout* grid, int line, const QString& label, QuantityField* field);
-/// The fields of these boxes, one below the other, stand in line, whatever their labels are called.
+/// Aligns the fields of these boxes, which are one below the other, whatever the width of their labels.
 void align(std::initializer_list<const QWidget*> boxes);
-/// Shows a value that is kept elsewhere, unless that is what the field stands for already: what is being
-/// typed stays as it is.
+/// Shows a value that is kept elsewhere, if it has changed and the field does not contain it already, so that
+/// the value being typed is kept.
 void follow(QuantityField* field, double native, double nativeBefore);
 
 }  // namespace quantitygrid

@@ -11,17 +11,17 @@ namespace nmc {
 class FirstSteps;
 class GainsBox;
 
-/// Everything one PIC-SERVO can be asked for. Motion and jog are always in sight; the rest shares the pages
-/// beside them.
+/// The page of a PIC-SERVO. The motions are always visible, except where there is very little room; the rest
+/// is on the tabs beside them.
 class ServoPanel : public ModulePage {
     Q_OBJECT
 
 public:
     explicit ServoPanel(const PanelView& view, QWidget* parent = nullptr);
 
-    /// Into the fields, in sight; sends nothing.
+    /// Fills the gains into the fields and shows these; sends nothing.
     void stageGains(const servo::SetGain& gains);
-    /// With what the first steps are done by, for as long as they are there.
+    /// Takes the controls for the first steps into account, too, while these are shown.
     [[nodiscard]] int spareHeight() const override;
 
 protected:

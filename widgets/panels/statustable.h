@@ -14,14 +14,14 @@ namespace nmc {
 
 class GlyphLabel;
 
-/// What the details of both chips look like: two bytes bit by bit under the data sheet's names, then values,
-/// then buttons.
+/// Layout of the details of both chips: two bytes bit by bit under the data sheet's names, then values, then
+/// buttons.
 class StatusTable : public QWidget {
     Q_OBJECT
 
 public:
     using BitNames = std::array<std::string_view, 8>;
-    /// What a bit tells, for its tool tip.
+    /// The meaning of a bit, for its tool tip.
     using Meaning = QString (*)(std::size_t bit);
 
     explicit StatusTable(QWidget* parent = nullptr);
@@ -32,9 +32,9 @@ protected:
     /// `prefix`: of the object names of the bits; bits without a name are left out.
     void addBits(Byte byte, const QString& title, const BitNames& names, Meaning meaning,
                  const QString& prefix);
-    /// Below the bits, one after the other.
+    /// Adds a value below the bits and earlier values.
     QLabel* addValue(const QString& label, const QString& objectName);
-    /// At the end.
+    /// Adds the buttons at the end.
     void addButtons(std::initializer_list<QPushButton*> buttons);
     void showBits(Byte byte, std::optional<std::uint8_t> value);
 

@@ -94,7 +94,7 @@ QString StepperDetailsBox::timer() const {
     if (!module.latest || !module.latest->timerCount)
         return u"–"_s;
     const QString count = texts::grouped(*module.latest->timerCount);
-    // At rest the count is what the last motion left there.
+    // At rest, the count is left from the last motion.
     if (!module.stepper.parameters() || !module.moving())
         return count;
     const double rate =

@@ -8,7 +8,7 @@ namespace nmc {
 
 class Command;
 
-/// Every bit that a PIC-STEP tells by its data sheet name, the other status items, and the raw bytes.
+/// Every status bit of a PIC-STEP by its data sheet name, the other status items, and the raw bytes.
 class StepperDetailsBox : public StatusTable {
     Q_OBJECT
 

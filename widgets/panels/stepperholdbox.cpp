@@ -51,7 +51,7 @@ StepperHoldBox::StepperHoldBox(ModuleContext& context, QWidget* parent)
     grid->setVerticalSpacing(unit / 2);
     grid->addWidget(title, 0, 0);
     auto* meaning = look::newMutedLabel(tr("Moves only while you hold a button, or Space on it"), this);
-    // They wrap as the names of fields do where there is little room.
+    // Labels with a buddy wrap if there is little room, like those of fields.
     for (QLabel* words : {meaning, m_outcome})
         words->setBuddy(m_speed);
     grid->addWidget(meaning, 0, 1, 1, 4);
@@ -68,7 +68,7 @@ StepperHoldBox::StepperHoldBox(ModuleContext& context, QWidget* parent)
     grid->setColumnStretch(3, 1);
 
     connect(m_speed, &QuantityField::nativeEdited, this, [this] {
-        // What is held was asked for at another speed.
+        // A hold in progress was requested at another speed.
         endHold();
         if (const auto speed = m_speed->native())
             m_typed = speed;
@@ -97,7 +97,7 @@ void StepperHoldBox::showModule() {
     const double slowest = stepperdefaults::slowestProfile(stepper, m_context.settings());
     const double cap = stepperdefaults::holdCap(stepper, m_context.settings());
     const bool otherRange = m_slowest != slowest || m_cap != cap;
-    // What is held was asked for with other words.
+    // A hold in progress was requested with another range or scale.
     if (otherRange || scale != m_speed->scale())
         endHold();
     m_slowest = slowest;
@@ -134,7 +134,7 @@ std::optional<steppermotion::VelocityProfile> StepperHoldBox::motion(bool revers
     if (!speed || !parameters)
         return std::nullopt;
     const StepperSpeed mode(parameters->speedMode);
-    // Never faster than what stands there.
+    // Never faster than the speed in the field.
     const auto whole = std::max(1.0, std::floor(*speed / mode.unit() + 1e-9));
     return steppermotion::VelocityProfile{static_cast<std::uint8_t>(std::min(whole, 250.0)),
                                           stepperdefaults::accelerationTime(m_context.settings()),
@@ -148,7 +148,7 @@ QString StepperHoldBox::reasonFor(bool reverse) const {
     if (!wanted)
         return m_speed->problemText();
     const ModuleState& module = m_context.state();
-    // Towards a limit of travel what moves is stopped first, by the bus.
+    // For a hold towards a travel limit, the bus first stops a motor that moves.
     const auto refusal = travelEnd(module, wanted->reverse)
                              ? whyNotFromStandstill(*wanted, module, IntentKind::Hold)
                              : whyNot(*wanted, module, IntentKind::Hold);

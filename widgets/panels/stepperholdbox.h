@@ -13,8 +13,8 @@ namespace nmc {
 class HoldButton;
 class QuantityField;
 
-/// Hold to move of a PIC-STEP: velocity profile mode at a speed that is low after every connect and stays
-/// below a cap.
+/// Hold to move for a PIC-STEP: velocity profile mode at a speed that is low after every connect and never
+/// above a cap.
 class StepperHoldBox : public QWidget {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ public:
     StepperHoldBox(ModuleContext& context, QWidget* parent);
 
     void endHold();
-    /// For what stands above it in line.
+    /// Width of the label, for aligning the fields above it.
     [[nodiscard]] int labelWidth() const;
 
 private:
@@ -40,7 +40,7 @@ private:
     QLabel* m_outcome;
     HoldButton* m_forward;
     HoldButton* m_reverse;
-    std::optional<double> m_typed;  ///< steps/s, since the connection was made
+    std::optional<double> m_typed;  ///< steps/s, if it was typed since the last search for the chain
     double m_slowest = 0;
     double m_cap = 0;
 };

@@ -167,7 +167,7 @@ void StepperIoBox::choose(std::size_t output, bool on) {
     } else {
         m_staged[output] = on;
     }
-    // What it shows is what was confirmed, not what was clicked.
+    // The box shows what was confirmed, not what was clicked.
     refresh();
 }
 

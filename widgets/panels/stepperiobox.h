@@ -17,8 +17,8 @@ namespace nmc {
 class Command;
 class GlyphLabel;
 
-/// Outputs and inputs of one PIC-STEP. The chip takes all five outputs at once and tells none: while they are
-/// unknown all five are chosen first, then sent; after that each acts at once.
+/// Outputs and inputs of one PIC-STEP. The chip sets all five outputs at once and does not report them: while
+/// they are unknown, all five are selected first and then sent; after that, each acts at once.
 class StepperIoBox : public QWidget {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ private:
         GlyphLabel* glyph = nullptr;
         QLabel* state = nullptr;
         QLabel* effect = nullptr;
-        QLineEdit* name = nullptr;  ///< of IN1 and IN2
+        QLineEdit* name = nullptr;  ///< IN1 and IN2 only
     };
 
     void buildOutputs(QGridLayout* grid);
@@ -59,7 +59,7 @@ private:
     Command* m_send;
     QLabel* m_hint;
     QLabel* m_analog;
-    /// Chosen while the outputs are unknown.
+    /// Levels selected while the outputs are unknown.
     std::array<std::optional<bool>, kOutputs> m_staged;
 };
 

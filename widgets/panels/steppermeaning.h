@@ -9,7 +9,7 @@
 
 namespace nmc {
 
-/// What Set Parameters takes (DS-S 5.1).
+/// The parameters of the command Set Parameters (DS-S 5.1).
 enum class StepperParameter : std::uint8_t {
     SpeedMode,
     MinimumSpeed,
@@ -25,7 +25,7 @@ inline constexpr std::array<StepperParameter, 8> kStepperParameters{
     StepperParameter::HoldCurrent, StepperParameter::ThermalLimit, StepperParameter::IgnoreLimits,
     StepperParameter::IgnoreEstop, StepperParameter::MotorOff};
 
-/// As a number: the bits of the speed mode, an integer speed, 0 or 1 of a choice.
+/// A parameter as a number: the bits of the speed mode, an integer speed, or 0 or 1 for a choice.
 [[nodiscard]] int stepperParameter(const stepper::SetParameters& parameters, StepperParameter parameter);
 void setStepParameter(stepper::SetParameters& parameters, StepperParameter parameter, int value);
 
@@ -33,12 +33,12 @@ void setStepParameter(stepper::SetParameters& parameters, StepperParameter param
 [[nodiscard]] QString stepperParameterName(StepperParameter parameter);
 /// What it does to the motor, and what the data sheet advises (DS-S 4.5, 4.6, 5.1).
 [[nodiscard]] QString stepperParameterMeaning(StepperParameter parameter);
-/// What a value comes to, and the live A/D value beside its limit; empty where the number says it all.
+/// What a value means, or, beside the thermal limit, the present A/D value; empty if the number is enough.
 [[nodiscard]] QString stepperParameterRemark(StepperParameter parameter, std::optional<int> value,
                                              std::optional<std::uint8_t> analog);
-/// "stepperRunCurrent": its controls are called "...Field" and "...State".
+/// "stepperRunCurrent": the object names of its controls end in "Field" and "State".
 [[nodiscard]] QString stepperParameterObject(StepperParameter parameter);
-/// Where to begin with a motor that nothing is known of: slow and cool. Never sent by themselves.
+/// Values to start with for an unknown motor: slow and cool. Never sent by themselves.
 [[nodiscard]] stepper::SetParameters stepperStartingValues();
 
 }  // namespace nmc

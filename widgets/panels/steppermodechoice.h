@@ -8,7 +8,7 @@ class QRadioButton;
 
 namespace nmc {
 
-/// The four ways a PIC-STEP moves, as a choice.
+/// The four kinds of motion of a PIC-STEP, as a choice.
 class StepperModeChoice : public QWidget {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
     /// Emits nothing.
     void showMode(Mode mode);
 
-    /// With a ramp.
+    /// True if the motion has a ramp.
     [[nodiscard]] bool profiled() const { return mode() == Mode::Trapezoid || mode() == Mode::Profile; }
     [[nodiscard]] bool hasGoal() const { return mode() == Mode::Trapezoid || mode() == Mode::TimedMove; }
 

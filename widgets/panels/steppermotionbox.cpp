@@ -77,7 +77,7 @@ void StepperMotionBox::buildFields(QGridLayout* grid, int line) {
     addRow(m_speed, tr("Trave&l speed"));
     m_outcome = look::newMutedLabel({}, this);
     m_outcome->setObjectName(u"stepperSpeedOutcome"_s);
-    m_outcome->setBuddy(m_speed);  // wraps as its name does where there is little room
+    m_outcome->setBuddy(m_speed);  // as a label with a buddy, it wraps if there is little room
     m_ramp = newMutedLine(this);
     m_ramp->setObjectName(u"stepperRampOutcome"_s);
     auto* outcome = new QHBoxLayout;
@@ -134,7 +134,8 @@ void StepperMotionBox::buildButtons(QGridLayout* grid, int line) {
     buttons->setSpacing(look::gridUnit(this));
     for (const Command* command : {m_go, m_runReverse, m_runForward}) {
         QPushButton* button = command->button();
-        // The longest that it ever says: the other direction must not come under the pointer.
+        // As wide as its longest text, so that the button for the other direction does not move under the
+        // pointer.
         const QString text = button->text();
         button->setText(tr("Stop, wait: %1").arg(text));
         button->setMinimumWidth(button->sizeHint().width());
@@ -266,7 +267,7 @@ std::optional<Refusal> StepperMotionBox::refusalOf(bool reverse) const {
     if (!m_context.connected())
         return Refusal::NotConnected;
     const auto wanted = motion(reverse);
-    // Before there is a motion: what any motion needs.
+    // While there is no complete motion, only what any motion needs is checked.
     if (!wanted)
         return m_context.whyNot(IntentKind::Run);
     if (!m_loadOnly->isChecked())
@@ -342,7 +343,7 @@ QString StepperMotionBox::outcome() const {
                                 parameters ? parameters->minimumProfileSpeed : 1, m_speed->scale());
 }
 
-/// Before the start: how long it takes and how fast it gets.
+/// Returns the duration and peak speed to show before the start.
 QString StepperMotionBox::forecast() const {
     const auto speed = m_speed->native();
     const ModuleState& module = m_context.state();

@@ -19,8 +19,8 @@ class Command;
 class QuantityField;
 class StepperHoldBox;
 
-/// The four ways a PIC-STEP moves, and hold to move. A change that the chip does not allow in motion is
-/// offered as "Stop, wait, go".
+/// The four kinds of motion of a PIC-STEP, and hold to move. A change that the chip does not allow during a
+/// motion is offered as "Stop, wait: Go".
 class StepperMotionBox : public QGroupBox, public MovesBy {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ public:
     StepperMotionBox(ModuleContext& context, QWidget* parent);
 
     [[nodiscard]] QString whyNoMovesBy() const override;
-    /// With a ramp, at the speed of the moves to a position, whatever mode is chosen.
+    /// The moves have a ramp and the speed of moves to a position, whatever mode is selected.
     [[nodiscard]] std::optional<Intent> movesBy(const Rounds& moves) const override;
 
 private:
@@ -44,16 +44,16 @@ private:
     void showSpeed();
     void keepSpeed();
     void request(bool reverse);
-    /// Of moves with a ramp.
+    /// The pace of moves with a ramp.
     [[nodiscard]] bus::StepperPace movePace() const;
-    /// A goal beyond the limits of travel has a nearest one within.
+    /// The nearest position within the travel limits if the goal is beyond them; otherwise empty.
     [[nodiscard]] std::optional<std::int32_t> nearest() const;
     void takeNearest();
     void offerNearest();
 
     [[nodiscard]] std::optional<StepperMotion> motion(bool reverse) const;
     [[nodiscard]] std::optional<Refusal> refusalOf(bool reverse) const;
-    /// The refusal is Table 4's alone: it could be done by stopping first.
+    /// True if only Table 4 prevents the motion, so that it is possible after a stop.
     [[nodiscard]] bool viaStop(bool reverse) const;
     [[nodiscard]] QString reasonFor(bool reverse) const;
     [[nodiscard]] QString outcome() const;
@@ -80,9 +80,9 @@ private:
     QLabel* m_hint = nullptr;
     StepperHoldBox* m_hold = nullptr;
 
-    std::optional<double> m_shownSpeed;         ///< as it stands in the settings
-    std::optional<double> m_shownFastest;       ///< the same
-    std::optional<StepperSpeed> m_shownSpeeds;  ///< what it ranges over
+    std::optional<double> m_shownSpeed;         ///< speed in the settings, as last shown
+    std::optional<double> m_shownFastest;       ///< fastest speed in the settings, as last shown
+    std::optional<StepperSpeed> m_shownSpeeds;  ///< speed mode that determined the range shown
 };
 
 }  // namespace nmc

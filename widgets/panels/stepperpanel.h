@@ -7,8 +7,8 @@ namespace nmc {
 
 class StepperParametersBox;
 
-/// Everything one PIC-STEP can be asked for. Motion is always in sight; parameters, inputs and outputs,
-/// homing, axis and details share the pages beside it.
+/// The page of a PIC-STEP. The motions are always visible, except where there is very little room;
+/// parameters, inputs and outputs, homing, axis, details and expert commands are on the tabs beside them.
 class StepperPanel : public ModulePage {
     Q_OBJECT
 

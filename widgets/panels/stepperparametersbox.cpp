@@ -123,7 +123,7 @@ void StepperParametersBox::buildRows(QGridLayout* grid) {
     addRow(grid, StepperParameter::IgnoreLimits, m_ignoreLimits);
     addRow(grid, StepperParameter::IgnoreEstop, m_ignoreEstop);
     addRow(grid, StepperParameter::MotorOff, m_motorOff);
-    // Each shows what a tick means, so it is found by that; which it is comes after.
+    // The accessible name begins with the text of the box, by which it is found; the parameter follows.
     for (QCheckBox* box : {m_ignoreLimits, m_ignoreEstop, m_motorOff})
         box->setAccessibleName(box->text() + u": "_s + box->accessibleName());
 }
@@ -146,7 +146,7 @@ void StepperParametersBox::addRow(QGridLayout* grid, StepperParameter parameter,
     else
         control->setToolTip(stepperParameterMeaning(parameter));
     grid->addWidget(row.label, line, 0);
-    // A choice says all by itself; a number has its unit or what it comes to behind it.
+    // A choice needs no remark; a number is followed by its unit or by what it means.
     const bool wide = parameter == StepperParameter::SpeedMode || parameter >= StepperParameter::IgnoreLimits;
     grid->addWidget(control, line, 1, 1, wide ? 3 : 1);
     if (parameter == StepperParameter::MinimumSpeed) {
@@ -182,9 +182,9 @@ void StepperParametersBox::connectControls() {
         connect(box, &QCheckBox::toggled, this, &StepperParametersBox::edit);
 }
 
-// ---- What stands in the fields ----
+// ---- contents of the fields ----
 
-/// As the fields have it; 1x while no mode is chosen.
+/// The speed mode in its field; 1x while none is selected.
 StepperSpeed StepperParametersBox::speeds() const {
     const bool chosen = m_speedMode->currentIndex() >= 0;
     return StepperSpeed(chosen ? static_cast<stepper::SpeedMode>(m_speedMode->currentData().toInt())
@@ -251,7 +251,7 @@ void StepperParametersBox::showEntries(const Entries& all) {
     showTick(m_motorOff, of(StepperParameter::MotorOff));
 }
 
-/// What the settings say, or what was sent; nothing where neither is known.
+/// Shows the parameters in the settings, or else those that were sent, or nothing if both are unknown.
 void StepperParametersBox::showSettings() {
     Entries all;
     const auto& known = m_kept ? m_kept : m_sent;
@@ -265,7 +265,7 @@ void StepperParametersBox::showModule() {
     const auto& kept = m_context.settings().parameters;
     const auto& sent = m_context.state().stepper.parameters();
     m_minimumSpeed->setScale(m_context.scale());
-    const bool opened = kept != m_kept;  // another machine file goes before what was typed
+    const bool opened = kept != m_kept;  // another machine file replaces what was typed
     const bool others = opened || sent != m_sent;
     m_kept = kept;
     m_sent = sent;
@@ -309,7 +309,7 @@ void StepperParametersBox::apply() {
         m_context.ask(stepperintent::SetParameters{*parameters});
 }
 
-// ---- What it says about them ----
+// ---- display ----
 
 QString StepperParametersBox::trouble() const {
     if (m_speedMode->currentIndex() < 0)
@@ -329,7 +329,7 @@ void StepperParametersBox::refreshRow(StepperParameter parameter) {
     const auto sent = m_sent ? std::optional(stepperParameter(*m_sent, parameter)) : std::nullopt;
     const bool choice = parameter >= StepperParameter::IgnoreLimits;
     const bool unknown = !sent && (!value || (choice && !m_kept));
-    // Shape, then word, as with gains.
+    // A shape followed by words, as in the gains.
     const bool edited = !unknown && (!value || value != sent);
     const QString state = unknown ? tr("? unknown") : edited ? tr("● not sent") : tr("✓ sent");
     look::setText(row.state, m_narrow ? state.section(u' ', 0, 0) : state);

@@ -21,7 +21,7 @@ class NumberField;
 class QuantityField;
 class StepperRampBox;
 
-/// The parameters of one PIC-STEP. They cannot be read back, so each says whether it was sent in this
+/// The parameters of one PIC-STEP. They cannot be read back, so each shows whether it was sent in this
 /// connection. Edits are staged; Apply sends all of them at once.
 class StepperParametersBox : public QWidget {
     Q_OBJECT
@@ -29,7 +29,7 @@ class StepperParametersBox : public QWidget {
 public:
     StepperParametersBox(ModuleContext& context, QWidget* parent);
 
-    /// Pixels that there are: with few of them marks stand for words.
+    /// Adapts to a width in pixels: if it is small, marks replace words.
     void fitInto(int width);
 
 private:
@@ -38,7 +38,7 @@ private:
         QLabel* remark = nullptr;
         QLabel* state = nullptr;
     };
-    /// What stands in the fields; empty where there is no number.
+    /// The contents of the fields; empty for a field without a valid number.
     using Entries = std::array<std::optional<int>, kStepperParameters.size()>;
 
     void buildRows(QGridLayout* grid);
@@ -76,11 +76,11 @@ private:
     Command* m_revert;
     Command* m_apply;
     bool m_narrow = false;
-    int m_wideWidth = 0;  ///< pixels that it needs with words
+    int m_wideWidth = 0;  ///< pixels that the layout with words needs
     QLabel* m_hint;
 
-    bool m_typed = false;  ///< since it was sent, or a machine file was opened
-    /// When they were looked at last: the axis's, and those that were sent.
+    bool m_typed = false;  ///< edited since the parameters were sent or a machine file was opened
+    /// The parameters of the axis and those that were sent, both as last shown.
     std::optional<stepper::SetParameters> m_kept;
     std::optional<stepper::SetParameters> m_sent;
 };

@@ -77,7 +77,7 @@ void StepperRampBox::showModule() {
     m_cap->setScale(m_context.scale());
     m_cap->setNativeRange(stepperdefaults::slowestProfile(stepper, settings),
                           stepperdefaults::speedMode(stepper, settings).fastest());
-    // Not under the hands of who is typing there.
+    // A field that has the focus is not changed, because the user may be typing there.
     const double time = stepperdefaults::accelerationTime(settings);
     if (!m_time->hasFocus() && m_time->value() != time)
         m_time->showValue(time);

@@ -12,15 +12,15 @@ namespace nmc {
 class NumberField;
 class QuantityField;
 
-/// What is no parameter of the chip's and goes with every motion: the acceleration time, and how fast hold to
-/// move may get. Kept in the settings; nothing is sent by an edit.
+/// What is not a parameter of the chip but applies to every motion: the acceleration time, and the speed cap
+/// of hold to move. Kept in the settings; an edit sends nothing.
 class StepperRampBox : public QWidget {
     Q_OBJECT
 
 public:
     StepperRampBox(ModuleContext& context, QWidget* parent);
 
-    /// Marks stand for words.
+    /// If narrow, marks replace words.
     void setNarrow(bool narrow);
 
 private:

@@ -79,7 +79,8 @@ void TravelBox::buildLimit(QGridLayout* grid, Limit limit) {
     grid->addWidget(field->otherView(), line, 3);
     grid->addWidget(m_here[limit]->button(), line, 4);
     connect(field, &QuantityField::nativeEdited, this, &TravelBox::refresh);
-    // Not half of a number: a limit is in force at once, and stops what is beyond it.
+    // Only when editing has finished: a limit is in force at once and stops a motor beyond it, which half of
+    // a number must not do.
     connect(field, &QuantityField::editingFinished, this, &TravelBox::keep);
 }
 
@@ -152,7 +153,7 @@ void TravelBox::buildWord(QGridLayout* grid, int line) {
     grid->addLayout(buttons, line, 0, 1, 5);
 }
 
-/// A reversed axis is lowest where the chip counts highest.
+/// On a reversed axis, the lowest position is the chip's highest.
 std::optional<std::int32_t>& TravelBox::of(TravelSettings& travel, Limit limit) const {
     return (limit == Lowest) != m_context.scale().reversed() ? travel.lowest : travel.highest;
 }
@@ -168,7 +169,8 @@ bool TravelBox::crossed() const {
     return lowest && highest && scale.position(*lowest) >= scale.position(*highest);
 }
 
-/// Home is within the limits, and nearer to one of them than the backlash.
+/// True if home is within the travel limits, but less than the backlash away from the one beyond which a move
+/// to it would turn round.
 bool TravelBox::homeIsOutOfReach() const {
     const TravelSettings& travel = m_context.settings().travel;
     const BacklashSettings& backlash = m_context.settings().backlash;
@@ -179,8 +181,8 @@ bool TravelBox::homeIsOutOfReach() const {
     return room >= 0 && room < backlash.distance;
 }
 
-/// What the user types is kept with the axis; what makes no sense stays in its field, and what was there
-/// before stays in force.
+/// Keeps typed values with the axis. A value that makes no sense stays in its field only, and the previous
+/// one stays in force.
 void TravelBox::keep() {
     const bool makesSense = usable(*m_limits[Lowest]) && usable(*m_limits[Highest]) && !crossed();
     TravelSettings travel = m_context.settings().travel;
@@ -203,7 +205,7 @@ void TravelBox::takePosition(Limit limit) {
 }
 
 void TravelBox::askToDeclare() {
-    // As long as its module is in sight, and stands.
+    // The question stays as long as the Axis page is visible and the command is possible.
     const auto text = [self = QPointer(this)] {
         const bool stands = self && self->parentWidget()->isVisible() && self->m_declare->isEnabled();
         return stands ? texts::declareQuestion(self->m_context.state(), self->m_context.scale()) : QString();
@@ -239,7 +241,7 @@ void TravelBox::showModule() {
     const bool steps = m_context.state().isStepper();
     m_fastest->setNativeRange(steps ? 1.0 : servodefaults::kSmallest,
                               steps ? layout::kMaxStepSpeed : servodefaults::kLargest);
-    // What is being typed is not touched.
+    // The value being typed is kept.
     TravelSettings travel = m_context.settings().travel;
     if (m_shown != travel || turned) {
         for (const Limit limit : {Lowest, Highest})

@@ -15,14 +15,13 @@ namespace nmc {
 class Command;
 class QuantityField;
 
-/// How far and how fast an axis may go (model/intent/travel.h): its limits of travel, counted from home,
-/// whether they are in force, and the user's word on its position where no search can tell. Of a servo its
-/// backlash, too.
+/// How far and how fast an axis may go (model/intent/travel.h): its travel limits, counted from home, whether
+/// they are in force, the user's confirmation of its position if no search can find it, and its backlash.
 class TravelBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    /// The names of a stepper's controls begin with "stepper".
+    /// The object names of a stepper's controls begin with "stepper".
     TravelBox(ModuleContext& context, QWidget* parent);
 
 private:
@@ -35,7 +34,7 @@ private:
     void keepBacklash();
     void buildWord(QGridLayout* grid, int line);
     [[nodiscard]] std::optional<std::int32_t>& of(TravelSettings& travel, Limit limit) const;
-    /// Empty, or a number within its range.
+    /// True if the field is empty or has a number within its range.
     [[nodiscard]] static bool usable(const QuantityField& field);
     [[nodiscard]] bool crossed() const;
     [[nodiscard]] bool homeIsOutOfReach() const;
@@ -50,7 +49,7 @@ private:
     std::array<QuantityField*, 2> m_limits{};
     std::array<Command*, 2> m_here{};
     QuantityField* m_fastest = nullptr;
-    QuantityField* m_backlash = nullptr;  ///< of a servo
+    QuantityField* m_backlash = nullptr;
     QComboBox* m_side = nullptr;
     QLabel* m_state = nullptr;
     Command* m_declare = nullptr;

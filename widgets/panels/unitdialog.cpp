@@ -110,7 +110,7 @@ void UnitDialog::refresh() {
 
 void UnitDialog::take() {
     if (const auto counts = countsPerUnit(kind(), drive()))
-        // Which way it goes, no drive train tells.
+        // The sign is kept: the drive train does not determine the direction.
         m_context.edit([chosen = kind(), counts = *counts](AxisSettings& axis) {
             axis.unit.kind = chosen;
             axis.unit.countsPerUnit = std::copysign(counts, axis.unit.countsPerUnit);

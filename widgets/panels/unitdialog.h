@@ -15,8 +15,8 @@ namespace nmc {
 
 class NumberField;
 
-/// Works the unit of an axis out from what stands on the labels of encoder, gear and screw. Blocks nothing,
-/// and sends nothing: it fills in the unit when its button is clicked.
+/// Calculates the unit of an axis from the labels of encoder, gear and screw. Not modal, and sends nothing:
+/// it changes the unit when its button is clicked.
 class UnitDialog : public QDialog {
     Q_OBJECT
 
