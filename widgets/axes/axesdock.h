@@ -6,8 +6,7 @@
 
 namespace nmc {
 
-/// The place of the table of all axes, closed at first: its content is built when it is seen for the first
-/// time.
+/// The dock of the table of all axes, closed initially; its content is built when it is first seen.
 class AxesDock : public LazyDock {
     Q_OBJECT
 

@@ -19,7 +19,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-/// In the axis's own unit.
+/// Step sizes in the axis's own unit.
 constexpr double kSteps[] = {0.001, 0.01, 0.1, 1, 10, 100, 1'000};
 constexpr int kUsualStep = 4;
 }  // namespace

@@ -13,16 +13,16 @@ class QRadioButton;
 
 namespace nmc {
 
-/// All axes in one table, to be moved by hand; one is held at a time.
+/// All axes in one table, for moving them by hand; only one can be held at a time.
 class AxesPage : public QWidget {
     Q_OBJECT
 
 public:
     explicit AxesPage(QWidget* parent = nullptr);
 
-    /// Of all modules, in their order; the views are valid for the call only.
+    /// Shows all modules, in their order; the views are valid only during the call.
     void showModules(const std::vector<PanelView>& views, const Machine& machine);
-    /// Another connection: slow again.
+    /// For another connection: slow again.
     void forgetModules();
     void endHold();
     void setHoldInterval(int milliseconds);

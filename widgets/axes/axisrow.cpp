@@ -79,7 +79,7 @@ void AxisRow::remove() {
     for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse,
                                                            m_holdForward, m_stepperReverse->button(),
                                                            m_stepForward->button(), m_earlier->button()}) {
-        widget->setObjectName({});  // which its successor has
+        widget->setObjectName({});  // its successor has the same name
         widget->hide();
         widget->deleteLater();
     }
@@ -96,7 +96,7 @@ void AxisRow::show(const PanelView& view) {
 
 void AxisRow::setJog(JogSpeed speed, double step, int place) {
     if (speed != m_speed)
-        endHold();  // what is held was asked for at another speed
+        endHold();  // a hold in progress was requested at another speed
     m_speed = speed;
     m_step = step;
     m_place = place;
@@ -113,7 +113,7 @@ void AxisRow::setHoldInterval(int milliseconds) {
     m_holdForward->setInterval(milliseconds);
 }
 
-/// Native.
+/// In native units.
 double AxisRow::velocity() const {
     const ModuleState& module = m_context.state();
     if (module.isStepper()) {
@@ -128,7 +128,7 @@ std::optional<steppermotion::VelocityProfile> AxisRow::pace(bool reverse) const 
     const auto& parameters = m_context.state().stepper.parameters();
     if (!parameters)
         return std::nullopt;
-    // Never faster than asked for.
+    // Never faster than requested.
     const double units = std::floor(velocity() / StepperSpeed(parameters->speedMode).unit() + 1e-9);
     return steppermotion::VelocityProfile{static_cast<std::uint8_t>(std::clamp(units, 1.0, 250.0)),
                                           stepperdefaults::accelerationTime(m_context.settings()),
@@ -153,7 +153,7 @@ std::optional<Intent> AxisRow::stepperIntent(bool reverse) const {
 }
 
 QString AxisRow::whyNotHeld(bool reverse) const {
-    // Never "busy": a hold that is under way must not be cut off by the answers to its own commands.
+    // Never "busy": a hold in progress must not end because it waits for the answers to its own commands.
     if (const QString reason = m_context.reasonFor(IntentKind::Hold); !reason.isEmpty())
         return reason;
     if (!m_context.state().isStepper())
@@ -184,7 +184,7 @@ void AxisRow::refresh() {
     const bool old = m_context.age().has_value();
     QString where = position ? texts::fixedPosition(scale, *position) + u' ' + texts::unitOf(scale) : u"–"_s;
     if (position && old)
-        where += u", "_s + texts::age(0, module.positionDoubtful());  // it is not told how its age grows
+        where += u", "_s + texts::age(0, module.positionDoubtful());  // no updates while the age grows
     look::setReadout(m_position, where);
     look::setOld(m_position, old);
     look::setPossible(m_holdForward, whyNotHeld(false), tr("Moves forward while held, then stops."));

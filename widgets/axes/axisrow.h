@@ -14,10 +14,10 @@ namespace nmc {
 class Command;
 class HoldButton;
 
-/// How fast the axes are moved from the table of all axes.
+/// Speed at which axes are jogged from the table of all axes.
 enum class JogSpeed : std::uint8_t {
-    Slow,  ///< the velocity of hold to move
-    Fast,  ///< its cap
+    Slow,  ///< the jog speed of the axis
+    Fast,  ///< the jog speed cap of the axis
 };
 
 /// One axis in the table of all axes: position, state, hold to move, and steps.
@@ -28,7 +28,8 @@ public:
     AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* box);
 
     void show(const PanelView& view);
-    /// `step`: in the axis's own unit. `place`: in the order of homing, from 1; 0: it has no recipe.
+    /// `step`: in the axis's own unit. `place`: in the homing order, from 1; 0 if the axis has no homing
+    /// recipe.
     void setJog(JogSpeed speed, double step, int place);
     void endHold();
     void setHoldInterval(int milliseconds);
@@ -39,7 +40,7 @@ signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void holdAsked(const nmc::bus::HoldToMove& hold);
     void holdReleased();
-    /// One place earlier in the order of homing.
+    /// The axis is to be homed one place earlier.
     void earlierWanted(nmc::ModuleIndex module);
 
 private:
