@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/gamepad/gamepad.h"
 
-#define SDL_MAIN_HANDLED  // main() is ours
+#define SDL_MAIN_HANDLED  // this program has its own main()
 #include <SDL.h>
 
 #include <QLibrary>
@@ -14,14 +14,15 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kReadInterval = 10;     // ms; what a hand does between two is the same to a motor
+constexpr int kReadInterval = 10;     // ms; a hand cannot do anything in between that matters to a motor
 constexpr int kFindInterval = 1'000;  // ms
-/// Half of the stick's way begins, a quarter ends: a hand that trembles does not stop and start a motor.
+/// A push begins at half of the stick's travel and ends at a quarter, so that a trembling hand does not stop
+/// and start the motor.
 constexpr int kPushed = 16'384;
 constexpr int kLetGo = 8'192;
 
-/// SDL, loaded when the first pendant is switched on: with all that it needs itself, it would take a tenth of
-/// the time that the window needs to be there.
+/// SDL, loaded when a pendant is first switched on: with all its dependencies, loading it would take a tenth
+/// of the time until the window appears.
 struct Sdl {
     decltype(&SDL_SetMainReady) setMainReady = nullptr;
     decltype(&SDL_SetHint) setHint = nullptr;
@@ -38,7 +39,7 @@ struct Sdl {
     decltype(&SDL_GameControllerGetButton) button = nullptr;
     decltype(&SDL_GameControllerGetAxis) axis = nullptr;
 
-    /// False: it is not installed, or too old.
+    /// Returns false if SDL is not installed or too old.
     [[nodiscard]] bool load() {
         QLibrary library(u"SDL2-2.0"_s, 0);
         bool all = library.load();
@@ -69,8 +70,9 @@ Sdl& sdl() {
     return loaded;
 }
 
-/// Without its window SDL would have no focus and hide what a pad does; the pendant minds the focus itself.
-/// Its own drivers, which talk to pads over USB, could make the window wait; the kernel's do.
+/// Without a window of its own, SDL has no focus and would ignore the pad; the pendant checks the focus
+/// itself. SDL's own drivers, which talk to pads over USB, could block the window; the kernel's drivers are
+/// enough.
 bool openSdl() {
     static const bool kLoaded = sdl().load();
     if (!kLoaded)
@@ -81,7 +83,7 @@ bool openSdl() {
     sdl().setHint(SDL_HINT_JOYSTICK_HIDAPI, "0");
     if (sdl().initSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
         return false;
-    // Asked, not told: nobody empties its queue here.
+    // The state is polled: events would fill a queue that nothing here empties.
     sdl().joystickEventState(SDL_IGNORE);
     sdl().eventState(SDL_IGNORE);
     return true;

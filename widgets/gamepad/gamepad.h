@@ -10,9 +10,9 @@ struct _SDL_GameController;
 
 namespace nmc {
 
-/// A gamepad, held as a pendant is: a shoulder button enables, the left stick or the cross chooses the way,
-/// and B (○) stops all. The first one that is plugged in counts. Read on the GUI thread, and only while on();
-/// otherwise nothing is open and nothing runs.
+/// A gamepad used as a pendant: a shoulder button enables, the left stick or the D-pad selects the direction,
+/// and B (○) stops all. The first one that is plugged in is used. Read on the GUI thread, and only while
+/// switched on; otherwise nothing is open and nothing runs.
 class Gamepad : public QObject {
     Q_OBJECT
 
@@ -24,12 +24,13 @@ public:
     [[nodiscard]] bool isThere() const { return m_pad != nullptr; }
 
 signals:
-    /// isThere().
+    /// isThere() has changed.
     void changed();
-    /// The stick has left its middle while a shoulder button was held. Nothing that was held before the pad
-    /// was found, or before the shoulder button, is a press.
+    /// The stick or the D-pad has left its centre while a shoulder button was held. What was held before the
+    /// pad was found, or before the shoulder button, does not count as a press.
     void pressed(bool reverse);
-    /// One of the two has been released, the stick goes the other way, or the pad is gone.
+    /// The direction or the shoulder button has been released, the direction has changed, B was pressed, or
+    /// the pad is gone or switched off.
     void released();
     void stopPressed();
 
@@ -53,8 +54,8 @@ private:
     std::unique_ptr<_SDL_GameController, Closer> m_pad;
     QTimer m_timer;
     Hands m_hands;
-    bool m_moves = false;  ///< pressed() was told, and not yet released()
-    bool m_open = false;   ///< SDL is
+    bool m_moves = false;  ///< pressed() was emitted, and released() not yet
+    bool m_open = false;   ///< SDL is open
 };
 
 }  // namespace nmc
