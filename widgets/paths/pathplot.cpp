@@ -78,7 +78,7 @@ void PathPlot::paintLane(QPainter& painter, const Lane& lane, const QRectF& area
     const auto y = [&](double value) {
         return inside.bottom() - (value - lane.bottom) / span * inside.height();
     };
-    // The least and the most of each pixel: no corner of the path is lost, however long it is.
+    // Minimum and maximum of each pixel, so that no corner of the path is lost, however long it is.
     const std::size_t count = lane.points.size();
     const std::size_t columns = std::min(count, static_cast<std::size_t>(std::max(1.0, area.width())));
     QPolygonF line;

@@ -9,18 +9,18 @@
 
 namespace nmc {
 
-/// The positions of a path over its time, a lane for each axis, and how far it is. What it costs to draw does
-/// not depend on how many points there are once it has been drawn.
+/// Plots the positions of a path over time, with a lane for each axis, and its progress. Once drawn, the cost
+/// of redrawing does not depend on the number of points.
 class PathPlot : public QWidget {
     Q_OBJECT
 
 public:
     explicit PathPlot(QWidget* parent = nullptr);
 
-    /// `axes`: of the table's columns.
+    /// `axes`: those of the table's columns.
     void showPath(const PathTable& table, const std::vector<PathColumn>& axes);
     void showNothing();
-    /// 0 to 1; below 0 for one that does not run.
+    /// `share`: 0 to 1; below 0 if the path is not running.
     void showProgress(double share);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;

@@ -8,7 +8,7 @@
 
 namespace nmc {
 
-/// The place of paths, closed at first: its content is built when it is seen for the first time.
+/// The dock of paths, closed initially; its content is built when it is first seen.
 class PathsDock : public LazyDock {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
 
     void showSession(const LinkState& link, const Machine& machine, const Session::Procedures& procedures);
     void showSequence(bool running);
-    /// What the adapter adds to each reply.
+    /// The delay that the adapter adds to each reply.
     void setLatency(Duration latency);
     [[nodiscard]] PathsPage& page();
 

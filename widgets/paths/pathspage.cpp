@@ -32,7 +32,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-/// Of the bar: fine enough for any width.
+/// Steps of the progress bar: enough for any width.
 constexpr int kWhole = 1'000;
 }  // namespace
 
@@ -158,7 +158,7 @@ QWidget* PathsPage::buildRun() {
     return box;
 }
 
-// ---- what is there ----
+// ---- chain and path ----
 
 AxisScale PathsPage::scaleOf(ModuleIndex module) const {
     return module.value() < m_link.modules.size()
@@ -176,7 +176,7 @@ std::vector<PathColumn> PathsPage::axesNow() const {
     return axes;
 }
 
-/// A unit that has changed would make other places of the same counts.
+/// True if all axes still have their units: in another unit, the same counts would be other positions.
 bool PathsPage::unchanged() const {
     return std::ranges::all_of(m_path->axes, [this](const PathColumn& axis) {
         const std::size_t place = axis.module.value();
@@ -197,7 +197,7 @@ bool PathsPage::running() const {
     return report() != nullptr && !report()->over();
 }
 
-/// A path may have very many points: they are gone through only where an answer may be another one.
+/// A path may have very many points, so they are checked only if the result may have changed.
 void PathsPage::lookForObstacles() {
     Basis basis{m_path, m_link.baud, m_latency};
     for (const ModuleState& module : m_link.modules)
@@ -241,7 +241,7 @@ QString PathsPage::obstacleText() const {
                       : QString();
 }
 
-// ---- what is shown ----
+// ---- display ----
 
 void PathsPage::showSession(const LinkState& link, const Machine& machine,
                             const Session::Procedures& procedures) {
@@ -361,7 +361,7 @@ void PathsPage::refreshProgress(const QString& notRun) {
                   running() || notRun.isEmpty() ? state : QStringList{state, notRun}.join(u'\n').trimmed());
 }
 
-// ---- what the user does ----
+// ---- actions of the user ----
 
 void PathsPage::chooseFile() {
     QFileDialog* dialog = newFileDialog(this, u"openPathDialog"_s, tr("Open a path"),
@@ -407,7 +407,7 @@ void PathsPage::draw() {
     showPath({m_sequence->currentText(), std::move(*table), std::move(axes)});
 }
 
-/// As to a taught point: all rules of moves hold, and a stop ends it.
+/// Moves as to a taught point: all rules for moves apply, and a stop ends it.
 void PathsPage::moveToStart() {
     Point place{.name = tr("Start of the path").toStdString(), .axes = {}};
     for (const PathTable::Column& column : m_path->table.columns) {
@@ -436,7 +436,7 @@ void PathsPage::ask() {
                    {{tr("&Run path"), u"runPathGo"_s, [this] { run(); }}}, this);
 }
 
-/// As it can be now.
+/// Plans the path again, because the modules may have changed since the question was asked.
 void PathsPage::run() {
     if (!whyNotRun().isEmpty())
         return;

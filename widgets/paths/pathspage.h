@@ -28,10 +28,10 @@ class PathPlot;
 struct LoadedPath {
     QString name;
     PathTable table;
-    std::vector<PathColumn> axes;  ///< of the table's columns, as they were then
+    std::vector<PathColumn> axes;  ///< of the table's columns, when it was read or drawn
 };
 
-/// A path of PIC-SERVO CMC and SC: opened or drawn, looked at, and run (docs/paths.md). GUI thread.
+/// Opens or draws a path for PIC-SERVO CMC and SC, shows it, and runs it (docs/paths.md). GUI thread.
 class PathsPage : public QWidget {
     Q_OBJECT
 
@@ -39,30 +39,30 @@ public:
     explicit PathsPage(QWidget* parent = nullptr);
     ~PathsPage() override;
 
-    // Emit nothing.
+    // These emit nothing.
     void showSession(const LinkState& link, const Machine& machine, const Session::Procedures& procedures);
     void setLatency(Duration latency);
-    /// What was read, instead of the path before.
+    /// Shows the path that was read, instead of the previous one.
     void showPath(LoadedPath path);
-    /// Of a file that is no path; the one before stays.
+    /// Shows the problems of a file that is not a path; the previous path stays.
     void showProblems(const QString& name, const std::vector<PathProblem>& problems,
                       const std::vector<PathColumn>& axes);
     void showNotRead(const FileError& error);
-    /// A sequence begins or ends: no path begins beside it.
+    /// A sequence has started or ended; no path can be started while one is running.
     void showSequence(bool running);
-    /// One of the three above follows.
+    /// A file is being read; showPath(), showProblems() or showNotRead() follows.
     void showReading();
 
 signals:
-    /// The answer is showPath() or showProblems().
+    /// The answer is showPath(), showProblems() or showNotRead().
     void openRequested(const QString& file, const std::vector<nmc::PathColumn>& axes);
     void saveRequested(const QString& file, const nmc::FileContent& content);
-    /// Its axes are to go there, as to a taught point.
+    /// The axes of `place` are to move there, as to a taught point.
     void placeRequested(const nmc::Point& place);
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
 
 private:
-    /// Whatever planPath() looks at, of all modules.
+    /// Everything that planPath() takes into account, for all modules.
     struct Basis;
 
     QWidget* buildChoice();
@@ -73,7 +73,7 @@ private:
     [[nodiscard]] QString whyNoAxes() const;
     [[nodiscard]] QString whyNotRun() const;
     [[nodiscard]] QString obstacleText() const;
-    /// As far as that does not depend on what its modules do.
+    /// Why the axes cannot move to the start, as far as that does not depend on what the modules are doing.
     [[nodiscard]] QString whyNotMoved() const;
     [[nodiscard]] bool unchanged() const;
     [[nodiscard]] AxisScale scaleOf(ModuleIndex module) const;
@@ -106,14 +106,14 @@ private:
     Machine m_machine;
     Session::Procedures m_procedures;
     std::shared_ptr<const LoadedPath> m_path;
-    QStringList m_about;             ///< what it takes and where it leads: it may have very many points
-    std::uint32_t m_connection = 0;  ///< that the path is of
-    QString m_problems;              ///< of what was opened or drawn last
+    QStringList m_about;             ///< length and reach; kept, because there may be very many points
+    std::uint32_t m_connection = 0;  ///< connection that the path belongs to
+    QString m_problems;              ///< of the file or drawing that was last tried
     bool m_reading = false;
     bool m_sequenceRuns = false;
-    bool m_ran = false;  ///< this path, since it was opened
+    bool m_ran = false;  ///< this path has been run since it was opened
     Duration m_latency{};
-    std::unique_ptr<Basis> m_basis;  ///< of m_obstacle
+    std::unique_ptr<Basis> m_basis;  ///< state for which m_obstacle was determined
     std::optional<PathObstacle> m_obstacle;
 };
 
