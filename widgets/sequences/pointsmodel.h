@@ -8,7 +8,7 @@
 
 namespace nmc {
 
-/// The points of a machine: their names, which can be edited, and where their axes stand.
+/// The points of a machine: their names, which can be edited, and the positions of their axes.
 class PointsModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 signals:
-    /// The user wants another name, which is neither empty nor taken.
+    /// The user has entered another name, which is neither empty nor taken.
     void renameWanted(const std::string& from, const std::string& to);
 
 private:

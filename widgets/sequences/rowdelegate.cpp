@@ -27,8 +27,8 @@ QWidget* RowDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& 
     auto* box = new QComboBox(parent);
     look::name(box, u"rowChoiceBox"_s, tr("Choices of the row"));
     box->addItems(choices);
-    // The list is there at once, so that an arrow key only leads to what is chosen by Enter: closed, each
-    // would be an edit. What was chosen is meant; the table needs no Enter behind it.
+    // The list opens at once, so that arrow keys only navigate in it and Enter selects: in a closed box, each
+    // arrow key would be an edit. A selection is final; the table needs no further Enter.
     QMetaObject::invokeMethod(box, &QComboBox::showPopup, Qt::QueuedConnection);
     connect(box, &QComboBox::activated, this, [this, box] {
         auto* self = const_cast<RowDelegate*>(this);
@@ -56,7 +56,7 @@ void RowDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const
             model->setData(index, *value);
 }
 
-/// Enter does not close a field whose text has no value: the field says why.
+/// Enter does not close a field without a valid value; the field shows why.
 bool RowDelegate::eventFilter(QObject* editor, QEvent* event) {
     if (const auto* field = qobject_cast<NumberField*>(editor);
         field != nullptr && event->type() == QEvent::KeyPress && !field->value()) {

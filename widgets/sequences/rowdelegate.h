@@ -5,7 +5,7 @@
 
 namespace nmc {
 
-/// Edits a cell of the rows by a list of its choices, or by a number field.
+/// Edits a cell of the rows with a list of choices or a number field.
 class RowDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

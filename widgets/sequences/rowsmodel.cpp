@@ -42,7 +42,7 @@ std::vector<std::string> pointNames(const Program& program) {
     return names;
 }
 
-/// Calling them leads not back to `sequence`.
+/// The sequences that can be called without leading back to `sequence`.
 std::vector<std::string> callable(const Program& program, const std::string& sequence) {
     std::vector<std::string> names;
     for (const Sequence& other : program.sequences) {
@@ -130,7 +130,7 @@ bool RowsModel::isIo(ModuleIndex module) const {
     return module.value() < m_types.size() && m_types[module.value()] == ModuleType::Io;
 }
 
-/// The first module where there is none.
+/// The first PIC-I/O, or the first module if there is none.
 ModuleIndex RowsModel::firstIo() const {
     const auto found = std::ranges::find(m_types, ModuleType::Io);
     return chosenModule(found != m_types.end() ? static_cast<int>(found - m_types.begin()) : 0);
@@ -194,7 +194,8 @@ RowsModel::Cell RowsModel::what(std::size_t row) const {
     return cell;
 }
 
-/// A module's pins or outputs, each with both levels; a PIC-I/O says them as its sheet does.
+/// How a move is made, or which pins, outputs or A/D inputs a module has, each with both levels. Those of a
+/// PIC-I/O are named as in its data sheet.
 RowsModel::Cell RowsModel::how(const Action& action) const {
     Cell cell;
     if (const auto* move = std::get_if<action::MoveTo>(&action)) {
@@ -247,7 +248,7 @@ RowsModel::Cell RowsModel::number(const Action& action) {
     return cell;
 }
 
-/// Of a row whose number is something else.
+/// The time limit of a row whose number is something else.
 RowsModel::Cell RowsModel::within(const Action& action) {
     Cell cell;
     if (const auto* analog = std::get_if<action::WaitForAnalog>(&action)) {

@@ -9,8 +9,8 @@
 
 namespace nmc {
 
-/// The rows of one sequence as a table to be edited: what is done, with what, how, its number, and within
-/// which time. It changes nothing by itself; what its user wants is told, and comes back by showRows().
+/// The rows of one sequence as an editable table: what is done, with what, how, a number, and a time limit.
+/// It changes nothing by itself: edits are emitted as signals and come back by showRows().
 class RowsModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -18,19 +18,19 @@ public:
     enum Column { Do, What, How, Number, Within, ColumnCount };
     enum Role {
         ChoicesRole = Qt::UserRole,  ///< QStringList; the edit role is the index of the chosen one
-        RangeRole,                   ///< QPointF of a number: from x to y
-        DecimalsRole,                ///< of a number; 0: whole numbers only
+        RangeRole,                   ///< QPointF; range of a number, from x to y
+        DecimalsRole,                ///< decimals of a number; 0: whole numbers only
     };
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Of the sequence of that name; empty where there is none. `modules`: how many can be chosen; `types`:
-    /// of those of which it is known, by ModuleIndex.
+    /// Shows the sequence of that name, or no rows if there is none. `modules`: how many can be selected;
+    /// `types`: those that are known, by ModuleIndex.
     void showRows(const Program& program, const std::string& sequence, int modules,
                   const std::vector<ModuleType>& types = {});
-    /// The row that is next or under way in a run.
+    /// Marks the row of a run that is next or in progress.
     void markRow(std::optional<std::size_t> row);
     [[nodiscard]] const std::vector<Action>& rows() const { return m_rows; }
-    /// What a new row does at first.
+    /// The initial action of a new row.
     [[nodiscard]] Action newRow() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -46,7 +46,7 @@ signals:
 private:
     template <typename Model, typename Row>
     friend void changeRowCount(Model& model, std::vector<Row>& rows, const std::vector<Row>& now);
-    /// What stands in a cell, and what could.
+    /// The content of a cell, and its alternatives.
     struct Cell {
         QStringList choices{};
         int chosen = -1;
@@ -54,7 +54,7 @@ private:
         double min = 0.0;
         double max = 0.0;
         int decimals = 0;
-        QString text{};  ///< of a number, with its unit
+        QString text{};  ///< a number with its unit, or a module that cannot be selected
     };
     [[nodiscard]] Cell cell(std::size_t row, int column) const;
     [[nodiscard]] Cell what(std::size_t row) const;
@@ -63,7 +63,7 @@ private:
     [[nodiscard]] static Cell within(const Action& action);
     [[nodiscard]] bool isIo(ModuleIndex module) const;
     [[nodiscard]] ModuleIndex firstIo() const;
-    /// The pin that was meant, or the first of those the module has.
+    /// Sets the module, and keeps the pin or output if the module has it; otherwise selects the first one.
     void takeModule(action::WaitForInput& wait, ModuleIndex module) const;
     void takeModule(action::SetOutput& set, ModuleIndex module) const;
     [[nodiscard]] std::vector<std::size_t> possibleActions(std::size_t row) const;

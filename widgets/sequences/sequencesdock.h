@@ -6,8 +6,7 @@
 
 namespace nmc {
 
-/// The place of points and sequences, closed at first: its content is built when it is seen for the first
-/// time.
+/// The dock of points and sequences, closed initially; its content is built when it is first seen.
 class SequencesDock : public LazyDock {
     Q_OBJECT
 
@@ -19,11 +18,11 @@ public:
     void showRun(const SequenceReport& report);
     void showForesight(const DryRun& dryRun) { page().showForesight(dryRun); }
 
-    /// The content; built if need be.
+    /// The content; built if necessary.
     SequencesPage& page();
 
 signals:
-    /// What ran has ended, and not by the user.
+    /// A run has ended, and neither the user nor a stop of all modules ended it.
     void ended();
     // As in SequencesPage.
     void programEdited(const nmc::Program& program);

@@ -32,7 +32,7 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-/// All points and sequences before and behind one change.
+/// All points and sequences before and after one change.
 class SequencesPage::Edit : public QUndoCommand {
 public:
     Edit(SequencesPage& page, const QString& what, Program before, Program now)
@@ -181,7 +181,7 @@ QWidget* SequencesPage::buildSequences() {
                                    });
     m_rowTable = newTable(m_rows, u"rowTable"_s, tr("Rows of the sequence"), box);
     m_rowTable->setItemDelegate(new RowDelegate(this));
-    // Room for the mark of the row that runs, so that no column moves when it comes.
+    // Reserves room for the mark of the running row, so that no column moves when the mark appears.
     QFont bold = m_rowTable->font();
     bold.setBold(true);
     m_rowTable->verticalHeader()->setMinimumWidth(QFontMetrics(bold).horizontalAdvance(u"▸ 100 "_s));
@@ -371,7 +371,7 @@ void SequencesPage::start(std::size_t row, bool singleStep) {
     emit startRequested(sequence(), row, singleStep);
 }
 
-// ---- what is shown ----
+// ---- display ----
 
 void SequencesPage::showSession(const LinkState& link, const Machine& machine) {
     m_link = link;
@@ -383,7 +383,7 @@ void SequencesPage::showSession(const LinkState& link, const Machine& machine) {
     showAxes();
     showProgram();
     if (another)
-        m_edits.clear();  // of another file: what was done to the one before cannot be undone in it
+        m_edits.clear();  // another file: changes to the previous one cannot be undone in it
 }
 
 void SequencesPage::showRun(const SequenceReport& report) {
@@ -400,7 +400,7 @@ void SequencesPage::showForesight(const DryRun& dryRun) {
     refreshRun();
 }
 
-/// It takes room only where there is something to be read.
+/// The area takes up room only if there is something to read.
 void SequencesPage::showForesightText(const QString& text) {
     m_foresight->setText(text);
     m_foresightArea->setVisible(!text.isEmpty());
@@ -419,7 +419,7 @@ void SequencesPage::showProgram() {
         const int place = m_sequence->currentIndex();
         m_sequence->clear();
         m_sequence->addItems(names);
-        // One that got another name is still at its place.
+        // A renamed sequence is still at its place.
         const int found = static_cast<int>(names.indexOf(chosen));
         m_sequence->setCurrentIndex(found >= 0 ? found : qMin(place, static_cast<int>(names.size()) - 1));
         if (m_sequence->currentIndex() < 0 && !names.isEmpty())
@@ -589,7 +589,7 @@ void SequencesPage::refreshRun() {
     look::setText(m_state, m_run ? texts::sequenceState(*m_run) : QString());
 }
 
-// ---- what is chosen ----
+// ---- selection ----
 
 std::vector<ModuleIndex> SequencesPage::chosenAxes() const {
     std::vector<ModuleIndex> axes;
@@ -612,7 +612,7 @@ const Point* SequencesPage::chosenPoint() const {
 std::optional<std::size_t> SequencesPage::chosenRow() const {
     const QModelIndexList rows = m_rowTable->selectionModel()->selectedRows();
     const Sequence* shown = m_program.sequence(sequence());
-    // The table asks while its rows still are those of before.
+    // The table may call this while it still has its previous rows.
     if (rows.isEmpty() || shown == nullptr ||
         rows.front().row() >= static_cast<int>(std::min(shown->rows.size(), m_rows->rows().size())))
         return std::nullopt;

@@ -25,8 +25,8 @@ class Command;
 class PointsModel;
 class RowsModel;
 
-/// Points and sequences: taught, edited, foreseen and run. Values in, wishes out; what is edited is one step
-/// to be undone each.
+/// Points and sequences are taught, edited, simulated and run here. The page receives values and emits
+/// requests; each edit can be undone as one step.
 class SequencesPage : public QWidget {
     Q_OBJECT
 
@@ -78,7 +78,7 @@ private:
     [[nodiscard]] QString whyNotStarted(const std::string& sequence, std::size_t row,
                                         const Machine& machine) const;
     [[nodiscard]] QString whyNotTaught() const;
-    /// Points and sequences may be used, not changed; empty: they may.
+    /// Why points and sequences may be used but not changed; empty if they may be changed.
     [[nodiscard]] QString locked() const;
 
     LinkState m_link;

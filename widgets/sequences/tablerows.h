@@ -6,8 +6,8 @@
 
 namespace nmc {
 
-/// Which rows of a table have to come or go to make it another one: what is the same above and below stays,
-/// and with it what is chosen there.
+/// The rows to insert or remove to turn a table into another one: equal rows at the top and bottom stay, and
+/// so does the selection there.
 struct RowChange {
     int at = 0;
     int removed = 0;
@@ -29,8 +29,8 @@ template <typename Row>
     return {static_cast<int>(fromTop) + changed, std::max(0, -more), std::max(0, more)};
 }
 
-/// Makes `rows` as many as they have to be, told by begin...() and end...(); what else has changed in them is
-/// for the caller to put there and tell.
+/// Changes the number of `rows` to that of `now`, between begin...() and end...() of the model; the caller
+/// has to update the other rows that have changed, and to signal that.
 template <typename Model, typename Row>
 void changeRowCount(Model& model, std::vector<Row>& rows, const std::vector<Row>& now) {
     const RowChange change = rowChange(rows, now);
