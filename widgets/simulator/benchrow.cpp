@@ -16,7 +16,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-/// Enough digits for every quantity, too few to show that 0.015 is not a binary fraction.
+/// Enough digits for every quantity, but too few to show that 0.015 is not a binary fraction.
 constexpr int kSentDigits = 12;
 }  // namespace
 
@@ -45,7 +45,7 @@ BenchRow::BenchRow(BenchQuantity quantity, const QString& prefix, QWidget* paren
     m_label->setToolTip(m_quantity.meaning);
     if (m_quantity.sliderMin < m_quantity.sliderMax)
         addSlider(base, parent);
-    // A step is a finished number; typing is finished when the field says so.
+    // A step gives a complete number; typing is complete when the field says so.
     connect(m_field, &NumberField::edited, this, [this] {
         if (!m_field->isModified())
             commit();
@@ -80,7 +80,7 @@ void BenchRow::addTo(QGridLayout& grid) {
 
 void BenchRow::commit() {
     if (m_field->problem() == NumberField::Problem::Empty)
-        m_field->setModified(false);  // the present value comes back
+        m_field->setModified(false);  // the present value will be shown again
     const std::optional<double> value = m_field->value();
     if (!value.has_value())
         return;

@@ -15,7 +15,7 @@ namespace nmc {
 
 class NumberField;
 
-/// A quantity of the simulated bench: its name in the control lines, its words, and the range that makes
+/// A quantity of the simulator's bench: its name in the control lines, its texts, and the range that makes
 /// sense.
 struct BenchQuantity {
     QString name{};
@@ -23,18 +23,18 @@ struct BenchQuantity {
     QString unit{};
     QString meaning{};
     int decimals = 0;
-    double scale = 1;  ///< what the control line counts in one of the unit shown
-    double min = 0;    ///< in the unit shown, as are the others below
+    double scale = 1;  ///< value in the control line for 1 in the unit shown
+    double min = 0;    ///< in the unit shown, like max, step and the slider's range
     double max = 0;
     double step = 1;
-    double sliderMin = 0;  ///< no slider where both are 0
+    double sliderMin = 0;  ///< no slider if both are 0
     double sliderMax = 0;
-    QString none{};  ///< the control line's word for "no value"; empty: there always is one
+    QString none{};  ///< the control line's word for "no value"; empty if there always is one
 };
 
-/// One number of the bench: a field, where it helps a slider, and where it may be absent a check box. Acts
-/// when a number is finished (Enter, leaving the field, a step, the slider), not with every key: "-5000"
-/// begins with a -5 that nobody meant.
+/// One number of the bench: a field, a slider if that helps, and a check box if there may be no number. Acts
+/// when a number is complete (Enter, leaving the field, a step, the slider), not on every key: "-5000" begins
+/// with a -5 that is not meant.
 class BenchRow : public QObject {
     Q_OBJECT
 
@@ -44,16 +44,16 @@ public:
 
     /// Takes the next one or two lines of a grid of three columns: label, field, unit.
     void addTo(QGridLayout& grid);
-    /// The simulator's present value; null: none. Leaves what the user is just typing alone. Emits nothing.
+    /// Shows the simulator's present value; null: none. A number being typed is kept. Emits nothing.
     void showValue(const QJsonValue& value);
-    /// What to begin with when the user wants a value where none was.
+    /// The value to start with when the user checks the box.
     void setProposal(double value) { m_proposal = value; }
-    /// Forgets what was typed: another module's value comes next.
+    /// Discards what was typed, because the value of another module follows.
     void forget();
     [[nodiscard]] const QString& name() const { return m_quantity.name; }
 
 signals:
-    /// `value` as the control line takes it.
+    /// `value` in the form for the control line.
     void entered(const QString& name, const QString& value);
 
 private:
@@ -64,7 +64,7 @@ private:
 
     BenchQuantity m_quantity;
     QWidget* m_label = nullptr;
-    QAbstractButton* m_exists = nullptr;  ///< is the label then
+    QAbstractButton* m_exists = nullptr;  ///< serves as the label
     NumberField* m_field = nullptr;
     QWidget* m_unit = nullptr;
     QSlider* m_slider = nullptr;

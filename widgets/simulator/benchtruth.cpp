@@ -15,7 +15,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-/// So many violations are told in the tool tip, the latest last.
+/// Maximum number of violations in the tool tip, the latest last.
 constexpr qsizetype kToldViolations = 8;
 }  // namespace
 
@@ -72,7 +72,7 @@ void BenchTruth::showState(const QJsonObject& state) {
     for (const QString& key : {u"shaft"_s, u"position"_s})
         look::setText(m_rows[key].unit, step ? texts::unitSteps() : texts::unitCounts());
     for (auto row = m_rows.cbegin(); row != m_rows.cend(); ++row) {
-        const bool known = state[row.key()].isDouble();  // a PIC-I/O has several of some, in its own bench
+        const bool known = state[row.key()].isDouble();  // a PIC-I/O has several of some: see its bench
         for (QWidget* part : {row->label, row->value, row->unit})
             part->setVisible(known);
         const double value = state[row.key()].toDouble();

@@ -12,17 +12,17 @@ namespace nmc {
 
 class GlyphLabel;
 
-/// What only a simulator knows: where the shaft really is, what drives it, and how often a real module would
-/// not have forgiven what it was told.
+/// What only a simulator knows: the true position of the shaft, what drives it, and how often it received
+/// something that would have upset a real module.
 class BenchTruth : public QWidget {
     Q_OBJECT
 
 public:
     explicit BenchTruth(QWidget* parent = nullptr);
 
-    /// The answer to `state N`.
+    /// Shows the answer to `state N`.
     void showState(const QJsonObject& state);
-    /// The answer to `stats`.
+    /// Shows the answer to `stats`.
     void showStatistics(const QJsonObject& statistics);
     void forget();
 

@@ -19,7 +19,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-/// As nmcsim: a line that never ends must not fill the memory.
+/// The limit of nmcsim, where an endless line must not fill the memory.
 constexpr int kMaxLine = 4'096;
 constexpr int kShownLines = 3;
 }  // namespace

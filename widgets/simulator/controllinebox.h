@@ -13,14 +13,15 @@ namespace nmc {
 
 class GlyphLabel;
 
-/// A control line by keyboard, and the simulator's answer in its own words: the same language as nmcsim's.
+/// A field to type control lines, in the language of nmcsim, and the literal answer of the simulator.
 class ControlLineBox : public QWidget {
     Q_OBJECT
 
 public:
     explicit ControlLineBox(QWidget* parent = nullptr);
 
-    /// Any line's answer; `json` is not changed but for line breaks between its members.
+    /// Shows the answer to any line: an error as its text, anything else as `json`, with line breaks added
+    /// between its members.
     void showAnswer(const QString& line, const QByteArray& json);
     void forget();
 

@@ -19,12 +19,12 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double kMaxCounts = 2'000'000'000;
-/// Of a hard stop from the shaft, when the user asks for one: five turns.
+/// Distance of a new hard stop from the shaft: five turns.
 constexpr double kTravel = 10'000;
 constexpr int kPins = 12;
 constexpr int kPinsInARow = 4;
 
-/// A stepper's pins stand in an object of their own.
+/// A stepper's pins are in an object of their own.
 QJsonValue stateValue(const QJsonObject& state, const QString& name) {
     return state.contains(name) ? state[name] : state["inputs"_L1].toObject()[name];
 }
@@ -202,8 +202,8 @@ void ModuleBench::buildMechanics() {
     QGridLayout& grid = *newPage(*this, tr("Mechanics"));
     const QString unit = m_type == ModuleType::Stepper ? texts::unitSteps() : texts::unitCounts();
     if (m_type != ModuleType::Stepper) {
-        // The default motor stalls at 0.8 N·m and has 0.004 N·m of friction: the sliders have the range in
-        // which tuning is a matter of taste, the fields have the rest.
+        // The default motor stalls at 0.8 N·m and has 0.004 N·m of friction: the sliders have the range that
+        // is useful for tuning, the fields have the rest.
         addRow(grid, {.name = u"load"_s,
                       .label = tr("Load torque"),
                       .unit = tr("N·m"),
@@ -282,7 +282,7 @@ void ModuleBench::addRow(QGridLayout& grid, BenchQuantity quantity) {
     auto* row = new BenchRow(std::move(quantity), m_prefix, grid.parentWidget());
     row->addTo(grid);
     connect(row, &BenchRow::entered, this, [this](const QString& name, const QString& value) {
-        // A PIC-I/O has three of them: "analog2" is "analog 2" in a control line.
+        // A PIC-I/O has three A/D inputs: "analog2" is "analog 2" in a control line.
         if (m_type == ModuleType::Io)
             set(u"analog"_s, name.last(1) + u' ' + value);
         else
@@ -332,7 +332,7 @@ void ModuleBench::showState(const QJsonObject& state) {
             row->setProposal(shaft);
         else if (row->name() == "analog"_L1)
             row->setProposal(state["analog"_L1].toDouble());
-        // A servo's converter reads the motor unless told otherwise.
+        // The A/D input of a servo reads the motor current unless it was set by hand.
         const QString key =
             row->name() == "analog"_L1 && m_type != ModuleType::Stepper ? u"analog_input"_s : row->name();
         row->showValue(state[key]);

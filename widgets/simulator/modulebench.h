@@ -14,19 +14,19 @@ class QLabel;
 
 namespace nmc {
 
-/// What can be done to one simulated module by hand: its switches or pins, its power and its cable on one
-/// page, of a motor its load and its travel on the other. Shows the simulator's `state`, and asks for changes
-/// as control lines.
+/// What can be done by hand to one simulated module: its switches or pins, its power and its cable on one
+/// page, and for a motor, its load and travel on the other. Shows the simulator's `state`, and requests
+/// changes by control lines.
 class ModuleBench : public QTabWidget {
     Q_OBJECT
 
 public:
-    /// Servo, stepper or PIC-I/O; the control names differ.
+    /// For a servo, stepper or PIC-I/O; the object names of the controls differ.
     explicit ModuleBench(ModuleType type, QWidget* parent = nullptr);
 
-    /// Module `number`, counting from 1, is the one to change; what was typed for another is forgotten.
+    /// Selects the module to change, counting from 1; discards what was typed for another one.
     void setModule(int number);
-    /// The answer to `state N`. Emits nothing.
+    /// Shows the answer to `state N`. Emits nothing.
     void showState(const QJsonObject& state);
 
 signals:

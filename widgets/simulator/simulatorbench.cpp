@@ -25,11 +25,11 @@ namespace {
 
 constexpr int kPollMs = 200;
 constexpr int kTicksPerStatistics = 5;
-/// A question that has waited so long went down with an earlier connection.
+/// Ticks after which a query must have been lost with an earlier connection.
 constexpr int kMaxWaits = 10;
-/// Typed lines that wait at most; an answer that never comes must not keep them.
+/// Maximum number of typed lines that wait for an answer, in case it never comes.
 constexpr int kMaxTyped = 64;
-/// Wants the room its page wants; Qt's own never asks for more than 24 lines.
+/// Has the size hint of its page; that of QScrollArea is never more than 24 lines.
 class Page : public QScrollArea {
 public:
     using QScrollArea::QScrollArea;
@@ -92,7 +92,7 @@ void SimulatorBench::buildContent() {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(page);
     scroll->setMinimumWidth(page->minimumSizeHint().width() + unit * 2);
-    // The line stays in sight: whatever else is refused is told there.
+    // The control line is always visible, because it also shows what else is refused.
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(unit / 2);
@@ -189,7 +189,7 @@ void SimulatorBench::showAnswer(const QString& line, const QByteArray& json) {
     if (typed || !question)
         m_line->showAnswer(line, json);
     if (!question && m_polled.isEmpty() && isVisible())
-        poll();  // at once, so that a click is seen to have worked
+        poll();  // at once, so that the effect of a click is visible
 }
 
 void SimulatorBench::showState(const QJsonObject& state) {
@@ -203,7 +203,7 @@ void SimulatorBench::showState(const QJsonObject& state) {
     look::setText(m_type, texts::moduleType({type, static_cast<std::uint8_t>(state["version"_L1].toInt())}));
     ModuleBench* bench = type == ModuleType::Stepper ? m_step : type == ModuleType::Io ? m_io : m_servo;
     m_benches->setCurrentWidget(bench);
-    // What was asked before the latest change would undo it on the screen for a moment.
+    // A state that was requested before the latest change would undo it on the screen for a moment.
     if (!m_outdated)
         bench->showState(state);
 }

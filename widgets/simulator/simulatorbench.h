@@ -20,22 +20,22 @@ class BenchTruth;
 class ControlLineBox;
 class ModuleBench;
 
-/// What stands in the Simulator dock: switches, power, cables and loads of one simulated module, its true
-/// state, and a line for everything else. Asks for what it shows while it is seen.
+/// Content of the Simulator dock: switches, power, cables and loads of one simulated module, its true state,
+/// and a line for everything else. Queries what it shows while it is visible.
 class SimulatorBench : public QWidget {
     Q_OBJECT
 
 public:
     explicit SimulatorBench(QWidget* parent);
 
-    /// Another simulator: nothing of the one before is known or waited for.
+    /// For another simulator: discards everything that was known of the previous one or awaited from it.
     void begin();
-    /// So many modules at least: the panel may not find them all.
+    /// Offers at least `count` modules; there may be more that the panel has not found.
     void offerModules(int count);
-    /// Follows the selection where it changes; the bench's own choice may differ, and reaches modules that
-    /// the panel cannot find.
+    /// Follows the selection in the panel when it changes. The module selected in the bench may differ, and
+    /// may be one that the panel cannot find.
     void showSelected(std::optional<ModuleIndex> module);
-    /// The answer to a lineEntered().
+    /// Shows the answer to a line of lineEntered().
     void showAnswer(const QString& line, const QByteArray& json);
 
 signals:
@@ -65,11 +65,11 @@ private:
     ControlLineBox* m_line;
     QTimer m_timer;
     std::optional<ModuleIndex> m_followed;
-    QStringList m_typed;      ///< lines of the user's that wait for their answer
+    QStringList m_typed;      ///< lines typed by the user that wait for their answer
     QString m_polled;         ///< the state line that waits for its answer; empty: none
-    bool m_outdated = false;  ///< something was changed since m_polled was asked
+    bool m_outdated = false;  ///< something was changed since m_polled was sent
     int m_ticks = 0;
-    int m_waited = 0;  ///< ticks since m_polled was asked
+    int m_waited = 0;  ///< ticks since m_polled was sent
 };
 
 }  // namespace nmc

@@ -35,7 +35,7 @@ void SimulatorDock::want(bool wanted) {
 
 void SimulatorDock::closeEvent(QCloseEvent* event) {
     QDockWidget::closeEvent(event);
-    want(false);  // hide() does not come here: only the user closes
+    want(false);  // only the user closes it: hide() sends no close event
 }
 
 void SimulatorDock::appear() {

@@ -11,24 +11,24 @@ namespace nmc {
 
 class SimulatorBench;
 
-/// The bench that a real chain would stand on: switches, power, cables, loads, set by mouse while it runs.
-/// It speaks the control lines of nmcsim and knows nothing but their answers. Only there while the window is
-/// attached to the built-in simulator, and built when that is so for the first time; whether the user wants
-/// it open then is remembered by the owner.
+/// The bench of a simulated chain: switches, power, cables and loads, set with the mouse while it runs. It
+/// uses the control lines of nmcsim and knows nothing but their answers. Available only while the window is
+/// connected to the built-in simulator, and built when it first is; the owner remembers whether the user
+/// wants it open.
 class SimulatorDock : public QDockWidget {
     Q_OBJECT
 
 public:
     explicit SimulatorDock(QWidget* parent = nullptr);
 
-    /// Open it whenever a simulator is there. Emits nothing.
+    /// Sets whether the dock is open while there is a simulator. Emits nothing.
     void setWanted(bool wanted);
     void showLink(const LinkState& link);
-    // As the bench's.
+    // As in SimulatorBench.
     void showSelected(std::optional<ModuleIndex> module);
     void showAnswer(const QString& line, const QByteArray& json);
 
-    /// What it had when it was last seen, or what its content wants.
+    /// The height when it was last visible, or else that of its content.
     [[nodiscard]] int wantedHeight() const;
 
 signals:
@@ -49,7 +49,7 @@ private:
 
     SimulatorBench* m_bench = nullptr;
     bool m_attached = false;
-    int m_height = 0;  ///< when it was last seen; 0: not yet
+    int m_height = 0;  ///< when it was last visible; 0: never yet
     bool m_wanted = true;
 };
 
