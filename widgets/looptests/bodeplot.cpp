@@ -20,7 +20,7 @@ constexpr double kLowestDecibels = -40, kHighestDecibels = 20;
 constexpr double kFarthestBehind = -270, kAhead = 0;
 constexpr std::array<int, 2> kCurveColours{0, 2};  ///< T, L
 
-/// In steps of `grain`, around the values and what is always seen.
+/// The range from `low` to `high`, extended to include all values, in whole steps of `grain`.
 std::pair<double, double> rangeOf(const std::array<std::vector<double>, 2>& curves, double low, double high,
                                   double grain) {
     for (const auto& curve : curves)
@@ -38,10 +38,10 @@ struct BodePlot::Pane {
     double from, to;  ///< Hz
     double bottom, top;
     double grain;  ///< between two lines
-    double level;  ///< a line that means something
+    double level;  ///< value of the emphasised line
     bool tellsFrequencies;
     std::array<std::vector<double>, 2> curves;
-    std::vector<std::array<double, 2>> spread;  ///< of the first: from, to
+    std::vector<std::array<double, 2>> spread;  ///< of the first curve: from, to
 
     [[nodiscard]] double x(double hertz) const {
         return area.left() + std::log(hertz / from) / std::log(to / from) * area.width();

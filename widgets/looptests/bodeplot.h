@@ -8,15 +8,16 @@
 
 namespace nmc {
 
-/// Magnitude above, phase below, over the logarithm of the frequency: how the position follows the command
-/// (T), and what the loop makes of its error (L).
+/// Magnitude above and phase below, over the logarithm of the frequency: of the closed loop (T), from command
+/// to position, and of the open loop (L), from error to position.
 class BodePlot : public QWidget {
     Q_OBJECT
 
 public:
     explicit BodePlot(QWidget* parent = nullptr);
 
-    /// Ascending. `honest`: Hz, beyond which the line is too slow; 0: none is known.
+    /// `points`: by ascending frequency. `honest`: frequency in Hz above which the line is too slow; 0 if
+    /// none is known.
     void showPoints(const std::vector<FrequencyPoint>& points, double honest);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;

@@ -19,27 +19,27 @@ class NumberField;
 class QuantityField;
 class TestForm;
 
-/// How the loop of the selected servo follows sines of its command. The last response of each module stays
-/// until the next.
+/// The frequency response of the selected servo: how its loop follows sines of the command. The last response
+/// of each module is kept until the next.
 class FrequencyPage : public QWidget {
     Q_OBJECT
 
 public:
     explicit FrequencyPage(QWidget* parent = nullptr);
 
-    // Emit nothing.
+    // These emit nothing.
     void showModule(const PanelView& view);
     void showNothing();
     void forgetModules();
-    /// Those that are measured, from the first one on.
+    /// Shows the points measured so far, from the first one on.
     void showReport(const ProcedureReport& report);
 
-    /// Of the module that is shown; empty before there is one.
+    /// The points of the module that is shown; empty while there are none.
     [[nodiscard]] const std::vector<FrequencyPoint>& points() const;
 
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
-    /// points(), which were measured then.
+    /// points(), measured at `measured`, are to be saved.
     void saveWanted(const QString& path, const QDateTime& measured);
 
 private:

@@ -14,8 +14,8 @@ class FrequencyPage;
 class SquareWavePage;
 struct KeptResponse;
 
-/// The place of the longer tests of a loop, closed at first: its content is built when it is seen for the
-/// first time, or when a test tells of itself.
+/// The dock of the longer tests of a loop, closed initially; its content is built when it is first seen, or
+/// when a test reports.
 class LoopTestsDock : public LazyDock {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     // As in its pages.
     void showModule(const PanelView& view);
     void showNothing();
-    /// Those that come are of another connection.
+    /// For another connection: discards the frequency responses.
     void forgetModules();
     [[nodiscard]] SquareWavePage& squareWave();
     [[nodiscard]] FrequencyPage& frequency();
@@ -33,9 +33,9 @@ public:
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void runKept(const nmc::KeptResponse& run);
-    /// Of all that is known of the selected module's loop.
+    /// A report on everything that is known of the selected module's loop is requested.
     void reportWanted();
-    /// The selected module's frequency response, which was measured then.
+    /// The frequency response of the selected module, measured at `measured`, is to be saved.
     void frequenciesWanted(const QString& path, const QDateTime& measured);
 
 private:

@@ -6,10 +6,10 @@
 
 #include "model/frequency/frequencyresponse.h"
 
-/// Tests of the loop in words.
+/// Texts for the tests of a loop.
 namespace nmc::texts {
 
-/// One line for each that could be told; empty for no points.
+/// One line for each figure, even if it was not reached; empty if there are no points.
 [[nodiscard]] QStringList frequencyFigures(std::span<const FrequencyPoint> points);
 
 }  // namespace nmc::texts

@@ -12,8 +12,8 @@
 
 namespace nmc {
 
-/// One period of a square wave, from the middle between its sides: the median of all edges with the present
-/// gains, the spread about it, and pale what it was with the gains before.
+/// One period of a square wave, relative to the middle between its sides: the median of all edges with the
+/// present gains, their spread, and, paler, the median with the previous gains.
 class SquarePlot : public QWidget {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
         std::vector<FoldedPoint> forward;
         std::vector<FoldedPoint> back;
         double counts = 0.0;  ///< from side to side
-        double half = 0.0;    ///< s, of a period
+        double half = 0.0;    ///< s; half a period
     };
     void showFold(const Fold& now, const Fold& before, const AxisScale& scale);
     [[nodiscard]] QSize sizeHint() const override;
@@ -36,7 +36,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    /// In seconds and in the unit of the axis.
+    /// Points in seconds and in the unit of the axis.
     struct Curve {
         QPolygonF median, low, high;
     };

@@ -37,7 +37,7 @@ constexpr std::int32_t kFirstExcursion = 200;
         fold.forward = forward->points;
     if (auto back = foldEdges(edges, false))
         fold.back = std::move(back->points);
-    // What comes before the way back is the end of the way there.
+    // The samples before the backward edge are the end of the forward one.
     std::erase_if(fold.back, [](const FoldedPoint& point) { return point.seconds < 0; });
     return fold;
 }
@@ -124,7 +124,7 @@ void SquareWavePage::showEdge(KeptResponse edge) {
 }
 
 void SquareWavePage::refresh() {
-    // Those with other gains than the last one's, from before they were changed.
+    // The edges before the last change of the gains.
     const auto changed = std::find_if(m_edges.rbegin(), m_edges.rend(), [this](const ResponseRecord& edge) {
         return edge.taken.gains != m_edges.back().taken.gains;
     });

@@ -19,24 +19,24 @@ class QuantityField;
 class SquarePlot;
 class TestForm;
 
-/// A square wave of the selected servo's command position: many edges, laid over one another, while its gains
-/// are changed.
+/// A square wave of the command position of the selected servo: overlays many edges while the gains are
+/// changed.
 class SquareWavePage : public QWidget {
     Q_OBJECT
 
 public:
     explicit SquareWavePage(QWidget* parent = nullptr);
 
-    // Emit nothing.
+    // These emit nothing.
     void showModule(const PanelView& view);
     void showNothing();
-    /// A wave begins: those of the one before are gone.
+    /// A wave begins: discards the edges of the previous one.
     void clear();
     void showEdge(KeptResponse edge);
 
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
-    /// The edges towards higher counts as one step response, to be compared with others.
+    /// The median of the edges towards higher counts, as a step response to compare with others.
     void runKept(const nmc::KeptResponse& run);
 
 private:
@@ -53,8 +53,8 @@ private:
     QLabel* m_results;
     QPushButton* m_keep;
     std::vector<ResponseRecord> m_edges;
-    std::optional<ResponseRecord> m_folded;  ///< those towards higher counts, with the present gains
-    KeptResponse m_labels;                   ///< of the edges: where they come from
+    std::optional<ResponseRecord> m_folded;  ///< median of the rising edges with the present gains
+    KeptResponse m_labels;                   ///< origin of the edges
 };
 
 }  // namespace nmc

@@ -17,33 +17,34 @@ class HoldFirstButton;
 class NumberField;
 class QuantityField;
 
-/// How a test of the loop is made, the buttons that begin and end it, and why it is not possible now, how it
-/// goes, or how it ended. GUI thread.
+/// Form of a test of the loop: its settings, the buttons that start and end it, and its progress, its
+/// failure, or why it is not possible now. GUI thread.
 class TestForm : public QWidget {
     Q_OBJECT
 
 public:
     struct Words {
-        QString objectName;  ///< those of its buttons begin with it
+        QString objectName;  ///< prefix of the object names of its buttons
         QString start;
         QString meaning;
     };
     TestForm(ProcedureKind kind, const Words& words, QWidget* parent);
 
-    /// A row more. `name`: as in NumberField::setWords().
+    /// Adds a row. `name`: as in NumberField::setWords().
     NumberField* addNumber(const QString& objectName, const QString& label, const QString& name,
                            const QString& unit, int decimals);
     QuantityField* addDistance(const QString& objectName, const QString& label, const QString& name);
     void addRow(const QString& label, QWidget* field, QWidget* unit);
-    /// What the fields say; asked only while none of them has a problem.
+    /// `wanted` returns the intent for the values in the fields; it is called only while none of them has a
+    /// problem.
     void setWanted(std::function<Intent()> wanted) { m_wanted = std::move(wanted); }
 
-    // Emit nothing.
+    // These emit nothing.
     void showModule(const PanelView& view);
     void showNothing();
 
     [[nodiscard]] bool running() const { return m_report && !m_report->over(); }
-    /// Of this kind, the last of the module that is shown.
+    /// The last report of a test of this kind on the module that is shown.
     [[nodiscard]] const std::optional<ProcedureReport>& report() const { return m_report; }
 
 signals:
@@ -53,7 +54,8 @@ private:
     void refresh();
     void start();
     [[nodiscard]] QString whyNotNow() const;
-    /// Of what the fields say, while they have no problem.
+    /// Why the intent for the values in the fields is refused; empty if it is not, or if a field has a
+    /// problem.
     [[nodiscard]] std::optional<Refusal> refusal() const;
 
     ProcedureKind m_kind;

@@ -12,7 +12,7 @@
 
 namespace nmc {
 
-/// How a loop is tuned, for the file of the machine: what is not known is left out.
+/// The tuning of a loop, for the records of the machine; what is unknown is left out.
 struct TuningReport {
     QString machine;
     QString module;
@@ -22,13 +22,13 @@ struct TuningReport {
     QDateTime made;
     std::optional<servo::SetGain> gains{};      ///< in force
     std::optional<KeptResponse> run{};          ///< the last step response
-    QStringList motor{};                        ///< what was found of it, a line each
+    QStringList motor{};                        ///< what was found out about it, a line each
     std::vector<FrequencyPoint> frequencies{};  ///< the last frequency response
 };
 
-/// One page with its pictures inside it. GUI thread.
+/// Returns one page of HTML with its pictures embedded. GUI thread.
 [[nodiscard]] QString reportHtml(const TuningReport& report);
-/// The same on one page of A4. GUI thread.
+/// Returns the report as a PDF of one A4 page. GUI thread.
 [[nodiscard]] QByteArray reportPdf(const TuningReport& report);
 
 }  // namespace nmc
