@@ -68,9 +68,7 @@ struct ProcedureOf {
         return std::make_unique<PathRun>(follow, module);
     }
     template <typename T>
-    requires(!In<T, ServoProcedure> && !In<T, MoveIntent>) Made operator()(const T&) const {
-        return nullptr;
-    }
+    requires(!In<T, ServoProcedure> && !In<T, MoveIntent>) Made operator()(const T&) const { return nullptr; }
 };
 
 }  // namespace
