@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each test of a loop in each trouble that a motor, a line or a user can make: it is over soon, the motor is
-// off or held, there is a reason, no model comes of it, and the bus is everybody's again. Engine and
-// simulator in virtual time; the truth is the simulator's.
+// Each test of a loop with each trouble that a motor, a line or a user can cause: the test ends soon, the
+// motor is then off or held, a reason is given, no model results, and all modules share the bus again. Engine
+// and simulator in virtual time, checked against the state of the simulator.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,11 +22,11 @@ enum class Kind : std::uint8_t { Step, Square, Sines, Gains };
 enum class Trouble : std::uint8_t {
     Jammed,     ///< the shaft is held
     Reversed,   ///< the encoder counts the wrong way
-    HardStop,   ///< in the midst of the way
-    LimitStop,  ///< the chip's own, as it was told to
-    Unstable,   ///< the gains make it swing wider and wider
+    HardStop,   ///< in the middle of the step
+    LimitStop,  ///< by the chip itself, which is set up to stop there
+    Unstable,   ///< the gains make the oscillation grow
     Slips,      ///< the shaft turns some degrees before the encoder does
-    PowerLost,  ///< and back a second later
+    PowerLost,  ///< and back a second after the end of the test
     Lossy,      ///< one frame in seven is damaged
     Mute,       ///< no answer for 0.3 s
     Deaf,       ///< no command arrives for 0.3 s
@@ -51,7 +51,7 @@ class BadBench : public testing::TestWithParam<std::tuple<Kind, Trouble>> {
 protected:
     static constexpr servo::SetGain kGood{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
     static constexpr servo::SetGain kOther{250, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
-    /// Without damping a tick's delay drives it; the output limit leaves it time to be noticed.
+    /// Without damping, the delay of a tick makes it oscillate; the output limit leaves time to notice.
     static constexpr servo::SetGain kUnstable{5'000, 0, 0, 0, 60, 0, 16'000, 1, std::uint8_t{0}};
 
     [[nodiscard]] static Kind kind() { return std::get<0>(GetParam()); }
@@ -80,7 +80,7 @@ protected:
     [[nodiscard]] servo::SetGain gains() const {
         return trouble() == Trouble::Unstable && kind() != Kind::Gains ? kUnstable : kGood;
     }
-    /// Holding at 0, with whatever is wrong from the beginning.
+    /// Makes the servo hold at 0, with the troubles that exist from the beginning.
     void hold() {
         ASSERT_TRUE(bench.connect() && bench.perform(intent::AskAnew{}) &&
                     bench.perform(intent::ApplyGains{gains()}) && bench.perform(intent::Enable{}) &&
@@ -103,7 +103,7 @@ protected:
         spec.lasts = lasts;
         EXPECT_TRUE(bench.bus.chain.inject(spec, bench.bus.now).has_value());
     }
-    /// In the midst of it.
+    /// Causes the trouble while the test is running.
     void strike() {
         switch (trouble()) {
             case Trouble::PowerLost:
@@ -131,10 +131,10 @@ protected:
             case Trouble::HardStop:
             case Trouble::LimitStop:
             case Trouble::Slips:
-                return;  // from the beginning
+                return;  // these exist from the beginning
         }
     }
-    /// Statuses of each module while the virtual time passes.
+    /// Number of statuses from each module while `passes` lets the virtual time pass.
     template <typename Passes>
     [[nodiscard]] std::array<std::size_t, 3> statuses(Passes passes) {
         const auto count = [this] {
@@ -150,7 +150,7 @@ protected:
             all[i] -= before[i];
         return all;
     }
-    /// Until its trouble comes.
+    /// Runs the test until its trouble is due.
     void underWay() {
         const ProcedureStage stage = kind() == Kind::Gains ? ProcedureStage::Trying : ProcedureStage::Moving;
         if (!bench.runTo(stage, 5.0))
@@ -161,7 +161,7 @@ protected:
             }
         });
         if (!bench.procedure->report().over() && bench.procedure->report().stage == stage) {
-            EXPECT_GE(all[0], 5 * (all[1] + all[2])) << "it has the bus";
+            EXPECT_GE(all[0], 5 * (all[1] + all[2])) << "the module under test has most of the bus";
         }
     }
     void keepEdge() {
@@ -191,7 +191,7 @@ protected:
     std::vector<ResponseTaken> edges;
 };
 
-/// What the report says to the one who reads its sentence.
+/// Checks the reason that is shown to the user.
 void BadBench::expectReason(const ProcedureReport& report) const {
     ASSERT_TRUE(report.over());
     const auto failed = [&](std::initializer_list<ProcedureFailure> any) {
@@ -200,8 +200,8 @@ void BadBench::expectReason(const ProcedureReport& report) const {
         EXPECT_EQ(std::count(any.begin(), any.end(), *report.failure), 1)
             << "failure " << static_cast<int>(*report.failure);
     };
-    // A shaft that does not move at all, or not far, is what a step shows, and identify() says so; tried
-    // gains ask for no motion.
+    // If the shaft does not move at all, or not far, the step shows it, and identify() says so; trying gains
+    // requires no motion.
     const bool moves = kind() != Kind::Gains;
     using enum ProcedureFailure;
     switch (trouble()) {
@@ -229,7 +229,7 @@ void BadBench::expectReason(const ProcedureReport& report) const {
             return failed({WentOff});
         case Trouble::Mute:
         case Trouble::Deaf:
-            // A gap in a record says so in its figures; a sine with one is made again.
+            // A gap in a record shows in its figures; a sine with a gap is repeated.
             if (report.stage == ProcedureStage::Done)
                 return;
             [[fallthrough]];
@@ -245,7 +245,7 @@ void BadBench::expectReason(const ProcedureReport& report) const {
 }
 
 void BadBench::expectOffOrHeld() {
-    // Counts: friction and an integral may walk it by some, and within its play nobody sees it.
+    // In counts: friction and the integral term may move it by a few, and within its play no motion is seen.
     const double held = 8.0 + static_cast<double>(options().motor.playCounts);
     const auto at = bench.truth();
     double farthest = 0.0;
@@ -260,12 +260,13 @@ void BadBench::expectOffOrHeld() {
         wentOn = wentOn || (now.servoOn && !at.servoOn);
     }
     EXPECT_FALSE(wentOn) << "nothing switches it on again";
-    EXPECT_FALSE(moved) << "its command goes on moving";
+    EXPECT_FALSE(moved) << "its command position no longer changes";
     EXPECT_LE(at.servoOn ? farthest : 0.0, held);
     EXPECT_EQ(at.servoOn ? 0 : bench.truth().pwm, 0);
 }
 
-/// What the program keeps of it: whole steps (Composition::followResponse), forward edges (SquareWavePage).
+/// Checks what the program keeps of a test: whole steps (Composition::followSteps), forward edges
+/// (SquareWavePage).
 void BadBench::expectNoModel(const ProcedureReport& report) const {
     const bool whole = report.stage == ProcedureStage::Done || report.failure == ProcedureFailure::NotStill;
     if (kind() == Kind::Step && report.step && whole)
@@ -276,8 +277,8 @@ void BadBench::expectNoModel(const ProcedureReport& report) const {
                 expectNoModel(edge);
 }
 
-/// What was recorded before the trouble came, or beside a silence of the line, may tell of the motor, and so
-/// may an edge that finds the play taken up. That is the motor of the simulator then.
+/// What was recorded before the trouble began, or next to a silence of the line, may describe the motor, and
+/// so may an edge that begins with the play taken up. The model must then be that of the simulated motor.
 void BadBench::expectNoModel(const ResponseTaken& taken) const {
     const auto found = identify(std::array{recordOf(taken)});
     const bool maybe = trouble() > Trouble::Slips || (trouble() == Trouble::Slips && kind() == Kind::Square);
@@ -295,7 +296,7 @@ void BadBench::expectNoModel(const ResponseTaken& taken) const {
 
 void BadBench::expectGainsFromBefore() {
     if (kind() != Kind::Gains || trouble() == Trouble::Restarted)
-        return;  // which has none, and is off
+        return;  // a restarted module has no gains and is off
     const sim::Gains now = bench.truth().gains;
     EXPECT_EQ(now.kp, kGood.kp);
     EXPECT_EQ(now.kd, kGood.kd);
@@ -304,7 +305,7 @@ void BadBench::expectGainsFromBefore() {
 }
 
 void BadBench::expectTheBusIsEverybodys() {
-    bench.bus.runFor(5s);  // until silent ones are asked again
+    bench.bus.runFor(5s);  // until silent modules are queried again
     const auto all = statuses([this] { bench.bus.runFor(1s); });
     EXPECT_GT(all[1], 10U);
     EXPECT_NEAR(static_cast<double>(all[1]), static_cast<double>(all[2]), 3.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frequency response of many motors, as the wire tells it, against the analytic loop: within 1 dB and 5
-// degrees wherever it says that it is. Engine and simulator in virtual time.
+// The frequency response of many motors as measured over the line, compared with the analytic loop: within 1
+// dB and 5 degrees, or within the spread that the measurement itself reports. Engine and simulator in virtual
+// time.
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -13,7 +14,7 @@
 namespace nmc::test {
 namespace {
 
-/// A motor without dry friction, and the loop that is wanted of it.
+/// A motor without dry friction, and the loop for which its gains are calculated.
 struct Plant {
     const char* name;
     double inertia;  ///< kg m^2
@@ -72,7 +73,7 @@ protected:
         EXPECT_TRUE(bench.truth().servoOn);
         bench.bus.expectNoViolations();
     }
-    /// How far from the analytic loop, in dB and degrees.
+    /// Deviation from the analytic loop, in dB and degrees.
     [[nodiscard]] std::pair<double, double> off(const FrequencyPoint& point) const {
         const std::complex<double> open = openLoopAt(motor, gains, point.hertz);
         const std::complex<double> closed = open / (1.0 + open);
@@ -114,7 +115,7 @@ TEST_P(BodeOfASmallAmplitude, IsWithinWhatItSaysOfItself) {
     }
 }
 
-/// Kp 11 of 20 counts is less than one PWM count: the motor hardly stirs.
+/// With Kp 11, an error of 20 counts gives less than one PWM count: the motor hardly moves.
 TEST(BodeOfNothing, IsNotGiven) {
     ProcedureBench bench(servos(1));
     bench.set(sim::Input::Friction, 0.0);
@@ -147,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(All, BodeOf,
                                          Plant{"HeaviestLoadSlowLine", 1.7e-4, 8'000, 10, 0.4, 1, 50, kSlow}),
                          [](const auto& plant) { return std::string(plant.param.name); });
 
-/// Amplitudes of which the whole PWM values leave little: what is said of them is true all the same.
+/// Amplitudes that take only a few of the whole PWM values: what is reported about them is still true.
 INSTANTIATE_TEST_SUITE_P(All, BodeOfASmallAmplitude,
                          testing::Values(Plant{"Usual", 1.7e-5, 2'000, 20, 0.7, 1, 12, kFast},
                                          Plant{"Overdamped", 1.7e-5, 2'000, 12, 1.5, 1, 24, kFast},

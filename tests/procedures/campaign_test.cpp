@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Home searches of all kinds on a line that loses and garbles: whatever is said to be home is home, and
-// whatever has failed or was cancelled stands still.
+// Home searches of all kinds on a line that loses and garbles bytes: a position reported as home is home, and
+// after a failure or a cancel the motor stands still.
 #include <array>
 #include <random>
 
@@ -33,14 +33,14 @@ protected:
         recipe.travelLimit = chance(0.1) ? 300 : 5'000;
         return recipe;
     }
-    /// Bytes on their way to the host and to the module are lost or changed with about this probability.
+    /// Loses or changes bytes on their way to the host and to the module, each with about this probability.
     void invalidate(ServoBench& bench, double probability) {
         bench.bus.onHostByte = [this, probability](std::uint8_t& byte) {
             if (chance(probability))
                 byte = static_cast<std::uint8_t>(byte ^ (1U << between(0, 7)));
             return chance(probability) ? 0U : 1U;
         };
-        // One bit at most: two may leave the sum right, which no host can tell.
+        // At most one bit changes: with two, the checksum may still match, which no host can notice.
         bench.bus.onCommand = [this, probability](std::vector<std::uint8_t>& command) {
             if (chance(5 * probability))
                 command[static_cast<std::size_t>(between(0, static_cast<int>(command.size()) - 1))] ^=
@@ -87,7 +87,7 @@ TEST_P(Campaign, NothingIsHomeThatIsNot) {
         EXPECT_TRUE(!zeroed || recipe.makeZero);
         if (report.stage == ProcedureStage::Done) {
             ++done;
-            // The chip's own register is what the truth of "captured" is.
+            // The register of the chip itself shows what was really captured.
             EXPECT_EQ(*report.home, truth.home);
             const bool index = recipe.thenIndex;
             if (!recipe.onIndex && !index) {
@@ -109,7 +109,7 @@ TEST_P(Campaign, NothingIsHomeThatIsNot) {
         }
     }
     RecordProperty("done", static_cast<int>(done));
-    EXPECT_GT(done, 5U) << "or it shows nothing";
+    EXPECT_GT(done, 5U) << "fewer successes would prove little";
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Campaign, testing::Range(1U, 9U));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The direction check, DS-V 4.4 PWM mode: what the motor really does is the simulator's word.
+// The direction check, DS-V 4.4 PWM mode: what the motor really does is read from the simulator.
 #include "model/intent/directionplan.h"
 #include "tests/procedures/procedurebench.h"
 
@@ -10,7 +10,8 @@ using namespace std::chrono_literals;
 using Input = sim::Input;
 using Verdict = DirectionVerdict;
 
-/// As connected: no gains, servo and amplifier off. Notes how long and how strongly the motor is driven.
+/// A servo as it is after connecting: no gains, servo and amplifier off. Records how long and how strongly
+/// the motor is driven.
 class CheckBench : public ProcedureBench {
 public:
     explicit CheckBench(std::uint32_t baud = 115'200, std::uint8_t version = 4)
@@ -67,8 +68,9 @@ TEST_P(DirectionCheckAt, FindsThatAllIsRight) {
         EXPECT_LE(report.direction->reverse, -kMovedCounts);
         bench.expectOff();
         EXPECT_LE(bench.strongest, 64) << "a quarter of 255";
-        // At 19 200 Bd: the start's answer of 10 bytes, four questions of 5 with answers of 7, a stop of 5:
-        // 63 bytes of 0.52 ms, and 6 times up to 0.51 ms are 36 ms, and a byte's time between any two.
+        // At 19 200 Bd: the answer to the start has 10 bytes, four queries have 5 each with answers of 7, and
+        // a stop has 5. That is 63 bytes of 0.52 ms; with 6 times up to 0.51 ms it makes 36 ms, plus the time
+        // of a byte between any two.
         EXPECT_LE(bench.longest, GetParam() == 19'200 ? 41ms : 10ms);
         EXPECT_LT(bench.farthest, directionReach({}));
         bench.bus.expectNoViolations();
@@ -225,7 +227,7 @@ TEST(DirectionCheck, ALinkInDoubtEndsItAndLeavesTheMotorOff) {
     bench.expectOff();
 }
 
-/// Every answer to one push is lost: whatever was carried out, it ends with the motor off.
+/// Three answers in a row are lost: whatever was carried out, the check ends with the motor off.
 TEST(DirectionCheck, AnswersThatAreLostLeaveTheMotorOff) {
     for (int first = 0; first < 8; ++first) {
         SCOPED_TRACE(first);
@@ -258,7 +260,7 @@ TEST(DirectionCheck, IsForAServoThatIsOffAndStands) {
     ASSERT_TRUE(bench.perform(intent::DrivePwm{20, false}));
     EXPECT_EQ(why(), Refusal::Moving);
     ASSERT_TRUE(bench.perform(intent::MotorOff{}));
-    EXPECT_EQ(why(), Refusal::Moving) << "it runs down";
+    EXPECT_EQ(why(), Refusal::Moving) << "it is still coasting";
     bench.bus.runFor(3s);
     bench.take();
     EXPECT_EQ(why(), std::nullopt);
@@ -290,7 +292,7 @@ TEST(DirectionCheck, EndsWhenSomebodyElseSwitchesTheServoOn) {
 }
 
 TEST(DirectionCheck, ItsReachFollowsTheAxis) {
-    EXPECT_EQ(directionReach({}), 250) << "an eighth of 2 000";
+    EXPECT_EQ(directionReach({}), 250) << "an eighth of 2 000 counts";
     EXPECT_EQ(directionReach({UnitKind::Turns, 4'000.0, {}}), 500);
     EXPECT_EQ(directionReach({UnitKind::Degrees, 4'000.0 / 360.0, {}}), 500);
     EXPECT_EQ(directionReach({UnitKind::Turns, 64.0, {}}), 50);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A dry run says what a run does: the same sequence on the bench's chain is the measure.
+// A dry run predicts what a run does: it is compared with the same sequence run on the bench's chain.
 #include "link/dryrun/dryrun.h"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ protected:
 };
 
 TEST_F(DryRuns, TakeAsLongAndGoAsFarAsTheRun) {
-    // Somewhere else than at 0.
+    // Begin at a position other than 0.
     bench.run = SequenceRun::toPoint(bench.machine, "A");
     ASSERT_EQ(bench.goOn().stage, SequenceStage::Done);
     bench.modules[0].home.found(100, bench.modules[0].latestTime);
@@ -35,7 +35,7 @@ TEST_F(DryRuns, TakeAsLongAndGoAsFarAsTheRun) {
     ASSERT_EQ(bench.goOn().stage, SequenceStage::Done);
     EXPECT_NEAR(foreseen.seconds, toSeconds(bench.bus.now - began), 0.5);
     ASSERT_EQ(foreseen.axes.size(), 3U);
-    // X from 1 000 to 1 100, to 100, and back to 1 100.
+    // X moves from 1 000 to 1 100, then to 100, and back to 1 100.
     EXPECT_NEAR(foreseen.axes[0].lowest, 100, 10);
     EXPECT_NEAR(foreseen.axes[0].highest, 1'100, 10);
     EXPECT_NEAR(foreseen.axes[0].travelled, 100 + 1'000 + 1'000, 50);
@@ -43,7 +43,7 @@ TEST_F(DryRuns, TakeAsLongAndGoAsFarAsTheRun) {
     EXPECT_EQ(foreseen.axes[2].lowest, 0);
     EXPECT_EQ(foreseen.axes[2].highest, 200);
     EXPECT_EQ(foreseen.axes[2].travelled, 400);
-    EXPECT_NE(bench.shafts(), shafts) << "the run itself moved";
+    EXPECT_NE(bench.shafts(), shafts) << "the run itself moved the shafts";
 }
 
 TEST_F(DryRuns, MoveNothing) {
@@ -61,7 +61,7 @@ TEST_F(DryRuns, SayWhatIsRefusedAndWhere) {
     ASSERT_FALSE(foreseen.problems.empty());
     EXPECT_EQ(foreseen.problems[0].refusal, Refusal::GoalOutOfRange);
     EXPECT_EQ(foreseen.problems[0].row, 0U);
-    // What only shows on the way: a stepper that is at its limit when it is to go on.
+    // Some refusals show only during the run: here a stepper is at its limit when it is to move on.
     bench.machine.program.points = {{"A", {{kTable, 200}}}, {"B", {{kTable, 100}}}};
     bench.machine.program.sequences = {
         {"Main",
@@ -104,7 +104,7 @@ TEST_F(DryRuns, TakeHomeWhereItIsKnown) {
     EXPECT_EQ(foreseen.axes[0].highest, 120);
 }
 
-/// IO3 is its only output.
+/// IO3 is the only output of the PIC-I/O.
 TEST_F(DryRuns, DoWhatTheRowsAskOfAPicIo) {
     constexpr ModuleIndex kBox{3};
     ModuleState box;
@@ -128,7 +128,7 @@ TEST_F(DryRuns, DoWhatTheRowsAskOfAPicIo) {
     bench.modules.pop_back();
 }
 
-/// Of which there is no data sheet here and nothing in the simulator.
+/// There is no data sheet for it here, and the simulator does not support it.
 TEST_F(DryRuns, LeaveOutAModuleThatIsNotKnownHere) {
     ModuleState other;
     other.info = {ModuleIndex(3), BusAddress(4), {ModuleType::Adc, 1}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first homing of a motor that nobody has tuned: starting values, and the recipe that stands there.
+// The first homing of a motor that nobody has tuned: with starting gains and the preset recipe.
 #include "model/intent/homingplan.h"
 #include "model/settings/startinggains.h"
 #include "tests/procedures/procedurebench.h"
@@ -9,7 +9,7 @@ namespace {
 
 using Input = sim::Input;
 
-/// A motor with a switch at -1 000, and the gains of an axis that thinks in counts.
+/// A motor with a switch at -1 000 and the gains of an axis whose unit is counts.
 class FirstHoming : public testing::Test {
 protected:
     [[nodiscard]] static ProcedureReport home(ServoBench& bench, const servo::SetGain& gains,
@@ -37,7 +37,7 @@ TEST_F(FirstHoming, WithStartingValuesMakesItsZero) {
     }
 }
 
-/// The default motor has 0.004 N·m and 1.7e-5 kg·m².
+/// The default motor has a friction of 0.004 N·m and an inertia of 1.7e-5 kg·m².
 TEST_F(FirstHoming, DoesNotDependOnThatMotor) {
     for (const double friction : {0.001, 0.004, 0.01, 0.02})
         for (const double inertia : {0.8e-5, 1.7e-5, 6e-5, 2e-4}) {
@@ -51,8 +51,8 @@ TEST_F(FirstHoming, DoesNotDependOnThatMotor) {
         }
 }
 
-/// Friction holds 0.004 N·m / 0.038 N·m/A * 1.1 ohm = 0.116 V, 1.23 of 255 at 24 V: without Ki nothing under
-/// 2 * 256 / 100 = 5.1 counts moves it.
+/// Friction holds against 0.004 N·m / 0.038 N·m/A * 1.1 ohm = 0.116 V, which is 1.23 of 255 at 24 V: without
+/// Ki, an error of less than 2 * 256 / 100 = 5.1 counts does not move the motor.
 TEST_F(FirstHoming, WithoutKiTheToleranceDecides) {
     servo::SetGain gains = startingGains({});
     gains.ki = gains.il = 0;
@@ -67,11 +67,11 @@ TEST_F(FirstHoming, WithoutKiTheToleranceDecides) {
 
     ServoBench lenient;
     ASSERT_TRUE(lenient.connect());
-    // 10 000 counts a turn: a thousandth are 10.
+    // A turn has 10 000 counts: a thousandth of it is 10.
     const ProcedureReport done = home(lenient, gains, homeTolerance({UnitKind::Turns, 10'000.0, {}}));
     EXPECT_EQ(done.stage, ProcedureStage::Done);
-    EXPECT_EQ(done.offHome, refused.offHome) << "the same motor";
-    EXPECT_NEAR(lenient.truth().position, 0, 1) << "zero is where it rests";
+    EXPECT_EQ(done.offHome, refused.offHome) << "it is the same motor";
+    EXPECT_NEAR(lenient.truth().position, 0, 1) << "zero is set where it rests";
 }
 
 TEST_F(FirstHoming, AReversedEncoderIsOverSoon) {
@@ -84,8 +84,8 @@ TEST_F(FirstHoming, AReversedEncoderIsOverSoon) {
     const auto recipe = firstRecipe(bench.module().info.identity);
     EXPECT_EQ(bench.run(intent::Home{recipe}).failure, ProcedureFailure::WentOff);
     EXPECT_FALSE(bench.truth().servoOn);
-    // A quarter of 24 V is 158 rad/s at most; 0.004 N·m takes that from 1.7e-5 kg·m² within 53 rad, 17 000
-    // counts, behind the 500 of EL.
+    // A quarter of 24 V gives at most 158 rad/s; from there, 0.004 N·m brakes 1.7e-5 kg·m² within 53 rad,
+    // which is 17 000 counts, after the 500 counts of EL.
     EXPECT_LT(std::abs(bench.truth().shaftCounts), 17'500);
 }
 

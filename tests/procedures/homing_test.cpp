@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A search for home on a PIC-SERVO, DS-V 5.2 Set Homing Mode: where the switch really is, is the simulator's
-// word.
+// A home search on a PIC-SERVO, DS-V 5.2 Set Homing Mode: where the switch really is, is read from the
+// simulator.
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {
@@ -10,10 +10,11 @@ using namespace std::chrono_literals;
 using Stop = HomingRecipe::Stop;
 using Input = sim::Input;
 
-/// How far the switch may be off: it is worked between two bytes on the wire, 0.17 ticks at 0.5 counts each.
+/// How far off the switch may be: it is operated between two bytes on the line, 0.17 ticks at 0.5 counts
+/// each.
 constexpr double kSwitchIsAt = 2.0;
 
-/// Position 0 of the chip is where the shaft really is at `shaft`.
+/// Expects position 0 of the chip to be where the shaft really is at `shaft`.
 void expectZeroAt(ServoBench& bench, double shaft) {
     const auto truth = bench.truth();
     EXPECT_NEAR(truth.shaftCounts - truth.position, shaft, kSwitchIsAt);
@@ -93,7 +94,8 @@ TEST_P(EachVersion, FindsTheLimitThenTheIndexInTheOtherDirection) {
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_TRUE(bench.stages.count(ProcedureStage::SearchingIndex) == 1);
     ASSERT_TRUE(report.home);
-    EXPECT_NEAR(*report.home, 0, 1) << "one index in 2 000 counts, the next one forward of -1 300";
+    EXPECT_NEAR(*report.home, 0, 1)
+        << "there is one index in 2 000 counts, and this is the next one forward of -1 300";
     bench.bus.expectNoViolations();
 }
 
@@ -168,8 +170,8 @@ TEST_P(EachVersion, TheCurrentThatStartingTakesIsNotHome) {
     bench.set(Input::TravelMin, -800);
     HomingRecipe recipe = slowRecipe();
     recipe.onCurrentLimit = true;
-    // Within four ticks. 2 counts off in the first one is a PWM of (200 x 2 + 2 000 x 2) / 256 = 17, which is
-    // 1.6 V or 1.5 A; 51 are 1 A.
+    // It accelerates within four ticks. An error of 2 counts in the first one gives a PWM value of (200 x 2 +
+    // 2 000 x 2) / 256 = 17, which is 1.6 V or 1.5 A; 51 is 1 A.
     recipe.velocity = 8;
     recipe.acceleration = 2;
     const ProcedureReport report = bench.run(intent::Home{recipe});
@@ -194,7 +196,7 @@ protected:
     void expectQuiet() {
         EXPECT_EQ(bench.truth().commandVelocity, 0);
         EXPECT_FALSE(bench.module().latest->servoStatus().homeInProgress());
-        EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "no zero";
+        EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "zero is not set";
         bench.bus.expectNoViolations();
     }
     HomingRecipe onLimit1() {
@@ -219,7 +221,7 @@ TEST_F(Failing, M14_WithoutASwitchTheTimeLimitEndsIt) {
     HomingRecipe recipe = onLimit1();
     recipe.timeLimit = 2;
     expectFailure(bench.run(intent::Home{recipe}), ProcedureFailure::TimeLimit);
-    // 0.5 counts/tick x 1953 ticks/s x 2 s, some 50 ms more to notice and to stop, and less for the ramp.
+    // 0.5 counts/tick x 1953 ticks/s x 2 s, plus about 50 ms to notice and to stop, minus the ramp.
     EXPECT_NEAR(bench.truth().position, -1'953, 100);
 }
 
@@ -229,7 +231,7 @@ TEST_F(Failing, M16_ASwitchThatStaysActiveIsNotSearched) {
     HomingRecipe recipe = onLimit1();
     recipe.travelLimit = 500;
     expectFailure(bench.run(intent::Home{recipe}), ProcedureFailure::SwitchActive);
-    EXPECT_NEAR(bench.truth().position, 500, 100) << "backed off as far as it may";
+    EXPECT_NEAR(bench.truth().position, 500, 100) << "it backed off as far as it may";
     EXPECT_EQ(bench.bus.sends("AA 01 19 11"), 0U);
 }
 
@@ -237,7 +239,7 @@ TEST_F(Failing, ATripOnTheWayIsNotHome) {
     ASSERT_TRUE(bench.enable(200));
     bench.set(Input::TravelMin, -500);
     expectFailure(bench.run(intent::Home{onLimit1()}), ProcedureFailure::WentOff);
-    EXPECT_FALSE(bench.truth().servoOn) << "and it is not switched on again";
+    EXPECT_FALSE(bench.truth().servoOn) << "it is not switched on again";
     EXPECT_TRUE(bench.module().switchedItselfOff);
 }
 
@@ -254,13 +256,14 @@ TEST_F(Failing, ATripInASearchThatEndsWithTheMotorOffIsNotHomeEither) {
 TEST_F(Failing, AServoThatCannotReachItsHomeExactlyMakesNoZero) {
     ASSERT_TRUE(bench.enable());
     bench.putSwitch(Input::Limit1, -1'000, true);
-    // Without Ki friction keeps it some counts off.
+    // Without Ki, friction keeps it some counts off.
     ASSERT_TRUE(bench.perform(intent::ApplyGains{{20, 500, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}}}));
     bench.set(Input::Friction, 0.02);
     HomingRecipe recipe = onLimit1();
     recipe.stop = Stop::Smoothly;
     expectFailure(bench.run(intent::Home{recipe}), ProcedureFailure::NotAtHome);
-    EXPECT_NEAR(bench.procedure->report().home.value_or(0), -1'000, kSwitchIsAt) << "found, all the same";
+    EXPECT_NEAR(bench.procedure->report().home.value_or(0), -1'000, kSwitchIsAt)
+        << "home was found all the same";
 }
 
 TEST_F(Failing, TwoReadingsThatDifferAreNoHome) {
@@ -268,7 +271,7 @@ TEST_F(Failing, TwoReadingsThatDifferAreNoHome) {
     bench.putSwitch(Input::Limit1, -400, true);
     unsigned turns = 0;
     bench.onTurn = [&](Procedure& run) {
-        // Another home in what the first reading brought.
+        // The first reading reports another home.
         if (run.report().stage == ProcedureStage::Reading && ++turns == 1)
             bench.module().latest->home = -399;
     };
@@ -283,7 +286,7 @@ TEST_F(Failing, M15_ALinkInDoubtIsNeverHomed) {
     ASSERT_TRUE(bench.runTo(ProcedureStage::Searching));
     bench.procedure->onLinkSuspect();
     expectFailure(bench.goOn(), ProcedureFailure::LinkSuspect);
-    EXPECT_GT(bench.truth().position, -900) << "stopped at once";
+    EXPECT_GT(bench.truth().position, -900) << "it is stopped at once";
 }
 
 TEST_F(Failing, AModuleThatFallsSilentIsNeverHomed) {
@@ -295,14 +298,15 @@ TEST_F(Failing, AModuleThatFallsSilentIsNeverHomed) {
     const ProcedureReport report = bench.goOn(30);
     EXPECT_EQ(report.stage, ProcedureStage::Failed);
     EXPECT_FALSE(report.home);
-    EXPECT_EQ(bench.truth().commandVelocity, 0) << "the stop is heard though the answers are not";
+    EXPECT_EQ(bench.truth().commandVelocity, 0) << "the stop arrives although the answers do not";
 }
 
 TEST_F(Failing, OneLostReplyChangesNothing) {
     ASSERT_TRUE(bench.enable());
     bench.putSwitch(Input::Limit1, -600, true);
     unsigned commands = 0;
-    // The polls and the questions; what is only sent once is not for a lost reply to decide.
+    // Only replies to polls and queries are lost; a command that is sent only once might fail without its
+    // reply.
     bench.bus.losesReply = [&](ByteSpan command) {
         const bool question = command.size() >= 4 && (command[2] == 0x13 || command[2] == 0x0E);
         return question && ++commands % 40 == 0;
@@ -332,7 +336,7 @@ TEST(Homing, IsRefusedWhereItCannotWork) {
     const auto why = [&] { return plan(intent::Home{recipe}, bench.module()).error(); };
     EXPECT_EQ(why(), Refusal::NothingToFind);
     recipe.onHomeSwitch = true;
-    EXPECT_EQ(why(), Refusal::NothingToFind) << "a PIC-SERVO has none";
+    EXPECT_EQ(why(), Refusal::NothingToFind) << "a PIC-SERVO has no home switch";
     recipe.onLimit1 = true;
     recipe.velocity = 0;
     EXPECT_EQ(why(), Refusal::NoVelocity);

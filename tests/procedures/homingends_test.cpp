@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A search for home that is cancelled, or overtaken by a stop, in each of its stages.
+// A home search that is cancelled, or ended by a stop, in each of its stages.
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {
@@ -9,8 +9,8 @@ using namespace std::chrono_literals;
 using Stop = HomingRecipe::Stop;
 using Input = sim::Input;
 
-/// Cancelled or stopped in whatever stage: nothing moves any more, the chip watches for nothing, nothing is
-/// zero.
+/// After a cancel or a stop in any stage, nothing moves, the chip searches for nothing, and zero has not been
+/// set.
 class EndedIn : public testing::TestWithParam<ProcedureStage> {
 protected:
     [[nodiscard]] bool reach() {
@@ -29,7 +29,7 @@ protected:
         EXPECT_EQ(bench.truth().commandVelocity, 0);
         EXPECT_NEAR(bench.truth().velocity, 0, 0.05);
         EXPECT_TRUE(bench.truth().servoOn) << "it still holds";
-        EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "no zero";
+        EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "zero is not set";
         bench.bus.expectNoViolations();
     }
     ServoBench bench;
@@ -75,7 +75,8 @@ TEST(Homing, AStopByWhoeverCancelsItsCommandsIsLeftAsItIs) {
     const std::size_t before = bench.bus.sent.size();
     const ProcedureReport report = bench.goOn(5);
     EXPECT_EQ(report.stage, ProcedureStage::Cancelled);
-    EXPECT_EQ(bench.bus.sends("AA 01 17", before), 0U) << "it might switch on what was switched off";
+    EXPECT_EQ(bench.bus.sends("AA 01 17", before), 0U)
+        << "a stop might switch on a servo that was switched off";
     EXPECT_EQ(bench.bus.sends("AA 01 19 00", before), 1U);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Homing used as a safety stop (DS-V 5.2), because on a PIC-SERVO a limit input does not stop the motor by
-// itself.
+// Homing used as a safety stop (DS-V 5.2), because the limit inputs of a PIC-SERVO do not stop the motor by
+// themselves.
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Square waves and sines of the command position: what is sent, what they find, and how they end. Engine and
-// simulator in virtual time; the truth is the simulator's, and the analytic loop.
+// simulator in virtual time, compared with the state of the simulator and with the analytic loop.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 constexpr servo::SetGain kGains{200, 2'000, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}};
 
-/// The motor of the simulator, with almost no friction: what is linear can be reckoned.
+/// The motor of the simulator without dry friction: its linear behaviour can be calculated.
 [[nodiscard]] MotorConstants linearMotor() {
     sim::MotorParameters motor;
     motor.coulombNm = 0;
@@ -38,7 +38,7 @@ protected:
         const auto steps = plan(wanted, bench.module());
         return steps ? std::nullopt : std::optional(steps.error());
     }
-    /// The commands that the servo has seen while the procedure ran.
+    /// Records the range of the command position while the procedure runs.
     void watchCommands() {
         lowest = highest = bench.truth().commandPosition;
         bench.bus.onTime = [this] {
@@ -46,7 +46,7 @@ protected:
             highest = std::max(highest, bench.truth().commandPosition);
         };
     }
-    /// The slowest are under way; the first of them lasts ten seconds.
+    /// Begins with the slowest sines, the first of which lasts ten seconds.
     void beginSines() {
         ASSERT_TRUE(hold());
         bench.begin(intent::FrequencyResponse{20, 0.5, 1.0});
@@ -77,12 +77,13 @@ TEST_P(WavesOfEachWay, JumpToAndFroAndEndWhereTheyBegan) {
     EXPECT_EQ(lowest, from - 50);
     EXPECT_EQ(highest, from + 50);
     EXPECT_EQ(bench.truth().commandPosition, from);
-    ASSERT_EQ(edges.size(), 6U) << "three periods; half an edge leads there";
+    ASSERT_EQ(edges.size(), 6U) << "three periods have six edges; half an edge leads there";
     for (std::size_t i = 0; i < edges.size(); ++i) {
         EXPECT_EQ(edges[i].goal - edges[i].from, i % 2 == 0 ? -100 : 100);
         if (i > 0) {
             EXPECT_GE(toSeconds(edges[i].at - edges[i - 1].at), 0.2);
-            EXPECT_LE(toSeconds(edges[i].at - edges[i - 1].at), 0.26) << "a turn, and two commands";
+            EXPECT_LE(toSeconds(edges[i].at - edges[i - 1].at), 0.26)
+                << "half a period, a turn and two commands";
         }
     }
     EXPECT_TRUE(bench.truth().servoOn);
@@ -111,7 +112,7 @@ TEST_F(LoopTests, AWaveTakesGainsBeforeItsNextEdge) {
     EXPECT_EQ(bench.truth().gains.kp, 300);
     other.el = 100;
     bench.begin(kWave);
-    EXPECT_FALSE(bench.procedure->take(other)) << "its edges would trip";
+    EXPECT_FALSE(bench.procedure->take(other)) << "its edges would trip the servo";
 }
 
 TEST_F(LoopTests, AWaveThatIsLeftByMoreThanItsExcursionEndsInAHold) {
@@ -120,7 +121,7 @@ TEST_F(LoopTests, AWaveThatIsLeftByMoreThanItsExcursionEndsInAHold) {
     wave.excursion = 20;
     bench.begin(wave);
     ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
-    bench.set(sim::Input::Load, 0.15);  // pulls it some 60 counts off
+    bench.set(sim::Input::Load, 0.15);  // pulls it about 60 counts off
     const ProcedureReport report = bench.goOn();
     EXPECT_EQ(report.stage, ProcedureStage::Failed);
     EXPECT_EQ(report.failure, ProcedureFailure::TravelLimit);
@@ -147,7 +148,7 @@ TEST_F(LoopTests, AreRefusedBeforeAnythingIsSent) {
     narrow.el = 42;
     ASSERT_TRUE(bench.perform(intent::ApplyGains{narrow}));
     EXPECT_EQ(refusal(kWave), Refusal::StepWouldTrip);
-    EXPECT_EQ(refusal(sines), Refusal::StepWouldTrip) << "half a turn behind it is 40 counts off";
+    EXPECT_EQ(refusal(sines), Refusal::StepWouldTrip) << "half a period behind, it is 40 counts off";
 }
 
 TEST_F(LoopTests, LimitsOfTravelHoldOnBothSides) {
@@ -163,7 +164,7 @@ TEST_F(LoopTests, LimitsOfTravelHoldOnBothSides) {
     EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 40.0}), std::nullopt);
 }
 
-/// N edges at 1.5 ms are sampled N times as finely, and no finer than a tick.
+/// N edges sampled every 1.5 ms give samples N times as close together, but no closer than a tick.
 TEST_F(LoopTests, EdgesFoldIntoAFinerOne) {
     ASSERT_TRUE(hold());
     std::vector<ResponseRecord> edges;
@@ -197,7 +198,7 @@ TEST_F(LoopTests, EdgesFoldIntoAFinerOne) {
                                    [](const FoldedPoint& p) { return p.seconds > 0 && p.seconds < 0.05; });
     EXPECT_GT(all, 2 * one);
     EXPECT_LE(all, static_cast<long>(0.05 / 512e-6) + 1);
-    // The step of this motor by its own model, in the same places.
+    // The step of this motor as its own model predicts it, at the same times.
     const ResponseRecord reckoned =
         reckonStep(linearMotor(), {{}, 0, 100, 0.2, ResponseMethod::Profile, kGains},
                    standing(linearMotor(), kGains, 0, 0), kFirstBand);
@@ -209,7 +210,7 @@ TEST_F(LoopTests, EdgesFoldIntoAFinerOne) {
         const auto i = static_cast<std::size_t>(point.seconds / 512e-6);
         const double early = reckoned.points[i - 1].position;
         const double late = reckoned.points[i + 1].position;
-        // By the tick that a time is uncertain by, and the counts of two encoders.
+        // Within the tick by which a time is uncertain, and the counts of two encoders.
         EXPECT_GE(point.position, std::min(early, late) - 4) << point.seconds;
         EXPECT_LE(point.position, std::max(early, late) + 4) << point.seconds;
     }
@@ -247,7 +248,7 @@ TEST_F(LoopTests, ASineIsCancelledAtOnce) {
     bench.procedure->cancel();
     const TimePoint cancelled = bench.bus.now;
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
-    EXPECT_LT(bench.bus.now - cancelled, 1s) << "its first frequency alone lasts ten";
+    EXPECT_LT(bench.bus.now - cancelled, 1s) << "the first frequency alone would take ten seconds";
     const double command = bench.truth().commandPosition;
     bench.bus.runFor(1s);
     EXPECT_EQ(bench.truth().commandPosition, command);
@@ -281,7 +282,7 @@ TEST_F(LoopTests, WhateverElseIsAskedForEndsASine) {
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
 }
 
-/// What the engine promises of a sine, whoever asks for it.
+/// What the engine guarantees for a sine, whatever requests it.
 class Sines : public LoopTests {
 protected:
     void swing(Duration lasts = 10s) {
@@ -290,7 +291,7 @@ protected:
         id = bench.bus.submit({{ModuleIndex(0), ServoCommand(centre)}}, bus::Sine{50, 2.0, lasts});
     }
     [[nodiscard]] std::size_t commands() const { return bench.bus.sends("AA 01 57", before); }
-    /// Nothing swings any more: the command stays where it is.
+    /// Expects that no more commands of a sine are sent.
     void expectCalm() {
         const std::size_t sent = commands();
         bench.bus.runFor(500ms);
@@ -328,7 +329,7 @@ TEST_F(Sines, CountAsMotionForWhomeverWatchesOverThePanel) {
     expectCalm();
 }
 
-/// One more Stop Here would switch it on again.
+/// Another Stop Here would switch the servo on again.
 TEST_F(Sines, EndWhenTheChipLetsGo) {
     ASSERT_TRUE(hold());
     swing();
@@ -342,7 +343,7 @@ TEST_F(Sines, EndWhenTheChipLetsGo) {
     EXPECT_FALSE(bench.truth().servoOn);
 }
 
-/// Its direction wires exchanged, it runs away until the position error trips.
+/// With the encoder counting the wrong way, it runs away until the position error trips.
 TEST_F(Sines, EndWithATrip) {
     ASSERT_TRUE(hold());
     swing();
@@ -379,7 +380,7 @@ TEST_F(Sines, EndWithTheirLine) {
     expectCalm();
 }
 
-/// A slow line ends early, and what it has measured counts.
+/// On a slow line the test ends early, and what was measured by then counts.
 TEST(LoopTestsOnASlowLine, SinesEndWhereTheLineIsTooSlowForThem) {
     ProcedureBench bench(servos(1, 4), {}, 19'200);
     bench.set(sim::Input::Friction, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moves by N, again and again.
+// Relative moves that are repeated.
 #include "module/stepperspeed.h"
 #include "tests/procedures/procedurebench.h"
 
@@ -13,7 +13,7 @@ protected:
     [[nodiscard]] static intent::MoveBy by(std::int32_t counts, unsigned rounds) {
         return {{counts, rounds}, ServoPace{CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}};
     }
-    /// Goals of every move that was loaded, from the wire: AA 01 n4 control position...
+    /// Goals of all moves that were loaded, as sent: AA 01 n4 control position...
     [[nodiscard]] std::vector<std::int32_t> goals() const {
         std::vector<std::int32_t> all;
         for (const auto& sent : bench.bus.sent)
@@ -28,7 +28,7 @@ protected:
 
 TEST_F(MoveBy, MovesFromGoalToGoal) {
     ASSERT_TRUE(bench.enable());
-    // Weak, without Ki: what it is off by would add up otherwise.
+    // Weak gains without Ki: if each move began where the motor is, its errors would add up.
     ASSERT_TRUE(bench.perform(intent::ApplyGains{{20, 500, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}}}));
     bench.set(sim::Input::Friction, 0.02);
     const ProcedureReport report = bench.run(by(250, 4));
@@ -39,7 +39,7 @@ TEST_F(MoveBy, MovesFromGoalToGoal) {
     ASSERT_EQ(all.size(), 4U);
     EXPECT_EQ(all[1] - all[0], 250);
     EXPECT_EQ(all[3] - all[0], 750);
-    EXPECT_GT(std::abs(bench.truth().positionError), 2) << "the motor itself is off";
+    EXPECT_GT(std::abs(bench.truth().positionError), 2) << "the motor itself is not there";
     EXPECT_EQ(bench.truth().commandPosition, all[3]);
     bench.bus.expectNoViolations();
 }
@@ -69,7 +69,7 @@ TEST_F(MoveBy, GoesBackAndForthAndPauses) {
     EXPECT_EQ(report.round, 2U);
     EXPECT_TRUE(bench.stages.count(ProcedureStage::Pausing) == 1);
     EXPECT_EQ(goals(), (std::vector<std::int32_t>{300, 0, 300, 0}));
-    EXPECT_GT(toSeconds(bench.bus.now - began), 1.5) << "three pauses";
+    EXPECT_GT(toSeconds(bench.bus.now - began), 1.5) << "there are three pauses";
     EXPECT_NEAR(bench.truth().position, 0, 2);
     bench.bus.expectNoViolations();
 }
@@ -136,7 +136,7 @@ TEST_F(MoveBy, BeyondTheChipsRangeNothingIsSent) {
     bench.begin(intent::MoveBy{{0x7FFFFFFF}, ServoPace{CountsPerTick(1), CountsPerTickSquared(1)}});
     bench.module().latest->position = 0x7FFFFF00;
     Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
-    ASSERT_TRUE(std::holds_alternative<Procedure::Send>(next)) << "a stop, and no load";
+    ASSERT_TRUE(std::holds_alternative<Procedure::Send>(next)) << "only a stop is sent, and no load";
     EXPECT_EQ(std::get<Procedure::Send>(next).orders.size(), 1U);
     EXPECT_EQ(bench.procedure->report().failure, ProcedureFailure::TravelLimit);
     EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 0U);
@@ -150,7 +150,7 @@ TEST_F(MoveBy, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(procedureFor(by(1, 1), bench.module()), nullptr);
 }
 
-/// A PIC-STEP, switched on: 25 steps/s a unit of speed.
+/// A PIC-STEP that is switched on; its unit of speed is 25 steps/s.
 class StepperMoveBy : public testing::Test {
 protected:
     void SetUp() override {
@@ -172,7 +172,7 @@ TEST_F(StepperMoveBy, MovesThatFarAsOftenAsAskedFor) {
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_EQ(report.round, 3U);
     EXPECT_EQ(bench.stepperTruth().position, start - 750);
-    EXPECT_EQ(bench.bus.sends("AA 01 D4"), 0U) << "that is what a servo's move looks like";
+    EXPECT_EQ(bench.bus.sends("AA 01 D4"), 0U) << "a servo's move would look like this";
     bench.bus.expectNoViolations();
 }
 
@@ -205,7 +205,7 @@ TEST_F(StepperMoveBy, AMoveThatIsNotItsOwnEndsIt) {
     bench.begin(by(2'000, 5));
     ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
     bench.settle();
-    // Table 4 of DS-S: from a trapezoidal move to a velocity profile, with all three loaded.
+    // Table 4 of DS-S: a change from a trapezoidal move to a velocity profile needs all three loaded.
     stepper::LoadTrajectory run;
     run.timer = StepperSpeed(stepper::SpeedMode::X1).timerFor(1'000);
     run.speed = std::uint8_t(40);
@@ -214,7 +214,7 @@ TEST_F(StepperMoveBy, AMoveThatIsNotItsOwnEndsIt) {
                   {{ModuleIndex(0), StepperCommand(run)}, {ModuleIndex(0), StepperCommand(StartMotion{})}}),
               bus::Outcome::Done);
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
-    EXPECT_NE(bench.stepperTruth().stepRate, 0) << "the motion of whoever has taken it over goes on";
+    EXPECT_NE(bench.stepperTruth().stepRate, 0) << "the motion that has taken over goes on";
 }
 
 TEST_F(StepperMoveBy, IsRefusedWhereItCannotWork) {

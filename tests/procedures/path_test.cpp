@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths that are followed to their end. Engine and simulator in virtual time; the truth is the simulator's
+// Paths that are followed to their end. Engine and simulator in virtual time, checked against the simulator's
 // command position at every tick.
 #include <algorithm>
 
@@ -32,7 +32,7 @@ TEST_P(PathAtEachRate, IsOnEachPointAtTheEndOfItsSegment) {
     EXPECT_EQ(report.path->done, 1'000U);
     EXPECT_EQ(report.path->end, bus::PathEnd::Done);
     EXPECT_FALSE(report.path->runsDry);
-    EXPECT_GT(report.path->least, 70U) << "the buffer of 96 or 128 was kept filled";
+    EXPECT_GT(report.path->least, 70U) << "the buffer of 96 or 128 points was kept filled";
     EXPECT_EQ(bench.module().goal(), table.columns[0].points.back());
     EXPECT_FALSE(bench.module().moving());
     bench.bus.expectNoViolations();
@@ -76,7 +76,7 @@ TEST(Path, ShowsWhatTheModuleDoes) {
     const auto other = bench.bus.submit({{ModuleIndex(0), ServoCommand(run)}});
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Done);
     EXPECT_EQ(bench.bus.outcomeOf(gains), bus::Outcome::Done);
-    EXPECT_EQ(bench.bus.outcomeOf(other), bus::Outcome::Forbidden) << "it is on its path";
+    EXPECT_EQ(bench.bus.outcomeOf(other), bus::Outcome::Forbidden) << "the module is on its path";
     EXPECT_EQ(bench.module().activity(), Activity::Holding);
 }
 
@@ -119,7 +119,7 @@ TEST(Path, OfThreeAxesRunsForTenMinutesWithoutAnUnderRun) {
     EXPECT_FALSE(dry);
     for (std::uint8_t i = 0; i < 3; ++i) {
         EXPECT_TRUE(bench.wasOnEachPoint(table, i)) << int{i};
-        EXPECT_GT(polls[i], 600U * 5U) << "five times a second at least";
+        EXPECT_GT(polls[i], 600U * 5U) << "at least five times a second";
     }
     bench.bus.expectNoViolations();
 }
@@ -135,14 +135,14 @@ TEST(Path, IsRefusedBeforeAnythingIsSent) {
     const PathTable both = bench.swings(PathRate::Hz60, 300);
     PathTable one = both;
     one.columns.pop_back();
-    const std::size_t before = bench.bus.sends("AA011");  // neither stops nor I/O Control
+    const std::size_t before = bench.bus.sends("AA011");  // stops and I/O Control
     EXPECT_EQ(kindOf(one), std::nullopt);
     EXPECT_EQ(kindOf(both), Obstacle::NotAGroup);
     PathTable changed = one;
     changed.rate = PathRate::Hz120;
     EXPECT_EQ(kindOf(changed), Obstacle::WrongFastPath);
     changed = one;
-    changed.columns[0].points[0] = 100 + 8'192;  // 13 bits, and one more
+    changed.columns[0].points[0] = 100 + 8'192;  // one count more than 13 bits hold
     EXPECT_EQ(kindOf(changed), Obstacle::TooFarToStart);
     EXPECT_EQ(planPath(changed, bench.modules, {}).error().value, 8'192);
     EXPECT_EQ(planPath(changed, bench.modules, {}).error().allowed, 8'191);
@@ -151,7 +151,8 @@ TEST(Path, IsRefusedBeforeAnythingIsSent) {
     EXPECT_EQ(kindOf(changed), Obstacle::Jump);
     EXPECT_EQ(planPath(changed, bench.modules, {}).error().point, 11U);
     EXPECT_EQ(kindOf({}), Obstacle::NoPoints);
-    // 24 frames' worth of wire a second would be needed at 1200 Bd, were there such a rate.
+    // Nearly nine frames a second with their replies are more than 1200 Bd would carry, were there such a
+    // rate.
     EXPECT_EQ(kindOf(one, {1'200, Duration{}}), Obstacle::BusTooSlow);
     ModuleState& module = bench.module();
     const ModuleState good = module;
@@ -189,7 +190,7 @@ TEST(Path, IsNotWhatSingleCommandsMake) {
     EXPECT_EQ(bench.frames(), 0U);
 }
 
-/// The bus asks again itself: the panel's picture may be old by then.
+/// The engine checks the start itself: the panel's state may be out of date by then.
 TEST(Path, ThatBeginsSomewhereElseIsNotSent) {
     PathBench bench(scs());
     ASSERT_TRUE(bench.hold());
@@ -206,7 +207,7 @@ TEST(Path, ThatBeginsSomewhereElseIsNotSent) {
     EXPECT_EQ(bench.frames(), 0U);
 }
 
-/// The panel does not know what another host has told it.
+/// The panel does not know what another host has sent to the module.
 TEST(Path, IsNotAskedOfAChainThatWasLeftAsItWas) {
     PathBench bench(scs());
     ASSERT_TRUE(bench.hold());

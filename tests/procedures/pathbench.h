@@ -12,7 +12,7 @@
 
 namespace nmc::test {
 
-/// PIC-SERVO CMC or SC that hold, and what the simulator knows of their command positions at every tick.
+/// PIC-SERVO CMC or SC modules that hold, and their command positions in the simulator at every tick.
 class PathBench : public ProcedureBench {
 public:
     static constexpr std::uint8_t kGroup = 0x81;
@@ -24,10 +24,10 @@ public:
         bus.onTime = {};
     }
 
-    std::vector<std::vector<double>> ticks;  ///< command positions of each module, from when it started
+    std::vector<std::vector<double>> ticks;  ///< command positions of each module since its path started
     std::vector<double> least;               ///< points left while its path ran
 
-    /// All hold, and an acceleration is loaded in each.
+    /// Makes all modules hold, with an acceleration loaded in each.
     [[nodiscard]] bool hold(std::optional<bool> fastPath = {}) {
         if (!connect())
             return false;
@@ -52,7 +52,7 @@ public:
         settle();
         return done;
     }
-    /// All of them, and a leader where one is named.
+    /// Puts all modules in one group, with a leader if one is given.
     [[nodiscard]] bool group(std::optional<std::uint8_t> leader = {}) {
         for (std::uint8_t i = 0; i < modules.size(); ++i) {
             bus.engine.submit(bus::GroupOperation{bus::OperationId(1'000U + i),
@@ -62,7 +62,7 @@ public:
         }
         return bus.count<bus::GroupFinished>() == modules.size();
     }
-    /// Swings of so many counts about the place where it holds, at other periods for each axis.
+    /// Swings of this many counts about the position that is held, with a different period for each axis.
     [[nodiscard]] PathTable swings(servo::PathRate rate, std::size_t points, double counts = 600) const {
         PathTable table{rate, {}};
         for (std::uint8_t i = 0; i < modules.size(); ++i) {
@@ -89,14 +89,14 @@ public:
         follow(table);
         return procedure ? goOn(seconds) : ProcedureReport{};
     }
-    /// So many points are behind it.
+    /// Runs the path until this many points are done.
     [[nodiscard]] bool runToPoint(std::size_t point) {
         while (!procedure->report().path || procedure->report().path->done < point)
             if (!turn())
                 return false;
         return true;
     }
-    /// Packets of Add Path Points with points, from that entry of bus.sent on.
+    /// Number of Add Path Points packets that contain points, from this entry of bus.sent on.
     [[nodiscard]] std::size_t frames(std::size_t from = 0) const {
         std::size_t n = 0;
         for (std::size_t i = from; i < bus.sent.size(); ++i)
@@ -106,13 +106,13 @@ public:
     [[nodiscard]] static bool isFrame(ByteSpan packet) {
         return packet.size() > 4 && packet[0] == 0xAA && (packet[2] & 0x0FU) == 0x0D;
     }
-    /// The command stands still for two seconds.
+    /// True if the command position does not change for two seconds.
     [[nodiscard]] bool stands(std::uint8_t module) {
         const double at = bus.servo(module).commandPosition;
         bus.runFor(std::chrono::seconds(2));
         return bus.servo(module).commandPosition == at;
     }
-    /// Its command position was exactly on each point when the segment to it was over.
+    /// True if the command position was exactly on each point at the end of the segment leading to it.
     [[nodiscard]] bool wasOnEachPoint(const PathTable& table, std::uint8_t module) const {
         const auto& seen = ticks.at(module);
         const auto& points = table.columns.at(module).points;

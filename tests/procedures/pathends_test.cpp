@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths on a line that loses things, and paths that end early: what is lost is found out and never added
-// twice; and after whatever stop nothing of a path is sent, and no motor moves.
+// Paths on a line that loses packets, and paths that end early: a loss is noticed, and nothing is added
+// twice; after any stop, nothing of a path is sent, and no motor moves.
 #include <functional>
 #include <string>
 
@@ -12,7 +12,7 @@ namespace {
 using namespace std::chrono_literals;
 using servo::PathRate;
 
-/// Strikes the frame with this number, from 1, once.
+/// Loses the frame with this number, counted from 1, or the reply to it, once.
 class Loss {
 public:
     Loss(PathBench& bench, std::size_t frame, bool command) {
@@ -35,7 +35,7 @@ struct Lost {
 };
 class PathThatLosesAFrame : public testing::TestWithParam<Lost> {};
 
-/// 300 points: 18 frames fill the buffer, the last of 25 that follow has six.
+/// 300 points: 18 frames fill the buffer, and the last of the 25 that follow has six points.
 TEST_P(PathThatLosesAFrame, GoesOnAndIsOnEachPoint) {
     PathBench bench(scs());
     ASSERT_TRUE(bench.hold());
@@ -44,7 +44,8 @@ TEST_P(PathThatLosesAFrame, GoesOnAndIsOnEachPoint) {
     const ProcedureReport report = bench.runPath(table);
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_TRUE(bench.wasOnEachPoint(table, 0));
-    EXPECT_EQ(bench.frames(), 43U + (GetParam().command ? 1U : 0U)) << "sent again only where it was lost";
+    EXPECT_EQ(bench.frames(), 43U + (GetParam().command ? 1U : 0U))
+        << "a frame is sent again only if it was lost";
     bench.bus.expectNoViolations();
 }
 INSTANTIATE_TEST_SUITE_P(All, PathThatLosesAFrame,
@@ -52,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(All, PathThatLosesAFrame,
                                          Lost{19, true}, Lost{19, false}, Lost{30, true}, Lost{30, false},
                                          Lost{43, true}, Lost{43, false}));
 
-/// Another doubt drops what is on its way, and nobody hears of its end.
+/// Another doubt about the link discards the exchange in progress, whose end is not reported.
 TEST(PathThatIsInterrupted, GoesOnAndIsOnEachPoint) {
     for (const std::size_t frame : {5U, 18U, 19U, 30U, 43U}) {
         PathBench bench(scs());
@@ -81,10 +82,10 @@ protected:
         bench.follow(table);
         ASSERT_TRUE(bench.runToPoint(300));
     }
-    /// After that entry of bus.sent.
+    /// Expects that all motors stand still, and that no path frame was sent after this entry of bus.sent.
     void expectAllStand(std::size_t since) {
         bench.settle();
-        bench.bus.runFor(1s);  // smooth stops are over
+        bench.bus.runFor(1s);  // smooth stops have ended
         for (std::uint8_t i = 0; i < bench.modules.size(); ++i) {
             EXPECT_TRUE(bench.stands(i)) << int{i};
             if (bench.bus.servo(i).servoOn) {
@@ -92,14 +93,14 @@ protected:
             }
             EXPECT_FALSE(bench.bus.servo(i).later->pathMode) << int{i};
         }
-        EXPECT_EQ(bench.frames(since), 0U) << "nothing of a path after a stop";
+        EXPECT_EQ(bench.frames(since), 0U) << "nothing of a path is sent after a stop";
         bench.bus.expectNoViolations();
     }
     [[nodiscard]] std::optional<bus::PathEnd> how() const {
         const auto last = bench.bus.last<bus::PathProgress>();
         return last ? last->end : std::nullopt;
     }
-    /// The first stop from there on.
+    /// Index of the first stop from this entry of bus.sent on.
     [[nodiscard]] std::size_t firstStop(std::size_t from) const {
         for (std::size_t i = from; i < bench.bus.sent.size(); ++i)
             if (const auto& b = bench.bus.sent[i].bytes;
@@ -152,13 +153,13 @@ INSTANTIATE_TEST_SUITE_P(
                  }}),
     [](const auto& named) { return named.param.name; });
 
-/// Points 300 of 2000 counts' worth are behind it, so a smooth stop slows down by the loaded acceleration.
+/// 300 of 2000 points are done, so the motor moves, and a smooth stop slows down at the loaded acceleration.
 TEST_F(PathEnds, SmoothlyWhereAnAccelerationIsLoaded) {
     begin();
     const std::size_t before = bench.bus.sent.size();
     bench.procedure->cancel();
     bench.goOn();
-    EXPECT_EQ(bench.bus.sent[firstStop(before)].bytes[3], 0x09) << "smooth, amplifier kept";
+    EXPECT_EQ(bench.bus.sent[firstStop(before)].bytes[3], 0x09) << "it is smooth and keeps the amplifier on";
 }
 
 TEST_F(PathEnds, WhenTheLineFallsSilent) {
@@ -200,13 +201,13 @@ TEST_F(PathEnds, WhenAMotorIsHeldAndItsServoTrips) {
     EXPECT_EQ(report.failure, ProcedureFailure::StoppedShort);
     EXPECT_FALSE(bench.bus.servo(2).servoOn);
     expectAllStand(firstStop(before));
-    // What came after its trip is not left for another day.
+    // Points that arrived after its trip do not remain in the buffer.
     ASSERT_TRUE(bench.ask(2, intent::Enable{}));
     EXPECT_EQ(bench.bus.servo(2).later->pathPoints, 0U);
     EXPECT_TRUE(bench.stands(2));
 }
 
-/// A word that was changed on its way in spite of the sum.
+/// Two points are changed on their way although the checksum matches.
 TEST_F(PathEnds, WhenItLeadsSomewhereElse) {
     begin();
     bool struck = false;
@@ -214,9 +215,9 @@ TEST_F(PathEnds, WhenItLeadsSomewhereElse) {
         if (struck || !PathBench::isFrame(packet))
             return;
         struck = true;
-        packet[4] ^= 0x08U;  // 256 counts more, or fewer: bit 11 of the first point, and of the second
+        packet[4] ^= 0x08U;  // 256 counts more or fewer: bit 11 of the first point and of the second
         packet[6] ^= 0x08U;
-        if (((packet[4] ^ packet[6]) & 0x08U) == 0)  // so that the sum stays
+        if (((packet[4] ^ packet[6]) & 0x08U) == 0)  // so that the checksum still matches
             packet.back() =
                 static_cast<std::uint8_t>(packet.back() + ((packet[4] & 0x08U) != 0 ? 16U : 240U));
     };
@@ -281,7 +282,8 @@ TEST(PathOfOne, WhoseAnswerToTheStartIsLostGoesOn) {
     EXPECT_TRUE(bench.wasOnEachPoint(table, 0));
 }
 
-/// planPath() refuses it: 26 frames of 30 bytes a second for each of five axes are more than 9600 Bd carry.
+/// planPath() refuses it: nearly nine frames a second with their replies for each of five axes are more than
+/// 9600 Bd carry.
 TEST(PathOnASlowBus, TellsOfItsUnderRunBeforehand) {
     PathBench bench(scs(5), 9'600);
     ASSERT_TRUE(bench.hold());

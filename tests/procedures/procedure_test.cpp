@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all procedures have in common, on one that does nothing else.
+// What all procedures have in common, shown by one that does nothing else.
 #include "model/procedure/procedure.h"
 
 #include <gtest/gtest.h>
@@ -11,14 +11,14 @@ namespace {
 
 constexpr TimePoint kNow{std::chrono::seconds(1)};
 
-/// Sends a start, and is done when that was answered.
+/// Sends a start, and is done when it has been answered.
 class StartOnly : public Procedure {
 public:
     StartOnly() : Procedure(ModuleIndex(3), ProcedureKind::MoveBy) {}
     using Procedure::fail;
 
     int asked = 0;
-    int afterwards = 0;  ///< turns that it takes behind its last word
+    int afterwards = 0;  ///< turns that it takes after lastWord()
 
 private:
     Next proceed(const ModuleState&, TimePoint) override {
@@ -77,7 +77,8 @@ TEST_F(AProcedure, StopsWhatItHasStartedBeforeItHasFailed) {
         EXPECT_EQ(one.report().stage, ProcedureStage::Stopping);
         EXPECT_TRUE(std::holds_alternative<Procedure::Wait>(one.next(module, kNow)));
         one.onFinished(outcome);
-        EXPECT_TRUE(std::holds_alternative<Procedure::End>(one.next(module, kNow))) << "once";
+        EXPECT_TRUE(std::holds_alternative<Procedure::End>(one.next(module, kNow)))
+            << "the stop is sent only once";
         EXPECT_EQ(one.report().stage, ProcedureStage::Failed);
         EXPECT_EQ(one.report().failure, ProcedureFailure::Refused);
     }
@@ -86,7 +87,7 @@ TEST_F(AProcedure, StopsWhatItHasStartedBeforeItHasFailed) {
 TEST_F(AProcedure, ThatIsCancelledStopsWhatItHasStarted) {
     EXPECT_EQ(next(), Is::Start);
     procedure.cancel();
-    EXPECT_EQ(next(), Is::Wait) << "for its operation";
+    EXPECT_EQ(next(), Is::Wait) << "it waits for its operation";
     procedure.onFinished(bus::Outcome::Done);
     EXPECT_EQ(next(), Is::Stop);
     procedure.onFinished(bus::Outcome::Done);
@@ -108,7 +109,7 @@ TEST_F(AProcedure, SendsNothingBehindSomebodyElsesStop) {
     EXPECT_EQ(stage(), ProcedureStage::Cancelled);
 }
 
-/// Nobody has stopped the motor, and a stop that found the queue full has not gone out.
+/// Nothing has stopped the motor, and a stop that found the queue full was not sent.
 TEST_F(AProcedure, StopsWhatItHasStartedOnceTheQueueTakesIt) {
     EXPECT_EQ(next(), Is::Start);
     procedure.onFinished(bus::Outcome::QueueFull);
@@ -153,7 +154,7 @@ TEST_F(AProcedure, TakesItsTimeBehindTheLastWordUntilSomethingElseIsWanted) {
     EXPECT_EQ(next(), Is::Stop);
     procedure.onFinished(bus::Outcome::Done);
     EXPECT_EQ(next(), Is::Wait);
-    EXPECT_EQ(stage(), ProcedureStage::Stopping) << "not over yet";
+    EXPECT_EQ(stage(), ProcedureStage::Stopping) << "it has not ended yet";
     procedure.cancel();
     EXPECT_EQ(next(), Is::End);
     EXPECT_EQ(stage(), ProcedureStage::Failed);

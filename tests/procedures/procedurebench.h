@@ -9,8 +9,8 @@
 
 namespace nmc::test {
 
-/// Engine and simulator in virtual time with what the GUI thread keeps of them, and one procedure run as the
-/// procedure controller does.
+/// Engine and simulator in virtual time, with the state that the GUI thread keeps of them and one procedure,
+/// which is run as the procedure controller runs it.
 class ProcedureBench {
 public:
     explicit ProcedureBench(const std::vector<ModuleIdentity>& identities, sim::ChainOptions options = {},
@@ -24,13 +24,13 @@ public:
 
     VirtualBus bus;
     std::vector<ModuleState> modules;
-    /// Called before the procedure is asked, each time.
+    /// Called in each turn before next() of the procedure.
     std::function<void(Procedure&)> onTurn;
     /// Called after each slice of a turn.
     std::function<void()> onSlice;
     Duration sliceTime = std::chrono::microseconds(500);
-    std::set<ProcedureStage> stages;  ///< seen
-    double fastest = 0.0;             ///< of servo 1's command velocity, counts per tick
+    std::set<ProcedureStage> stages;  ///< all that were reached so far
+    double fastest = 0.0;             ///< highest command velocity of servo 1, in counts per tick
 
     [[nodiscard]] bool connect() {
         if (!bus.connect())
@@ -46,14 +46,14 @@ public:
     void set(sim::Input input, std::optional<double> value) {
         bus.chain.set(ModuleIndex(0), input, value, bus.now);
     }
-    /// Of servo 1, from now on.
+    /// Injects a fault in servo 1 that lasts from now on.
     void fault(sim::FaultKind kind) {
         sim::FaultSpec spec;
         spec.kind = kind;
         spec.modules = {0};
         EXPECT_TRUE(bus.chain.inject(spec, bus.now).has_value());
     }
-    /// The servo's switch is closed while the shaft is below `at` (`below`), or above.
+    /// The servo's switch is closed while the shaft is below `at` if `below`, otherwise while it is above.
     void putSwitch(sim::Input input, double at, bool below) { m_switches.push_back({input, at, below}); }
 
     [[nodiscard]] bool perform(const Intent& intent) {
@@ -72,7 +72,7 @@ public:
         procedure = procedureFor(intent, module());
         ASSERT_NE(procedure, nullptr);
     }
-    /// STOP ALL and Motor off, as the user asks for them while the procedure runs.
+    /// STOP ALL and Motor off, as the user requests them while the procedure runs.
     void stopAll() {
         m_stopping = true;
         bus.engine.stopAll(bus.now);
@@ -82,9 +82,9 @@ public:
         bus.submit(*plan(intent::MotorOff{}, module()));
         overtake();
     }
-    /// One turn of the controller; false when the procedure is over.
+    /// One turn of the controller; returns false when the procedure has ended.
     bool turn() {
-        // In slices, so that switches are worked on time also when the wire is quiet.
+        // In slices, so that switches are operated on time even when the line is quiet.
         for (int i = 0; i < 32; ++i) {
             bus.runFor(sliceTime);
             if (onSlice)
@@ -172,7 +172,7 @@ private:
             s.last = closed;
         }
     }
-    /// With the servo off the command follows the motor.
+    /// Not with the servo off, because its command position then follows the motor.
     void noteSpeed() {
         const auto now = truth();
         if (now.servoOn)
@@ -183,7 +183,7 @@ private:
         procedure->cancel();
         m_overtaken = true;
     }
-    /// With each change of its report, and each second.
+    /// At each change of the report, and once a second.
     void shareBus() {
         const ProcedureReport& report = procedure->report();
         if (!isTest(report.kind) || (report == m_shared && bus.now - m_sharedAt < std::chrono::seconds(1)))
@@ -240,11 +240,11 @@ private:
     std::optional<bus::OperationId> m_operation;
     bool m_overtaken = false;
     bool m_stopping = false;
-    std::optional<ProcedureReport> m_shared;  ///< of the one that had the bus last
+    std::optional<ProcedureReport> m_shared;  ///< the report with which the bus was last shared
     TimePoint m_sharedAt;
 };
 
-/// A servo with gains that hold, switched on.
+/// A PIC-SERVO that enable() switches on with gains that hold it.
 class ServoBench : public ProcedureBench {
 public:
     explicit ServoBench(std::uint8_t version = 4, std::size_t count = 1)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The metrics of a step response, taken from bus samples, against the simulator's truth at every tick: random
-// gains, loads and steps, through procedure, engine and wire. NMC_STEP_SETS sets the number of them.
+// The metrics of a step response taken from bus samples, compared with the simulator's state at every tick:
+// random gains, loads and steps, through procedure, engine and line. NMC_STEP_SETS sets their number.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -29,12 +29,12 @@ struct Trial {
     double friction = 0.0;
 };
 
-/// What the motor did, at every tick behind the one at which the command was latched.
+/// What the motor did, at every tick after the one at which the command was latched.
 struct Truth {
     std::vector<std::int32_t> positions;
     bool off = false;
 
-    /// By hand: twice the step, or a quarter of it the wrong way.
+    /// Determined independently: the motor went beyond twice the step, or a quarter of it the wrong way.
     [[nodiscard]] bool wentTooFar(const ResponseTaken& taken) const {
         const double step = taken.goal - taken.from;
         return std::any_of(positions.begin(), positions.end(), [&](std::int32_t position) {
@@ -42,8 +42,8 @@ struct Truth {
             return method > 2 || method < -0.25;
         });
     }
-    /// By hand: when the record is long over, and before a hold was tried in vain, from end to end by more
-    /// than a third of the step.
+    /// Determined independently: between 1 s and 2 s, long after the record but before a hold was tried in
+    /// vain, the motor swings by more than a third of the step from end to end.
     [[nodiscard]] bool swingsFar(const ResponseTaken& taken) const {
         const auto from = std::min(static_cast<std::size_t>(1.0 / kTick), positions.size());
         const auto to = std::min(static_cast<std::size_t>(2.0 / kTick), positions.size());
@@ -55,7 +55,7 @@ struct Truth {
     }
 };
 
-/// Worked out anew, from whole ticks and without any interpolation.
+/// Calculated independently, from whole ticks and without any interpolation.
 struct TrueMetrics {
     std::optional<double> rise;
     double overshoot = 0.0;
@@ -97,7 +97,7 @@ public:
         bus.onTime = [this] { look(); };
     }
 
-    /// Nothing when the motor cannot even hold still with these gains.
+    /// Empty if there is no step, for instance because the motor cannot even hold still with these gains.
     [[nodiscard]] std::optional<ProcedureReport> tryOut(const Trial& trial) {
         const servo::SetGain calm{100, 3'000, 0, 0, 255, 0, 8'000, 1, std::uint8_t{0}};
         const bool on = connect() && perform(intent::AskAnew{}) && perform(intent::ApplyGains{calm}) &&
@@ -184,7 +184,7 @@ private:
     [[nodiscard]] double uniform(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(m_random);
     }
-    /// Evenly in the logarithm.
+    /// Uniform in the logarithm.
     [[nodiscard]] double spread(double low, double high) {
         return std::exp(uniform(std::log(low), std::log(high)));
     }
@@ -199,7 +199,7 @@ private:
     return text.str();
 }
 
-/// How many of the metrics that could be compared are right.
+/// Counts how many of the metrics that can be compared are right.
 struct Share {
     const char* name;
     int of = 0;
@@ -213,7 +213,7 @@ struct Share {
         inDoubt += off <= measured.doubt ? 1 : 0;
         return off <= tolerance;
     }
-    /// Where there is none, the truth must have none either.
+    /// If there is no measured value, there must be no true one either.
     bool add(const ResponseMetrics::Result<Measured>& measured, const std::optional<double>& truth,
              double tolerance) {
         return measured && truth ? add(*measured, *truth, tolerance)
@@ -241,7 +241,7 @@ public:
             ++m_tooFar;
             ++m_right;
         } else {
-            EXPECT_FALSE(bench.truth.off) << "it tripped, and that was not recognised";
+            EXPECT_FALSE(bench.truth.off) << "every trip is recognised";
             EXPECT_TRUE(report.stage == ProcedureStage::Done || failure == ProcedureFailure::NotStill);
             compare(bench.run(*report.step), bench.truth);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sequences in virtual time: engine, simulator and the run, as the sequence controller does it. Where motors
-// are is the simulator's word.
+// Sequences in virtual time: engine, simulator and the run, which is driven as the sequence controller
+// drives it. Where the motors are is read from the simulator.
 #include <gmock/gmock.h>
 
 #include "tests/procedures/sequencebench.h"
@@ -64,7 +64,7 @@ TEST_F(Sequences, RepeatsAndCalls) {
     bench.start("Main");
     EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
     const auto goals = bench.goals();
-    ASSERT_EQ(goals.size(), 12U) << "two times three there and back";
+    ASSERT_EQ(goals.size(), 12U) << "it goes there and back two times three times";
     for (std::size_t i = 0; i < goals.size(); ++i)
         EXPECT_EQ(goals[i].second, i % 2 == 0 ? 20 : 0);
 }
@@ -97,7 +97,7 @@ TEST_F(Sequences, WaitsForAnInputOrItsTimeout) {
     EXPECT_EQ(report.places[0].row, 0U);
 }
 
-/// A PIC-I/O by itself: IO3 is an output, all others are inputs.
+/// A chain of one PIC-I/O: IO3 is an output, all other pins are inputs.
 class IoSequences : public testing::Test {
 protected:
     void SetUp() override {
@@ -150,7 +150,7 @@ TEST_F(IoSequences, AnOutputIsSetWhenTheInputAndThenTheAnalogValueAreThere) {
     set(sim::Input::Pin, 12, 1);
     EXPECT_EQ(turns(1).places[0].row, 1U);
     set(sim::Input::Analog, 2, 199);
-    EXPECT_EQ(turns(1).places[0].row, 1U) << "not above";
+    EXPECT_EQ(turns(1).places[0].row, 1U) << "199 is not above 199";
     EXPECT_EQ(truth().outputs & 0x0004U, 0U);
     set(sim::Input::Analog, 2, 200);
     EXPECT_EQ(turns(2).stage, SequenceStage::Done);
@@ -192,7 +192,7 @@ TEST_F(Sequences, HomesAnAxisByItsRecipe) {
     ASSERT_THAT(whyNotRun("Main", 0, bench.machine, bench.modules), IsEmpty());
     bench.start("Main");
     EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
-    EXPECT_NEAR(static_cast<double>(bench.shafts()[2]), 300, 1) << "B is at its home";
+    EXPECT_NEAR(static_cast<double>(bench.shafts()[2]), 300, 1) << "B is at home";
 
     bench.bus.chain.set(kTable, sim::Input::HomeSwitchAt, std::nullopt, bench.bus.now);
     bench.modules[2].home.forget();
@@ -258,7 +258,7 @@ TEST_F(Sequences, AnythingElseThatIsAskedOfOneOfItsModulesEndsIt) {
     bench.start("Main");
     bench.turns(15);
     bench.run->onTakenOver(ModuleIndex(9));
-    EXPECT_FALSE(bench.run->report().end) << "none of its own";
+    EXPECT_FALSE(bench.run->report().end) << "that module is none of its own";
     ASSERT_TRUE(bench.order(kX, intent::StopSmoothly{}));
     bench.run->onTakenOver(kX);
     const SequenceReport report = bench.goOn();
@@ -287,12 +287,12 @@ TEST_F(Sequences, AStopThatItWasNotToldOfEndsIt) {
 
 // ---- at every moment ----
 
-/// Turns until the first motion; the run takes about 160.
+/// Moments at which a run is disturbed, spread evenly over its length.
 constexpr int kMoments = 12;
 
 class AtAnyMoment : public testing::TestWithParam<int> {
 protected:
-    /// Everything up to then.
+    /// Runs the sequence up to the moment in question, and another bench to its end.
     void SetUp() override {
         ASSERT_TRUE(bench.ready());
         bench.start("Main");
@@ -341,14 +341,14 @@ TEST_P(AtAnyMoment, ALostLinkIsADoubtThatStopsTheMotors) {
 
 TEST_P(AtAnyMoment, ALimitThatClosesOnTheWayEndsIt) {
     bool moved = false;
-    // In a row that moves X, now or soon.
+    // Runs on until a row moves X.
     while (!(moved = bench.modules[0].moving()) && bench.turn()) {
     }
     if (!moved)
-        return;  // it does not move any more
+        return;  // X does not move any more
     bench.turns(3);
     if (!bench.modules[0].moving())
-        return;  // it has just arrived
+        return;  // X has just arrived
     bench.set(sim::Input::Limit1, 1.0);
     const SequenceReport report = bench.goOn();
     EXPECT_EQ(report.end, SequenceEnd::LimitClosed);
@@ -373,7 +373,7 @@ TEST_P(AtAnyMoment, ItIsResumedOnlyFromAStateThatAFreshRunWouldBeIn) {
     bench.take();
     const std::size_t row = report.places[0].row;
     const EntryState entry = entryState(bench.machine, "Main", row);
-    // Brought there by hand, as whyNotRun() asks for.
+    // Axes are moved by hand to where whyNotRun() requires them.
     for (const auto& problem : whyNotRun("Main", row, bench.machine, bench.modules)) {
         ASSERT_TRUE(problem.kind == SequenceProblem::Kind::NotThere ||
                     problem.kind == SequenceProblem::Kind::NotSet)

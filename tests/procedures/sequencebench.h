@@ -14,7 +14,7 @@ inline constexpr ModuleIndex kX{0};
 inline constexpr ModuleIndex kY{1};
 inline constexpr ModuleIndex kTable{2};
 
-/// Two servos and a stepper, all on, at home, with two points and a sequence between them.
+/// Two servos and a stepper, all on and at home, with two points and a sequence that moves between them.
 class SequenceBench : public ProcedureBench {
 public:
     SequenceBench()
@@ -63,7 +63,7 @@ public:
         take();
         run.emplace(machine, sequence, row, singleStep);
     }
-    /// One turn of the controller.
+    /// One turn of the controller; returns false when the run has ended.
     bool turn() {
         for (int slice = 0; slice < 16; ++slice)
             bus.runFor(std::chrono::milliseconds(1));
@@ -92,7 +92,7 @@ public:
         for (int i = 0; i < count && turn(); ++i) {
         }
     }
-    /// Nothing moves, and nothing begins to.
+    /// Expects that nothing moves and that no motion begins.
     void expectRest() {
         const std::size_t before = bus.sent.size();
         bus.runFor(std::chrono::seconds(3));
@@ -100,7 +100,7 @@ public:
         bus.runFor(std::chrono::seconds(2));
         EXPECT_EQ(shafts(), was);
         for (const char* start : {"AA 01 05", "AA 02 05", "AA 03 05"})
-            EXPECT_EQ(bus.sends(start, before), 0U) << "a start behind the end of the run";
+            EXPECT_EQ(bus.sends(start, before), 0U) << "nothing starts after the end of the run";
         bus.expectNoViolations();
     }
     [[nodiscard]] std::vector<std::int64_t> shafts() {
@@ -111,7 +111,7 @@ public:
         return all;
     }
     [[nodiscard]] std::uint8_t outputs() { return bus.chain.snapshot(kTable, bus.now).stepper->outputs; }
-    /// The motions that were started, in order: module and goal.
+    /// The motions that were loaded, in order: module and goal.
     [[nodiscard]] std::vector<std::pair<int, std::int32_t>> goals() const {
         std::vector<std::pair<int, std::int32_t>> all;
         for (const auto& executed : bus.all<bus::CommandExecuted>()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A search for home on a PIC-STEP, DS-S 4.4 and 5.1 Set Homing Mode.
+// A home search on a PIC-STEP, DS-S 4.4 and 5.1 Set Homing Mode.
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {
@@ -13,7 +13,7 @@ class StepperHoming : public testing::Test {
 protected:
     StepperHoming() : bench({{ModuleType::Stepper, 1}}) {}
 
-    /// Speed unit 25 steps/s, from 100 steps/s on.
+    /// The speed unit is 25 steps/s, and the minimum speed is 100 steps/s.
     [[nodiscard]] bool enable(bool offOnLimit = false) {
         if (!bench.connect())
             return false;
@@ -66,7 +66,7 @@ TEST_F(StepperHoming, FindsTheHomeSwitchGoesThereAndMakesItZero) {
         EXPECT_FALSE(truth.moving);
         EXPECT_FALSE(truth.homing);
         EXPECT_TRUE(truth.ampEnabled);
-        EXPECT_DOUBLE_EQ(fastest, 475.0) << "19 x 25 steps/s, never faster than the 490 asked for";
+        EXPECT_DOUBLE_EQ(fastest, 475.0) << "19 x 25 steps/s, never faster than the requested 490";
         bench.bus.expectNoViolations();
     }
 }
@@ -113,7 +113,7 @@ TEST_F(StepperHoming, AnotherLimitOnTheWayIsNotHome) {
     EXPECT_FALSE(report.home);
     EXPECT_FALSE(bench.stepperTruth().homing);
     EXPECT_TRUE(bench.stepperTruth().ampEnabled) << "it still holds";
-    EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "no zero";
+    EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "zero is not set";
     bench.bus.expectNoViolations();
 }
 
@@ -136,7 +136,7 @@ TEST_F(StepperHoming, M14_WithoutASwitchTheTravelLimitEndsIt) {
     const ProcedureReport report = bench.run(intent::Home{wanted});
     EXPECT_EQ(report.failure, ProcedureFailure::TravelLimit);
     EXPECT_FALSE(bench.stepperTruth().moving);
-    // Down from 475 steps/s at 2 000 steps/s^2 are 56 steps, and 100 ms to notice are 48.
+    // Slowing down from 475 steps/s at 2 000 steps/s^2 takes 56 steps, and noticing within 100 ms another 48.
     EXPECT_NEAR(bench.stepperTruth().position, 1'060, 60);
     bench.bus.expectNoViolations();
 }
@@ -157,7 +157,7 @@ TEST_P(StepEndedIn, ByCancel) {
     EXPECT_FALSE(bench.stepperTruth().moving);
     EXPECT_FALSE(bench.stepperTruth().homing);
     EXPECT_TRUE(bench.stepperTruth().ampEnabled);
-    EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "no zero";
+    EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "zero is not set";
     bench.bus.expectNoViolations();
 }
 

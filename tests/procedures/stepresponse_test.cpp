@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step responses: what is sent, what refuses them, and how they end.
+// Step responses: what is sent, why they are refused, and how they end.
 #include "model/procedure/stepresponse.h"
 
 #include <limits>
@@ -23,12 +23,12 @@ protected:
         EXPECT_EQ(procedureFor(wanted, bench.module()), nullptr);
         return steps ? Refusal::NotConnected : steps.error();
     }
-    /// Load, start and any stop, from the entry of `sent` on.
+    /// Number of loads, starts and stops of any kind, from this entry of `sent` on.
     [[nodiscard]] std::size_t motions(std::size_t from) const {
         return bench.bus.sends("AA 01 D4", from) + bench.bus.sends("AA 01 05", from) +
                bench.bus.sends("AA 01 17", from) + bench.bus.sends("AA 01 57", from);
     }
-    /// On, and the position that it holds known.
+    /// Switches the servo on and makes the position that it holds known.
     [[nodiscard]] bool hold(std::uint16_t positionErrorLimit = 4'000) {
         return bench.enable(positionErrorLimit) && bench.perform(intent::StopHere{});
     }
@@ -59,8 +59,9 @@ TEST_F(StepResponse, JumpsInOneTickAndEndsHolding) {
     EXPECT_NEAR(bench.truth().position, from + 100, 3);
     EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 1U);
     EXPECT_EQ(bench.bus.sends("AA 01 05 06", before), 1U);
-    EXPECT_EQ(bench.bus.sends("AA 01 17 05", before), 1U) << "abruptly, amplifier on: no velocity is left";
-    EXPECT_EQ(bench.bus.sends("AA 01 57 11 4C 04 00 00", before), 1U) << "Stop Here at 1100";
+    EXPECT_EQ(bench.bus.sends("AA 01 17 05", before), 1U)
+        << "an abrupt stop with the amplifier on leaves no velocity loaded";
+    EXPECT_EQ(bench.bus.sends("AA 01 57 11 4C 04 00 00", before), 1U) << "this is Stop Here at 1100";
     bench.bus.expectNoViolations();
 }
 
@@ -70,13 +71,14 @@ TEST_F(StepResponse, StopsHereWithoutAnyProfile) {
     const ProcedureReport report = bench.run(by(-100, ResponseMethod::StopHere));
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_EQ(report.step->goal, -100);
-    EXPECT_EQ(bench.bus.sends("AA 01 57 11 9C FF FF FF", before), 2U) << "-100: there, and to hold";
+    EXPECT_EQ(bench.bus.sends("AA 01 57 11 9C FF FF FF", before), 2U)
+        << "once to jump to -100, once to hold there";
     EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 0U);
     EXPECT_EQ(bench.truth().commandPosition, -100);
     bench.bus.expectNoViolations();
 }
 
-/// The record begins when the module has latched the step, to half a tick.
+/// The record begins when the module latches the step, to within half a tick.
 TEST_F(StepResponse, KnowsWhenItWasTaken) {
     for (const ResponseMethod method : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
         ASSERT_TRUE(hold());
@@ -92,7 +94,8 @@ TEST_F(StepResponse, KnowsWhenItWasTaken) {
         while (!bench.procedure->report().over())
             bench.turn();
         ASSERT_TRUE(jumped && bench.procedure->report().step);
-        // The tick behind the command's, and the time at which the test looks: half a millisecond or so each.
+        // The tick after that of the command, and the interval at which the test looks: about half a
+        // millisecond each.
         EXPECT_NEAR(toSeconds(*jumped - bench.procedure->report().step->at), 0.000'512, 0.001);
         bench.bus.onTime = {};
     }
@@ -103,7 +106,7 @@ TEST_F(StepResponse, LeavesNoVelocityLoaded) {
     ASSERT_EQ(bench.run(by(100)).stage, ProcedureStage::Done);
     EXPECT_FALSE(bench.module().loadWaiting);
     EXPECT_EQ(whyNot(IntentKind::StartLoaded, bench.module()), Refusal::NothingLoaded);
-    // A move to 0 all the same, of another host, that brings no velocity along: the parameter is 0.
+    // A move to 0 that another host sends all the same, without a velocity: the loaded velocity is 0.
     const std::vector<std::uint8_t> move{0xAA, 0x01, 0x54, 0x91, 0x00, 0x00, 0x00, 0x00, 0xE6};
     bench.bus.chain.hostSends(move, bench.bus.now);
     bench.bus.runFor(500ms);
@@ -111,7 +114,7 @@ TEST_F(StepResponse, LeavesNoVelocityLoaded) {
     EXPECT_NEAR(bench.truth().position, 100, 5);
 }
 
-/// And whatever is said to be held is, to the count: also of a shaft that turns at that moment.
+/// A position that is reported as held is exact to the count, even if the shaft is turning at that moment.
 TEST_F(StepResponse, ComesRightAfterEnableWhereTheShaftStood) {
     ASSERT_TRUE(bench.enable());
     EXPECT_EQ(bench.module().goal(), 0);
@@ -164,7 +167,7 @@ TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(refusal(by(50)), Refusal::Unresponsive);
 }
 
-/// A stop at rest, as Esc sends it, leaves the command position where it is: what is held stays known.
+/// A stop at rest, as Esc sends it, does not change the command position: what is held remains known.
 TEST_F(StepResponse, BeginsWhereTheMotorIsHeldBehindAStopAtRest) {
     ASSERT_TRUE(bench.enable());
     ASSERT_TRUE(bench.perform(intent::Move{
@@ -184,7 +187,7 @@ TEST_F(StepResponse, BeginsWhereTheMotorIsHeldBehindAStopAtRest) {
     EXPECT_EQ(report.step->goal, 1'100);
 }
 
-/// A load keeps the shaft off its command: from where it hangs, each step would begin lower.
+/// A load keeps the shaft off its command position: if steps began at the shaft, each would begin lower.
 TEST_F(StepResponse, ThereAndBackUnderALoadEndWhereTheyBegan) {
     ASSERT_TRUE(bench.enable());
     ASSERT_TRUE(bench.perform(intent::ApplyGains{{20, 500, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}}}));
@@ -193,7 +196,7 @@ TEST_F(StepResponse, ThereAndBackUnderALoadEndWhereTheyBegan) {
         servomotion::Trapezoid{Counts(1'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}}));
     bench.bus.runFor(3s);
     bench.take();
-    ASSERT_GT(std::abs(bench.truth().positionError), 5) << "it hangs";
+    ASSERT_GT(std::abs(bench.truth().positionError), 5) << "the load pulls it off";
     for (int round = 0; round < 5; ++round) {
         ASSERT_EQ(bench.run(by(200)).stage, ProcedureStage::Done);
         EXPECT_EQ(bench.truth().commandPosition, 1'200);
@@ -229,7 +232,7 @@ TEST(StepResponseOfAStepper, IsRefused) {
 
 TEST_F(StepResponse, DoesNotBeginWhileTheMotorSwings) {
     ASSERT_TRUE(hold());
-    // Looked at, it is somewhere else each time.
+    // Each time it is looked at, the motor is somewhere else.
     std::int32_t swing = 0;
     bench.onTurn = [&](Procedure&) { bench.module().latest->position = (swing ^= 40); };
     const std::size_t before = bench.bus.sent.size();
@@ -237,7 +240,7 @@ TEST_F(StepResponse, DoesNotBeginWhileTheMotorSwings) {
     EXPECT_EQ(report.stage, ProcedureStage::Failed);
     EXPECT_EQ(report.failure, ProcedureFailure::NotStill);
     EXPECT_FALSE(report.step);
-    EXPECT_EQ(motions(before), 0U) << "nothing was set going, so nothing is stopped";
+    EXPECT_EQ(motions(before), 0U) << "nothing was started, so nothing is stopped";
 }
 
 TEST_F(StepResponse, ATripFailsItAndNothingIsSwitchedOnAgain) {
@@ -259,7 +262,7 @@ TEST_F(StepResponse, OneThatSwingsWiderAndWiderIsSwitchedOff) {
     EXPECT_EQ(report.stage, ProcedureStage::Failed);
     EXPECT_EQ(report.failure, ProcedureFailure::Unstable);
     EXPECT_FALSE(bench.truth().servoOn);
-    EXPECT_FALSE(bench.module().switchedItselfOff) << "it was told to";
+    EXPECT_FALSE(bench.module().switchedItselfOff) << "it was switched off by a command";
     bench.bus.runFor(1s);
     EXPECT_EQ(bench.truth().pwm, 0);
 }
@@ -362,7 +365,7 @@ TEST_F(StepResponse, ALinkInDoubtEndsItWithAHold) {
     EXPECT_TRUE(bench.truth().servoOn);
 }
 
-/// The position error limit was lowered while it was waited for standstill.
+/// The position error limit is lowered while the procedure waits for standstill.
 TEST_F(StepResponse, LooksAgainRightBeforeTheStep) {
     ASSERT_TRUE(hold());
     const std::size_t before = bench.bus.sent.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps one after the other: where they go, what refuses them before the first, and what ends them at each.
+// Series of steps: where they go, why they are refused before the first one, and what ends them at each.
 #include "model/procedure/stepseries.h"
 
 #include <array>
@@ -26,12 +26,12 @@ protected:
     [[nodiscard]] bool hold(std::uint16_t positionErrorLimit = 4'000) {
         return bench.enable(positionErrorLimit) && bench.perform(intent::StopHere{});
     }
-    /// Load, start and any stop of servo 1, from the entry of `sent` on.
+    /// Number of loads, starts and stops of any kind of servo 1, from this entry of `sent` on.
     [[nodiscard]] std::size_t motions(std::size_t from) const {
         return bench.bus.sends("AA 01 D4", from) + bench.bus.sends("AA 01 05", from) +
                bench.bus.sends("AA 01 17", from) + bench.bus.sends("AA 01 57", from);
     }
-    /// Counts that it jumps by, as they are told once they are recorded.
+    /// Collects the steps, each of which is reported once it is recorded.
     void watchSteps() {
         bench.onTurn = [this](Procedure& procedure) {
             const auto& step = procedure.report().step;
@@ -39,7 +39,7 @@ protected:
                 steps.push_back(*step);
         };
     }
-    /// In the midst of that step, or while it comes to rest after it.
+    /// Runs until this step is under way, or until the motor is coming to rest after it.
     [[nodiscard]] bool runTo(unsigned round, ProcedureStage stage) {
         return bench.runTo(stage, 5.0) && [&] {
             while (bench.procedure->report().round < round || bench.procedure->report().stage != stage)
@@ -72,7 +72,8 @@ TEST_F(StepSeries, GoesThereAndBackInTwoSizesAndEndsWhereItBegan) {
         EXPECT_EQ(steps[i].from, i == 0 ? 1'000 : goals[i - 1]);
         EXPECT_EQ(steps[i].gains.kp, 200);
         if (i > 0) {
-            EXPECT_GE(steps[i].at - steps[i - 1].at, 200ms + Standstill::kFor) << "a record, and standstill";
+            EXPECT_GE(steps[i].at - steps[i - 1].at, 200ms + Standstill::kFor)
+                << "a step takes a record and standstill";
         }
     }
     EXPECT_EQ(commands, (std::set<double>{1'000, 1'100, 1'200}));
@@ -90,7 +91,7 @@ TEST_F(StepSeries, SendsOtherGainsOnce) {
     EXPECT_EQ(bench.run(wanted).stage, ProcedureStage::Done);
     EXPECT_EQ(bench.truth().gains.kp, 250);
     EXPECT_EQ(bench.bus.sends("AA 01 E6", before) + bench.bus.sends("AA 01 F6", before), 1U)
-        << "Set Gain, of 14 or 15 bytes";
+        << "there is one Set Gain, of 14 or 15 bytes";
 }
 
 TEST_F(StepSeries, IsRefusedBeforeAnythingMoves) {
@@ -109,13 +110,13 @@ TEST_F(StepSeries, IsRefusedBeforeAnythingMoves) {
     intent::StepSeries wrong = by(100);
     wrong.each.record = 3.1;
     EXPECT_EQ(refusal(wrong), Refusal::RecordTime);
-    // Only its third step, twice as far, would leave the travel; on the other side, none.
+    // Only the third step, twice as far, would leave the travel limits; in the other direction, none would.
     bench.module().travel.highest = 150;
     bench.module().home.found(0, bench.bus.now);
     EXPECT_EQ(refusal(by(100)), Refusal::BeyondTravel);
     EXPECT_EQ(refusal(by(75)), std::nullopt);
     EXPECT_EQ(refusal(by(-100)), std::nullopt);
-    // It is held 10 counts outside: steps lead inside, but also back.
+    // The motor is held 10 counts outside: some steps lead inside, but others back outside.
     bench.module().travel.highest = -10;
     EXPECT_EQ(refusal(by(-100)), Refusal::BeyondTravel);
     EXPECT_EQ(motions(before), 0U);
@@ -150,7 +151,7 @@ protected:
             EXPECT_EQ(bench.bus.perform({{ModuleIndex(0), std::move(command)}}), bus::Outcome::Done);
         };
         switch (ending()) {
-            case Ending::Cancel:  // Esc, or any other command of the window (Composition::carryOut)
+            case Ending::Cancel:  // Esc, or any other command from the window (Composition::carryOut)
                 return bench.procedure->cancel();
             case Ending::StopAll:
                 return bench.stopAll();
@@ -168,7 +169,7 @@ protected:
     }
 };
 
-/// At each of its steps, under way and while it comes to rest: none follows.
+/// Ends the series at each of its steps, under way or while the motor comes to rest: no step follows.
 TEST_P(StepSeriesEnds, AndNoStepFollows) {
     const unsigned round = std::get<1>(GetParam());
     ASSERT_TRUE(hold());
@@ -182,12 +183,13 @@ TEST_P(StepSeriesEnds, AndNoStepFollows) {
     const bool fails = ending() == Ending::PowerLost || ending() == Ending::Doubt;
     EXPECT_EQ(report.stage, fails ? ProcedureStage::Failed : ProcedureStage::Cancelled);
     EXPECT_EQ(report.round, round);
-    EXPECT_EQ(steps.size(), round - 1) << "what was recorded before stays";
+    EXPECT_EQ(steps.size(), round - 1) << "what was recorded before remains";
     bench.bus.runFor(1s);
     EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 0U) << "no step is loaded";
-    EXPECT_EQ(bench.bus.sends("AA 01 05", before), 0U) << "and none is started";
+    EXPECT_EQ(bench.bus.sends("AA 01 05", before), 0U) << "no step is started";
     if (ending() == Ending::AMove) {
-        EXPECT_EQ(bench.truth().commandPosition, 30) << "and what was asked for instead is left alone";
+        EXPECT_EQ(bench.truth().commandPosition, 30)
+            << "the position that was requested instead is left alone";
     }
     const double command = bench.truth().commandPosition;
     bench.bus.runFor(2s);
@@ -211,7 +213,7 @@ TEST_F(StepSeries, CancelledBeforeItsFirstStepSendsNothing) {
     EXPECT_EQ(motions(before), 0U);
 }
 
-/// The first two steps fit before the switch, the third does not.
+/// The first two steps end before the switch, the third does not.
 TEST_F(StepSeries, ALimitStopEndsItAtTheStepThatTripsIt) {
     ASSERT_TRUE(hold());
     watchSteps();
@@ -225,7 +227,7 @@ TEST_F(StepSeries, ALimitStopEndsItAtTheStepThatTripsIt) {
     EXPECT_TRUE(bench.truth().servoOn) << "it holds at the switch";
 }
 
-/// Whatever has changed meanwhile.
+/// The gains may have changed in the meantime.
 TEST_F(StepSeries, LooksAgainBeforeEachStep) {
     ASSERT_TRUE(hold());
     watchSteps();
@@ -248,7 +250,7 @@ TEST_F(StepSeries, EndsAtAMotorThatDoesNotComeToRest) {
     const ProcedureReport report = bench.goOn(5);
     EXPECT_EQ(report.failure, ProcedureFailure::NotStill);
     EXPECT_EQ(report.round, 1U);
-    EXPECT_TRUE(report.step) << "its record is whole";
+    EXPECT_TRUE(report.step) << "its record is complete";
 }
 
 }  // namespace

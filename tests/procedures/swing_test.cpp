@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a servo that holds is said to swing: engine and simulator in virtual time. The truth is the
-// shaft's.
+// Whether a servo that holds is reported to swing. Engine and simulator in virtual time, checked against the
+// shaft of the simulator.
 #include <random>
 
 #include "tests/procedures/procedurebench.h"
@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 class Swings : public testing::Test {
 protected:
-    /// Holding with these gains for so long, after a push by a small move.
+    /// Makes the motor hold with these gains for this time, after a small move has pushed it.
     void hold(const servo::SetGain& gains, Duration time) {
         ASSERT_TRUE(bench.perform(intent::ApplyGains{gains}));
         const std::int32_t goal = bench.truth().position + 50;
@@ -23,7 +23,8 @@ protected:
         bench.bus.runFor(time);
         bench.take();
     }
-    /// Of the last second: half of the way from end to end, and how often it came by on its way up.
+    /// For the last second: half of the distance from end to end, and how often the shaft passed the mean
+    /// upwards.
     [[nodiscard]] std::pair<double, int> truth() const {
         double low = positions.back().second, high = low, sum = 0;
         std::vector<double> last;
@@ -46,13 +47,13 @@ protected:
 
 TEST_F(Swings, AreToldWithHowFarAndHowFast) {
     ASSERT_TRUE(bench.enable());
-    // No damping, and an output limit that keeps it bounded.
+    // There is no damping, and an output limit keeps the swing bounded.
     ASSERT_NO_FATAL_FAILURE(hold({2'000, 0, 0, 0, 60, 0, 16'000, 1, std::uint8_t{0}}, 4s));
     const auto [amplitude, ups] = truth();
     ASSERT_GT(amplitude, 20) << "it does swing";
     const auto& swing = bench.module().swing.swing();
     ASSERT_TRUE(swing && swing->hertz);
-    // The sine in a wave that may be a triangle: 0.81 of its height.
+    // The sine component of a wave that may be triangular is 0.81 of its height.
     EXPECT_GT(swing->amplitude, 0.75 * amplitude);
     EXPECT_LT(swing->amplitude, 1.3 * amplitude);
     EXPECT_NEAR(*swing->hertz, ups, 1.5);

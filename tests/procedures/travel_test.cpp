@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits of travel, by the shaft itself: engine, chip and motor in virtual time.
+// Travel limits, judged by the shaft itself: engine, chip and motor in virtual time.
 //
-// The bound, derived: the command position never passes a limit, since every motion towards one is a move
-// that ends there (DS-V 4.4: trapezoids end at their goal; a stop from within slows down sooner). A servo
-// that is off by more than EL switches itself off, so while it is on the shaft passes a limit by less than
-// EL. A stepper's shaft is where its counter is, so a move ends at the limit to the step; but a smooth stop
-// that comes while it slows down begins its ramp anew, up to one acceleration time late (DS-S 4.2): at 160 x
-// 25 steps/s and 4 x 0.25 ms 4 steps.
+// The bound is derived as follows. The command position never passes a limit, since every motion towards one
+// is a move that ends there (DS-V 4.4: trapezoids end at their goal; a stop on the way slows down sooner). A
+// servo that is off by more than EL switches itself off, so while it is on, the shaft passes a limit by less
+// than EL. The shaft of a stepper is where its counter is, so a move ends at the limit to the step; but a
+// smooth stop that arrives while it slows down begins its ramp again, up to one acceleration time late
+// (DS-S 4.2): at 160 x 25 steps/s and 4 x 0.25 ms, that is 4 steps.
 #include <random>
 
 #include "model/intent/travel.h"
@@ -20,7 +20,8 @@ using namespace std::chrono_literals;
 constexpr std::uint16_t kErrorLimit = 300;
 constexpr double kStepsOfALateRamp = 4;
 
-/// What of an axis both chips' tests need: a shaft, its limits, and how far it has been beyond them.
+/// What the tests of both chips need of an axis: a shaft, its travel limits, and how far it has been beyond
+/// them.
 class TravelBench : public ProcedureBench {
 public:
     explicit TravelBench(ModuleType type)
@@ -57,7 +58,8 @@ public:
         if (m_lowest)
             beyond = std::max({beyond, *m_lowest - shaft(), shaft() - m_highest});
     }
-    /// As a held button, whose wish goes by the rule on its way to the bus. False: it was not possible.
+    /// Jogs like a held button, whose request is checked against the limits on its way to the bus. Returns
+    /// false if no motion was possible.
     bool jog(bool reverse, double velocity, Duration time) {
         ++m_press;
         return goOnJogging(reverse, velocity, time);
@@ -99,7 +101,7 @@ public:
         return intent::Move{
             steppermotion::Trapezoid{position, false, static_cast<std::uint8_t>(velocity * 40), 4}};
     }
-    /// Sends what the rule allows; false: it did not.
+    /// Sends what the limits allow; returns false if the intent is refused.
     bool ask(const Intent& intent) {
         take();
         auto steps = plan(intent, module());
@@ -108,7 +110,7 @@ public:
         bus.submit(std::move(*steps));
         return true;
     }
-    /// From now on nobody calls the engine: the chain is alone.
+    /// Lets time pass without any call to the engine: the chain is left alone.
     void loseHost(Duration time) {
         for (const TimePoint end = bus.now + time; bus.now < end;) {
             bus.now += 5ms;
@@ -117,7 +119,7 @@ public:
         }
     }
 
-    double beyond = -1e9;  ///< farthest beyond a limit
+    double beyond = -1e9;  ///< greatest distance beyond a limit
 
 private:
     bool m_servo;
@@ -161,7 +163,7 @@ TEST_P(TravelOf, AJogEndsExactlyAtTheLimitHoweverLongItIsHeld) {
     bench.bus.runFor(1s);
     EXPECT_NEAR(bench.shaft(), 1'000, servo() ? 3 : 0);
     EXPECT_LE(bench.beyond, servo() ? 10 : 0);
-    EXPECT_FALSE(bench.jog(false, 1.0, 1s)) << "there is no way on";
+    EXPECT_FALSE(bench.jog(false, 1.0, 1s)) << "there is no travel left";
     EXPECT_TRUE(bench.jog(true, 1.0, 500ms));
     bench.bus.engine.release(bench.bus.now);
     bench.bus.runFor(1s);
@@ -201,7 +203,7 @@ TEST_P(TravelOf, ABeginningJogStopsWhatMovesAndThenGoesItsWay) {
 TEST_P(TravelOf, AJogWhoseGoalChangesIsOver) {
     ASSERT_TRUE(bench.prepare(-20'000, 20'000));
     EXPECT_TRUE(bench.jog(false, 1.0, 1s));
-    bench.module().travel.highest.reset();  // or home is not known any more
+    bench.module().travel.highest.reset();  // the same happens when home is no longer known
     bench.goOnJogging(false, 1.0, 1s);
     bench.bus.runFor(1s);
     bench.take();
@@ -240,7 +242,8 @@ protected:
     [[nodiscard]] int between(int low, int high) {
         return std::uniform_int_distribution<>(low, high)(m_random);
     }
-    /// One bit of a command at most: two may leave the sum right, which no host can tell.
+    /// Loses or changes bytes to the host, and changes at most one bit of a command: with two, the checksum
+    /// may still match, which no host can notice.
     void invalidate(VirtualBus& bus) {
         bus.onHostByte = [this](std::uint8_t& byte) {
             if (chance(0.002))
@@ -263,7 +266,7 @@ protected:
                 bench.bus.engine.release(bench.bus.now);
                 break;
             case 2:
-                bench.jog(chance(0.5), velocity, time);  // and its evidence stops coming
+                bench.jog(chance(0.5), velocity, time);  // the hold is neither renewed nor released
                 break;
             case 3:
                 bench.ask(bench.run(chance(0.5), velocity));
@@ -288,7 +291,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, TravelSequences,
                          testing::Combine(testing::Values(ModuleType::Servo, ModuleType::Stepper),
                                           testing::Range(0U, 5U)));
 
-// 2 chips x 5 x 50 sequences of ten acts.
+// 2 chips x 5 seeds x 50 sequences of ten actions.
 TEST_P(TravelSequences, TheShaftNeverPassesALimitByMoreThanTheBound) {
     const auto [type, first] = GetParam();
     int moved = 0;
@@ -305,7 +308,7 @@ TEST_P(TravelSequences, TheShaftNeverPassesALimitByMoreThanTheBound) {
             const double before = bench.shaft();
             act(bench);
             moved += std::abs(bench.shaft() - before) > 20 ? 1 : 0;
-            // Noise has shown a position that no motion leads to: home is not known any more.
+            // Noise has shown a position to which no motion leads: home is no longer known.
             if (travelForce(bench.module()) != TravelForce::InForce) {
                 ++inDoubt;
                 break;
@@ -313,7 +316,7 @@ TEST_P(TravelSequences, TheShaftNeverPassesALimitByMoreThanTheBound) {
         }
         EXPECT_LE(bench.beyond, type == ModuleType::Servo ? kErrorLimit : kStepsOfALateRamp);
     }
-    EXPECT_GT(moved, 100) << "it is about motions";
+    EXPECT_GT(moved, 100) << "without motions the bound proves nothing";
     EXPECT_LT(inDoubt, 25);
 }
 
@@ -333,8 +336,8 @@ TEST_F(TravelHoming, ASearchEndsWhereHomeAndLimitsAreBehindIt) {
     ASSERT_TRUE(bench.enable());
     bench.module().home.declare(bench.module().latestTime);
     bench.module().travel.lowest = -200;
-    // No switch is there. 0.5 counts/tick are 977 counts/s: in half a second 489, to slow down at 0.01
-    // another 13.
+    // There is no switch. 0.5 counts/tick are 977 counts/s: 489 in half a second, and another 13 to slow down
+    // at 0.01.
     const ProcedureReport report = bench.run(intent::Home{recipe()});
     EXPECT_EQ(report.stage, ProcedureStage::Failed);
     EXPECT_EQ(report.failure, ProcedureFailure::SoftLimit);
@@ -383,7 +386,7 @@ TEST_F(Steps, EndWhereTheNextOneWouldLeaveTheLimits) {
     ASSERT_TRUE(bench.enable());
     bench.begin(by(250, 4));
     bench.module().home.declare(bench.module().latestTime);
-    bench.module().travel.highest = 600;  // typed while they are made
+    bench.module().travel.highest = 600;  // entered while the steps are being made
     const ProcedureReport report = bench.goOn();
     EXPECT_EQ(report.failure, ProcedureFailure::SoftLimit);
     EXPECT_EQ(goals(), (std::vector<std::int32_t>{250, 500}));
@@ -411,7 +414,7 @@ TEST_F(Steps, AMoveTurnsRoundToo) {
     EXPECT_EQ(goals(), (std::vector<std::int32_t>{540, 500}));
     EXPECT_NEAR(bench.truth().position, 500, 3);
     EXPECT_EQ(procedureFor(intent::Move{moveTo(100, pace)}, bench.module()), nullptr)
-        << "from the right side it goes straight";
+        << "from the right side it moves straight there";
     bench.bus.expectNoViolations();
 }
 
@@ -425,7 +428,7 @@ TEST_F(Steps, AStopHereHasTakenUpNothing) {
     EXPECT_EQ(goals(), (std::vector<std::int32_t>{-140, -100, from + 10 - 40, from + 10}));
 }
 
-/// A PIC-STEP that has had its parameters and is on.
+/// A PIC-STEP that is on and has its parameters.
 class StepperMoves : public testing::Test {
 protected:
     void SetUp() override {
@@ -454,7 +457,7 @@ TEST_F(StepperMoves, TakeUpTheBacklashToo) {
     ASSERT_TRUE(procedureFor(to(-510), bench.module()));
     bench.module().travel.lowest = -540;
     bench.module().home.declare(bench.module().latestTime);
-    EXPECT_EQ(plan(to(-510), bench.module()).error(), Refusal::BeyondTravel) << "it turns round at -550";
+    EXPECT_EQ(plan(to(-510), bench.module()).error(), Refusal::BeyondTravel) << "it would turn round at -550";
     bench.bus.expectNoViolations();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a trip is taken for, on motors that trip for a reason that the simulator was told.
+// What a trip is attributed to, on motors that trip for a reason known to the simulator.
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {
@@ -44,7 +44,7 @@ TEST_F(ATrip, OfAReversedEncoderIsToldApart) {
     }
 }
 
-/// A load of 0.02 N·m pulls it off the count where it holds, and the loop adds to that.
+/// A load of 0.02 N·m pulls it off the count that it holds, and the loop adds to that.
 TEST_F(ATrip, OfAReversedEncoderAsSoonAsItIsEnabled) {
     ASSERT_TRUE(bench.connect());
     bench.settle();
@@ -86,7 +86,7 @@ TEST_F(ATrip, AtAHardStopBehindALimitSwitch) {
     EXPECT_EQ(bench.module().tripCause, TripCause::Limit2);
 }
 
-/// A quarter of 24 V turns it with 158 rad/s, 25.7 counts/tick, at most: half of what it is told.
+/// A quarter of 24 V turns it at 158 rad/s at most, which is 25.7 counts/tick: half of what is commanded.
 TEST_F(ATrip, OfAMotorThatCannotKeepUp) {
     ASSERT_TRUE(bench.enable(400));
     ASSERT_TRUE(bench.perform(intent::ApplyGains{{200, 2'000, 20, 200, 64, 0, 400, 1, std::uint8_t{0}}}));

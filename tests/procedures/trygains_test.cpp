@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gains that are tried, and the net under them: engine and simulator in virtual time. The truth is the
-// shaft's.
+// Gains that are tried, and the safety net under them. Engine and simulator in virtual time, checked against
+// the shaft of the simulator.
 #include "model/procedure/trygains.h"
 
 #include <random>
@@ -21,18 +21,18 @@ protected:
     [[nodiscard]] bool hold() {
         return bench.connect() && bench.perform(intent::ApplyGains{kGood}) && bench.perform(intent::Enable{});
     }
-    /// Until they are in force.
+    /// Begins a trial, and runs until the gains are in force.
     void tryOther(double seconds) {
         ASSERT_TRUE(hold());
         bench.begin(intent::TryGains{kOther, seconds});
         ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
     }
-    /// As the panel asks for it.
+    /// Keeps the gains as the panel does.
     void keep() {
         bench.procedure->keep();
         bench.bus.engine.keepTrial(ModuleIndex(0), bench.bus.now);
     }
-    /// The shaft, from now on.
+    /// Watches the shaft from now on.
     void watch() {
         stood = bench.truth().position;
         farthest = 0;
@@ -53,13 +53,13 @@ protected:
             before = good;
         };
     }
-    /// From outside, for so short a time that a stable servo hardly moves.
+    /// Pushes the shaft from outside, for so short a time that a stable servo hardly moves.
     void push(Duration lasts = 4ms) {
         bench.set(sim::Input::Load, kPush);
         bench.bus.runFor(lasts);
         bench.set(sim::Input::Load, 0.0);
     }
-    /// In the chip; a trial lowers its output limit.
+    /// True if the chip has these gains; its output limit may be lower during a trial.
     [[nodiscard]] bool hasGains(const servo::SetGain& gains) {
         const auto now = bench.truth().gains;
         return now.kp == gains.kp && now.kd == gains.kd && now.ki == gains.ki &&
@@ -68,7 +68,7 @@ protected:
     ServoBench bench;
     int stood = 0, farthest = 0, halfCycles = 0, side = 0;
     bool before = true;                    ///< kGood was in force
-    std::optional<TimePoint> third, back;  ///< gated half cycle; when kGood was in force again
+    std::optional<TimePoint> third, back;  ///< third half cycle; when kGood was in force again
 };
 
 TEST_F(TriedGains, AreTakenBackWhenTheTimeIsOver) {
@@ -79,7 +79,7 @@ TEST_F(TriedGains, AreTakenBackWhenTheTimeIsOver) {
     EXPECT_FALSE(report.kept);
     EXPECT_TRUE(bench.stages.count(ProcedureStage::Trying));
     EXPECT_TRUE(hasGains(kGood));
-    // And half a second to calm down after Enable, 0.3 s of the bench.
+    // Plus half a second to calm down after Enable, and 0.3 s of the bench.
     EXPECT_NEAR(toSeconds(bench.bus.now - began), 10.8, 0.2);
     bench.bus.expectNoViolations();
 }
@@ -94,7 +94,7 @@ TEST_F(TriedGains, StayWhenTheyAreKept) {
     EXPECT_TRUE(hasGains(kOther));
 }
 
-/// Before the panel has heard that they are.
+/// The other request arrives before the panel knows that they are kept.
 TEST_F(TriedGains, StayWhenTheyAreKeptAndSomethingElseIsAskedForAtOnce) {
     ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
     ASSERT_TRUE(bench.turn());
@@ -108,7 +108,7 @@ TEST_F(TriedGains, StayWhenSomethingElseIsAskedForWhileAllOfOlIsSent) {
     ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
     ASSERT_TRUE(bench.turn());
     keep();
-    ASSERT_TRUE(bench.turn());  // it hears of that, and sends
+    ASSERT_TRUE(bench.turn());  // the panel is informed of that, and sends
     bench.procedure->cancel();
     (void)bench.goOn();
     EXPECT_TRUE(hasGains(kOther));
@@ -116,7 +116,7 @@ TEST_F(TriedGains, StayWhenSomethingElseIsAskedForWhileAllOfOlIsSent) {
 
 TEST_F(TriedGains, TooLateToKeepTheyAreThoseFromBefore) {
     ASSERT_NO_FATAL_FAILURE(tryOther(0.2));
-    bench.bus.runFor(300ms);  // the time is over, and the panel has not heard of it
+    bench.bus.runFor(300ms);  // the time has ended, and the panel does not know it yet
     keep();
     bench.procedure->cancel();
     (void)bench.goOn();
@@ -133,7 +133,7 @@ TEST_F(TriedGains, AreTakenBackAtAStop) {
     EXPECT_TRUE(hasGains(kGood));
 }
 
-/// No command arrives from shortly before the time is over on, for longer than a command is repeated.
+/// From shortly before the end of the trial no command arrives, for longer than a command is repeated.
 TEST_F(TriedGains, AreTakenBackBehindADeafLine) {
     ASSERT_NO_FATAL_FAILURE(tryOther(1.0));
     for (int i = 0; i < 50; ++i)
@@ -176,7 +176,8 @@ TEST_F(TriedGains, AreRefusedWhereNothingIsHeldOrKnown) {
     EXPECT_EQ(plan(wanted, bench.module()).error(), Refusal::Moving);
 }
 
-/// 0.03 N*m are 9 PWM counts, which its integral carries; a lowered output limit must leave it as many.
+/// 0.03 N·m takes 9 PWM counts, which the integral term supplies; a lowered output limit must leave it as
+/// many.
 TEST_F(TriedGains, ALoadIsHeldMeanwhile) {
     ASSERT_TRUE(hold());
     bench.set(sim::Input::Load, 0.03);
@@ -186,8 +187,7 @@ TEST_F(TriedGains, ALoadIsHeldMeanwhile) {
     EXPECT_LE(farthest, 8);
 }
 
-/// Undamped: the delay of a tick is more than its friction makes up for, and a count is enough to set it
-/// swinging.
+/// Undamped: the delay of a tick outweighs the friction, and one count is enough to start a swing.
 TEST_F(TriedGains, FiftyUnstableSetsAreTakenBackAtOnce) {
     ASSERT_TRUE(hold());
     std::mt19937 random(16);
@@ -210,7 +210,7 @@ TEST_F(TriedGains, FiftyUnstableSetsAreTakenBackAtOnce) {
         EXPECT_LE(back.value() - third.value_or(*back), 300ms);
         ASSERT_TRUE(bench.truth().servoOn);
         bench.settle();
-        EXPECT_NEAR(bench.truth().position, stood, 8) << "and it is calm again";
+        EXPECT_NEAR(bench.truth().position, stood, 8) << "it is calm again";
 
         watch();
         ASSERT_TRUE(bench.perform(intent::ApplyGains{bad}));
