@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Issue 13, "Mend first", c: a number once sent with Set Address is never sent again in that search, no two
-// modules ever get the same, and a collision is recognised and named.
+// modules ever get the same one, and a collision is recognised and reported with its module.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,14 +19,14 @@ using namespace std::chrono_literals;
 using testing::Contains;
 using testing::IsEmpty;
 
-/// What gets lost at one place of the chain.
+/// What is lost at one place of the chain.
 enum class Loss : std::uint8_t {
     Command,
     Answer,
-    AnswerAndProbe,        ///< and the answer to the question at the new address
-    AnswerAndProbes,       ///< twice
-    CommandThenAnswer,     ///< to the next number
-    AllThatTheModuleSays,  ///< for a second, and whatever else is said
+    AnswerAndProbe,        ///< also the answer to the query at the new address
+    AnswerAndProbes,       ///< also the answers to two such queries
+    CommandThenAnswer,     ///< the command, then the answer to the next number
+    AllThatTheModuleSays,  ///< every reply for a second
 };
 
 struct LossCase {
@@ -51,12 +51,12 @@ struct LossCase {
     return all;
 }
 
-/// A search in which something gets lost where the module at `place` is given its address.
+/// A search in which something is lost when the module at `place` is given its address.
 class Search {
 public:
     Search(const LossCase& c, std::size_t modules, std::size_t place)
         : rig(worldOf(c, modules)), m_loss(c.loss), m_place(place) {
-        // The bus asks this first, and then lets the packet be changed.
+        // The bus calls losesReply first, and only then onPacket, which may change the packet.
         rig.bus.losesReply = [this](ByteSpan bytes) { return losesReply(bytes); };
         rig.onPacket = [this](std::vector<std::uint8_t>& bytes) {
             if (std::exchange(m_losesCommand, false))
@@ -137,11 +137,11 @@ protected:
         for (const auto& [address, n] : times)
             EXPECT_TRUE(address == 0 || n == 1) << n << " modules have the address " << address;
     }
-    /// Whoever has got its address answers before the search can reasonably go on without it.
+    /// True if a module that has got its address answers before the search can reasonably go on without it.
     static bool isHeardAgain(Loss loss) {
         return loss != Loss::AnswerAndProbes && loss != Loss::AllThatTheModuleSays;
     }
-    /// Nobody has an address of which the engine does not know: it could not be told to stop.
+    /// Expects that the engine knows every module that has an address: it could not stop any other.
     static void expectAllListed(Rig& rig) {
         if (!rig.known)
             return;
@@ -182,7 +182,7 @@ TEST(AddressesGivenWithOneLoss, ReachTheWholeChain) {
 INSTANTIATE_TEST_SUITE_P(Losses, AddressesGiven, testing::ValuesIn(lossCases()),
                          testing::PrintToStringParamName());
 
-/// F-37, at every position: the name of the collision is the module that the engine knows at that address.
+/// F-37, at every position: the collision is reported with the module that the engine knows at that address.
 TEST(AddressesThatCollide, AreNamed) {
     constexpr std::uint8_t kModules = 4;
     for (const std::uint32_t baud : {19'200U, 115'200U})
@@ -202,7 +202,7 @@ TEST(AddressesThatCollide, AreNamed) {
                 ASSERT_EQ(bus.count<ConnectFailed>(), 1U);
                 const ConnectFailed failed = *bus.last<ConnectFailed>();
                 EXPECT_EQ(failed.reason, ConnectFailure::Collision);
-                // Three are left that answer; it is the one at the address of the first.
+                // Three modules remain that answer; the collision is at the address of the first.
                 const int index = first - (second < first ? 1 : 0);
                 EXPECT_THAT(failed.modules, Contains(ModuleIndex(static_cast<std::uint8_t>(index))));
             }

@@ -11,9 +11,9 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr Duration kLongSilence = 4s;  // a search that finds nobody takes about as long
+constexpr Duration kLongSilence = 4s;  // a search that finds no module takes about as long
 constexpr Duration kForEver = 30s;
-constexpr Duration kQuietLine = 2s;  // no byte for so long: the stop comes all the same
+constexpr Duration kQuietLine = 2s;  // without a byte for this long, the stop comes all the same
 
 class Session {
 public:
@@ -123,8 +123,8 @@ void Session::perform(const Act& act) {
         case ActKind::Velocity:
             return m_rig.submit(runOn(m, identity(m), act.value + 1));
         case ActKind::Pwm:
-            // So slow that it coasts for less than the bound: 40 of 255 at 24 V are 100 rad/s, which dry
-            // friction of 0.004 N·m takes from 1.7e-5 kg·m² in 0.4 s.
+            // The motor is so slow that it coasts for less than the bound: 40 of 255 at 24 V gives 100 rad/s,
+            // from which dry friction of 0.004 N·m brings 1.7e-5 kg·m² to rest in 0.4 s.
             if (identity(m).type == ModuleType::Servo)
                 m_rig.submit({toServo(m, servo::StopMotor{true, servo::StopManner::MotorOff, {}}),
                               loadPwm(m, static_cast<std::uint8_t>(20 + act.value % 20))});

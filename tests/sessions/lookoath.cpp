@@ -39,7 +39,7 @@ void LookOath::check() {
     for (std::uint8_t place = 0; place < m_moving.size(); ++place) {
         const std::string named = "place " + std::to_string(place);
         for (unsigned c = 0; c < now.modules[place].executed.size(); ++c)
-            // Noise before nulls may make a packet of them: AA and zeros reset the position of address 0.
+            // Noise before nulls may turn them into a packet: AA and zeros reset the position at address 0.
             if (!m_rig->noisyCommands && !permits(static_cast<CommandCode>(c)) &&
                 now.modules[place].executed[c] != m_before.modules[place].executed[c])
                 m_rig->complain("truth: " + named + " has carried out command " + std::to_string(c));

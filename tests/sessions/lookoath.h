@@ -12,23 +12,23 @@ namespace nmc::test {
 
 class Rig;
 
-/// What must be true of a read-only connection (EngineConfig::readOnly), whatever befalls the chain and
-/// whatever is asked of it.
+/// What must be true of a read-only connection (EngineConfig::readOnly), whatever happens to the chain and
+/// whatever is requested of it.
 ///
-///  wire     nothing goes out but No Operation, Read Status and nulls; Stop Motor when a stop was asked for
+///  wire     nothing is sent but No Operation, Read Status and nulls; Stop Motor if a stop was requested
 ///  truth    no module has carried out anything else, by the simulator's own count
-///  motions  no motion is suspected; what moved goes on moving, unless it was stopped or lost its power
+///  motions  no motion is suspected; what moved continues to move unless it was stopped or lost its power
 class LookOath {
 public:
     explicit LookOath(Rig& rig) : m_rig(&rig) {}
 
-    /// Another engine, which only looks.
+    /// Another engine takes over.
     void begin();
     void stopAsked() { m_stopAsked = true; }
     void onPowerCycle(std::uint8_t place);
     void onSent(const WireItem& item);
     void onEvent(const bus::Event& event);
-    /// At the end.
+    /// Called at the end of a session.
     void check();
 
 private:

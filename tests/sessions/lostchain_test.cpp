@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Issue 13, "Mend first", e: a chain that has lost its power and has it again is not shown as live, and is
-// found when it is looked for.
+// found by the next search.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ protected:
         world.deafWhenAddressInputRises = GetParam().deaf;
         return world;
     }
-    /// All of it has been said to be gone, by whichever event.
+    /// True if all of the chain has been reported as gone, by whatever events.
     [[nodiscard]] static bool struckOut(const Rig& rig) {
         std::set<std::uint8_t> gone;
         for (const Event& event : rig.bus.events) {
@@ -63,7 +63,7 @@ protected:
     }
 };
 
-/// "What is not answered is struck out everywhere at once."
+/// Modules that do not answer are reported as gone within three seconds.
 TEST_P(LostChain, IsStruckOutWithinThreeSeconds) {
     for (const Duration after : {Duration(0ms), Duration(3ms), Duration(37ms), Duration(1s)}) {
         SCOPED_TRACE(after / 1ms);
@@ -72,17 +72,17 @@ TEST_P(LostChain, IsStruckOutWithinThreeSeconds) {
         rig.run(after);
         for (std::uint8_t place = 0; place < rig.size(); ++place)
             rig.powerCycle(place);
-        EXPECT_TRUE(rig.runUntil([&] { return struckOut(rig); }, 3s)) << "something of it is called live";
+        EXPECT_TRUE(rig.runUntil([&] { return struckOut(rig); }, 3s)) << "all of it is reported as gone";
         rig.run(100ms);
         const std::size_t samples = rig.bus.count<Sample>();
         rig.run(10s);
-        EXPECT_EQ(rig.bus.count<Sample>(), samples) << "of modules that have no address";
+        EXPECT_EQ(rig.bus.count<Sample>(), samples) << "modules without an address give no samples";
         EXPECT_TRUE(struckOut(rig));
         EXPECT_THAT(rig.complaints, IsEmpty());
     }
 }
 
-/// "Scanning finds nothing though module 1 listens at address 0."
+/// Scanning once found nothing although module 1 listened at address 0.
 TEST_P(LostChain, IsFoundWhenItIsLookedFor) {
     for (const Duration after : {Duration(200ms), Duration(3s), Duration(30s)}) {
         SCOPED_TRACE(after / 1ms);
@@ -105,7 +105,7 @@ TEST_P(LostChain, IsFoundWhenItIsLookedFor) {
     }
 }
 
-/// "All motors were stopped" does not stand there when nobody has answered.
+/// The modules are not reported as stopped when none has answered.
 TEST_P(LostChain, IsNotCalledStopped) {
     for (const Duration after : {Duration(0ms), Duration(20ms), Duration(500ms), Duration(4s)}) {
         SCOPED_TRACE(after / 1ms);

@@ -20,7 +20,7 @@ constexpr unsigned kStartNow = 0x80;  // of Load Trajectory's control byte (DS-V
            (item.code() == CommandCode::LoadTrajectory && (item.control() & kStartNow) != 0);
 }
 
-/// Velocity mode, at once.
+/// Velocity mode, starting at once.
 [[nodiscard]] std::vector<std::uint8_t> packetOf(const HoldToMove& hold, std::uint8_t address) {
     Payload payload;
     if (hold.pace) {
@@ -89,7 +89,8 @@ void OwedStopOath::checkConfirmed(const OwedStopConfirmed& event) {
     std::erase_if(m_debts, [&](const Debt& debt) { return debt.index == index; });
 }
 
-/// The operator's, from before; or his again. That nobody else starts it is another oath's.
+/// A start ends the debt: one from before, or a new one by the operator. That nothing else starts a motor is
+/// checked by StopOath.
 void OwedStopOath::onSent(const WireItem& item) {
     if (startsMotion(item))
         std::erase_if(m_debts, [&](const Debt& debt) {

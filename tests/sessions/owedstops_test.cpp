@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Issue 13, "What must be true afterwards", 3: an owed stop is never dropped. The end of a hold, a motion
-// that strays, half a group: the module does not hear its first stop, nor anything else for a time, and stops
-// when it hears again, however long that was.
+// Issue 13, "What must be true afterwards", 3: an owed stop is never dropped. A hold ends, a motion strays,
+// or only half a group starts: the module hears neither its first stop nor anything else for a time, and
+// stops when it hears again, however long that took.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,13 +59,13 @@ struct SilenceCase {
     return world;
 }
 
-/// Connected, servos on; the first module is the one that is to be stopped.
+/// A connected chain whose servos are on; the first module is the one to be stopped.
 class OwedStop {
 public:
     OwedStop(std::uint32_t baud, std::size_t modules) : rig(servosAt(baud, modules)) {}
 
-    /// From its first stop on neither the module nor, where that is wanted, any other hears or is heard; the
-    /// stop itself gets lost.
+    /// From its first stop on, neither the module nor, with Deaf::WholeBus, any other hears or is heard; the
+    /// stop itself is lost.
     void deafFromItsStopOn(Deaf deaf, Duration silence) {
         rig.onPacket = [this, deaf, silence](std::vector<std::uint8_t>& bytes) {
             for (const WireItem& item : itemsOf(bytes, rig.bus.now, 0))
@@ -79,7 +79,7 @@ public:
             rig.fault("mute rx", silence, false, place);
         };
     }
-    /// Brings about the reason to stop, and waits for the stop. False when it does not come.
+    /// Brings about the reason to stop, and waits for the stop. Returns false if it does not come.
     [[nodiscard]] bool cause(StopCause cause) {
         switch (cause) {
             case StopCause::HoldReleased:
@@ -117,15 +117,15 @@ public:
     std::optional<TimePoint> deafUntil;
 
 private:
-    /// Its encoder's wires are crossed while it runs: the position goes the other way, and it drives on, with
-    /// an error limit and an output that leave time to be seen.
+    /// Its encoder is reversed while it runs: the position goes the other way, and the motor drives on, with
+    /// an error limit and an output limit that leave time for this to be seen.
     void runsAway() {
         rig.submit({toServo(0, servo::SetGain{200, 2000, 20, 200, 60, 0, 0x3FFF, 1, std::uint8_t{0}})});
         rig.submit(runOn(0, rig.world.chain[0], 60));
         rig.run(500ms);
         rig.bus.fault("module 1 reverse for=250ms");
     }
-    /// Its limit is where it already is.
+    /// Sets a travel limit that the motor has already passed.
     void runsOut() {
         rig.submit(runOn(0, rig.world.chain[0], 60));
         rig.run(500ms);
@@ -151,13 +151,13 @@ TEST_P(OwedStopAfterSilence, ReachesTheModuleAsSoonAsItHears) {
     Rig& rig = owed.rig;
     ASSERT_TRUE(setRunning(rig, 0));
     owed.deafFromItsStopOn(c.deaf, c.silence);
-    ASSERT_TRUE(owed.cause(c.cause)) << "nothing was stopped";
+    ASSERT_TRUE(owed.cause(c.cause)) << "the cause must lead to a stop";
     ASSERT_FALSE(rig.atRest(0));
     ASSERT_TRUE(rig.runUntil([&] { return rig.bus.now >= *owed.deafUntil; }, c.silence + 1s));
-    ASSERT_FALSE(rig.atRest(0)) << "it was to run on until it hears";
-    EXPECT_THAT(owed.confirmed(), IsEmpty()) << "before it can have been told";
-    EXPECT_TRUE(rig.runUntil([&] { return rig.atRest(0); }, kSoon)) << "it runs on";
-    // "Ended by a confirmation only", which comes once.
+    ASSERT_FALSE(rig.atRest(0)) << "it runs on until it hears";
+    EXPECT_THAT(owed.confirmed(), IsEmpty()) << "the stop cannot have arrived yet";
+    EXPECT_TRUE(rig.runUntil([&] { return rig.atRest(0); }, kSoon)) << "it must stop once it hears";
+    // An owed stop ends only with a confirmation, which comes once.
     EXPECT_TRUE(rig.runUntil([&] { return !owed.confirmed().empty(); }, kSoon));
     rig.run(3s);
     ASSERT_EQ(owed.confirmed().size(), 1U);
@@ -169,7 +169,8 @@ TEST_P(OwedStopAfterSilence, ReachesTheModuleAsSoonAsItHears) {
 INSTANTIATE_TEST_SUITE_P(Causes, OwedStopAfterSilence, testing::ValuesIn(silenceCases()),
                          testing::PrintToStringParamName());
 
-/// "Repeated while the link is open": on a line from which nothing comes back the motor hears all the same.
+/// An owed stop is repeated while the link is open: the motor hears it even on a line from which nothing
+/// comes back.
 TEST(OwedStopOnALineThatIsNotHeard, ReachesTheModule) {
     for (const std::uint32_t baud : {19'200U, 115'200U}) {
         SCOPED_TRACE(baud);
@@ -182,12 +183,12 @@ TEST(OwedStopOnALineThatIsNotHeard, ReachesTheModule) {
         rig.run(7s);
         EXPECT_TRUE(rig.runUntil([&] { return rig.atRest(0); }, kSoon));
         rig.run(2s);
-        EXPECT_THAT(owed.confirmed(), IsEmpty()) << "nobody can have seen it";
+        EXPECT_THAT(owed.confirmed(), IsEmpty()) << "no answer can have shown it";
         EXPECT_THAT(rig.complaints, IsEmpty());
     }
 }
 
-/// Today begin() forgets what is owed.
+/// A stop remains owed when a search or a check of the link begins.
 class OwedStopAcross : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(OwedStopAcross, ASearchThatFindsTheChain) {
@@ -199,9 +200,9 @@ TEST_P(OwedStopAcross, ASearchThatFindsTheChain) {
     rig.run(100ms);
     rig.connect();
     ASSERT_TRUE(rig.runUntil([&] { return rig.bus.now >= *owed.deafUntil; }, 1s));
-    EXPECT_TRUE(rig.runUntil([&] { return rig.atRest(0); }, kSoon)) << "it runs on";
+    EXPECT_TRUE(rig.runUntil([&] { return rig.atRest(0); }, kSoon)) << "it must stop once it hears";
     rig.runToRest();
-    EXPECT_EQ(owed.confirmed().size(), 1U) << "the search has stopped it blindly, and nobody has looked";
+    EXPECT_EQ(owed.confirmed().size(), 1U) << "a blind stop by the search is followed by a look at the motor";
     rig.expectEnds();
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
@@ -217,7 +218,7 @@ TEST_P(OwedStopAcross, ASearchThatFindsNobody) {
     ASSERT_TRUE(rig.runUntil([&] { return !rig.searching(); }, 14s));
     ASSERT_EQ(rig.bus.count<ConnectFailed>(), 1U);
     ASSERT_TRUE(rig.runUntil([&] { return rig.bus.now >= *owed.deafUntil; }, 15s));
-    EXPECT_TRUE(rig.runUntil([&] { return rig.atRest(0); }, kSoon)) << "it runs on";
+    EXPECT_TRUE(rig.runUntil([&] { return rig.atRest(0); }, kSoon)) << "it must stop once it hears";
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
@@ -230,7 +231,7 @@ TEST_P(OwedStopAcross, AChangeOfDistrust) {
     rig.run(100ms);
     rig.distrust();
     ASSERT_TRUE(rig.runUntil([&] { return rig.bus.now >= *owed.deafUntil; }, 1s));
-    EXPECT_TRUE(rig.runUntil([&] { return rig.atRest(0); }, kSoon)) << "it runs on";
+    EXPECT_TRUE(rig.runUntil([&] { return rig.atRest(0); }, kSoon)) << "it must stop once it hears";
     rig.run(kSoon);
     EXPECT_EQ(owed.confirmed().size(), 1U);
     EXPECT_THAT(rig.complaints, IsEmpty());
@@ -238,7 +239,7 @@ TEST_P(OwedStopAcross, AChangeOfDistrust) {
 
 INSTANTIATE_TEST_SUITE_P(Rates, OwedStopAcross, testing::Values(19'200U, 115'200U));
 
-/// A stop of all is answered for by StopFinished; what was owed before is part of it.
+/// The result of a stop of all modules is reported by StopFinished; what was owed before is part of it.
 TEST(OwedStopUnderAStopOfAll, IsNotConfirmedBesideIt) {
     OwedStop owed(115'200, 2);
     Rig& rig = owed.rig;
@@ -254,7 +255,7 @@ TEST(OwedStopUnderAStopOfAll, IsNotConfirmedBesideIt) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-/// "Unless the operator started it again."
+/// Nothing is owed to a motor that the operator has started again.
 TEST(OwedStopOfAMotorThatIsHeldAgain, IsOwedNoMore) {
     OwedStop owed(115'200, 2);
     Rig& rig = owed.rig;

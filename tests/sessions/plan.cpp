@@ -18,7 +18,7 @@ struct Weighed {
     std::string_view text;
     unsigned weight;
 };
-/// What brings the engine into another state comes oftener than what only moves a motor.
+/// What brings the engine into another state is more frequent than what only moves a motor.
 constexpr std::array kActs{
     Weighed{ActKind::Connect, "connect", 8},
     Weighed{ActKind::Restart, "restart", 3},
@@ -39,8 +39,8 @@ constexpr std::array kActs{
     Weighed{ActKind::Wait, "wait", 2},
 };
 
-/// Nothing that holds a shaft or turns an encoder round: no stop would help there. Replies come late by less
-/// than the quarantine (link.md 2.2).
+/// None of them holds a shaft or reverses an encoder: no stop would help there. Replies are late by less than
+/// the quarantine (link.md 2.2).
 constexpr std::array kStrikes{
     Strike{"silent", false, true},
     Strike{"mute tx", true, true, "mute rx"},
@@ -60,7 +60,7 @@ constexpr std::array kStrikes{
 };
 
 constexpr std::array<std::uint32_t, 3> kRates{19'200, 57'600, 115'200};
-/// One in so many is on an adapter that echoes.
+/// One session in this many has an adapter that echoes.
 constexpr std::uint64_t kEchoing = 4;
 
 class Maker {
@@ -88,7 +88,7 @@ public:
 
 private:
     std::size_t below(std::size_t limit) { return m_random.below(limit); }
-    /// From 0 to below `most`, small ones as often as large ones.
+    /// A number from 0 to below `most`; small ones are as frequent as large ones.
     std::uint64_t few(double most) {
         return static_cast<std::uint64_t>(std::exp(m_random.unit() * std::log(most)) - 1.0);
     }
@@ -96,7 +96,7 @@ private:
     World world(std::uint64_t seed) {
         World world;
         world.seed = seed;
-        // Mostly short ones: what a stop can be caught in does not hang on the length.
+        // Mostly short chains: the situations that a stop can meet do not depend on the length.
         const std::size_t length = below(8) == 0 ? 5 + below(4) : 1 + below(4);
         world.chain.clear();
         for (std::size_t i = 0; i < length; ++i)

@@ -16,15 +16,14 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr Duration kHandEvery = 100ms;  // as a held button asks
+constexpr Duration kHandEvery = 100ms;  // interval at which a held button repeats its request
 constexpr std::uint32_t kFirstGroupOperation = 10'000;
-/// The velocity item tells whole counts per tick only (DS-V 5.2); slower than that is the mechanics'
-/// business.
+/// The velocity item only has whole counts per tick (DS-V 5.2); anything slower is left to the mechanics.
 constexpr double kStill = 1.5;
 /// A module that has restarted is deaf for some ms; its motor coasts.
 constexpr Duration kRestarting = 50ms;
 
-/// So many times, of the events of one kind.
+/// Number of events of this kind for the operation.
 template <typename Finished>
 [[nodiscard]] std::size_t endsOf(const FaultyBus& bus, OperationId id) {
     std::size_t n = 0;
@@ -69,7 +68,7 @@ Rig::Rig(const World& w)
     plugIn();
 }
 
-/// The adapter, as it is made.
+/// Makes the adapter echo if it is of that kind.
 void Rig::plugIn() {
     if (world.echoes)
         bus.fault("bus echo");
@@ -82,7 +81,7 @@ Rig::~Rig() {
 // ---- Acts ----
 
 void Rig::begin(bool asRestart) {
-    m_searching = true;  // one that is under way is replaced, and has no end of its own
+    m_searching = true;  // a search that is under way is replaced, and has no end of its own
     restartAsked = asRestart && !world.readOnly;
     asRestart ? bus.engine.restart(bus.now) : bus.engine.connect(bus.now);
     settle();
@@ -160,7 +159,7 @@ void Rig::stopAll() {
     observe();
 }
 
-/// What the stop comes upon.
+/// The situation in which the stop is requested.
 std::string Rig::situation() const {
     if (stopping())
         return "a stop";
@@ -405,10 +404,10 @@ void Rig::chainFound(const ChainFound& found) {
             everOn[place] = found.attached ? everOn[place] || isOn(place) : isOn(place);
         }
         const std::string address = std::to_string(module.address);
-        // One that was reset, by a restart of the network that a stop has interrupted say, is known to be
-        // absent.
+        // A module that was reset, for instance by a restart of the network that a stop has interrupted, is
+        // known to be absent.
         const bool absent = std::ranges::count(found.absent, info.index) != 0;
-        // Another host's modules may answer in the place of whoever was asked.
+        // Modules that answer another host may be taken for the one that was queried.
         if (there != 1 && !absent && !m_powerCycled && !m_foreignHost)
             complain("chain: " + std::to_string(there) + " modules have the address " + address);
         else if (there == 1 && bus.chain.identity(ModuleIndex(module.place)) != info.identity)

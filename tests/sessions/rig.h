@@ -17,7 +17,7 @@
 
 namespace nmc::test {
 
-/// How often an oath looks at what moves.
+/// Interval at which an oath looks at the motors.
 inline constexpr Duration kLookEvery = std::chrono::milliseconds(20);
 
 struct World {
@@ -25,15 +25,15 @@ struct World {
     std::uint32_t baud = 19'200;
     Duration latency{};  ///< of the adapter
     bool deafWhenAddressInputRises = false;
-    bool readOnly = false;  ///< the operator only looks
+    bool readOnly = false;  ///< the connection is read-only
     bool echoes = false;    ///< the adapter returns what is sent
     std::uint64_t seed = 1;
 };
 
-/// The chain that the engine spoke of last.
+/// The chain that the engine reported last.
 struct KnownChain {
     struct Module {
-        std::uint8_t place = 0;  ///< in the simulator; kNowhere when nobody has that address
+        std::uint8_t place = 0;  ///< in the simulator; kNowhere if no module has that address
         std::uint8_t address = 0;
     };
     static constexpr std::uint8_t kNowhere = 0xFF;
@@ -41,9 +41,9 @@ struct KnownChain {
     std::uint32_t baud = 0;
 };
 
-/// Engine and simulator, whatever is done to them, and what can be seen of that from outside: the wire, the
-/// events, the motors. The oaths (stopoath.h, owedoath.h, and where it is read-only lookoath.h) are held
-/// against all of it, all the time; what is found broken is in `complaints`.
+/// Engine and simulator, whatever is done to them, and what can be seen of them from outside: the wire, the
+/// events, the motors. All of it is checked all the time against the oaths (stopoath.h, owedoath.h and, for a
+/// read-only connection, lookoath.h); violations are added to `complaints`.
 class Rig {
 public:
     explicit Rig(const World& world);
@@ -51,25 +51,26 @@ public:
     Rig& operator=(const Rig&) = delete;
     ~Rig();
 
-    // What an operator does, or the panel for him.
+    // What an operator does, or the panel on the operator's behalf.
     void connect();
     void restart();
     void changeRate(std::uint32_t baud);
     void distrust();
     void submit(std::vector<bus::Order> steps);
     void submit(std::variant<bus::GroupChange, bus::GroupCommand> what);
-    /// Asked for again every 100 ms until `time` has passed; then released, or let lapse.
+    /// Repeats the request every 100 ms until `time` has passed; then releases it, or lets it lapse.
     void hold(const bus::HoldToMove& hold, Duration time, bool lapses);
     void stopAll();
     /// Another program takes over: a new engine, which knows nothing.
     void replaceEngine(std::uint32_t baud, bool readOnly = false);
 
-    // What befalls the chain.
+    // What happens to the chain.
     void powerCycle(std::uint8_t place);
-    /// A line of simulator.md that ends with " for=..." by itself. `deafens`: commands may not arrive.
+    /// Injects a line of simulator.md and adds " for=..." to it, unless it has " n=". `deafens`: commands may
+    /// not arrive.
     void fault(const std::string& line, Duration time, bool deafens, std::optional<std::uint8_t> place = {});
     void clearFaults();
-    /// Something else turns the shaft from now on, whatever its motor is told.
+    /// Applies a load that turns the shaft from now on, whatever its motor is commanded to do.
     void load(std::uint8_t place, double newtonMetres);
 
     void run(Duration time);
@@ -85,23 +86,25 @@ public:
             moveHand();
         }
     }
-    /// Until so many more bytes have crossed the wire, in either direction, or none will for a while.
+    /// Runs until this many more bytes have crossed the wire, in either direction, but no longer than
+    /// `limit`.
     void runBytes(std::uint64_t bytes, Duration limit);
     [[nodiscard]] std::uint64_t bytesCrossed() const;
-    /// Until there is nothing that still owes its end; a search takes its time.
+    /// Runs until searches, stops and rate changes have ended, and then for the time of another stop.
     void runToRest();
-    /// What has been asked for and has not ended, or not once.
+    /// Complains about whatever was requested and has not ended exactly once.
     void expectEnds();
 
-    // The truth.
+    // The truth, as the simulator knows it.
     [[nodiscard]] std::size_t size() const { return bus.chain.moduleCount(); }
-    /// The motor has current, or turns by command.
+    /// True if the motor has current, or turns by command.
     [[nodiscard]] bool isOn(std::uint8_t place);
-    /// The packet that is leaving resets it: it is off, and without an address, before another one can come.
+    /// True if the packet being sent resets it: it is off, and without an address, before another one can
+    /// arrive.
     [[nodiscard]] bool resetOnTheWay(std::uint8_t place);
     [[nodiscard]] bool atRest(std::uint8_t place);
     [[nodiscard]] double shaft(std::uint8_t place);
-    /// A command to its address at that rate arrives and is understood.
+    /// True if a command to this address at this rate arrives and is understood.
     [[nodiscard]] bool hears(std::uint8_t place, std::uint8_t address, std::uint32_t baud);
     [[nodiscard]] std::uint64_t replies(std::uint8_t place) const;
     [[nodiscard]] bool isDriven(std::uint8_t place) const { return m_driven[place]; }
@@ -116,15 +119,15 @@ public:
     FaultyBus bus;
     std::optional<KnownChain> known;
     std::vector<WireItem> wire;
-    TimePoint lineFree{};        ///< when the last byte that was given to the port will have left
-    bool noisyCommands = false;  ///< noise on the way to the modules, at some time
-    TimePoint faultsUntil{};     ///< nothing goes wrong on the line from then on
-    bool restartAsked = false;   ///< by the search that is under way, or was the last
-    bool lost = false;           ///< the engine says that the link is
-    std::vector<bool> everOn;    ///< by place, since it was given an address
+    TimePoint lineFree{};        ///< when the last byte given to the port will have left
+    bool noisyCommands = false;  ///< there was noise on the way to the modules at some time
+    TimePoint faultsUntil{};     ///< from then on, nothing is wrong with the line
+    bool restartAsked = false;   ///< the current or last search restarts the network
+    bool lost = false;           ///< the engine reports the link as lost
+    std::vector<bool> everOn;    ///< by place: may have been on since it was given an address
     std::vector<std::string> complaints;
-    std::set<std::string> situations;  ///< that stops of all have come upon
-    /// May change what goes to the modules, after it has been noted.
+    std::set<std::string> situations;  ///< those in which stops of all were requested
+    /// May change what is sent to the modules, after it has been noted.
     std::function<void(std::vector<std::uint8_t>&)> onPacket;
 
 private:
@@ -162,7 +165,7 @@ private:
     std::vector<bus::OperationId> m_operations;
     std::vector<bus::OperationId> m_groupOperations;
     std::vector<TimePoint> m_deafUntil;  ///< by place
-    std::vector<bool> m_driven;          ///< by place, from outside
+    std::vector<bool> m_driven;          ///< by place: turned from outside
     std::size_t m_seen = 0;
     bool m_powerCycled = false;
     bool m_foreignHost = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The property of issue 13: at any byte of any session call stop all; afterwards the simulator's truth and
-// the report agree. And of H-02: in any session of who only looks nothing is changed. Three hundred sessions;
-// ten thousand with NMC_SESSIONS=10000 (scripts/test nightly); one alone, with what went over the wire, with
-// NMC_SESSION_SEED=number.
+// The property of issue 13: after a stop of all modules at any byte of any session, the simulator's truth and
+// the report agree. And that of H-02: a session on a read-only connection changes nothing. Three hundred
+// sessions; ten thousand with NMC_SESSIONS=10000 (scripts/test nightly); a single one, with all that went
+// over the wire, with NMC_SESSION_SEED=number.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace nmc::test {
 namespace {
 
 constexpr unsigned kShares = 10;  ///< so that each ends in good time under a sanitizer, and on two cores
-constexpr unsigned kTold = 5;     ///< that broke the oath, in full
+constexpr unsigned kTold = 5;     ///< number of failed sessions that are printed in full
 
 [[nodiscard]] std::uint64_t number(const char* variable, std::uint64_t otherwise) {
     const char* text = std::getenv(variable);
@@ -50,7 +50,8 @@ struct Outcome {
     return text + "\n    alone: NMC_SESSION_SEED=" + std::to_string(plan.seed);
 }
 
-/// How often a stop came upon what; and by the first word of the first complaint, what was broken.
+/// Counts the situations in which stops were requested, and the kinds of violation, by the first word of the
+/// first complaint.
 class Sessions : public testing::TestWithParam<unsigned> {
 protected:
     using Maker = Plan (*)(std::uint64_t seed);

@@ -14,18 +14,17 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A stop may cut a reply short, and leaves no more than this behind the packet before it (issue 13,
-/// "Figures").
+/// A stop may cut a reply short, and follows the packet before it within this time (issue 13, "Figures").
 constexpr Duration kAtOnce = 2ms;
-/// For a port that has to run empty, and a line that has to be quiet, before its rate changes.
+/// Time for a port to run empty, and for a line to become quiet, before the rate changes.
 constexpr Duration kChangeOfRate = 50ms;
 constexpr std::size_t kNullBytes = 16;
 constexpr std::size_t kLongestExchange = 19 + 17;  // a packet and a reply, in bytes
-/// What went out so shortly before the stop was asked for may have been one.
+/// A packet that was sent so shortly before the stop was requested may already have been one.
 constexpr Duration kJustBefore = 10ms;
-/// What is late comes no later than this behind the end of a fault.
+/// Late replies come no later than this after the end of a fault.
 constexpr Duration kSettled = 300ms;
-constexpr double kDrift = 100;  // counts: a servo that was told to hold settles
+constexpr double kDrift = 100;  // counts: a servo that is commanded to hold settles
 
 [[nodiscard]] std::string named(std::size_t index, std::uint8_t place) {
     return "module " + std::to_string(index) + " (place " + std::to_string(place) + ")";
@@ -80,7 +79,7 @@ bool StopOath::restarting() const {
 void StopOath::onChainFound() {
     if (!m_run || m_run->chainKnown)
         return;
-    // The stop waited for somebody to tell it to.
+    // Until now there was no module to which the stop could be sent.
     m_run->modules.clear();
     for (const auto& m : m_rig->known->modules)
         if (m.place != KnownChain::kNowhere)
@@ -138,7 +137,7 @@ void StopOath::checkLists(const bus::StopFinished& event) {
     for (std::size_t i = 0; i < modules; ++i)
         if (times[i] != 1)
             m_rig->complain("lists: module " + std::to_string(i) + " is in " + std::to_string(times[i]));
-    // Before any chain is known, those that the search has seen may be told of.
+    // Before any chain is known, the modules that the search has seen may be reported.
     for (const auto& [module, n] : times)
         if (module >= modules && (modules > 0 || n > 1))
             m_rig->complain("lists: module " + std::to_string(module) + " is in " + std::to_string(n) +
@@ -200,8 +199,8 @@ void StopOath::checkTold(const Run& run) {
     const TimePoint first = firstDue(run);
     const Duration byte = byteTimeAtBaud(run.baud);
     const auto modules = static_cast<Duration::rep>(run.modules.size());
-    // Asked for again, it may begin anew. Where what a module was told is not known, or an answer was late,
-    // it is looked at first.
+    // If the stop is requested again, it may begin again. A module is queried first if it is not known what
+    // it was sent, or if an answer was late.
     const TimePoint last = first + (run.asked - run.began) + 5ms +
                            static_cast<Duration::rep>(kNullBytes) * byte +
                            2 * modules * (static_cast<Duration::rep>(kLongestExchange) * byte + 2ms) +

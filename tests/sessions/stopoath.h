@@ -13,25 +13,25 @@ namespace nmc::test {
 
 class Rig;
 
-/// What must be true of every stop of all motors, whatever came before it and whatever comes with it.
+/// What must be true of every stop of all motors, whatever precedes it and whatever accompanies it.
 ///
-///  ends      exactly one StopFinished for each run of a stop, within kStopBound after it was asked for the
-///            last time when a chain is known, else within the length of a search (issue 13, item 1)
-///  lists     each module of the chain known last is in exactly one of the three lists (item 2)
-///  rest      who is called stopped is at rest, and stays so; who hears is at rest within kStopBound (item 2,
-///            "Tests")
-///  answered  who is called stopped has answered twice since the stop was asked for (item 4)
-///  told      each module that is on and hears is sent a stop at the rate at which the chain is known, at
-///            once, and behind nulls where the link was not well (item 1)
-///  heard     on a line that is well, whoever hears and has not just been reset is confirmed
-///  N1        nothing that moves, enables, tunes or renames goes out behind a stop (faults.md N1, N2)
+///  ends      exactly one StopFinished for each run of a stop, within kStopBound after the last request if a
+///            chain is known, otherwise within the length of a search (issue 13, item 1)
+///  lists     each module of the last known chain is in exactly one of the three lists (item 2)
+///  rest      a module reported as stopped is at rest, and remains so; a module that hears is at rest within
+///            kStopBound (item 2, "Tests")
+///  answered  a module reported as stopped has answered twice since the stop was requested (item 4)
+///  told      each module that is on and hears is sent a stop at once, at the known rate of the chain,
+///            and after nulls if the link was not well (item 1)
+///  heard     on a line that is well, a module that hears and has not just been reset is confirmed
+///  N1        nothing that moves, enables, tunes or renames is sent after a stop (faults.md N1, N2)
 class StopOath {
 public:
-    /// After the last stopAll(), when a chain is known.
+    /// Counted from the last stopAll(), if a chain is known.
     static constexpr Duration kStopBound = std::chrono::milliseconds(2'500);
     /// The longest search: 32 addresses at four rates, an adapter of 16 ms, noise.
     static constexpr Duration kSearchBound = std::chrono::seconds(20);
-    /// How long who was called stopped is watched.
+    /// How long a module that was reported as stopped is watched.
     static constexpr Duration kWatched = std::chrono::seconds(2);
 
     explicit StopOath(Rig& rig) : m_rig(&rig) {}
@@ -41,11 +41,11 @@ public:
     void onSent(const WireItem& item);
     void onFinished(const bus::StopFinished& event);
     void onChainFound();
-    /// The engine has a reason to stop everything of its own accord: one more StopFinished is in order.
+    /// The engine has a reason of its own to stop everything: one more StopFinished is in order.
     void stopsByItself();
-    /// The operator moves a motor again, or something else does: what was said before is over.
+    /// The operator moves a motor again, or something else does: what was reported before no longer applies.
     void forget();
-    /// Another engine.
+    /// Another engine takes over.
     void reset() { *this = StopOath(*m_rig); }
 
     [[nodiscard]] bool running() const { return m_run.has_value(); }
@@ -60,12 +60,12 @@ private:
     struct Run {
         TimePoint began;
         TimePoint asked;
-        TimePoint inFlight;  ///< until then the packet before it is on its way
+        TimePoint inFlight;  ///< until then, the packet before it is on its way
         std::size_t wireFrom = 0;
         bool chainKnown = false;
-        bool well = false;       ///< as far as the engine could know
+        bool well = false;       ///< the link is well, as far as the engine can know
         bool calm = false;       ///< nothing has been wrong with the line for a while
-        bool reset = false;      ///< the network is being restarted: who answers has forgotten what it did
+        bool reset = false;      ///< the network is being restarted: modules forget what they did
         bool judgeWire = false;  ///< the rate of the chain is certain, and no other stop is under way
         std::uint32_t baud = 0;
         std::uint32_t hostBaud = 0;
@@ -91,10 +91,10 @@ private:
 
     Rig* m_rig;
     std::optional<Run> m_run;
-    std::optional<Run> m_resting;  ///< whose modules have to be at rest soon
+    std::optional<Run> m_resting;  ///< the modules of this run have to be at rest soon
     TimePoint m_restDue{};
     bool m_overdue = false;
-    bool m_forbidden = false;  ///< N1 holds: nobody has asked for anything since the stop
+    bool m_forbidden = false;  ///< N1 holds: nothing has been requested since the stop
     bool m_rateWasChanging = false;
     unsigned m_ownStops = 0;
     std::vector<Watched> m_watched;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Issue 13, "What must be true afterwards", 1 and 2: a stop always acts, in any phase; and there are three
-// outcomes, never two. One test for each sentence, in each phase; the oath (stopoath.h) is held throughout.
+// Issue 13, "What must be true afterwards", 1 and 2: a stop always acts, in any phase; and it has three
+// outcomes, never two. Each of these sentences has a test for each phase; the oath (stopoath.h) is checked
+// throughout.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,13 +19,13 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
 
-/// Where a chain is known, and what has become of the connection to it.
+/// What has become of the connection to a known chain.
 enum class Phase : std::uint8_t {
     Connected,
     LookingAgain,   ///< "Scan again" is under way
-    FoundNobody,    ///< and has found nobody, since the line was dead just then
-    LinkLost,       ///< nobody has answered for some seconds; now they would
-    SecondConnect,  ///< comes right behind the stop
+    FoundNobody,    ///< the search has found nothing, since the line was dead just then
+    LinkLost,       ///< nothing has answered for some seconds; now the modules would
+    SecondConnect,  ///< a connect follows the stop at once
 };
 
 struct PhaseCase {
@@ -55,8 +56,8 @@ struct PhaseCase {
 
 class StopInPhase : public testing::TestWithParam<PhaseCase> {
 protected:
-    /// The motors run; what comes next is the stop. Bytes of the search that have crossed the wire, where
-    /// there is a search.
+    /// Sets the motors in motion and enters the phase; the stop comes next. `bytes` cross the wire before it,
+    /// of the search if there is one.
     void enter(Rig& rig, std::uint64_t bytes) {
         ASSERT_TRUE(setRunning(rig, 3));
         switch (GetParam().phase) {
@@ -83,19 +84,19 @@ protected:
         rig.fault("mute tx", kForLong, true);
         rig.fault("mute rx", kForLong, false);
     }
-    /// And to the end of it.
+    /// Requests the stop, and runs to its end.
     void stop(Rig& rig) {
         rig.stopAll();
         if (GetParam().phase == Phase::SecondConnect)
             rig.connect();
         EXPECT_TRUE(rig.runUntil([&] { return !rig.stopping(); }, StopOath::kStopBound));
     }
-    /// The first bytes of a search, and some of its midst.
+    /// The first bytes of a search, and some in the middle of it.
     static constexpr std::array<std::uint64_t, 6> kMoments{0, 1, 17, 40, 150, 500};
 };
 
-/// "As long as the port is open, the chain that was known last is told to stop at the rate it was known at
-/// (nulls, then stops that need no answer), then asked."
+/// As long as the port is open, stops are sent to the last known chain at its last known rate (nulls, then
+/// stops that need no answer), and then its modules are queried.
 TEST_P(StopInPhase, TellsTheChainThatWasKnownLastAndThenAsksIt) {
     for (const std::uint64_t bytes : kMoments) {
         SCOPED_TRACE(bytes);
@@ -123,13 +124,13 @@ TEST_P(StopInPhase, TellsTheChainThatWasKnownLastAndThenAsksIt) {
             };
             EXPECT_TRUE(
                 std::any_of(rig.wire.begin() + static_cast<std::ptrdiff_t>(told), rig.wire.end(), asks))
-                << "module " << int{address} << " was told, and not asked";
+                << "module " << int{address} << " is queried after its stop";
         }
         EXPECT_THAT(rig.complaints, IsEmpty());
     }
 }
 
-/// "The old chain is kept until the new one is found": and confirmed, when its modules answer.
+/// The old chain is kept until the new one is found, and is confirmed when its modules answer.
 TEST_P(StopInPhase, StopsEveryModuleThatHearsAndSaysSo) {
     for (const std::uint64_t bytes : kMoments) {
         SCOPED_TRACE(bytes);
@@ -149,7 +150,8 @@ TEST_P(StopInPhase, StopsEveryModuleThatHearsAndSaysSo) {
     }
 }
 
-/// "*not reached* (no answer)": it hears, and its motor stops, but nobody can know.
+/// A module that does not answer is reported as not reached: it hears, and its motor stops, but nothing shows
+/// it.
 TEST_P(StopInPhase, CallsAModuleThatDoesNotAnswerUnreached) {
     Rig rig(threeAt(GetParam().baud));
     enter(rig, 40);
@@ -166,7 +168,7 @@ TEST_P(StopInPhase, CallsAModuleThatDoesNotAnswerUnreached) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-/// "*not confirmed* (told, but its rest is not seen)": it answers that it goes on.
+/// A module that is not seen at rest is reported as not confirmed: it answers that it is still moving.
 TEST_P(StopInPhase, CallsAModuleThatMovesOnUnconfirmed) {
     Rig rig(threeAt(GetParam().baud));
     enter(rig, 40);
@@ -183,13 +185,13 @@ TEST_P(StopInPhase, CallsAModuleThatMovesOnUnconfirmed) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-/// A shaft that a load drives, after its motor was switched off, is no motor at rest.
+/// A shaft that a load drives after its motor was switched off is not a motor at rest.
 TEST_P(StopInPhase, CallsAShaftThatALoadDrivesUnconfirmed) {
     Rig rig(threeAt(GetParam().baud));
     enter(rig, 40);
     if (HasFatalFailure())
         return;
-    // Its driver's power fails, and the servo with it, and stays off (DS-V 4.5).
+    // The power of its driver fails, so the servo switches off and stays off (DS-V 4.5).
     rig.bus.chain.set(ModuleIndex(0), sim::Input::Power, 0.0, rig.bus.now);
     rig.load(0, 0.02);
     rig.run(200ms);
@@ -201,7 +203,7 @@ TEST_P(StopInPhase, CallsAShaftThatALoadDrivesUnconfirmed) {
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
 
-/// "Commands may still arrive" (faults.md F-19), and nobody can be confirmed.
+/// Commands may still arrive (faults.md F-19), but no module can be confirmed.
 TEST_P(StopInPhase, ConfirmsNobodyWhenNothingIsHeard) {
     Rig rig(threeAt(GetParam().baud));
     enter(rig, 40);
@@ -247,14 +249,14 @@ INSTANTIATE_TEST_SUITE_P(
 
 class StopBeforeAChainIsKnown : public testing::TestWithParam<std::uint32_t> {
 protected:
-    /// Another program has left it running.
+    /// Leaves the chain running, as another program may have done.
     void leaveBehind(Rig& rig) {
         ASSERT_TRUE(setRunning(rig, 3));
         rig.replaceEngine(GetParam());
     }
 };
 
-/// Closing while connecting is this, too.
+/// This is also the case of closing the panel while it connects.
 TEST_P(StopBeforeAChainIsKnown, WaitsForTheSearchAndThenActs) {
     for (const std::uint64_t bytes : {0U, 1U, 17U, 40U, 150U, 500U}) {
         SCOPED_TRACE(bytes);
@@ -275,8 +277,8 @@ TEST_P(StopBeforeAChainIsKnown, WaitsForTheSearchAndThenActs) {
     }
 }
 
-/// "During an attach that fails late, modules that were only seen count as stopped": the second module
-/// answers the look, and never says what it is.
+/// Modules that were only seen do not count as stopped when an attach fails late: the second module answers
+/// the search, but never reports its identity.
 TEST_P(StopBeforeAChainIsKnown, CallsNobodyStoppedWhenTheSearchFailsLate) {
     for (const std::uint64_t bytes : {0U, 40U, 150U, 400U}) {
         SCOPED_TRACE(bytes);
@@ -299,7 +301,7 @@ TEST_P(StopBeforeAChainIsKnown, CallsNobodyStoppedWhenTheSearchFailsLate) {
     }
 }
 
-/// "A stop always acts": whoever has said at that rate what it is can be told.
+/// A stop always acts: it can be sent to a module that has reported its identity at that rate.
 TEST_P(StopBeforeAChainIsKnown, StopsWhoeverHasSaidWhatItIsWhenTheSearchFailsLate) {
     Rig rig(threeAt(GetParam()));
     leaveBehind(rig);

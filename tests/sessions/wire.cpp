@@ -8,7 +8,7 @@ namespace nmc::test {
 namespace {
 
 constexpr std::uint8_t kHeaderByte = 0xAA;
-constexpr std::size_t kShortest = 4;  // header, address, command, sum
+constexpr std::size_t kShortest = 4;  // header, address, command, checksum
 
 }  // namespace
 
